@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// One way into every point cloud format: open, then read rows. Each format is one file beside this one.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/cloud/cloud_info.h"
+
+namespace ilot {
+
+// Readers treat their input as hostile: an unreadable file is an Error at open (path, place, what to do), a damaged one
+// gives the points that are whole (info().points < info().declared_points, with a warning).
+class PointReader {
+ public:
+  virtual ~PointReader() = default;
+
+  virtual const CloudInfo& info() const = 0;
+
+  // Random-access formats may be read from several threads at once, in any order. The others (text, PLY ascii) must be
+  // read front to back by one thread.
+  virtual bool random_access() const = 0;
+
+  // Points at which a read should start and end: units of decoding (LAZ chunks). Strictly increasing, first 0, last
+  // info().points. A read across a boundary is correct but decodes both sides.
+  virtual std::vector<std::uint64_t> boundaries() const = 0;
+
+  // Fills `records` (a multiple of layout.record_length) with the rows from `first` on; returns how many were whole.
+  // Fewer than asked = the rest of the file is damaged (never the case for rows below info().points of binary
+  // formats, unless the file changes underneath). Rows with coordinates that are not finite or do not fit are
+  // marked in `valid` (same number of entries as rows): 0 = reject, content of the row undefined but for its length.
+  virtual std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) = 0;
+};
+
+// Opens by content first, extension second. Throws Error.
+std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path);
+
+// Extensions that folders are searched for.
+bool is_cloud_extension(const std::filesystem::path& path);
+
+}  // namespace ilot

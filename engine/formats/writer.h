@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// One way out: rows with a layout become a file, which appears whole under its name at finish() or not at all.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/cloud/cloud_info.h"
+
+namespace ilot {
+
+// What a file is to hold. Start from the input's CloudInfo to keep its header fields, VLRs and extra bytes.
+struct CloudSpec {
+  CloudInfo like;                      // header fields, VLRs, CRS and layout of the rows as given to write()
+  std::vector<ExtraField> appended;    // ours: behind the input's extra bytes; offsets are filled in by the writer
+  std::string software;                // "generating software" of LAS
+};
+
+class PointWriter {
+ public:
+  virtual ~PointWriter() = default;
+
+  // Bytes of one row: like.layout.record_length plus the appended fields.
+  virtual std::size_t record_length() const = 0;
+
+  // Appends rows. Called in order by one thread; compression below may be parallel.
+  virtual void write(std::span<const std::byte> records) = 0;
+
+  // Patches counts and bounds, flushes, checks every write and renames into place. Without it nothing appears.
+  virtual void finish() = 0;
+};
+
+// By extension. Throws Error when the format is not one we write, with the list of those we do.
+std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec);
+
+}  // namespace ilot

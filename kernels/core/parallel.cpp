@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/core/parallel.h"
+
+#include <tbb/global_control.h>
+#include <tbb/info.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+
+namespace ilot {
+
+void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
+  tbb::this_task_arena::isolate([&] {
+    tbb::parallel_for(
+        std::size_t{0}, count, [&](std::size_t i) { body(i); }, tbb::simple_partitioner());
+  });
+}
+
+void with_threads(int threads, const std::function<void()>& body) {
+  const int n = std::max(1, threads);
+  tbb::global_control limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(n));
+  tbb::task_arena arena(n);
+  arena.execute(body);
+}
+
+int thread_count() { return tbb::this_task_arena::max_concurrency(); }
+
+int hardware_threads() { return tbb::info::default_concurrency(); }
+
+}  // namespace ilot

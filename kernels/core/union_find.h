@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <numeric>
+#include <span>
+#include <utility>
+
+namespace ilot {
+
+// Disjoint sets over caller-owned parents, path halving, the smaller index is always the root: the partition and its
+// representatives do not depend on the order of the unions. Near-constant amortised time in practice.
+class UnionFind {
+ public:
+  explicit UnionFind(std::span<std::uint32_t> parents) : parent_(parents) {
+    std::iota(parent_.begin(), parent_.end(), 0u);
+  }
+  std::uint32_t find(std::uint32_t i) {
+    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+    return i;
+  }
+  // True when two sets became one.
+  bool unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return false;
+    if (b < a) std::swap(a, b);
+    parent_[b] = a;
+    return true;
+  }
+
+ private:
+  std::span<std::uint32_t> parent_;
+};
+
+}  // namespace ilot
