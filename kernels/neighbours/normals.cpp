@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/neighbours/normals.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "kernels/core/eigen3.h"
+#include "kernels/neighbours/knn.h"
+
+namespace ilot {
+namespace {
+
+// count^2 times the covariance: every term an integer below 2^53 while offsets are below 2^20.
+Symmetric3 scaled_covariance(const Points& p, std::uint32_t query, std::span<const std::uint32_t> neighbours) {
+  double sx = 0, sy = 0, sz = 0;
+  Symmetric3 m;
+  for (std::uint32_t j : neighbours) {
+    const double dx = p.x[j] - p.x[query];
+    const double dy = p.y[j] - p.y[query];
+    const double dz = p.z[j] - p.z[query];
+    sx += dx;
+    sy += dy;
+    sz += dz;
+    m.xx += dx * dx;
+    m.xy += dx * dy;
+    m.xz += dx * dz;
+    m.yy += dy * dy;
+    m.yz += dy * dz;
+    m.zz += dz * dz;
+  }
+  const double n = static_cast<double>(neighbours.size());
+  return {n * m.xx - sx * sx, n * m.xy - sx * sy, n * m.xz - sx * sz,
+          n * m.yy - sy * sy, n * m.yz - sy * sz, n * m.zz - sz * sz};
+}
+
+Vec3 pointing_up(Vec3 v) {
+  const bool down = v.z < 0 || (v.z == 0 && (v.y < 0 || (v.y == 0 && v.x < 0)));
+  return down ? -1.0 * v : v;
+}
+
+std::int16_t pack_component(double v) { return static_cast<std::int16_t>(std::nearbyint(v * 32767)); }
+
+PackedNormal normal_of(const Points& p, std::uint32_t query, std::span<const std::uint32_t> neighbours) {
+  if (neighbours.size() < 3) return {};
+  const Symmetric3 covariance = scaled_covariance(p, query, neighbours);
+  const SmallestEigen e = smallest_eigen(covariance);
+  if (!e.unique) return {};
+  const Vec3 n = pointing_up(e.vector);
+  const double trace = covariance.xx + covariance.yy + covariance.zz;
+  const double curvature = std::clamp(3 * e.value / trace, 0.0, 1.0);
+  return {pack_component(n.x), pack_component(n.y), pack_component(n.z),
+          static_cast<std::uint16_t>(std::nearbyint(curvature * 65535))};
+}
+
+}  // namespace
+
+void normals(const NeighbourIndex& index, std::span<const std::uint32_t> queries, const NormalsParams& params,
+             std::span<PackedNormal> out, std::span<std::int64_t> reach2) {
+  assert(out.size() == queries.size() && reach2.size() == queries.size());
+  constexpr std::size_t kBatch = 256;  // neighbour lists of a batch stay in the cache
+  const std::size_t k = static_cast<std::size_t>(params.k);
+  std::vector<std::uint32_t> neighbours(kBatch * k);
+  for (std::size_t begin = 0; begin < queries.size(); begin += kBatch) {
+    const std::size_t count = std::min(kBatch, queries.size() - begin);
+    const std::span batch(neighbours.data(), count * k);
+    knn(index, queries.subspan(begin, count), {params.k, params.max_d2}, batch, reach2.subspan(begin, count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const auto list = batch.subspan(i * k, k);
+      const auto end = std::find(list.begin(), list.end(), kNoNeighbour);
+      out[begin + i] = normal_of(index.points, queries[begin + i],
+                                 list.first(static_cast<std::size_t>(end - list.begin())));
+    }
+  }
+}
+
+}  // namespace ilot

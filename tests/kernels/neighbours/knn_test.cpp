@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/neighbours/knn.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "kernels/simd/dispatch.h"
+#include "tests/support/point_sets.h"
+
+namespace ilot {
+namespace {
+
+struct Answer {
+  std::vector<std::uint32_t> neighbours;
+  std::vector<std::int64_t> reach2;
+};
+
+std::vector<std::uint32_t> all_of(std::size_t n) {
+  std::vector<std::uint32_t> v(n);
+  std::iota(v.begin(), v.end(), 0u);
+  return v;
+}
+
+Answer run_knn(Points points, std::span<const std::uint32_t> queries, const KnnParams& params) {
+  const NeighbourIndex index = build_neighbour_index(points);
+  Answer a{std::vector<std::uint32_t>(queries.size() * static_cast<std::size_t>(params.k)),
+           std::vector<std::int64_t>(queries.size())};
+  knn(index, queries, params, a.neighbours, a.reach2);
+  return a;
+}
+
+std::int64_t squared(Points p, std::uint32_t i, std::uint32_t j) {
+  const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
+  return static_cast<std::int64_t>(dx * dx + dy * dy + dz * dz);
+}
+
+Answer brute_force(Points points, std::span<const std::uint32_t> queries, const KnnParams& params) {
+  Answer a;
+  for (const std::uint32_t q : queries) {
+    std::vector<std::pair<std::int64_t, std::uint32_t>> all;
+    for (std::uint32_t j = 0; j < points.size; ++j)
+      if (squared(points, q, j) <= params.max_d2) all.emplace_back(squared(points, q, j), j);
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < static_cast<std::size_t>(params.k); ++i)
+      a.neighbours.push_back(i < all.size() ? all[i].second : kNoNeighbour);
+    const std::size_t k = static_cast<std::size_t>(params.k);
+    a.reach2.push_back(all.size() < k ? -1 : all[k - 1].first);
+  }
+  return a;
+}
+
+TEST(Knn, ThreePointsByHand) {
+  const auto set = test::make_set("three", {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
+  const std::uint32_t query[] = {0};
+  const Answer a = run_knn(set.view(), query, {3, kMaxSquaredReach});
+  EXPECT_EQ(a.neighbours, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(a.reach2[0], 16);
+  const Answer near = run_knn(set.view(), query, {3, 9});
+  EXPECT_EQ(near.neighbours, (std::vector<std::uint32_t>{0, 1, kNoNeighbour}));
+  EXPECT_EQ(near.reach2[0], -1);
+}
+
+TEST(Knn, EqualsBruteForceOnEverySetSizeAndBound) {
+  for (const std::uint32_t n : {1u, 7u, 8u, 9u, 64u, 65u, 700u}) {
+    for (const auto& set : test::point_sets(n)) {
+      const auto queries = all_of(n);
+      for (const KnnParams params : {KnnParams{1, kMaxSquaredReach}, KnnParams{16, kMaxSquaredReach},
+                                     KnnParams{30, 400}, KnnParams{64, 2500}, KnnParams{5, 0}}) {
+        const Answer got = run_knn(set.view(), queries, params);
+        const Answer want = brute_force(set.view(), queries, params);
+        EXPECT_EQ(got.neighbours, want.neighbours) << set.name << " n=" << n << " k=" << params.k;
+        EXPECT_EQ(got.reach2, want.reach2) << set.name << " n=" << n << " k=" << params.k;
+      }
+    }
+  }
+}
+
+TEST(Knn, ManyDuplicatesOverflowTheCandidateBuffer) {
+  const auto set = test::make_set("duplicates", std::vector<Cell3>(3000, Cell3{5, 5, 5}));
+  const std::uint32_t queries[] = {0, 1500, 2999};
+  const Answer a = run_knn(set.view(), queries, {4, 100});
+  const Answer b = brute_force(set.view(), queries, {4, 100});
+  EXPECT_EQ(a.neighbours, b.neighbours);
+}
+
+TEST(Knn, OrderOfQueriesDoesNotShow) {
+  const auto set = test::point_sets(500)[1];
+  auto queries = all_of(500);
+  const Answer forward = run_knn(set.view(), queries, {8, kMaxSquaredReach});
+  std::reverse(queries.begin(), queries.end());
+  const Answer backward = run_knn(set.view(), queries, {8, kMaxSquaredReach});
+  for (std::size_t q = 0; q < 500; ++q)
+    for (std::size_t i = 0; i < 8; ++i)
+      EXPECT_EQ(forward.neighbours[q * 8 + i], backward.neighbours[(499 - q) * 8 + i]);
+}
+
+TEST(Knn, EveryInstructionSetGivesTheSameBits) {
+  const simd::Table* avx2 = simd::find_table("avx2");
+  if (avx2 == nullptr) GTEST_SKIP() << "this machine has no AVX2";
+  for (const auto& set : test::point_sets(3000)) {
+    const NeighbourIndex index = build_neighbour_index(set.view());
+    std::vector<const float*> boxes;
+    for (const auto& level : index.boxes) boxes.push_back(level.data());
+    const auto queries = all_of(3000);
+    std::vector<std::uint32_t> a(3000 * 12), b(3000 * 12);
+    std::vector<std::int64_t> ra(3000), rb(3000);
+    simd::KnnArgs args{set.x.data(), set.y.data(), set.z.data(), 3000, boxes.data(), static_cast<int>(boxes.size()),
+                       queries.data(), 3000, 12, kMaxSquaredReach, a.data(), ra.data()};
+    simd::find_table("baseline")->knn(args);
+    args.neighbours = b.data();
+    args.reach2 = rb.data();
+    avx2->knn(args);
+    EXPECT_EQ(a, b) << set.name;
+    EXPECT_EQ(ra, rb) << set.name;
+  }
+}
+
+}  // namespace
+}  // namespace ilot
