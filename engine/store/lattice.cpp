@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/lattice.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace ilot {
+namespace {
+
+constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileBits) - 1;
+constexpr double kFarthest = 0x1p51;
+
+std::uint32_t low_bits(std::int64_t v) { return static_cast<std::uint32_t>(v & kTileMask); }
+std::int32_t high_bits(std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); }
+
+}  // namespace
+
+PointKey key_of(Index3 p) {
+  return {{high_bits(p.x), high_bits(p.y), high_bits(p.z)},
+          morton_code({low_bits(p.x), low_bits(p.y), low_bits(p.z)})};
+}
+
+Index3 corner(Tile tile) {
+  constexpr std::int64_t edge = std::int64_t{1} << kTileBits;
+  return {tile.x * edge, tile.y * edge, tile.z * edge};
+}
+
+Index3 index_of(const PointKey& key) {
+  const Index3 c = corner(key.tile);
+  const Cell3 cell = morton_cell(key.code);
+  return {c.x + cell.x, c.y + cell.y, c.z + cell.z};
+}
+
+Node Node::ancestor(int at_level) const {
+  const int shift = 3 * (kTileBits - at_level);
+  return {tile, at_level, first_code >> shift << shift};
+}
+
+Index3 Node::min_corner() const { return index_of({tile, first_code}); }
+
+IndexBox Node::box() const {
+  const Index3 c = min_corner();
+  const std::int64_t e = edge() - 1;
+  return {c, {c.x + e, c.y + e, c.z + e}};
+}
+
+std::string Node::name() const {
+  char text[96];
+  std::snprintf(text, sizeof text, "t%d_%d_%d_l%02d_%016llx", tile.x, tile.y, tile.z, level,
+                static_cast<unsigned long long>(first_code));
+  return text;
+}
+
+LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    Axis& axis = axes_[i];
+    axis = {layout.scale[i], layout.offset[i], unit, 0, 0, false};
+    const double factor = std::nearbyint(axis.scale / unit);
+    const double shift = std::nearbyint(axis.offset / unit);
+    axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < 1e-9 * factor && factor < 0x1p20 &&
+                 std::abs(shift) < kFarthest && std::abs(axis.offset / unit - shift) < 1e-3;
+    if (!axis.exact) continue;
+    axis.factor = static_cast<std::int64_t>(factor);
+    axis.shift = static_cast<std::int64_t>(shift);
+  }
+}
+
+bool LatticeMap::Axis::map(std::int32_t raw, std::int64_t& out) const {
+  if (exact) {
+    out = raw * factor + shift;
+    return true;
+  }
+  const double v = std::nearbyint((raw * scale + offset) / unit);
+  if (!(std::abs(v) < kFarthest)) return false;
+  out = static_cast<std::int64_t>(v);
+  return true;
+}
+
+bool LatticeMap::map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {
+  return axes_[0].map(x, out.x) && axes_[1].map(y, out.y) && axes_[2].map(z, out.z);
+}
+
+}  // namespace ilot

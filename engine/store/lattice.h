@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where a point lies, in integers. World coordinates are multiples of one unit for all inputs; space is cut into tiles
+// of 2^21 units, fixed for all time, and each tile into an octree by Morton code. A point's key is its tile and its
+// code: that is the global order of points, and it is unchanged by a shift of whole tiles.
+#pragma once
+#include <compare>
+#include <cstdint>
+#include <string>
+
+#include "engine/cloud/record.h"
+#include "kernels/core/types.h"
+#include "kernels/neighbours/morton.h"
+
+namespace ilot {
+
+constexpr int kTileBits = kMortonBits;  // tile edge 2^21 units: 2,097 m at a millimetre
+
+struct Tile {
+  std::int32_t x = 0, y = 0, z = 0;
+  friend auto operator<=>(const Tile&, const Tile&) = default;
+};
+
+struct PointKey {
+  Tile tile;
+  std::uint64_t code = 0;
+  friend auto operator<=>(const PointKey&, const PointKey&) = default;
+};
+
+PointKey key_of(Index3 p);
+Index3 index_of(const PointKey& key);
+Index3 corner(Tile tile);
+
+// A cube of the octree of one tile: level 0 is the tile, level 21 a single lattice point.
+struct Node {
+  Tile tile;
+  std::int32_t level = 0;
+  std::uint64_t first_code = 0;  // smallest code inside
+
+  std::uint64_t last_code() const { return first_code + (std::uint64_t{1} << 3 * (kTileBits - level)) - 1; }
+  std::int64_t edge() const { return std::int64_t{1} << (kTileBits - level); }
+  Node child(int octant) const {
+    return {tile, level + 1, first_code + (static_cast<std::uint64_t>(octant) << 3 * (kTileBits - level - 1))};
+  }
+  Node ancestor(int at_level) const;
+  Index3 min_corner() const;
+  IndexBox box() const;
+  bool contains(const Node& o) const {
+    return tile == o.tile && first_code <= o.first_code && o.last_code() <= last_code();
+  }
+  std::string name() const;  // usable as a file name
+  friend bool operator==(const Node&, const Node&) = default;
+};
+
+// Disjoint nodes sort along the global order of their points.
+inline bool before(const Node& a, const Node& b) {
+  return a.tile != b.tile ? a.tile < b.tile : a.first_code < b.first_code;
+}
+
+// Raw integers of a file to lattice coordinates: exact when the file's scale is a multiple of the unit and its offset
+// lies on the lattice, else the nearest lattice point.
+class LatticeMap {
+ public:
+  LatticeMap(const RecordLayout& layout, double unit);
+  // False when the point is too far out (beyond 2^51 units) to be handled.
+  bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const;
+  bool exact() const { return axes_[0].exact && axes_[1].exact && axes_[2].exact; }
+
+ private:
+  struct Axis {
+    double scale, offset, unit;
+    std::int64_t factor, shift;
+    bool exact;
+    bool map(std::int32_t raw, std::int64_t& out) const;
+  };
+  std::array<Axis, 3> axes_;
+};
+
+}  // namespace ilot

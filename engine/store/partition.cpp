@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/partition.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/error.h"
+
+namespace ilot {
+namespace {
+
+std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) { return stem += suffix; }
+
+// First position in [range.first, range.end) whose code is not below `code`.
+std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const RunRange& range, std::uint64_t code) {
+  std::uint64_t lo = range.first, hi = range.end;
+  const std::uint64_t first_sample = (lo + kRunSample - 1) / kRunSample;
+  const std::uint64_t last_sample = (hi + kRunSample - 1) / kRunSample;
+  const auto begin = run.samples.begin() + static_cast<std::ptrdiff_t>(first_sample);
+  const auto end = run.samples.begin() + static_cast<std::ptrdiff_t>(std::max(first_sample, last_sample));
+  const auto it = std::lower_bound(begin, end, code);
+  if (it != begin) lo = std::max(lo, static_cast<std::uint64_t>(it - run.samples.begin() - 1) * kRunSample);
+  if (it != end) hi = std::min(hi, static_cast<std::uint64_t>(it - run.samples.begin()) * kRunSample);
+  if (lo == hi) return lo;
+  std::vector<std::uint64_t> page(hi - lo);
+  codes.read<std::uint64_t>(lo, page);
+  return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code) - page.begin());
+}
+
+class Planner {
+ public:
+  Planner(std::span<const SortedRun> runs, std::uint64_t block_points) : runs_(runs), block_points_(block_points) {
+    for (const SortedRun& run : runs) codes_.emplace_back(with_suffix(run.stem, ".codes"));
+  }
+
+  void split(const PlannedBlock& block, std::vector<PlannedBlock>& leaves) const {
+    if (block.points == 0) return;
+    if (block.points <= block_points_ || block.node.level == kTileBits) {
+      leaves.push_back(block);
+      return;
+    }
+    std::array<PlannedBlock, 8> children;
+    for (int octant = 0; octant < 8; ++octant) children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
+    for (const RunRange& range : block.ranges) {
+      std::uint64_t first = range.first;
+      for (std::size_t octant = 0; octant < 8; ++octant) {
+        const std::uint64_t end =
+            octant == 7 ? range.end
+                        : lower_bound(runs_[range.run], codes_[range.run], {range.run, first, range.end},
+                                      children[octant + 1].node.first_code);
+        if (end > first) {
+          children[octant].ranges.push_back({range.run, first, end});
+          children[octant].points += end - first;
+        }
+        first = end;
+      }
+    }
+    for (const PlannedBlock& child : children) split(child, leaves);
+  }
+
+ private:
+  std::span<const SortedRun> runs_;
+  std::uint64_t block_points_;
+  std::vector<ColumnReader> codes_;
+};
+
+template <class T>
+std::vector<T> gather(const PlannedBlock& plan, std::span<const SortedRun> runs, const char* suffix) {
+  std::vector<T> values(plan.points);
+  std::uint64_t at = 0;
+  for (const RunRange& range : plan.ranges) {
+    const std::uint64_t n = range.end - range.first;
+    ColumnReader(with_suffix(runs[range.run].stem, suffix)).read<T>(range.first, std::span(values).subspan(at, n));
+    at += n;
+  }
+  return values;
+}
+
+std::vector<ChunkBox> chunk_boxes(std::span<const std::uint64_t> codes) {
+  std::vector<ChunkBox> boxes;
+  for (std::size_t first = 0; first < codes.size(); first += kChunkPoints) {
+    ChunkBox box{{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
+    for (std::size_t i = first; i < std::min(codes.size(), first + kChunkPoints); ++i) {
+      const Cell3 c = morton_cell(codes[i]);
+      const std::uint32_t v[3]{c.x, c.y, c.z};
+      for (int axis = 0; axis < 3; ++axis) {
+        box.min[axis] = std::min(box.min[axis], v[axis]);
+        box.max[axis] = std::max(box.max[axis], v[axis]);
+      }
+    }
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+IndexBox bounds(std::span<const ChunkBox> chunks, Tile tile) {
+  const Index3 c = corner(tile);
+  ChunkBox all = chunks[0];
+  for (const ChunkBox& b : chunks)
+    for (int axis = 0; axis < 3; ++axis) {
+      all.min[axis] = std::min(all.min[axis], b.min[axis]);
+      all.max[axis] = std::max(all.max[axis], b.max[axis]);
+    }
+  return {{c.x + all.min[0], c.y + all.min[1], c.z + all.min[2]}, {c.x + all.max[0], c.y + all.max[1], c.z + all.max[2]}};
+}
+
+}  // namespace
+
+std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points) {
+  std::map<Tile, PlannedBlock> roots;
+  for (std::uint32_t r = 0; r < runs.size(); ++r) {
+    for (const RunTile& t : runs[r].tiles) {
+      PlannedBlock& root = roots[t.tile];
+      root.node = {t.tile, 0, 0};
+      root.points += t.end - t.first;
+      root.ranges.push_back({r, t.first, t.end});
+    }
+  }
+  const Planner planner(runs, block_points);
+  std::vector<PlannedBlock> leaves;
+  for (const auto& [tile, root] : roots) planner.split(root, leaves);
+  return leaves;
+}
+
+Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, const std::filesystem::path& folder) {
+  if (plan.points > UINT32_MAX)
+    throw Error("more than 4 billion points coincide at one place; remove duplicates from the input first");
+  auto codes = gather<std::uint64_t>(plan, runs, ".codes");
+  // Runs are sorted and their ranges come in input order, so a stable sort leaves ties in input order.
+  const std::vector<std::uint32_t> sorted = sorted_order(codes);
+  const auto write = [&](const char* column, const auto& values) {
+    using T = typename std::decay_t<decltype(values)>::value_type;
+    write_column<T>(folder / (plan.node.name() + "." + column), values);
+  };
+  const auto permute = [&](auto& values) {
+    auto copy = values;
+    for (std::size_t i = 0; i < sorted.size(); ++i) values[i] = copy[sorted[i]];
+  };
+  permute(codes);
+  write("codes", codes);
+  const auto chunks = chunk_boxes(codes);
+  codes = {};
+  auto order = gather<InputOrder>(plan, runs, ".order");
+  permute(order);
+  write("order", order);
+  write("chunks", chunks);
+  return {plan.node, static_cast<std::uint32_t>(plan.points), bounds(chunks, plan.node.tile)};
+}
+
+}  // namespace ilot

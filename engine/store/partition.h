@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Second half of the index: octree nodes of at most so many points, each merged from the sorted runs.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/store/sorted_run.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+struct RunRange {
+  std::uint32_t run = 0;
+  std::uint64_t first = 0, end = 0;
+};
+
+struct PlannedBlock {
+  Node node;
+  std::uint64_t points = 0;
+  std::vector<RunRange> ranges;  // ascending by run
+};
+
+// Leaves of the octrees of all tiles, each with at most `block_points` points (more only when that many coincide in one
+// lattice point), in global order. Counts are exact. Reads a page of codes per run and split.
+std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points);
+
+// Merges the ranges and writes the columns "codes", "order" and "chunks". 64 bytes of memory a point.
+Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, const std::filesystem::path& folder);
+
+}  // namespace ilot

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// First half of the index: each stretch of the inputs becomes a file of points sorted by key. Which stretch a point fell
+// into never shows: blocks merge what all runs hold of an octree node.
+#pragma once
+#include <array>
+#include <bitset>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "engine/formats/reader.h"
+#include "engine/store/lattice.h"
+
+namespace ilot {
+
+// Why a point did not enter the store.
+enum class Rejection { invalid, withheld, noise, outside };
+constexpr std::size_t kRejections = 4;
+constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordinates", "withheld", "noise class",
+                                                               "outside the area and its surroundings"};
+
+struct IndexFilter {
+  std::bitset<256> noise;         // classes that are left out
+  std::optional<IndexBox> keep;   // lattice box beyond which points are left out
+};
+
+// The points of one tile in a run: positions [first, end) of the run's columns.
+struct RunTile {
+  Tile tile;
+  std::uint64_t first = 0, end = 0;
+};
+
+constexpr std::uint64_t kRunSample = 1024;  // every 1,024th code of the run is kept in memory
+
+struct SortedRun {
+  std::filesystem::path stem;  // stem.codes, stem.order; stem.table is written last
+  std::array<std::uint64_t, kRejections> rejected{};
+  std::vector<RunTile> tiles;          // ascending
+  std::vector<std::uint64_t> samples;  // code at position i * kRunSample
+};
+
+struct RunSource {
+  PointReader& reader;
+  std::uint32_t file = 0;                // number of the input
+  std::uint64_t first = 0, count = 0;    // rows
+};
+
+// Reads rows and writes stem.*; 64 bytes of memory a row. `read_rows` is told how many rows were read.
+SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilter& filter,
+                          const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows);
+
+// The table of a run that an earlier start finished; nullopt when there is none.
+std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem);
+
+}  // namespace ilot

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/store/column_file.h"
+#include "engine/store/lattice.h"
+
+namespace ilot {
+
+// A leaf of the partition: the points of one octree node, sorted by code, ties by input order.
+struct Block {
+  Node node;
+  std::uint32_t points = 0;
+  IndexBox box;  // of its points, tight
+};
+
+// Blocks on disk: one immutable file per block and column. Which points fall into which block is never visible in a
+// result; the global order of points (tile, code) is.
+// Columns: "codes" u64 Morton codes, "order" u64 input order (InputOrder), "chunks" ChunkBox per 1,024 points, and
+// those that passes add.
+class Store {
+ public:
+  Store(std::filesystem::path folder, double unit, std::vector<Block> blocks);
+
+  const std::filesystem::path& folder() const { return folder_; }
+  double unit() const { return unit_; }  // CRS units per lattice step
+  const std::vector<Block>& blocks() const { return blocks_; }
+  std::uint64_t points() const { return points_; }
+
+  // Blocks whose points may lie in the box, in global order. O(blocks).
+  std::vector<std::uint32_t> blocks_in(const IndexBox& box) const;
+
+  bool has(std::uint32_t block, std::string_view column) const;
+  std::filesystem::path path(std::uint32_t block, std::string_view column) const;
+
+  template <class T>
+  void write(std::uint32_t block, std::string_view column, std::span<const T> values) const {
+    write_column<T>(path(block, column), values);
+  }
+  template <class T>
+  std::vector<T> read(std::uint32_t block, std::string_view column, std::uint32_t first, std::uint32_t count) const {
+    std::vector<T> values(count);
+    ColumnReader(path(block, column)).read<T>(first, values);
+    return values;
+  }
+  template <class T>
+  std::vector<T> read(std::uint32_t block, std::string_view column) const {
+    return read<T>(block, column, 0, blocks_[block].points);
+  }
+
+ private:
+  std::filesystem::path folder_;
+  double unit_;
+  std::vector<Block> blocks_;
+  std::uint64_t points_ = 0;
+};
+
+constexpr std::uint32_t kChunkPoints = 1024;
+
+// Bounding box of 1,024 consecutive points of a block, relative to its tile's corner.
+struct ChunkBox {
+  std::uint32_t min[3];
+  std::uint32_t max[3];
+};
+
+// Where a point stood in the inputs: file in the upper 20 bits, row in the lower 44.
+using InputOrder = std::uint64_t;
+constexpr int kRowBits = 44;
+constexpr InputOrder input_order(std::uint64_t file, std::uint64_t row) { return file << kRowBits | row; }
+constexpr std::uint64_t file_of(InputOrder order) { return order >> kRowBits; }
+constexpr std::uint64_t row_of(InputOrder order) { return order & ((InputOrder{1} << kRowBits) - 1); }
+
+}  // namespace ilot

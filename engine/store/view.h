@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// Consecutive points of one block inside a view.
+struct Slice {
+  std::uint32_t block = 0;
+  std::uint32_t first = 0, count = 0;  // in the block
+  std::uint32_t at = 0;                // in the view
+};
+
+// Points of the store around a place, in global order, as offsets from an anchor. Holds every point of the box asked
+// for, and others beside it: whole chunks are read.
+struct View {
+  Index3 anchor;
+  std::vector<Slice> slices;
+  std::vector<float> x, y, z;  // padded as Points asks
+  std::size_t size = 0;
+
+  Points points() const { return {x.data(), y.data(), z.data(), size}; }
+};
+
+// Slices that cover the box and how many points they hold, without reading the points.
+View plan_view(const Store& store, const IndexBox& box, Index3 anchor);
+
+// Reads the coordinates of a planned view. 12 bytes a point.
+void load_points(const Store& store, View& view);
+
+inline View load_view(const Store& store, const IndexBox& box, Index3 anchor) {
+  View view = plan_view(store, box, anchor);
+  load_points(store, view);
+  return view;
+}
+
+// Another column of the same points, in the order of the view.
+template <class T>
+std::vector<T> load_column(const Store& store, const View& view, std::string_view column) {
+  std::vector<T> values(view.size);
+  for (const Slice& s : view.slices)
+    ColumnReader(store.path(s.block, column)).read<T>(s.first, std::span(values).subspan(s.at, s.count));
+  return values;
+}
+
+// Positions in the view of the points of one block that it holds: [begin, end).
+struct PointRange {
+  std::uint32_t begin = 0, end = 0;
+};
+PointRange range_of_block(const View& view, std::uint32_t block);
+
+}  // namespace ilot
