@@ -29,9 +29,7 @@ std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const
 
 class Planner {
  public:
-  Planner(std::span<const SortedRun> runs, std::uint64_t block_points) : runs_(runs), block_points_(block_points) {
-    for (const SortedRun& run : runs) codes_.emplace_back(with_suffix(run.stem, ".codes"));
-  }
+  Planner(std::span<const SortedRun> runs, std::uint64_t block_points) : runs_(runs), block_points_(block_points) {}
 
   void split(const PlannedBlock& block, std::vector<PlannedBlock>& leaves) const {
     if (block.points == 0) return;
@@ -42,11 +40,12 @@ class Planner {
     std::array<PlannedBlock, 8> children;
     for (int octant = 0; octant < 8; ++octant) children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
     for (const RunRange& range : block.ranges) {
+      const ColumnReader codes(with_suffix(runs_[range.run].stem, ".codes"));
       std::uint64_t first = range.first;
       for (std::size_t octant = 0; octant < 8; ++octant) {
         const std::uint64_t end =
             octant == 7 ? range.end
-                        : lower_bound(runs_[range.run], codes_[range.run], {range.run, first, range.end},
+                        : lower_bound(runs_[range.run], codes, {range.run, first, range.end},
                                       children[octant + 1].node.first_code);
         if (end > first) {
           children[octant].ranges.push_back({range.run, first, end});
@@ -61,7 +60,6 @@ class Planner {
  private:
   std::span<const SortedRun> runs_;
   std::uint64_t block_points_;
-  std::vector<ColumnReader> codes_;
 };
 
 template <class T>
