@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/pass/stop.h"
+
+#include <atomic>
+
+namespace ilot {
+namespace {
+
+std::atomic<bool> stop_flag{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only touch lock-free atomics");
+
+}  // namespace
+
+bool stop_requested() { return stop_flag.load(std::memory_order_relaxed); }
+
+void request_stop() { stop_flag.store(true, std::memory_order_relaxed); }
+
+}  // namespace ilot

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run tells about itself while it works: lines for people and events for programs, both handed to sinks that the
+// caller owns, since library code prints nothing. Stages follow one another; advance() may be called from any thread.
+#pragma once
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ilot {
+
+enum class Verbosity { quiet, normal, verbose };
+
+struct ProgressOptions {
+  Verbosity verbosity = Verbosity::normal;
+  bool live = false;    // a terminal: one line rewritten in place; else a line every 10 s
+  bool colour = false;  // the stage's name in bold
+  std::function<void(std::string_view)> console;  // text for people, newlines included; empty = silent
+  std::function<void(std::string_view)> events;   // one JSON object and a newline; empty = none
+  std::function<double()> clock;                  // monotonic seconds; empty = the steady clock
+};
+
+struct StageRecord {
+  std::string name;
+  double seconds = 0, cpu_seconds = 0;
+  std::uint64_t points = 0;
+};
+
+class Progress {
+ public:
+  Progress() : Progress(ProgressOptions{}) {}  // silent, still keeps the stage records
+  explicit Progress(ProgressOptions options);
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void run_start(std::string_view message);
+  void input_ok(std::string_view path, std::uint64_t points);
+  void input_skipped(std::string_view path, std::string_view reason);  // also a line, even when quiet
+
+  // Names as in run.json. A stage that is still open is ended first. total = 0: unknown, no percentage.
+  void begin_stage(std::string_view name, std::uint64_t total_points);
+  void advance(std::uint64_t points) { done_.fetch_add(points, std::memory_order_relaxed); }
+  void end_stage();
+
+  // done of total units of the current stage; the unit's files stand under their names when this is called.
+  void unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total);
+  void unit_skipped(std::string_view unit, std::string_view reason);
+
+  void run_done(std::string_view message);
+
+  void note(std::string_view sentence);  // one line, not when quiet
+  void warn(std::string_view sentence);  // one line, always
+
+  // Redraws the live line, or writes the line and the heartbeat event that are due every 10 s. To be called by a timer
+  // of the caller, so that a stall shows too; cheap when nothing is due.
+  void tick();
+
+  std::vector<StageRecord> stages() const;
+
+ private:
+  struct Rate {
+    double points_per_second = 0, eta_seconds = -1;
+  };
+  double now() const;
+  Rate rate() const;
+  void end_stage_locked();
+  void line(std::string_view text, Verbosity least);
+  std::string stage_text() const;
+  void event(std::string_view name, const std::vector<std::pair<std::string, std::string>>& fields);
+  std::vector<std::pair<std::string, std::string>> stage_fields() const;
+
+  ProgressOptions options_;
+  mutable std::mutex mutex_;
+  std::atomic<std::uint64_t> done_{0};
+  std::uint64_t total_ = 0;
+  std::string stage_, unit_;
+  double start_ = 0, stage_start_ = 0, stage_cpu_ = 0, last_line_ = 0, last_draw_ = 0;
+  bool live_shown_ = false;
+  std::vector<StageRecord> stages_;
+};
+
+// 1,234,567.
+std::string grouped(std::uint64_t number);
+
+// A JSON string literal of the text; bytes that are not UTF-8 become U+FFFD.
+std::string json_quote(std::string_view text);
+
+}  // namespace ilot

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/report/run_record.h"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/settings/config.h"
+#include "engine/version.h"
+#include "engine/whole_file.h"
+
+namespace ilot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json inputs_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const InputRecord& input : record.inputs) {
+    list.push_back({{"path", input.path},
+                    {"format", input.format},
+                    {"crs", input.crs},
+                    {"points", input.points},
+                    {"bytes", input.bytes}});
+  }
+  return list;
+}
+
+Json stages_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const StageRecord& stage : record.stages) {
+    const double rate = stage.seconds > 0 ? static_cast<double>(stage.points) / stage.seconds : 0;
+    list.push_back({{"name", stage.name},
+                    {"seconds", stage.seconds},
+                    {"cpu_seconds", stage.cpu_seconds},
+                    {"points", stage.points},
+                    {"points_per_second", rate}});
+  }
+  return list;
+}
+
+Json counts_json(const RunRecord& record) {
+  Json counts;
+  counts["points"] = {{"read", record.points.read},
+                      {"labelled", record.points.labelled},
+                      {"unlabelled", record.points.unlabelled},
+                      {"rejected", record.points.rejected_total()}};
+  if (record.planes) counts["planes"] = *record.planes;
+  return counts;
+}
+
+Json skipped_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const SkippedRecord& s : record.skipped) {
+    list.push_back({{"what", s.what}, {"where", s.where}, {"reason", s.reason}});
+  }
+  return list;
+}
+
+Json chosen_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const ChosenRecord& c : record.chosen) list.push_back({{"key", c.key}, {"value", c.value}, {"why", c.why}});
+  return list;
+}
+
+}  // namespace
+
+std::uint64_t PointCounts::rejected_total() const {
+  std::uint64_t total = 0;
+  for (const auto& [reason, points] : rejected) total += points;
+  return total;
+}
+
+std::string run_json(const RunRecord& record) {
+  Json json;
+  json["version"] = version();
+  json["git_hash"] = git_hash();
+  json["exit_code"] = static_cast<int>(record.exit);
+  json["products"] = record.products;
+  json["parameters"] = Json::parse(settings_json(record.settings));
+  json["parameters_hash"] = fmt::format("{:016x}", settings_hash(record.settings));
+  json["chosen"] = chosen_json(record);
+  json["threads"] = record.threads;
+  json["memory_bytes"] = record.memory_bytes;
+  json["inputs"] = inputs_json(record);
+  json["unit_assumed"] = record.unit_assumed;
+  json["stages"] = stages_json(record);
+  json["seconds"] = record.seconds;
+  json["peak_rss_bytes"] = record.peak_rss_bytes;
+  json["blocks"] = record.blocks;
+  json["counts"] = counts_json(record);
+  json["rejected"] = record.points.rejected;
+  json["skipped"] = skipped_json(record);
+  json["warnings"] = record.warnings;
+  json["result_hash"] = record.result_hash;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+void write_run_json(const RunRecord& record, const std::filesystem::path& out) {
+  write_whole_file(out / "run.json", run_json(record));
+}
+
+}  // namespace ilot

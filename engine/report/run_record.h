@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// run.json: what was asked, what was done, what it took, what was left out and why. Scripts rely on the names.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/report/progress.h"
+#include "engine/settings/settings.h"
+
+namespace ilot {
+
+struct InputRecord {
+  std::string path, format, crs;  // crs: name or empty
+  std::uint64_t points = 0;       // that were read
+  std::uint64_t bytes = 0;
+};
+
+struct SkippedRecord {
+  std::string what;    // "input", "unit", "product"
+  std::string where;   // path or id
+  std::string reason;  // one sentence
+};
+
+// A value that `auto` stood for.
+struct ChosenRecord {
+  std::string key;  // "planes.epsilon"
+  double value = 0;
+  std::string why;
+};
+
+// read = labelled + unlabelled + rejected.
+struct PointCounts {
+  std::uint64_t read = 0, labelled = 0, unlabelled = 0;
+  std::map<std::string, std::uint64_t> rejected;  // reason -> points
+
+  std::uint64_t rejected_total() const;
+};
+
+struct RunRecord {
+  ExitCode exit = ExitCode::ok;
+  Settings settings;
+  std::vector<std::string> products;
+  int threads = 0;
+  std::uint64_t memory_bytes = 0;  // the budget
+  std::vector<InputRecord> inputs;
+  std::vector<StageRecord> stages;  // Progress::stages()
+  double seconds = 0;
+  std::uint64_t peak_rss_bytes = 0;
+  std::uint64_t blocks = 0;
+  PointCounts points;
+  std::optional<std::uint64_t> planes;  // products that did not run have no counts
+  std::vector<SkippedRecord> skipped;
+  std::vector<ChosenRecord> chosen;
+  std::vector<std::string> warnings;
+  bool unit_assumed = false;
+  std::string result_hash;
+};
+
+// The text of run.json; version, git hash and the settings' hash are added.
+std::string run_json(const RunRecord& record);
+
+// Writes OUT/run.json whole or not at all.
+void write_run_json(const RunRecord& record, const std::filesystem::path& out);
+
+}  // namespace ilot

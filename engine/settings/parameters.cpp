@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/settings/parameters.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <type_traits>
+
+namespace ilot {
+namespace {
+
+// How a field of Settings is held in a Value, and back.
+template <class T>
+struct Field {
+  static constexpr bool kOptional = false;
+  static constexpr ValueKind kKind = std::is_same_v<T, bool>             ? ValueKind::boolean
+                                     : std::is_floating_point_v<T> ? ValueKind::number
+                                                                   : ValueKind::integer;
+  using Stored = std::conditional_t<std::is_same_v<T, bool>, bool,
+                                    std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>>;
+  static Value get(const T& field) { return static_cast<Stored>(field); }
+  static void set(T& field, const Value& value) {
+    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
+      field = static_cast<T>(*whole);
+    } else {
+      field = static_cast<T>(std::get<Stored>(value));
+    }
+  }
+};
+
+template <class T>
+struct Field<std::optional<T>> {
+  static constexpr bool kOptional = true;
+  static constexpr ValueKind kKind = Field<T>::kKind;
+  static Value get(const std::optional<T>& field) { return field ? Field<T>::get(*field) : Value(Auto{}); }
+  static void set(std::optional<T>& field, const Value& value) {
+    field.reset();
+    if (!std::holds_alternative<Auto>(value)) Field<T>::set(field.emplace(), value);
+  }
+};
+
+template <>
+struct Field<std::vector<int>> {
+  static constexpr bool kOptional = false;
+  static constexpr ValueKind kKind = ValueKind::integers;
+  static Value get(const std::vector<int>& field) { return std::vector<std::int64_t>(field.begin(), field.end()); }
+  static void set(std::vector<int>& field, const Value& value) {
+    const auto& list = std::get<std::vector<std::int64_t>>(value);
+    field.clear();
+    for (std::int64_t entry : list) field.push_back(static_cast<int>(entry));
+  }
+};
+
+template <class Access>
+Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
+  using F = Field<std::remove_cvref_t<decltype(access(std::declval<Settings&>()))>>;
+  return {key,
+          F::kKind,
+          F::kOptional,
+          range,
+          unit,
+          help,
+          [access](const Settings& s) { return F::get(access(s)); },
+          [access](Settings& s, const Value& value) { F::set(access(s), value); }};
+}
+
+#define ILOT_FIELD(path) [](auto& s) -> auto& { return s.path; }
+
+std::vector<Parameter> make_table() {
+  return {
+      make("seed", ILOT_FIELD(seed), {0, 0x1p53 - 1}, "", "varies the random draws; any value is reproducible"),
+      make("index.block_points", ILOT_FIELD(index.block_points), {256, 0x1p26}, "points",
+           "most points in one block of the store; results do not depend on it"),
+      make("normals.neighbours", ILOT_FIELD(normals.neighbours), {3, 64}, "points",
+           "nearest points that a normal is fitted to"),
+      make("normals.max_radius", ILOT_FIELD(normals.max_radius), {0.001, 1000}, "m",
+           "neighbours farther away than this are not used"),
+      make("normals.write", ILOT_FIELD(normals.write), {}, "", "write NormalX, NormalY and NormalZ with the points"),
+      make("planes.epsilon", ILOT_FIELD(planes.epsilon), {0.0001, 10}, "m",
+           "greatest distance of a labelled point from its plane"),
+      make("planes.normal_angle", ILOT_FIELD(planes.normal_angle), {0.1, 90}, "deg",
+           "greatest angle between a point's normal and that of its plane"),
+      make("planes.min_points", ILOT_FIELD(planes.min_points), {3, 1e9}, "points", "fewest points of a plane"),
+      make("planes.connectivity", ILOT_FIELD(planes.connectivity), {0.001, 100}, "m",
+           "parts of a plane farther apart than this are two planes"),
+      make("planes.join_angle", ILOT_FIELD(planes.join_angle), {0, 45}, "deg",
+           "planes that meet at a cell border are joined up to this angle"),
+      make("planes.probability", ILOT_FIELD(planes.probability), {0.5, 0.999999}, "",
+           "that the best plane was among those tried"),
+      make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
+      make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
+      make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),
+  };
+}
+
+#undef ILOT_FIELD
+
+std::string number_text(double number) {
+  char buffer[32];
+  if (!std::isfinite(number)) return std::isnan(number) ? "nan" : (number < 0 ? "-inf" : "inf");
+  const auto end = std::to_chars(buffer, buffer + sizeof buffer, number).ptr;
+  std::string text(buffer, end);
+  const bool whole = text.find_first_of(".e") == std::string::npos;
+  return whole ? text + ".0" : text;
+}
+
+// The end of a range, for people: never an exponent, no ".0".
+std::string bound_text(double bound) {
+  char buffer[400];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, bound, std::chars_format::fixed).ptr};
+}
+
+bool fits_kind(const Parameter& p, const Value& value) {
+  switch (p.kind) {
+    case ValueKind::boolean: return std::holds_alternative<bool>(value);
+    case ValueKind::integer: return std::holds_alternative<std::int64_t>(value);
+    case ValueKind::number:
+      return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
+    case ValueKind::integers: return std::holds_alternative<std::vector<std::int64_t>>(value);
+  }
+  return false;
+}
+
+bool in_range(const ValueRange& range, const Value& value) {
+  const auto inside = [&](double v) { return v >= range.min && v <= range.max; };
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return inside(static_cast<double>(*whole));
+  if (const auto* number = std::get_if<double>(&value)) return inside(*number);
+  if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) {
+    return std::all_of(list->begin(), list->end(), [&](std::int64_t v) { return inside(static_cast<double>(v)); });
+  }
+  return true;
+}
+
+// Optimal string alignment distance.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+  std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
+  for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;
+  for (std::size_t i = 1; i <= a.size(); ++i) {
+    row[0] = i;
+    for (std::size_t j = 1; j <= b.size(); ++j) {
+      const std::size_t replace = above[j - 1] + (a[i - 1] != b[j - 1]);
+      row[j] = std::min({above[j] + 1, row[j - 1] + 1, replace});
+      const bool swapped = i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1];
+      if (swapped) row[j] = std::min(row[j], before[j - 2] + 1);
+    }
+    before = above;
+    above = row;
+  }
+  return above[b.size()];
+}
+
+}  // namespace
+
+const std::vector<Parameter>& parameters() {
+  static const std::vector<Parameter> table = make_table();
+  return table;
+}
+
+const Parameter* find_parameter(std::string_view key) {
+  for (const Parameter& p : parameters()) {
+    if (p.key == key) return &p;
+  }
+  return nullptr;
+}
+
+const Parameter& nearest_parameter(std::string_view key) {
+  const std::string_view head = key.substr(0, 200);
+  const Parameter* best = nullptr;
+  std::size_t best_distance = 0;
+  for (const Parameter& p : parameters()) {
+    const std::size_t distance = edit_distance(head, p.key);
+    if (best == nullptr || distance < best_distance) best = &p, best_distance = distance;
+  }
+  return *best;
+}
+
+std::optional<std::string> check_value(const Parameter& p, const Value& value) {
+  if (std::holds_alternative<Auto>(value)) {
+    if (p.optional) return std::nullopt;
+    return p.key + " cannot be \"auto\": it must be " + expected_text(p);
+  }
+  if (!fits_kind(p, value)) return p.key + " must be " + expected_text(p) + ", not " + to_text(value);
+  if (p.kind != ValueKind::boolean && !in_range(p.range, value)) {
+    return p.key + " = " + to_text(value) + " is out of range: " + range_text(p);
+  }
+  return std::nullopt;
+}
+
+std::string expected_text(const Parameter& p) {
+  const char* names[] = {"true or false", "a whole number", "a number", "a list of whole numbers"};
+  std::string text = names[static_cast<int>(p.kind)];
+  if (!p.unit.empty()) text += " (" + p.unit + ")";
+  return p.optional ? text + " or \"auto\"" : text;
+}
+
+std::string to_text(const Value& value) {
+  if (std::holds_alternative<Auto>(value)) return "\"auto\"";
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
+  if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  std::string text;
+  for (std::int64_t entry : std::get<std::vector<std::int64_t>>(value)) {
+    text += (text.empty() ? "" : ", ") + std::to_string(entry);
+  }
+  return "[" + text + "]";
+}
+
+std::string range_text(const Parameter& p) {
+  if (p.kind == ValueKind::boolean) return "";
+  const std::string unit = p.unit.empty() ? "" : " " + p.unit;
+  return bound_text(p.range.min) + " to " + bound_text(p.range.max) + unit;
+}
+
+}  // namespace ilot

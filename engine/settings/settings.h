@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every value that a user can set and that can change a result, with its default. Lengths are metres, angles degrees,
+// whatever the unit of the input. nullopt = auto: computed from the measured sampling step and noise. To add one:
+// a line here and a line in the table of parameters.cpp; TOML, --set, help, docs and run.json follow.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace ilot {
+
+struct IndexSettings {
+  std::uint64_t block_points = 1u << 20;  // most points in one block of the store
+};
+
+struct NormalsSettings {
+  int neighbours = 16;      // nearest points that a normal is fitted to
+  double max_radius = 10;   // metres; neighbours farther away are not used
+  bool write = false;       // write NormalX, NormalY, NormalZ
+};
+
+struct PlanesSettings {
+  std::optional<double> epsilon;       // metres; greatest distance of a labelled point from its plane
+  double normal_angle = 25;            // degrees; greatest angle between a point's normal and its plane's
+  std::optional<int> min_points;       // fewest points of a plane
+  std::optional<double> connectivity;  // metres; points of one plane farther apart than this are two planes
+  double join_angle = 4;               // degrees; planes that meet at a cell border join below this angle
+  double probability = 0.99;           // that the best plane was among those tried
+};
+
+struct ClassesSettings {
+  std::vector<int> ground{2};
+  std::vector<int> building{6};
+  std::vector<int> noise{7, 18};
+};
+
+struct Settings {
+  std::uint64_t seed = 0;  // varies the random draws; any value is reproducible
+  IndexSettings index;
+  NormalsSettings normals;
+  PlanesSettings planes;
+  ClassesSettings classes;
+};
+
+}  // namespace ilot
