@@ -19,6 +19,7 @@ struct Vlr {
   std::uint16_t record_id = 0;
   std::string description;
   std::vector<std::byte> payload;
+  std::uint16_t reserved = 0;     // 0xAABB in old files
   bool extended = false;  // stood behind the points (EVLR)
 };
 

@@ -48,11 +48,19 @@ struct PointFields {
   std::uint8_t return_number = 0, return_count = 0;
   std::uint8_t classification = 0;
   bool withheld = false, synthetic = false, key_point = false, overlap = false;
+  bool scan_direction = false, edge_of_flight_line = false;
   std::uint8_t scanner_channel = 0, user_data = 0;
   double scan_angle_deg = 0;
   std::uint16_t source_id = 0;
 };
+
+// The record must hold at least standard_size(point_format) bytes. O(1), never throws.
+// Formats 0-5 have no overlap flag (producers use class 12) and no scanner channel: both decode as unset.
 PointFields decode_fields(std::span<const std::byte> record, std::uint8_t point_format);
+
+// Writes these fields and leaves GPS time, colours, waveform and extra bytes as they are. Values a format cannot hold:
+// return numbers saturate (7 or 15), classes above 31 become 1 (unclassified) in formats 0-5, angles are rounded and
+// saturate, overlap and channel are dropped in formats 0-5.
 void encode_fields(const PointFields& fields, std::span<std::byte> record, std::uint8_t point_format);
 
 // Little-endian loads and stores at any alignment.

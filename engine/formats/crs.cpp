@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/formats/crs.h"
+
+#include <proj.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "engine/error.h"
+
+namespace ilot {
+namespace {
+
+struct ContextEnd {
+  void operator()(PJ_CONTEXT* context) const { proj_context_destroy(context); }
+};
+struct ObjectEnd {
+  void operator()(PJ* object) const { proj_destroy(object); }
+};
+using Context = std::unique_ptr<PJ_CONTEXT, ContextEnd>;
+using Object = std::unique_ptr<PJ, ObjectEnd>;
+
+Context quiet_context() {
+  Context context(proj_context_create());
+  proj_log_level(context.get(), PJ_LOG_NONE);
+  return context;
+}
+
+// Metres per unit of the axes; for a vertical CRS its only axis.
+std::optional<double> metres_per_axis_unit(PJ_CONTEXT* context, const PJ* crs) {
+  const Object system(proj_crs_get_coordinate_system(context, crs));
+  if (!system) return std::nullopt;
+  double factor = 0;
+  if (!proj_cs_get_axis_info(context, system.get(), 0, nullptr, nullptr, nullptr, &factor, nullptr, nullptr, nullptr))
+    return std::nullopt;
+  if (!std::isfinite(factor) || factor <= 0) return std::nullopt;
+  return factor;
+}
+
+int epsg_code(const PJ* object) {
+  const char* authority = proj_get_id_auth_name(object, 0);
+  const char* code = proj_get_id_code(object, 0);
+  return authority && code && std::string(authority) == "EPSG" ? std::atoi(code) : 0;
+}
+
+// The code of the database's CRS that this one is surely equal to; 0 when none.
+int identified_code(PJ_CONTEXT* context, const PJ* crs) {
+  int* confidence = nullptr;
+  PJ_OBJ_LIST* list = proj_identify(context, crs, "EPSG", nullptr, &confidence);
+  int code = 0;
+  if (list && confidence && proj_list_get_count(list) > 0 && confidence[0] >= 90) {
+    const Object best(proj_list_get(context, list, 0));
+    if (best) code = epsg_code(best.get());
+  }
+  proj_int_list_destroy(confidence);
+  proj_list_destroy(list);
+  return code;
+}
+
+bool is_geographic(PJ_TYPE type) {
+  return type == PJ_TYPE_GEOGRAPHIC_2D_CRS || type == PJ_TYPE_GEOGRAPHIC_3D_CRS || type == PJ_TYPE_GEOCENTRIC_CRS;
+}
+
+std::string as_wkt(PJ_CONTEXT* context, const PJ* crs) {
+  const char* wkt = proj_as_wkt(context, crs, PJ_WKT1_GDAL, nullptr);
+  if (!wkt) wkt = proj_as_wkt(context, crs, PJ_WKT2_2019, nullptr);
+  return wkt ? wkt : "";
+}
+
+// What PROJ says of a definition; nullopt when it does not understand it.
+std::optional<Crs> understand(const std::string& definition) {
+  const Context context = quiet_context();
+  Object whole(proj_create(context.get(), definition.c_str()));
+  if (whole && proj_get_type(whole.get()) == PJ_TYPE_BOUND_CRS)
+    whole.reset(proj_get_source_crs(context.get(), whole.get()));
+  if (!whole || !proj_is_crs(whole.get())) return std::nullopt;
+  Crs crs;
+  crs.name = proj_get_name(whole.get()) ? proj_get_name(whole.get()) : "";
+  crs.wkt = as_wkt(context.get(), whole.get());
+  crs.epsg = epsg_code(whole.get());
+  Object horizontal, vertical;
+  if (proj_get_type(whole.get()) == PJ_TYPE_COMPOUND_CRS) {
+    horizontal.reset(proj_crs_get_sub_crs(context.get(), whole.get(), 0));
+    vertical.reset(proj_crs_get_sub_crs(context.get(), whole.get(), 1));
+    if (horizontal && proj_get_type(horizontal.get()) == PJ_TYPE_BOUND_CRS)
+      horizontal.reset(proj_get_source_crs(context.get(), horizontal.get()));
+  }
+  const PJ* plan = horizontal ? horizontal.get() : whole.get();
+  if (crs.epsg == 0) crs.epsg = epsg_code(plan);
+  if (crs.epsg == 0) crs.epsg = identified_code(context.get(), plan);
+  crs.geographic = is_geographic(proj_get_type(plan));
+  const std::optional<double> unit = metres_per_axis_unit(context.get(), plan);
+  crs.metres_per_unit = crs.geographic ? 1 : unit.value_or(1);
+  crs.metres_per_unit_z = crs.metres_per_unit;
+  if (vertical) crs.metres_per_unit_z = metres_per_axis_unit(context.get(), vertical.get()).value_or(1);
+  crs.unit_assumed = !crs.geographic && !unit;
+  return crs;
+}
+
+std::optional<double> metres_of_unit_code(int code) {
+  const Context context = quiet_context();
+  double factor = 0;
+  const char* category = nullptr;
+  if (!proj_uom_get_info_from_database(context.get(), "EPSG", std::to_string(code).c_str(), nullptr, &factor, &category))
+    return std::nullopt;
+  return category && std::string(category) == "linear" && factor > 0 ? std::optional(factor) : std::nullopt;
+}
+
+std::string payload_text(const Vlr& vlr) {
+  const char* begin = reinterpret_cast<const char*>(vlr.payload.data());
+  return {begin, std::find(begin, begin + vlr.payload.size(), '\0')};
+}
+
+bool is_wkt_record(const Vlr& vlr) {
+  if (vlr.record_id != 2112 && vlr.record_id != 4224) return false;
+  if (vlr.user_id == "LASF_Projection" || vlr.user_id == "liblas") return true;
+  const std::string text = payload_text(vlr).substr(0, 20);
+  return text.find("CRS[") != std::string::npos || text.find("CS[") != std::string::npos;
+}
+
+std::optional<Crs> from_wkt(const std::vector<Vlr>& vlrs, std::vector<std::string>& warnings) {
+  for (const Vlr& vlr : vlrs) {
+    if (!is_wkt_record(vlr)) continue;
+    const std::string text = payload_text(vlr);
+    if (text.find_first_not_of(" \t\r\n") == std::string::npos) continue;
+    std::optional<Crs> crs = understand(text);
+    if (crs) {
+      crs->wkt = text;
+      return crs;
+    }
+    warnings.push_back("the WKT of record " + vlr.user_id + " " + std::to_string(vlr.record_id) +
+                       " is not understood by PROJ");
+  }
+  return std::nullopt;
+}
+
+// Keys whose value stands in the directory itself; 0 and 32767 (user defined) say nothing.
+std::map<int, int> short_keys(const Vlr& vlr) {
+  std::map<int, int> keys;
+  if (vlr.payload.size() < 8) return keys;
+  const auto word = [&](std::size_t i) { return load<std::uint16_t>(&vlr.payload[2 * i]); };
+  const std::size_t count = std::min<std::size_t>(word(3), vlr.payload.size() / 8 - 1);
+  for (std::size_t i = 1; i <= count; ++i) {
+    const int value = word(4 * i + 3);
+    if (word(4 * i + 1) == 0 && value != 0 && value != 32767) keys.emplace(word(4 * i), value);
+  }
+  return keys;
+}
+
+std::optional<Crs> from_keys(const std::vector<Vlr>& vlrs, std::vector<std::string>& warnings) {
+  const auto record = std::find_if(vlrs.begin(), vlrs.end(), [](const Vlr& vlr) {
+    return vlr.record_id == 34735 && vlr.user_id == "LASF_Projection";
+  });
+  if (record == vlrs.end()) return std::nullopt;
+  const std::map<int, int> keys = short_keys(*record);
+  const auto key = [&](int id) { return keys.count(id) ? keys.at(id) : 0; };
+  const int plan = key(3072) ? key(3072) : key(1024) == 1 ? 0 : key(2048);
+  std::optional<Crs> crs;
+  if (plan && key(4096)) crs = understand("EPSG:" + std::to_string(plan) + "+" + std::to_string(key(4096)));
+  if (plan && !crs) crs = understand("EPSG:" + std::to_string(plan));
+  if (plan && !crs) warnings.push_back("PROJ does not know EPSG:" + std::to_string(plan) + " of the GeoTIFF keys");
+  const std::optional<double> unit = metres_of_unit_code(key(3076)), unit_z = metres_of_unit_code(key(4099));
+  if (!crs && !unit && !unit_z && key(1024) != 2) return std::nullopt;
+  const bool known = crs.has_value();
+  if (!known) crs.emplace();
+  if (!known && key(1024) == 2) crs->geographic = true;
+  if (!known && unit) crs->metres_per_unit = crs->metres_per_unit_z = *unit;
+  if (unit_z) crs->metres_per_unit_z = *unit_z;
+  if (unit || crs->geographic) crs->unit_assumed = false;
+  return crs;
+}
+
+void put_key(std::vector<std::byte>& out, int id, int value) {
+  for (const int word : {id, 0, 1, value}) {
+    std::byte raw[2];
+    store(raw, static_cast<std::uint16_t>(word));
+    out.insert(out.end(), raw, raw + 2);
+  }
+}
+
+Vlr projection_record(std::uint16_t id, const char* description) {
+  Vlr vlr;
+  vlr.user_id = "LASF_Projection";
+  vlr.record_id = id;
+  vlr.description = description;
+  return vlr;
+}
+
+}  // namespace
+
+bool is_crs_record(const Vlr& vlr) {
+  if (is_wkt_record(vlr)) return true;
+  return vlr.user_id == "LASF_Projection" &&
+         (vlr.record_id == 2111 || (vlr.record_id >= 34735 && vlr.record_id <= 34737));
+}
+
+Crs crs_from_vlrs(const std::vector<Vlr>& vlrs, bool wkt_flag, std::vector<std::string>& warnings) {
+  std::optional<Crs> crs = wkt_flag ? from_wkt(vlrs, warnings) : from_keys(vlrs, warnings);
+  if (crs) return *crs;
+  crs = wkt_flag ? from_keys(vlrs, warnings) : from_wkt(vlrs, warnings);
+  if (!crs) return {};
+  warnings.push_back(wkt_flag ? "the header says that the CRS is WKT, but it was found in GeoTIFF keys"
+                              : "the CRS was found as WKT although the header does not say so");
+  return *crs;
+}
+
+Crs crs_from_epsg(int code) { return crs_from_text("EPSG:" + std::to_string(code)); }
+
+Crs crs_from_text(const std::string& text) {
+  const bool number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+  const std::optional<Crs> crs = understand(number ? "EPSG:" + text : text);
+  if (!crs) throw Error("CRS " + text + " is not known to PROJ; give it as EPSG:n", ExitCode::usage);
+  return *crs;
+}
+
+std::vector<Vlr> crs_records(const Crs& crs, bool as_wkt) {
+  if (as_wkt && !crs.wkt.empty()) {
+    Vlr vlr = projection_record(2112, "OGC WKT coordinate system");
+    const auto* text = reinterpret_cast<const std::byte*>(crs.wkt.c_str());
+    vlr.payload.assign(text, text + crs.wkt.size() + 1);
+    return {vlr};
+  }
+  if (crs.epsg <= 0 || crs.epsg >= 32767) return {};
+  Vlr vlr = projection_record(34735, "GeoTIFF GeoKeyDirectoryTag");
+  for (const int word : {1, 1, 0, 2}) {
+    std::byte raw[2];
+    store(raw, static_cast<std::uint16_t>(word));
+    vlr.payload.insert(vlr.payload.end(), raw, raw + 2);
+  }
+  put_key(vlr.payload, 1024, crs.geographic ? 2 : 1);
+  put_key(vlr.payload, crs.geographic ? 2048 : 3072, crs.epsg);
+  return {vlr};
+}
+
+void replace_crs(CloudInfo& info, const Crs& crs) {
+  std::erase_if(info.vlrs, is_crs_record);
+  info.crs = crs;
+}
+
+}  // namespace ilot

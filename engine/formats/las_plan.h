@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+// What an output of the LAS family consists of but for its points: used by the LAS and the LAZ writer.
+#pragma once
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/formats/writer.h"
+
+namespace ilot {
+
+// Counts and bounds of rows, as the header wants them. Sums and extremes of integers: any order of add and merge gives
+// the same result, so ranges may be measured in parallel.
+struct PointStatistics {
+  std::uint64_t count = 0;
+  std::array<std::uint64_t, 15> by_return{};  // return numbers 1 to 15
+  std::array<std::int32_t, 3> min{INT32_MAX, INT32_MAX, INT32_MAX}, max{INT32_MIN, INT32_MIN, INT32_MIN};
+
+  // `records` is a multiple of layout.record_length. O(rows).
+  void add(std::span<const std::byte> records, const RecordLayout& layout);
+  void merge(const PointStatistics& other);
+};
+
+struct LasPlan {
+  std::vector<std::byte> header;  // counts and bounds are zero until finish_header
+  std::vector<Vlr> vlrs, evlrs;
+  RecordLayout layout;            // of the rows written, appended fields included
+};
+
+// The plan of an output that keeps the input's version, header fields, VLRs, EVLRs and CRS, and appends our fields
+// behind its extra bytes. Records that describe the input's compression (LASzip, COPC) are left out; a malformed
+// description of extra bytes is replaced by an opaque one. Version 1.4 is chosen when the point format or the number of
+// points (spec.like.points) needs it. Throws Error when the record would exceed 65,535 bytes.
+LasPlan plan_las(const CloudSpec& spec);
+
+// Header and VLRs as bytes up to the points; sets number of VLRs and place of the points. Throws Error when a VLR or
+// the whole does not fit its field.
+std::vector<std::byte> las_prefix(LasPlan& plan);
+
+// Fills in counts, bounds and the place of EVLRs, which stand at `evlr_offset`. Throws Error when a version before 1.4
+// cannot hold the count.
+void finish_header(LasPlan& plan, const PointStatistics& statistics, std::uint64_t evlr_offset);
+
+// All EVLRs as bytes.
+std::vector<std::byte> las_suffix(const LasPlan& plan);
+
+}  // namespace ilot

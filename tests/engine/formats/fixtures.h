@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the tests of formats share: a folder that goes away, the real data, rows by the dozen.
+#pragma once
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/error.h"
+#include "engine/formats/las.h"
+#include "kernels/core/rng.h"
+
+namespace ilot::test {
+
+class Folder {
+ public:
+  Folder() {
+    std::string name = (std::filesystem::temp_directory_path() / "ilot formats č XXXXXX").string();
+    if (!mkdtemp(name.data())) throw Error("no temporary folder");
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(path_), {}));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline std::vector<std::byte> slurp(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  const std::string text((std::istreambuf_iterator<char>(in)), {});
+  const auto* begin = reinterpret_cast<const std::byte*>(text.data());
+  return {begin, begin + text.size()};
+}
+
+inline void spill(const std::filesystem::path& path, const std::vector<std::byte>& bytes) {
+  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()),
+                                              static_cast<std::streamsize>(bytes.size()));
+}
+
+inline void spill_text(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+struct Rows {
+  std::vector<std::byte> bytes;
+  std::vector<std::uint8_t> valid;
+};
+
+// All rows, read front to back in pieces of `step`.
+inline Rows read_all(PointReader& reader, std::size_t step = 1000) {
+  const std::size_t length = reader.info().layout.record_length;
+  Rows rows;
+  std::vector<std::byte> piece(step * length);
+  std::vector<std::uint8_t> valid(step);
+  for (std::uint64_t first = 0;;) {
+    const std::size_t got = reader.read(first, piece, valid);
+    rows.bytes.insert(rows.bytes.end(), piece.begin(), piece.begin() + static_cast<std::ptrdiff_t>(got * length));
+    rows.valid.insert(rows.valid.end(), valid.begin(), valid.begin() + static_cast<std::ptrdiff_t>(got));
+    first += got;
+    if (got == 0) return rows;
+  }
+}
+
+inline Vec3 world(const Rows& rows, const RecordLayout& layout, std::size_t row) {
+  const std::byte* p = &rows.bytes[row * layout.record_length];
+  return {load<std::int32_t>(p) * layout.scale[0] + layout.offset[0],
+          load<std::int32_t>(p + 4) * layout.scale[1] + layout.offset[1],
+          load<std::int32_t>(p + 8) * layout.scale[2] + layout.offset[2]};
+}
+
+// Bytes without meaning, the same for the same key.
+inline std::vector<std::byte> random_bytes(std::size_t count, std::uint64_t key) {
+  Rng rng(key);
+  std::vector<std::byte> bytes(count);
+  for (std::byte& b : bytes) b = static_cast<std::byte>(rng.below(256));
+  return bytes;
+}
+
+// The folder of real data, or a loud skip.
+#define ILOT_DATA_OR_SKIP(folder)                                                              \
+  const char* folder##_env = std::getenv("ILOT_DATA");                                         \
+  if (!folder##_env) GTEST_SKIP() << "ILOT_DATA is not set: real data is absent, nothing checked"; \
+  const std::filesystem::path folder = folder##_env
+
+}  // namespace ilot::test
