@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/auto_params.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/core/moments.h"
+#include "kernels/core/portable_math.h"
+#include "kernels/neighbours/knn.h"
+
+namespace ilot {
+namespace {
+
+constexpr int kNeighbours = 16;
+constexpr std::uint32_t kQueries = 512;
+constexpr double kPi = 3.141592653589793;
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
+  return values[at];
+}
+
+}  // namespace
+
+Sampling measure_sampling(const NeighbourIndex& index) {
+  const auto n = static_cast<std::uint32_t>(index.points.size);
+  if (n < kNeighbours) return {};
+  std::vector<std::uint32_t> queries;
+  for (std::uint32_t i = 0; i < n; i += std::max<std::uint32_t>(1, n / kQueries)) queries.push_back(i);
+  std::vector<std::uint32_t> neighbours(queries.size() * kNeighbours);
+  std::vector<std::int64_t> reach2(queries.size());
+  knn(index, queries, {kNeighbours, kMaxSquaredReach}, neighbours, reach2);
+  std::vector<double> steps, noises;
+  for (std::size_t q = 0; q < queries.size(); ++q) {
+    if (reach2[q] < 0) continue;
+    // k points on a disc of radius r: each has pi r^2 / k for itself.
+    steps.push_back(std::sqrt(kPi * static_cast<double>(reach2[q]) / kNeighbours));
+    const Moments m = moments_of(index.points, std::span(neighbours).subspan(q * kNeighbours, kNeighbours));
+    const double least = std::max(0.0, smallest_eigen(covariance(m)).value);
+    noises.push_back(std::sqrt(least * kNeighbours / (kNeighbours - 3)));
+  }
+  // The flat third of the neighbourhoods; its 30% quantile lies a tenth below the median of pure noise.
+  return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
+}
+
+PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres) {
+  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.02, kConnectedSteps = 3;
+  constexpr int kMinPoints = 30;
+  PlaneParams p;
+  p.epsilon = settings.epsilon
+                  ? *settings.epsilon / unit_metres
+                  : std::max({kNoiseFactor * sampling.noise, kLeastUnits, kLeastSteps * sampling.step});
+  p.min_cos = cos_degrees(settings.normal_angle);
+  const double reach = settings.connectivity ? *settings.connectivity / unit_metres : kConnectedSteps * sampling.step;
+  p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(reach), 8.0, 0x1p20));
+  p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kMinPoints));
+  return p;
+}
+
+}  // namespace ilot

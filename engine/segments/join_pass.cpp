@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/join_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/pass/pass.h"
+#include "engine/segments/block_cells.h"
+#include "kernels/core/union_find.h"
+#include "kernels/neighbours/knn.h"
+#include "kernels/planes/plane_fit.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBytesPerPoint = 40;
+constexpr int kNearest = 24;
+constexpr std::uint32_t kLeastContacts = 2;
+constexpr double kAgreement = 0.5;  // root mean square of each part from the common plane, in epsilons
+
+// Labelled points so near the border of their cell that a point of another cell may be in reach.
+struct BorderPoints {
+  std::vector<float> x, y, z;
+  std::vector<std::uint32_t> segment;  // cell plane
+  std::vector<std::uint32_t> own;      // positions of those that belong to the block
+  Points points() const { return {x.data(), y.data(), z.data(), segment.size()}; }
+};
+
+BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& labels, PointRange own,
+                           const std::vector<Cell>& cells, const CellPlanes& planes, std::int64_t reach) {
+  BorderPoints border;
+  for (std::uint32_t i = 0; i < view.size; ++i) {
+    if (labels[i] == 0) continue;
+    const std::uint32_t segment = labels[i] - 1;
+    const IndexBox box = cells[planes.planes[segment].cell].node.box();
+    const Index3 p{static_cast<std::int64_t>(view.x[i]) + view.anchor.x,
+                   static_cast<std::int64_t>(view.y[i]) + view.anchor.y,
+                   static_cast<std::int64_t>(view.z[i]) + view.anchor.z};
+    const std::int64_t clear = std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y,
+                                         p.z - box.min.z, box.max.z - p.z});
+    if (clear >= reach) continue;
+    if (i >= own.begin && i < own.end) border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
+    border.x.push_back(view.x[i]);
+    border.y.push_back(view.y[i]);
+    border.z.push_back(view.z[i]);
+    border.segment.push_back(segment);
+  }
+  constexpr std::size_t kPadding = 16;
+  for (auto* v : {&border.x, &border.y, &border.z}) v->resize(border.segment.size() + kPadding, 0.0f);
+  return border;
+}
+
+std::vector<Contact> counted(std::vector<std::uint64_t> pairs) {
+  std::sort(pairs.begin(), pairs.end());
+  std::vector<Contact> contacts;
+  for (const std::uint64_t pair : pairs) {
+    const auto a = static_cast<std::uint32_t>(pair >> 32);
+    const auto b = static_cast<std::uint32_t>(pair);
+    if (contacts.empty() || contacts.back().a != a || contacts.back().b != b) contacts.push_back({a, b, 0});
+    ++contacts.back().count;
+  }
+  return contacts;
+}
+
+// All border points of a block whose cell has the same connectivity are one batch of queries.
+std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, const BlockCells& own_cells,
+                                    const std::vector<Cell>& cells, const CellPlanes& planes) {
+  const std::int64_t reach = own_cells.widest_connectivity;
+  const Block& b = store.blocks()[block];
+  const View view = load_view(store, b.box.grown(reach), b.node.min_corner());
+  const auto labels = load_column<std::uint32_t>(store, view, "segment");
+  const BorderPoints border = border_points(view, labels, range_of_block(view, block), cells, planes, reach);
+  const NeighbourIndex index = build_neighbour_index(border.points());
+  std::vector<std::uint64_t> pairs;
+  std::vector<std::uint32_t> neighbours(kNearest);
+  std::vector<std::int64_t> reach2(1);
+  for (const std::uint32_t i : border.own) {
+    const std::uint32_t a = border.segment[i];
+    const std::uint32_t cell = planes.planes[a].cell;
+    const std::int64_t r = planes.cells[cell].connectivity;
+    knn(index, std::span(&i, 1), {kNearest, r * r}, neighbours, reach2);
+    std::uint32_t seen[kNearest];
+    int count = 0;
+    for (const std::uint32_t j : neighbours) {
+      if (j == kNoNeighbour) break;
+      const std::uint32_t c = border.segment[j];
+      if (planes.planes[c].cell == cell || std::find(seen, seen + count, c) != seen + count) continue;
+      seen[count++] = c;
+      pairs.push_back(static_cast<std::uint64_t>(std::min(a, c)) << 32 | std::max(a, c));
+    }
+  }
+  return counted(std::move(pairs));
+}
+
+struct Group {
+  Moments moments;  // relative to the anchor of the group's first plane
+  double epsilon = 0;
+};
+
+Index3 minus(Index3 a, Index3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+
+class Joiner {
+ public:
+  Joiner(const std::vector<Cell>& cells, const CellPlanes& planes, const JoinParams& params)
+      : cells_(cells), planes_(planes), params_(params), parents_(planes.planes.size()), sets_(parents_) {
+    for (const CellPlane& p : planes.planes) groups_.push_back({p.moments, p.epsilon});
+  }
+
+  void try_join(const Contact& contact) {
+    std::uint32_t a = sets_.find(contact.a), b = sets_.find(contact.b);
+    if (a == b) return;
+    if (b < a) std::swap(a, b);
+    if (std::abs(dot(normal(contact.a), normal(contact.b))) < params_.min_cos) return;
+    const double epsilon = std::max(groups_[a].epsilon, groups_[b].epsilon);
+    const Moments moved = shifted(groups_[b].moments, minus(anchor(b), anchor(a)));
+    Moments both = groups_[a].moments;
+    both.add(moved);
+    const PlaneFit fit = fit_plane(both);
+    if (!fit.unique) return;
+    if (rms_to_plane(groups_[a].moments, fit.plane) > kAgreement * epsilon) return;
+    if (rms_to_plane(moved, fit.plane) > kAgreement * epsilon) return;
+    sets_.unite(a, b);
+    groups_[a] = {both, epsilon};
+  }
+
+  JoinedPlanes result() {
+    JoinedPlanes r;
+    r.of_segment.assign(planes_.planes.size(), 0);
+    for (std::uint32_t i = 0; i < planes_.planes.size(); ++i) {
+      const std::uint32_t root = sets_.find(i);
+      if (root == i) {
+        const PlaneFit fit = fit_plane(groups_[i].moments);
+        if (!fit.unique || groups_[i].moments.n < params_.min_points) continue;
+        r.planes.push_back({anchor(i), fit.plane, groups_[i].epsilon, static_cast<std::uint64_t>(groups_[i].moments.n)});
+        r.of_segment[i] = static_cast<std::uint32_t>(r.planes.size());
+      } else {
+        r.of_segment[i] = r.of_segment[root];  // a root stands before its members
+      }
+    }
+    return r;
+  }
+
+ private:
+  Index3 anchor(std::uint32_t plane) const { return cells_[planes_.planes[plane].cell].node.min_corner(); }
+  Vec3 normal(std::uint32_t plane) const { return planes_.planes[plane].plane.n; }
+
+  const std::vector<Cell>& cells_;
+  const CellPlanes& planes_;
+  JoinParams params_;
+  std::vector<std::uint32_t> parents_;
+  UnionFind sets_;
+  std::vector<Group> groups_;
+};
+
+}  // namespace
+
+std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
+                                  const PassContext& context) {
+  const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, planes);
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    if (!store.has(block, "contacts")) {
+      const auto contacts = block_contacts(store, block, block_cells[block], cells, planes);
+      store.write<Contact>(block, "contacts", contacts);
+    }
+    context.advance(store.blocks()[block].points);
+  });
+  std::vector<Contact> all;
+  for (std::uint32_t block = 0; block < store.blocks().size(); ++block) {
+    const auto part = read_column<Contact>(store.path(block, "contacts"));
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  std::sort(all.begin(), all.end(), [](const Contact& a, const Contact& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
+  std::vector<Contact> merged;
+  for (const Contact& c : all) {
+    const bool same = !merged.empty() && merged.back().a == c.a && merged.back().b == c.b;
+    if (!same) merged.push_back({c.a, c.b, 0});
+    merged.back().count += c.count;
+  }
+  return merged;
+}
+
+JoinedPlanes join_planes(const std::vector<Cell>& cells, const CellPlanes& planes, std::vector<Contact> contacts,
+                         const JoinParams& params) {
+  std::stable_sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) { return a.count > b.count; });
+  Joiner joiner(cells, planes, params);
+  for (const Contact& c : contacts)
+    if (c.count >= kLeastContacts) joiner.try_join(c);
+  return joiner.result();
+}
+
+}  // namespace ilot

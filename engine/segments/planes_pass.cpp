@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/planes_pass.h"
+
+#include <filesystem>
+
+#include "engine/pass/pass.h"
+#include "engine/segments/auto_params.h"
+#include "kernels/core/rng.h"
+#include "kernels/neighbours/normals.h"
+#include "kernels/planes/ransac.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBytesPerPoint = 160;
+
+// Result of one cell as it is kept on disk: a header, then planes; labels of the cell's own points beside it.
+struct StoredCell {
+  std::uint64_t planes = 0;
+  std::int64_t connectivity = 1;
+  double step = 0, noise = 0;
+};
+
+std::filesystem::path cell_path(const Store& store, const Cell& cell, const char* suffix) {
+  return store.folder() / "cells" / (cell.node.name() + suffix);
+}
+
+struct Normals {
+  std::vector<float> x, y, z;
+};
+
+Normals unpack(const std::vector<PackedNormal>& packed, const CellPoints& cp) {
+  Normals n;
+  for (auto* v : {&n.x, &n.y, &n.z}) v->assign(cp.x.size(), 0.0f);
+  constexpr float kScale = 1.0f / 32767;
+  for (std::size_t i = 0; i < cp.size; ++i) {
+    const PackedNormal& p = packed[cp.view_index[i]];
+    n.x[i] = static_cast<float>(p.x) * kScale;
+    n.y[i] = static_cast<float>(p.y) * kScale;
+    n.z[i] = static_cast<float>(p.z) * kScale;
+  }
+  return n;
+}
+
+// Key of the random draws: a sum over the points, so their order does not matter; relative to the cell, so a shift of
+// whole tiles does not either.
+std::uint64_t content_key(const CellPoints& cp, std::uint64_t seed) {
+  std::uint64_t sum = seed;
+  for (std::size_t i = 0; i < cp.size; ++i) {
+    const auto pack = [](float v) { return static_cast<std::uint64_t>(static_cast<std::int64_t>(v) + (1 << 20)); };
+    sum += mix64(mix64(pack(cp.x[i]) << 32 | pack(cp.y[i])) ^ pack(cp.z[i]));
+  }
+  return mix64(sum);
+}
+
+// Keeps the planes that own points in the cell itself and measures them there; labels of those points, in order.
+struct CellResult {
+  StoredCell header;
+  std::vector<CellPlane> planes;
+  std::vector<std::uint32_t> labels;
+};
+
+CellResult own_part(const CellPoints& cp, const RansacPlanes& found, const PlaneParams& params) {
+  CellResult r;
+  std::vector<std::vector<std::uint32_t>> members(found.planes.size());
+  for (std::uint32_t i = 0; i < cp.size; ++i)
+    if (cp.core[i] && found.label[i] != 0) members[found.label[i] - 1].push_back(i);
+  std::vector<std::uint32_t> number(found.planes.size() + 1, 0);
+  for (std::size_t p = 0; p < found.planes.size(); ++p) {
+    if (members[p].empty()) continue;
+    r.planes.push_back({0, found.planes[p], params.epsilon, moments_of(cp.points(), members[p])});
+    number[p + 1] = static_cast<std::uint32_t>(r.planes.size());
+  }
+  for (std::uint32_t i = 0; i < cp.size; ++i)
+    if (cp.core[i]) r.labels.push_back(number[found.label[i]]);
+  return r;
+}
+
+CellResult solve(const Store& store, const Cell& cell, const Settings& settings, const PassContext& context) {
+  const View view = cell_view(store, cell);
+  const CellPoints cp = cell_points(view, cell);
+  const Normals n = unpack(load_column<PackedNormal>(store, view, "normals"), cp);
+  const Sampling sampling = measure_sampling(build_neighbour_index(cp.points()));
+  const PlaneParams params =
+      choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit);
+  const RansacPlanes found = ransac_planes(
+      {cp.points(), n.x.data(), n.y.data(), n.z.data()},
+      {params.epsilon, params.min_cos, params.connectivity, params.min_points, settings.planes.probability,
+       content_key(cp, settings.seed)});
+  CellResult r = own_part(cp, found, params);
+  r.header = {r.planes.size(), params.connectivity, sampling.step, sampling.noise};
+  return r;
+}
+
+void write_cell(const Store& store, const Cell& cell, const CellResult& r) {
+  write_column<std::uint32_t>(cell_path(store, cell, ".labels"), r.labels);
+  ColumnWriter writer(cell_path(store, cell, ".planes"));
+  writer.append<StoredCell>(std::span(&r.header, 1));
+  writer.append<CellPlane>(r.planes);
+  writer.commit();
+}
+
+void read_cell(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
+  const ColumnReader reader(cell_path(store, cells[cell], ".planes"));
+  StoredCell header;
+  reader.read<StoredCell>(0, std::span(&header, 1));
+  CellSummary& summary = all.cells[cell];
+  summary = {static_cast<std::uint32_t>(all.planes.size()), static_cast<std::uint32_t>(header.planes),
+             header.connectivity, header.step, header.noise};
+  all.planes.resize(all.planes.size() + header.planes);
+  const auto planes = std::span(all.planes).subspan(summary.first_plane, header.planes);
+  reader.read_bytes(sizeof header, std::as_writable_bytes(planes));
+  for (CellPlane& p : planes) p.cell = cell;
+}
+
+// Labels of the cells become one column per block, numbered over all cells.
+void write_segments(const Store& store, const std::vector<Cell>& cells, const CellPlanes& all,
+                    const PassContext& context) {
+  struct Piece {
+    std::uint32_t cell, offset;  // in the cell's labels
+    CellSlice slice;
+  };
+  std::vector<std::vector<Piece>> pieces(store.blocks().size());
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    std::uint32_t offset = 0;
+    for (const CellSlice& s : cells[c].slices) {
+      pieces[s.block].push_back({c, offset, s});
+      offset += s.count;
+    }
+  }
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * 8ull, b.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    if (store.has(block, "segment")) return;
+    std::vector<std::uint32_t> segment(store.blocks()[block].points);
+    for (const Piece& p : pieces[block]) {
+      const auto part = std::span(segment).subspan(p.slice.first, p.slice.count);
+      ColumnReader(cell_path(store, cells[p.cell], ".labels")).read<std::uint32_t>(p.offset, part);
+      for (std::uint32_t& label : part) label += label == 0 ? 0 : all.cells[p.cell].first_plane;
+    }
+    store.write<std::uint32_t>(block, "segment", segment);
+  });
+}
+
+}  // namespace
+
+CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
+                       const PassContext& context) {
+  std::filesystem::create_directories(store.folder() / "cells");
+  std::vector<PassTask> tasks;
+  for (const Cell& c : cells) tasks.push_back({c.points * kBytesPerPoint * 3 / 2, c.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const Cell& cell = cells[i];
+    if (!std::filesystem::exists(cell_path(store, cell, ".planes")))
+      write_cell(store, cell, solve(store, cell, settings, context));
+    context.advance(cell.points);
+  });
+  CellPlanes all;
+  all.cells.resize(cells.size());
+  for (std::uint32_t c = 0; c < cells.size(); ++c) read_cell(store, cells, c, all);
+  write_segments(store, cells, all, context);
+  return all;
+}
+
+}  // namespace ilot

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/core/portable_math.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace ilot {
+namespace {
+
+constexpr double kRadian = 0.017453292519943295;
+constexpr double kLog2 = 0.69314718055994531;
+
+// Taylor series for |x| <= pi / 4.
+double cos_series(double x) {
+  const double s = x * x;
+  double term = 1, sum = 1;
+  for (int i = 1; i <= 10; ++i) {
+    term *= -s / ((2 * i - 1) * (2 * i));
+    sum += term;
+  }
+  return sum;
+}
+
+double sin_series(double x) {
+  const double s = x * x;
+  double term = x, sum = x;
+  for (int i = 1; i <= 10; ++i) {
+    term *= -s / ((2 * i) * (2 * i + 1));
+    sum += term;
+  }
+  return sum;
+}
+
+}  // namespace
+
+double cos_degrees(double degrees) {
+  const double turns = std::nearbyint(degrees / 90);
+  const double rest = (degrees - 90 * turns) * kRadian;
+  const auto quadrant = static_cast<std::int64_t>(turns) & 3;
+  switch (quadrant) {
+    case 0: return cos_series(rest);
+    case 1: return -sin_series(rest);
+    case 2: return -cos_series(rest);
+    default: return sin_series(rest);
+  }
+}
+
+double natural_log(double v) {
+  const auto bits = std::bit_cast<std::uint64_t>(v);
+  auto exponent = static_cast<std::int64_t>(bits >> 52 & 0x7ff) - 1023;
+  double mantissa = std::bit_cast<double>((bits & 0xfffffffffffffull) | 0x3ff0000000000000ull);
+  if (mantissa > 1.4142135623730951) {
+    mantissa /= 2;
+    ++exponent;
+  }
+  const double t = (mantissa - 1) / (mantissa + 1);  // |t| < 0.172
+  const double s = t * t;
+  double power = t, sum = 0;
+  for (int i = 1; i <= 23; i += 2) {
+    sum += power / i;
+    power *= s;
+  }
+  return 2 * sum + static_cast<double>(exponent) * kLog2;
+}
+
+}  // namespace ilot

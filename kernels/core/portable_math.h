@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// The few transcendental functions that parameters need, out of plain arithmetic: the maths library's own variants
+// differ between machines, and these values decide which points are inliers.
+#pragma once
+
+namespace ilot {
+
+// Cosine of an angle in degrees, any finite value; error below 1e-15.
+double cos_degrees(double degrees);
+
+// Natural logarithm of a positive normal number; relative error below 1e-14.
+double natural_log(double v);
+
+}  // namespace ilot

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/planes/ransac.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "kernels/neighbours/clusters.h"
+#include "kernels/planes/plane_fit.h"
+
+namespace ilot {
+namespace {
+
+constexpr int kFirstWindow = 16;     // points; doubled for each of the levels
+constexpr int kLevels = 7;           // windows of 16 to 1,024 points
+constexpr double kLocality = 4;      // a window around a point of a plane is half that plane's: (1/2)^2 for two more
+constexpr std::size_t kBatch = 64;   // hypotheses scored together
+constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
+constexpr std::size_t kPool = 512;   // candidates kept between planes
+constexpr int kRefinements = 10;
+
+// The points still without a plane, compact and in their given order.
+struct Remaining {
+  std::vector<float> x, y, z, nx, ny, nz;
+  std::vector<std::uint32_t> index;  // into the caller's points
+  std::size_t size = 0;
+
+  OrientedPoints view() const {
+    return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()};
+  }
+  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+};
+
+Remaining with_normals(const OrientedPoints& p) {
+  constexpr std::size_t kPadding = 16;
+  Remaining r;
+  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->reserve(p.points.size + kPadding);
+  for (std::size_t i = 0; i < p.points.size; ++i) {
+    if (p.nx[i] == 0 && p.ny[i] == 0 && p.nz[i] == 0) continue;
+    r.x.push_back(p.points.x[i]);
+    r.y.push_back(p.points.y[i]);
+    r.z.push_back(p.points.z[i]);
+    r.nx.push_back(p.nx[i]);
+    r.ny.push_back(p.ny[i]);
+    r.nz.push_back(p.nz[i]);
+    r.index.push_back(static_cast<std::uint32_t>(i));
+  }
+  r.size = r.index.size();
+  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->resize(r.size + kPadding, 0.0f);
+  return r;
+}
+
+// Takes out the members (positions, ascending).
+void remove(Remaining& r, std::span<const std::uint32_t> members) {
+  std::size_t to = members.empty() ? r.size : members[0];
+  std::size_t next = 0;
+  for (std::size_t i = to; i < r.size; ++i) {
+    if (next < members.size() && members[next] == i) {
+      ++next;
+      continue;
+    }
+    for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) (*v)[to] = (*v)[i];
+    r.index[to++] = r.index[i];
+  }
+  r.size = to;
+}
+
+struct Candidate {
+  PlaneHypothesis plane;
+  std::uint32_t count = 0;   // inliers when last scored: an upper bound since
+  std::uint32_t scored = 0;  // planes taken before that
+  std::uint64_t draw = 0;    // ties go to the earlier one
+};
+
+bool better(const Candidate& a, const Candidate& b) {
+  return a.count != b.count ? a.count > b.count : a.draw < b.draw;
+}
+bool heap_order(const Candidate& a, const Candidate& b) { return better(b, a); }
+
+class Search {
+ public:
+  Search(const OrientedPoints& points, const RansacParams& params)
+      : params_(params), remaining_(with_normals(points)), rng_(params.key) {
+    result_.label.assign(points.points.size, 0);
+    // Poisson: a plane hit with chance q per draw is overlooked by n draws with exp(-n q).
+    needed_hits_ = -natural_log(1 - params.probability);
+  }
+
+  RansacPlanes run() {
+    while (remaining_.size >= params_.min_points) {
+      const std::optional<Candidate> best = fresh_best();
+      const double size = best ? std::max<double>(best->count, params_.min_points) : params_.min_points;
+      if (expected_hits_per_point_ * size < needed_hits_) {
+        draw_batch();
+      } else if (best) {
+        take(*best);
+      } else {
+        break;
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // The best candidate, scored on the points that remain; nothing when none has enough.
+  std::optional<Candidate> fresh_best() {
+    while (!pool_.empty()) {
+      Candidate& top = pool_.front();
+      if (top.scored == result_.planes.size()) return top;
+      std::pop_heap(pool_.begin(), pool_.end(), heap_order);
+      Candidate stale = pool_.back();
+      pool_.pop_back();
+      count_inliers(remaining_.view(), std::span(&stale.plane, 1), score_params(), std::span(&stale.count, 1));
+      stale.scored = static_cast<std::uint32_t>(result_.planes.size());
+      keep(stale);
+    }
+    return std::nullopt;
+  }
+
+  void keep(const Candidate& c) {
+    if (c.count < params_.min_points) return;
+    pool_.push_back(c);
+    std::push_heap(pool_.begin(), pool_.end(), heap_order);
+  }
+
+  PlaneScoreParams score_params() const {
+    return {static_cast<float>(params_.epsilon), static_cast<float>(params_.min_cos)};
+  }
+
+  void draw_batch() {
+    std::array<PlaneHypothesis, kBatch> planes;
+    std::array<std::uint64_t, kBatch> draws;
+    std::size_t found = 0;
+    std::uint64_t made = 0;
+    while (found < kBatch && made < kBatchDraws) {
+      ++made;
+      const auto plane = draw();
+      if (!plane) continue;
+      draws[found] = draw_count_ + made;
+      planes[found++] = *plane;
+    }
+    draw_count_ += made;
+    expected_hits_per_point_ += static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
+    std::array<std::uint32_t, kBatch> counts;
+    count_inliers(remaining_.view(), std::span(planes).first(found), score_params(), std::span(counts).first(found));
+    for (std::size_t i = 0; i < found; ++i)
+      keep({planes[i], counts[i], static_cast<std::uint32_t>(result_.planes.size()), draws[i]});
+    if (pool_.size() > 2 * kPool) {
+      std::nth_element(pool_.begin(), pool_.begin() + kPool, pool_.end(), better);
+      pool_.resize(kPool);
+      std::make_heap(pool_.begin(), pool_.end(), heap_order);
+    }
+  }
+
+  std::optional<PlaneHypothesis> draw() {
+    const std::size_t n = remaining_.size;
+    const std::uint64_t bits = rng_.next();
+    const std::size_t window = std::min<std::size_t>(n, std::size_t{kFirstWindow} << bits % kLevels);
+    const std::size_t i = rng_.below(n);
+    const std::size_t begin = std::min(i > window / 2 ? i - window / 2 : 0, n - window);
+    const std::size_t j = begin + (bits >> 8 & 0xfffff) % window;
+    const std::size_t k = begin + (bits >> 32 & 0xfffff) % window;
+    const Vec3 ni = remaining_.normal(i), nj = remaining_.normal(j), nk = remaining_.normal(k);
+    if (std::abs(dot(ni, nj)) < params_.min_cos || std::abs(dot(ni, nk)) < params_.min_cos) return std::nullopt;
+    const Vec3 a = remaining_.position(j) - remaining_.position(i);
+    const Vec3 b = remaining_.position(k) - remaining_.position(i);
+    Vec3 normal = cross(a, b);
+    const double length = norm(normal);
+    constexpr double kThinnest = 0.1;  // sine of the angle at the first point
+    if (!(length > kThinnest * norm(a) * norm(b)) || length == 0) return std::nullopt;
+    normal = (1 / length) * normal;
+    for (const Vec3& v : {ni, nj, nk})
+      if (std::abs(dot(normal, v)) < params_.min_cos) return std::nullopt;
+    const double d = -dot(normal, remaining_.position(i));
+    return PlaneHypothesis{static_cast<float>(normal.x), static_cast<float>(normal.y), static_cast<float>(normal.z),
+                           static_cast<float>(d)};
+  }
+
+  std::vector<std::uint32_t> consensus(const Plane& plane) const {
+    std::vector<std::uint32_t> members;
+    for (std::uint32_t i = 0; i < remaining_.size; ++i) {
+      if (std::abs(signed_distance(plane, remaining_.position(i))) > params_.epsilon) continue;
+      if (std::abs(dot(plane.n, remaining_.normal(i))) < params_.min_cos) continue;
+      members.push_back(i);
+    }
+    return members;
+  }
+
+  // The connected part of the consensus set that shares most points with `like`; the largest when `like` is empty.
+  std::vector<std::uint32_t> part_of(const std::vector<std::uint32_t>& members,
+                                     const std::vector<std::uint32_t>& like) const {
+    const Clusters clusters = euclidean_clusters(remaining_.view().points, members, params_.connectivity);
+    std::vector<std::uint32_t> votes(clusters.count, 0);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      while (at < like.size() && like[at] < members[i]) ++at;
+      votes[clusters.id[i]] += like.empty() || (at < like.size() && like[at] == members[i]);
+    }
+    if (votes.empty()) return {};
+    const auto chosen = static_cast<std::uint32_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+    std::vector<std::uint32_t> part;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      if (clusters.id[i] == chosen) part.push_back(members[i]);
+    return part;
+  }
+
+  void take(Candidate candidate) {
+    std::pop_heap(pool_.begin(), pool_.end(), heap_order);
+    pool_.pop_back();
+    const PlaneHypothesis& h = candidate.plane;
+    Plane plane{{h[0], h[1], h[2]}, h[3]};
+    std::vector<std::uint32_t> members = part_of(consensus(plane), {});
+    for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
+      const PlaneFit fit = fit_plane(moments_of(remaining_.view().points, members));
+      if (!fit.unique) break;
+      std::vector<std::uint32_t> next = part_of(consensus(fit.plane), members);
+      if (next.size() < params_.min_points) break;
+      plane = fit.plane;
+      const bool settled = next == members;
+      members = std::move(next);
+      if (settled) break;
+    }
+    if (members.size() < params_.min_points) return;
+    result_.planes.push_back(plane);
+    for (const std::uint32_t i : members)
+      result_.label[remaining_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
+    remove(remaining_, members);
+    keep(candidate);  // stale now; other parts of the same plane may remain
+  }
+
+  RansacParams params_;
+  Remaining remaining_;
+  Rng rng_;
+  RansacPlanes result_;
+  std::vector<Candidate> pool_;  // a heap, best first
+  double needed_hits_ = 0;
+  double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a plane, per point of that plane
+  std::uint64_t draw_count_ = 0;
+};
+
+}  // namespace
+
+RansacPlanes ransac_planes(const OrientedPoints& points, const RansacParams& params) {
+  return Search(points, params).run();
+}
+
+}  // namespace ilot

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "kernels/planes/plane_score.h"
+
+namespace ilot {
+
+struct RansacParams {
+  double epsilon = 0;             // units; greatest distance of an inlier
+  double min_cos = 0;             // of the angle between an inlier's normal and the plane's
+  std::int64_t connectivity = 1;  // units; a consensus set falls apart where points are farther apart
+  std::uint32_t min_points = 3;   // fewest inliers of a plane
+  double probability = 0.99;      // that no larger plane was overlooked when one is taken
+  std::uint64_t key = 0;          // of the random draws
+};
+
+struct RansacPlanes {
+  std::vector<std::uint32_t> label;  // per point: 0 = none, else 1 + index into planes
+  std::vector<Plane> planes;         // least squares of their points; normals as fit_plane gives them
+};
+
+// Planes by random sample consensus, the largest first [A5, after Schnabel, Wahl and Klein 2007].
+// A draw is a point and two more out of a window of its neighbours in the order of points (Morton order makes a window
+// a place), kept when the three normals agree with the plane through them. Draws are scored on all remaining points,
+// many at a time. The best is taken once the chance of having overlooked a larger one is below 1 - probability; it is
+// refined [C3]: least squares over its largest connected part, new consensus set by distance and angle, until the set
+// no longer changes (at most 10 rounds; the plane kept is the one that the set was tested against, so that every
+// labelled point lies within epsilon of it).
+// Points without a normal are never inliers. Draws depend on the key and the points alone. O(draws x points); draws
+// adapt to the share of the smallest plane.
+RansacPlanes ransac_planes(const OrientedPoints& points, const RansacParams& params);
+
+}  // namespace ilot
