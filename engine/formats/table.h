@@ -27,8 +27,7 @@ bool has_coordinates(std::span<const Column> columns);
 
 // How values become rows: point format 6, 7 with colours, 8 with colours and near infrared; scale 1e-4 (1e-3
 // or 1e-2 when the sample spans more than 200 or 2,000 km); offset the multiple of 1000 at or below its first finite
-// point. Colours of 8 bits are multiplied by 257, colours
-// and intensities that are fractions up to 1 by 65535.
+// point. Colours of 8 bits are multiplied by 257, colours and intensities that are fractions up to 1 by 65535.
 class TablePlan {
  public:
   // `sample`: leading rows, columns.size() values each. Throws Error naming the file when x, y or z is missing or the
