@@ -151,6 +151,16 @@ std::map<int, int> short_keys(const Vlr& vlr) {
   return keys;
 }
 
+// Writers that name a metric CRS and a unit of feet mean the feet; the CRS as such is then not that of the code.
+void override_unit(Crs& crs, double unit, std::vector<std::string>& warnings) {
+  if (crs.geographic || std::abs(unit - crs.metres_per_unit) <= 1e-9 * unit) return;
+  warnings.push_back("the GeoTIFF keys give a unit of " + std::to_string(unit) + " m to " + crs.name +
+                     ", which has another; the unit of the keys is used");
+  crs.metres_per_unit = crs.metres_per_unit_z = unit;
+  crs.epsg = 0;
+  crs.wkt.clear();
+}
+
 std::optional<Crs> from_keys(const std::vector<Vlr>& vlrs, std::vector<std::string>& warnings) {
   const auto record = std::find_if(vlrs.begin(), vlrs.end(), [](const Vlr& vlr) {
     return vlr.record_id == 34735 && vlr.user_id == "LASF_Projection";
@@ -165,12 +175,14 @@ std::optional<Crs> from_keys(const std::vector<Vlr>& vlrs, std::vector<std::stri
   if (plan && !crs) warnings.push_back("PROJ does not know EPSG:" + std::to_string(plan) + " of the GeoTIFF keys");
   const std::optional<double> unit = metres_of_unit_code(key(3076)), unit_z = metres_of_unit_code(key(4099));
   if (!crs && !unit && !unit_z && key(1024) != 2) return std::nullopt;
-  const bool known = crs.has_value();
-  if (!known) crs.emplace();
-  if (!known && key(1024) == 2) crs->geographic = true;
-  if (!known && unit) crs->metres_per_unit = crs->metres_per_unit_z = *unit;
+  if (!crs) {
+    crs.emplace();
+    crs->geographic = key(1024) == 2;
+    crs->unit_assumed = !unit && !crs->geographic;
+    if (unit) crs->metres_per_unit = crs->metres_per_unit_z = *unit;
+  }
+  if (unit) override_unit(*crs, *unit, warnings);
   if (unit_z) crs->metres_per_unit_z = *unit_z;
-  if (unit || crs->geographic) crs->unit_assumed = false;
   return crs;
 }
 
@@ -199,13 +211,13 @@ bool is_crs_record(const Vlr& vlr) {
 }
 
 Crs crs_from_vlrs(const std::vector<Vlr>& vlrs, bool wkt_flag, std::vector<std::string>& warnings) {
-  std::optional<Crs> crs = wkt_flag ? from_wkt(vlrs, warnings) : from_keys(vlrs, warnings);
-  if (crs) return *crs;
-  crs = wkt_flag ? from_keys(vlrs, warnings) : from_wkt(vlrs, warnings);
-  if (!crs) return {};
-  warnings.push_back(wkt_flag ? "the header says that the CRS is WKT, but it was found in GeoTIFF keys"
-                              : "the CRS was found as WKT although the header does not say so");
-  return *crs;
+  const std::optional<Crs> keys = from_keys(vlrs, warnings);
+  if (!wkt_flag && keys && keys->epsg != 0) return *keys;
+  const std::optional<Crs> wkt = from_wkt(vlrs, warnings);
+  if (wkt && !wkt_flag && !keys) warnings.push_back("the CRS was found as WKT although the header does not say so");
+  if (wkt) return *wkt;
+  if (wkt_flag && keys) warnings.push_back("the header says that the CRS is WKT, but only GeoTIFF keys hold one");
+  return keys.value_or(Crs{});
 }
 
 Crs crs_from_epsg(int code) { return crs_from_text("EPSG:" + std::to_string(code)); }

@@ -80,21 +80,6 @@ std::vector<ExtraField> with_gaps(const std::vector<ExtraField>& fields, std::si
   return out;
 }
 
-RecordLayout output_layout(const CloudSpec& spec) {
-  RecordLayout layout = spec.like.layout;
-  std::size_t length = layout.record_length;
-  for (ExtraField field : spec.appended) {
-    if (field.type != FieldType::opaque) field.size = static_cast<std::uint16_t>(type_size(field.type));
-    field.offset = static_cast<std::uint16_t>(length);
-    length += field.size;
-    if (length > UINT16_MAX)
-      throw Error("field " + field.name + " does not fit: a LAS record holds 65535 bytes at most; append fewer fields");
-    layout.extra.push_back(field);
-  }
-  layout.record_length = static_cast<std::uint16_t>(length);
-  return layout;
-}
-
 // Descriptors of ours: as they were, then the undocumented rest of the input's record, then the appended fields.
 void append_to(std::vector<Vlr>& vlrs, const std::vector<std::byte>& added, int minor) {
   const auto last = std::find_if(vlrs.rbegin(), vlrs.rend(), is_extra_bytes);
@@ -189,6 +174,21 @@ void PointStatistics::merge(const PointStatistics& other) {
     min[axis] = std::min(min[axis], other.min[axis]);
     max[axis] = std::max(max[axis], other.max[axis]);
   }
+}
+
+RecordLayout output_layout(const CloudSpec& spec) {
+  RecordLayout layout = spec.like.layout;
+  std::size_t length = layout.record_length;
+  for (ExtraField field : spec.appended) {
+    if (field.type != FieldType::opaque) field.size = static_cast<std::uint16_t>(type_size(field.type));
+    field.offset = static_cast<std::uint16_t>(length);
+    length += field.size;
+    if (length > UINT16_MAX)
+      throw Error("field " + field.name + " does not fit: a LAS record holds 65535 bytes at most; append fewer fields");
+    layout.extra.push_back(field);
+  }
+  layout.record_length = static_cast<std::uint16_t>(length);
+  return layout;
 }
 
 LasPlan plan_las(const CloudSpec& spec) {

@@ -29,6 +29,10 @@ struct LasPlan {
   RecordLayout layout;            // of the rows written, appended fields included
 };
 
+// Layout of the rows of an output: the input's, the appended fields behind it with their offsets and sizes. Throws Error
+// when the record would exceed 65,535 bytes.
+RecordLayout output_layout(const CloudSpec& spec);
+
 // The plan of an output that keeps the input's version, header fields, VLRs, EVLRs and CRS, and appends our fields
 // behind its extra bytes. Records that describe the input's compression (LASzip, COPC) are left out; a malformed
 // description of extra bytes is replaced by an opaque one. Version 1.4 is chosen when the point format or the number of

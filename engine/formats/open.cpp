@@ -1,19 +1,38 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <array>
+#include <cctype>
+#include <cstring>
 #include <string>
 
 #include "engine/error.h"
 #include "engine/formats/las.h"
+#include "engine/formats/pcd.h"
+#include "engine/formats/ply.h"
+#include "engine/formats/text.h"
 
 namespace ilot {
 namespace {
 
+constexpr std::size_t kSniffed = 4096;
+
 std::string lower_extension(const std::filesystem::path& path) {
   std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return c < 128 ? static_cast<char>(std::tolower(c)) : static_cast<char>(c); });
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return extension;
+}
+
+bool is_one_of(const std::string& extension, std::initializer_list<const char*> list) {
+  return std::find(list.begin(), list.end(), extension) != list.end();
+}
+
+bool starts_with(std::span<const std::byte> bytes, std::string_view text) {
+  return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;
+}
+
+bool looks_like_ply(std::span<const std::byte> bytes) {
+  return starts_with(bytes, "ply") && bytes.size() > 3 && std::isspace(std::to_integer<unsigned char>(bytes[3]));
 }
 
 std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
@@ -25,19 +44,43 @@ std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
 }  // namespace
 
 bool is_cloud_extension(const std::filesystem::path& path) {
-  constexpr std::array<const char*, 2> kExtensions{".las", ".laz"};
-  return std::find(kExtensions.begin(), kExtensions.end(), lower_extension(path)) != kExtensions.end();
+  return is_one_of(lower_extension(path), {".las", ".laz", ".ply", ".pcd", ".xyz", ".pts", ".asc"});
 }
 
 std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
   auto file = std::make_unique<InputFile>(path);
-  return open_las_family(std::move(file));
+  if (file->size() == 0) throw Error(path.string() + ": is empty; deliver it again");
+  std::array<std::byte, kSniffed> buffer;
+  const auto beginning = std::span(buffer).first(file->read_at(0, buffer));
+  const std::string extension = lower_extension(path);
+  if (looks_like_las(beginning) || is_one_of(extension, {".las", ".laz"})) return open_las_family(std::move(file));
+  if (looks_like_ply(beginning)) return open_ply(std::move(file));
+  if (looks_like_pcd(beginning) || extension == ".pcd") return open_pcd(std::move(file));
+  if (extension == ".ply") throw Error(path.string() + ": is not a PLY file (no ply at byte 0)");
+  if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file));
+  throw Error(path.string() + ": is not a point cloud that can be read (LAS, PLY, PCD, or text as .xyz .txt .csv .pts .asc)");
 }
 
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec) {
   const std::string extension = lower_extension(path);
   if (extension == ".las") return create_las(path, spec);
-  throw Error(path.string() + ": format " + extension + " is not written; choose .las", ExitCode::usage);
+  if (extension == ".ply") return create_ply(path, spec);
+  if (is_one_of(extension, {".csv", ".xyz", ".txt"})) return create_csv(path, spec);
+  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .ply, .csv, .xyz or .txt",
+              ExitCode::usage);
+}
+
+std::vector<std::string> fields_lost(const std::filesystem::path& path, const RecordLayout& layout) {
+  std::vector<std::string> lost;
+  if (is_one_of(lower_extension(path), {".las", ".laz"})) return lost;
+  std::size_t described = standard_size(layout.point_format);
+  for (const ExtraField& field : layout.extra) {
+    described += field.size;
+    if (field.type == FieldType::opaque) lost.push_back(field.name.empty() ? "unnamed extra bytes" : field.name);
+  }
+  if (described < layout.record_length) lost.push_back("undocumented extra bytes");
+  if (layout.point_format == 4 || layout.point_format == 5 || layout.point_format >= 9) lost.push_back("waveforms");
+  return lost;
 }
 
 }  // namespace ilot

@@ -39,7 +39,7 @@ class PointReader {
 // Opens by content first, extension second. Throws Error.
 std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path);
 
-// Extensions that folders are searched for.
+// Extensions that folders are searched for: not .txt and .csv, which are mostly something else; name those.
 bool is_cloud_extension(const std::filesystem::path& path);
 
 }  // namespace ilot

@@ -37,4 +37,7 @@ class PointWriter {
 // By extension. Throws Error when the format is not one we write, with the list of those we do.
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec);
 
+// Names of what rows of this layout hold and a file of that extension cannot (opaque extra bytes, waveforms).
+std::vector<std::string> fields_lost(const std::filesystem::path& path, const RecordLayout& layout);
+
 }  // namespace ilot

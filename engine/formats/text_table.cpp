@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "engine/formats/lines.h"
+#include "engine/formats/table.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kSample = 1000;
+
+bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+class TextTable final : public PointReader {
+ public:
+  TextTable(std::unique_ptr<InputFile> file, CloudInfo info, std::vector<Column> columns, TextBody body)
+      : file_(std::move(file)),
+        info_(std::move(info)),
+        columns_(std::move(columns)),
+        body_(std::move(body)),
+        values_(columns_.size()),
+        lines_(*file_, body_.offset),
+        plan_(info_.path, columns_, sample()) {
+    info_.layout = plan_.layout();
+    set_points(info_, count_rows());
+    rewind();
+  }
+
+  const CloudInfo& info() const override { return info_; }
+  bool random_access() const override { return false; }
+  std::vector<std::uint64_t> boundaries() const override {
+    return info_.points == 0 ? std::vector<std::uint64_t>{0} : std::vector<std::uint64_t>{0, info_.points};
+  }
+
+  std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) override {
+    if (first < row_) rewind();
+    std::string_view line;
+    while (row_ < first && next_row(line)) {
+    }
+    const std::size_t length = info_.layout.record_length;
+    const std::size_t rows = std::min(records.size() / length, valid.size());
+    std::size_t done = 0;
+    for (; done < rows && next_row(line); ++done) {
+      const std::span<std::byte> record = records.subspan(done * length, length);
+      const bool whole = parse_row(line);
+      if (!whole) std::fill(record.begin(), record.end(), std::byte{0});
+      valid[done] = whole && plan_.encode(values_, record);
+      if (!whole) note_malformed();
+    }
+    if (row_ == info_.points) report_malformed();
+    return done;
+  }
+
+ private:
+  void rewind() {
+    lines_ = LineReader(*file_, body_.offset);
+    row_ = 0;
+    line_ = body_.first_line - 1;
+    malformed_ = 0;
+  }
+
+  // The next line that is not blank, while rows may follow.
+  bool next_row(std::string_view& line) {
+    if (row_ >= body_.most_rows) return false;
+    while (lines_.next(line)) {
+      ++line_;
+      if (is_blank_line(line)) continue;
+      ++row_;
+      return true;
+    }
+    return false;
+  }
+
+  std::uint64_t count_rows() {
+    rewind();
+    std::string_view line;
+    while (next_row(line)) {
+    }
+    return row_;
+  }
+
+  bool parse_row(std::string_view line) {
+    split_fields(line, columns_.size(), fields_);
+    if (fields_.size() < columns_.size()) return false;
+    for (std::size_t i = 0; i < columns_.size(); ++i)
+      if (!parse_number(fields_[i], values_[i])) return false;
+    if (body_.convert) body_.convert(values_);
+    return true;
+  }
+
+  std::vector<double> sample() {
+    std::vector<double> values;
+    std::string_view line;
+    rewind();
+    for (std::size_t i = 0; i < kSample && next_row(line); ++i)
+      if (parse_row(line)) values.insert(values.end(), values_.begin(), values_.end());
+    return values;
+  }
+
+  void note_malformed() {
+    if (malformed_++ == 0) first_malformed_ = line_;
+  }
+
+  void report_malformed() {
+    if (malformed_ == 0 || reported_) return;
+    reported_ = true;
+    info_.warnings.push_back(std::to_string(malformed_) + " lines are not " + std::to_string(columns_.size()) +
+                             " numbers and are rejected, the first is line " + std::to_string(first_malformed_));
+  }
+
+  std::unique_ptr<InputFile> file_;
+  CloudInfo info_;
+  std::vector<Column> columns_;
+  TextBody body_;
+  std::vector<double> values_;
+  std::vector<std::string_view> fields_;
+  LineReader lines_;
+  std::uint64_t row_ = 0, line_ = 0, malformed_ = 0, first_malformed_ = 0;
+  bool reported_ = false;
+  TablePlan plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<PointReader> open_text_table(std::unique_ptr<InputFile> file, CloudInfo info,
+                                             std::vector<Column> columns, TextBody body) {
+  return std::make_unique<TextTable>(std::move(file), std::move(info), std::move(columns), std::move(body));
+}
+
+}  // namespace ilot
