@@ -119,8 +119,9 @@ int convert_command(const ConvertArguments& given) {
 void add_convert_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("convert", "Copies a point cloud into another format, by extension");
   auto given = std::make_shared<ConvertArguments>();
-  command->add_option("INPUT", given->input, "a point cloud");
-  command->add_option("OUTPUT", given->output, "the file to write; its extension names the format");
+  command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
+  command->add_option("OUTPUT", given->output, "the file to write; its extension names the format")
+      ->option_text(" ");
   command->add_flag("--overwrite", given->overwrite, "replace OUTPUT [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot convert district.las district.ply");

@@ -160,7 +160,7 @@ int info_command(const InfoArguments& given) {
 void add_info_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Tells what point clouds hold, as measured");
   auto given = std::make_shared<InfoArguments>();
-  command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns");
+  command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns")->option_text("...");
   command->add_flag("--json", given->json, "a JSON list with one object per file [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");
   command->footer("Example: ilot info district.las --json");

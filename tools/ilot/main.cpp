@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/pass/stop.h"
 #include "engine/version.h"
+#include "kernels/simd/dispatch.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 
@@ -33,7 +34,8 @@ void install_signal_handlers() {
 std::string version_text(bool json) {
   if (!json) return "ilot " + version() + " (" + git_hash() + ")\n";
   nlohmann::ordered_json all{
-      {"version", version()}, {"git_hash", git_hash()}, {"compiler", compiler()}, {"build_type", build_type()}};
+      {"version", version()}, {"git_hash", git_hash()}, {"compiler", compiler()}, {"build_type", build_type()},
+      {"isa", simd::table().name}};
   for (const auto& [name, number] : library_versions()) all["libraries"][name] = number;
   return all.dump(2) + "\n";
 }
@@ -52,14 +54,14 @@ int run_command_line(int argc, char** argv) {
   app.add_flag("--json", json, "with --version: all of the build as JSON")->needs(version_flag);
   app.require_subcommand(0, 1);
   app.footer("Exit codes: 0 done, 1 failed, 2 usage, 3 done but something was skipped, 130 interrupted.\n"
-             "Example: ilot run city.las -o out");
+             "Example: ilot run city.las -o out\n");
   Action action;
   for (AddCommand add : kCommands) add(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
     const auto called = app.get_subcommands();
-    print(called.empty() ? app.help() : called.front()->help());
+    print(called.empty() ? app.help() : called.front()->help("ilot"));
     return 0;
   } catch (const CLI::ParseError& fault) {
     throw Error(std::string(fault.what()) + " (ilot --help)", ExitCode::usage);

@@ -88,37 +88,50 @@ int run_command(const RunArguments& given) {
 }
 
 void add_work_options(CLI::App& command, RunArguments& given) {
-  command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns");
-  command.add_option("-o,--output", given.output, "folder for the results; must not exist");
-  command.add_option("--products", given.products, "what to make, comma separated: planes [planes]")->delimiter(',');
-  command.add_option("--config", given.config, "settings as TOML (--print-config shows all) [none]");
-  command.add_option("--set", given.assignments, "KEY=VALUE: one setting, after --config; repeatable [none]")
-      ->allow_extra_args(false);
-  auto* bounds = command.add_option("--bounds", given.bounds,
-                                    "X0,Y0,X1,Y1 in units of the CRS: products inside only [everything]");
-  command.add_option("--within", given.within, "the same inside the polygons of a GeoJSON or WKT file [everything]")
-      ->excludes(bounds);
-  command.add_option("--crs", given.crs, "EPSG:n, overrides what the inputs say [theirs]");
+  command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
+  command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")
+      ->option_text("OUT");
+  command.add_option("--products", given.products, "what to make, comma separated: planes [planes]")
+      ->delimiter(',')
+      ->option_text("LIST");
+  command.add_option("--config", given.config, "settings as TOML, --print-config shows all [none]")
+      ->option_text("FILE");
+  command.add_option("--set", given.assignments, "one setting, after --config; repeatable [none]")
+      ->allow_extra_args(false)
+      ->option_text("KEY=VALUE");
+  auto* bounds = command.add_option("--bounds", given.bounds, "products in this box only, units of the CRS [everything]");
+  bounds->option_text("X0,Y0,X1,Y1");
+  command.add_option("--within", given.within, "products in these polygons only, GeoJSON or WKT [everything]")
+      ->excludes(bounds)
+      ->option_text("FILE");
+  command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
 }
 
 void add_machine_options(CLI::App& command, RunArguments& given) {
-  command.add_option("--memory", given.memory, "upper bound of resident memory, bytes with K, M, G or T [2G]");
-  command.add_option("--threads", given.threads, "threads, 1 to 1024 [all]")->check(CLI::Range(1, 1024));
-  command.add_option("--block-points", given.block_points, "points per block of the store, 256 to 67108864 [1048576]")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--store", given.store, "folder for the block store [OUT/.store]");
+  command.add_option("--memory", given.memory, "upper bound of resident memory, with K, M, G or T [2G]")
+      ->option_text("BYTES");
+  command.add_option("--threads", given.threads, "1 to 1024 threads [all]")
+      ->check(CLI::Range(1, 1024))
+      ->option_text("N");
+  command.add_option("--block-points", given.block_points, "256 to 67108864 points per block of the store [1048576]")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62))
+      ->option_text("N");
+  command.add_option("--store", given.store, "folder for the block store [OUT/.store]")->option_text("DIR");
   command.add_flag("--keep-store", given.keep_store, "leave the block store behind [off]");
 }
 
 void add_manner_options(CLI::App& command, RunArguments& given) {
   auto* resume = command.add_flag("--resume", given.resume, "go on with an interrupted run in OUT [off]");
-  command.add_flag("--overwrite", given.overwrite, "replace OUT [off]")->excludes(resume);
+  command.add_flag("--overwrite", given.overwrite, "replace OUT [off]")->excludes(resume)->option_text(" ");
+  resume->option_text(" ");
   command.add_flag("--strict", given.strict, "the first skipped file or unit ends the run, exit 1 [off]");
   command.add_flag("--dry-run", given.dry_run, "say what would be done and needed, write nothing [off]");
   command.add_flag("--print-config", given.print_config, "print all settings as TOML and stop [off]");
   auto* verbose = command.add_flag("-v,--verbose", given.verbose, "say more [off]");
-  command.add_flag("-q,--quiet", given.quiet, "say only what is wrong [off]")->excludes(verbose);
-  command.add_option("--log-json", given.log, "events as JSON lines to FILE, - (standard error) or fd:N [none]");
+  command.add_flag("-q,--quiet", given.quiet, "say only what is wrong [off]")->excludes(verbose)->option_text(" ");
+  verbose->option_text(" ");
+  command.add_option("--log-json", given.log, "events as JSON lines to FILE, - (standard error) or fd:N [none]")
+      ->option_text("LOG");
 }
 
 }  // namespace
