@@ -28,6 +28,11 @@ void install_signal_handlers() {
   stop.sa_flags = SA_RESETHAND | SA_RESTART;
   sigaction(SIGINT, &stop, nullptr);
   sigaction(SIGTERM, &stop, nullptr);
+  sigset_t both;  // a parent may have blocked them
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &both, nullptr);
   signal(SIGPIPE, SIG_IGN);
 }
 

@@ -93,6 +93,7 @@ void add_work_options(CLI::App& command, RunArguments& given) {
       ->option_text("OUT");
   command.add_option("--products", given.products, "what to make, comma separated: planes [planes]")
       ->delimiter(',')
+      ->allow_extra_args(false)
       ->option_text("LIST");
   command.add_option("--config", given.config, "settings as TOML, --print-config shows all [none]")
       ->option_text("FILE");
