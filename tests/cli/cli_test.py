@@ -90,7 +90,7 @@ class Cli(unittest.TestCase):
             self.refuse(["run", self.cloud, "-o", self.out, "--config", config], f"ilot.toml{place}", word)
 
     def test_other_usage_faults(self):
-        self.refuse([], "run, info")
+        self.refuse([], "no command")
         self.refuse(["frobnicate"], "frobnicate")
         self.refuse(["--json"], "--version")
         self.refuse(["info"], "INPUT")

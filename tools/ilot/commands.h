@@ -8,7 +8,6 @@
 namespace ilot {
 
 using Action = std::function<int()>;
-using AddCommand = void (*)(CLI::App& app, Action& action);
 
 void add_run_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);

@@ -15,12 +15,6 @@ namespace {
 
 using namespace ilot;
 
-constexpr AddCommand kCommands[] = {
-    add_run_command,
-    add_info_command,
-    add_convert_command,
-};
-
 // The first signal asks for an orderly stop; the handler is then gone, so that the second one ends the process.
 void install_signal_handlers() {
   struct sigaction stop {};
@@ -61,7 +55,9 @@ int run_command_line(int argc, char** argv) {
   app.footer("Exit codes: 0 done, 1 failed, 2 usage, 3 done but something was skipped, 130 interrupted.\n"
              "Example: ilot run city.las -o out\n");
   Action action;
-  for (AddCommand add : kCommands) add(app, action);
+  add_run_command(app, action);
+  add_info_command(app, action);
+  add_convert_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -75,8 +71,8 @@ int run_command_line(int argc, char** argv) {
     print(version_text(json));
     return 0;
   }
-  if (!action) throw Error("no command given: run, info or convert (ilot --help)", ExitCode::usage);
-  return action();
+  if (app.get_subcommands().empty()) throw Error("no command given (ilot --help)", ExitCode::usage);
+  return action ? action() : 0;
 }
 
 }  // namespace
