@@ -194,6 +194,12 @@ void Progress::tick() {
   options_.console("\r\x1b[K" + stage_text());
 }
 
+void Progress::clear_line() {
+  const std::lock_guard lock(mutex_);
+  if (live_shown_) options_.console("\r\x1b[K");
+  live_shown_ = false;
+}
+
 std::vector<StageRecord> Progress::stages() const {
   const std::lock_guard lock(mutex_);
   return stages_;

@@ -58,6 +58,9 @@ class Progress {
   // of the caller, so that a stall shows too; cheap when nothing is due.
   void tick();
 
+  // Wipes the live line, if one stands: before somebody else writes to the console.
+  void clear_line();
+
   std::vector<StageRecord> stages() const;
 
  private:

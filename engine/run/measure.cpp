@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/measure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+#include "engine/error.h"
+#include "engine/pass/stop.h"
+#include "kernels/core/rng.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kRows = 1u << 16;
+constexpr std::size_t kGrid = 512;             // cells per side of the density grid, at most
+constexpr double kPointsPerCell = 16;
+constexpr std::size_t kWindows = 32;           // where the sampling step is measured
+constexpr double kPointsPerWindow = 2000;
+constexpr std::size_t kMostPerWindow = 8192;
+
+using Visit = std::function<void(const std::byte* row)>;
+
+// Calls visit for each valid row; returns the number of the others.
+std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance, const Visit& visit) {
+  const std::size_t length = reader.info().layout.record_length;
+  std::vector<std::byte> rows(kRows * length);
+  std::vector<std::uint8_t> valid(kRows);
+  std::uint64_t rejected = 0;
+  for (std::uint64_t first = 0; first < reader.info().points;) {
+    if (stop_requested()) throw Error("interrupted", ExitCode::interrupted);
+    const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(kRows, reader.info().points - first));
+    const std::size_t got = reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
+    for (std::size_t i = 0; i < got; ++i) {
+      if (valid[i] != 0) visit(&rows[i * length]);
+      if (valid[i] == 0) ++rejected;
+    }
+    if (advance) advance(got);
+    first += got;
+    if (got < asked) break;
+  }
+  return rejected;
+}
+
+Vec3 world(const RecordLayout& layout, const std::byte* row) {
+  const auto axis = [&](std::size_t i) { return load<std::int32_t>(row + 4 * i) * layout.scale[i] + layout.offset[i]; };
+  return {axis(0), axis(1), axis(2)};
+}
+
+bool coloured(const std::byte* row, std::size_t offset) {
+  return (load<std::uint16_t>(row + offset) | load<std::uint16_t>(row + offset + 2) |
+          load<std::uint16_t>(row + offset + 4)) != 0;
+}
+
+// First reading: counts and the box.
+CloudMeasure count(PointReader& reader, const std::function<void(std::uint64_t)>& advance) {
+  const RecordLayout& layout = reader.info().layout;
+  const std::size_t standard = standard_size(layout.point_format);
+  const auto colour = rgb_offset(layout.point_format);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  CloudMeasure m;
+  m.min = {kFar, kFar, kFar};
+  m.max = {-kFar, -kFar, -kFar};
+  m.rejected = for_each_row(reader, advance, [&](const std::byte* row) {
+    const Vec3 p = world(layout, row);
+    m.min = {std::min(m.min.x, p.x), std::min(m.min.y, p.y), std::min(m.min.z, p.z)};
+    m.max = {std::max(m.max.x, p.x), std::max(m.max.y, p.y), std::max(m.max.z, p.z)};
+    const PointFields fields = decode_fields({row, standard}, layout.point_format);
+    ++m.points;
+    ++m.classes[fields.classification];
+    m.last_returns += fields.return_number >= fields.return_count;
+    if (colour) m.with_colour += coloured(row, *colour);
+  });
+  if (m.points == 0) m.min = m.max = {};
+  return m;
+}
+
+// Square cells over the box, about `wanted` of them if the cloud filled it.
+struct Lattice {
+  double x = 0, y = 0, side = 1;
+  std::size_t columns = 1, rows = 1;
+
+  Lattice(const CloudMeasure& m, double wanted, double most_per_side) : x(m.min.x), y(m.min.y) {
+    const double width = m.max.x - m.min.x, height = m.max.y - m.min.y;
+    const double longest = std::max(width, height);
+    if (!(longest > 0) || !std::isfinite(longest)) return;
+    side = std::max(std::sqrt(width * height / wanted), longest / std::min(wanted, most_per_side));
+    columns = static_cast<std::size_t>(width / side) + 1;
+    rows = static_cast<std::size_t>(height / side) + 1;
+  }
+  std::size_t cell(Vec3 p) const {
+    const auto column = std::min(columns - 1, static_cast<std::size_t>((p.x - x) / side));
+    const auto row = std::min(rows - 1, static_cast<std::size_t>((p.y - y) / side));
+    return row * columns + column;
+  }
+};
+
+// The occupied windows with the smallest keys: a fair choice in one reading, since a window once outbid stays so.
+class Windows {
+ public:
+  void add(std::size_t window, Vec3 p) {
+    const std::uint64_t key = mix64(window);
+    const auto found = points_.find(key);
+    if (found == points_.end()) {
+      if (points_.size() == kWindows && key > points_.rbegin()->first) return;
+      points_[key].push_back(p);
+      if (points_.size() > kWindows) points_.erase(std::prev(points_.end()));
+    } else if (found->second.size() < kMostPerWindow) {
+      found->second.push_back(p);
+    }
+  }
+
+  double median_step() {
+    std::vector<double> steps;
+    for (auto& [key, points] : points_) add_steps(points, steps);
+    if (steps.empty()) return 0;
+    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+    std::nth_element(steps.begin(), middle, steps.end());
+    return std::sqrt(*middle);
+  }
+
+ private:
+  // Squared distance from each point to its nearest other place, found by sweeping along x.
+  static void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
+    std::sort(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
+      return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
+    });
+    const auto same = [](Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
+    points.erase(std::unique(points.begin(), points.end(), same), points.end());
+    if (points.size() < 2) return;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      double best = std::numeric_limits<double>::infinity();
+      const auto look = [&](std::size_t j) {
+        const Vec3 d = points[j] - points[i];
+        best = std::min(best, dot(d, d));
+        return d.x * d.x < best;
+      };
+      for (std::size_t j = i; j > 0 && look(j - 1);) --j;
+      for (std::size_t j = i + 1; j < points.size() && look(j);) ++j;
+      steps.push_back(best);
+    }
+  }
+
+  std::map<std::uint64_t, std::vector<Vec3>> points_;
+};
+
+}  // namespace
+
+CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::uint64_t)>& advance) {
+  CloudMeasure m = count(reader, advance);
+  if (m.points == 0) return m;
+  const CloudInfo& info = reader.info();
+  const auto total = static_cast<double>(m.points);
+  const Lattice cells(m, std::min(std::max(1.0, total / kPointsPerCell), double{kGrid * kGrid}), kGrid);
+  const Lattice windows(m, std::max(1.0, total / kPointsPerWindow), 0x1p20);
+  std::vector<bool> occupied(cells.columns * cells.rows);
+  Windows chosen;
+  const double metres = info.crs.metres_per_unit, metres_z = info.crs.metres_per_unit_z;
+  for_each_row(reader, advance, [&](const std::byte* row) {
+    const Vec3 p = world(info.layout, row);
+    occupied[cells.cell(p)] = true;
+    chosen.add(windows.cell(p), {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
+  });
+  const auto full = static_cast<double>(std::count(occupied.begin(), occupied.end(), true));
+  m.occupied_area = full * cells.side * cells.side * metres * metres;
+  m.density = total / m.occupied_area;
+  m.last_return_density = static_cast<double>(m.last_returns) / m.occupied_area;
+  m.sampling_step = chosen.median_step();
+  return m;
+}
+
+}  // namespace ilot

@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""The command line from outside: exit codes, one line per fault, nothing half-written. ILOT_EXE names the program."""
+import json
+import os
+import pathlib
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXE = os.environ["ILOT_EXE"]
+
+
+def las_file(path, points, declared=None):
+    """LAS 1.2, point format 0, millimetres; points are (x, y, z, class)."""
+    low = [min((p[i] for p in points), default=0) / 1000 for i in range(3)]
+    high = [max((p[i] for p in points), default=0) / 1000 for i in range(3)]
+    header = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, b"", 1, 2, b"test", b"test", 1, 2026, 227, 227, 0,
+                         0, 20, len(points) if declared is None else declared, len(points), 0, 0, 0, 0)
+    header += struct.pack("<12d", 0.001, 0.001, 0.001, 0, 0, 0, high[0], low[0], high[1], low[1], high[2], low[2])
+    rows = b"".join(struct.pack("<iiiHBBbBH", x, y, z, 7, 0b001001, c, 0, 0, 1) for x, y, z, c in points)
+    path.write_bytes(header + rows)
+    return path
+
+
+def ilot(*arguments, **options):
+    return subprocess.run([EXE, *map(str, arguments)], capture_output=True, text=True, timeout=60, **options)
+
+
+class Cli(unittest.TestCase):
+    def setUp(self):
+        self.holder = tempfile.TemporaryDirectory()
+        self.folder = pathlib.Path(self.holder.name)
+        grid = [(1000 * i, 1000 * j, 0, 2 if i < 30 else 6) for i in range(50) for j in range(40)]
+        self.cloud = las_file(self.folder / "grid.las", grid)
+        self.out = self.folder / "out"
+
+    def tearDown(self):
+        self.holder.cleanup()
+
+    def refuse(self, arguments, *words, code=2):
+        before = sorted(self.folder.rglob("*"))
+        done = ilot(*arguments)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        lines = done.stderr.splitlines()
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertTrue(lines[0].startswith("ilot: "), lines[0])
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(sorted(self.folder.rglob("*")), before, "nothing may be written")
+
+    def test_usage_faults_of_run(self):
+        c, o = self.cloud, self.out
+        self.refuse(["run"], "INPUT")
+        self.refuse(["run", c], "-o OUT")
+        self.refuse(["run", self.folder / "none.las", "-o", o], "none.las: no such file")
+        self.refuse(["run", c, self.folder / "none.las", "-o", o], "none.las: no such file")
+        self.refuse(["run", self.folder / "*.laz", "-o", o], "*.laz: no such file")
+        self.refuse(["run", c, "-o", o, "--set", "planes.epsilom=1"], "unknown setting 'planes.epsilom'",
+                    "nearest is 'planes.epsilon'")
+        self.refuse(["run", c, "-o", o, "--set", "planes.epsilon=99"], "out of range: 0.0001 to 10 m")
+        self.refuse(["run", c, "-o", o, "--set", "planes.epsilon"], "KEY=VALUE")
+        self.refuse(["run", c, "-o", o, "--block-points", "5"], "256 to 67108864")
+        self.refuse(["run", c, "-o", o, "--threads", "0"], "--threads")
+        self.refuse(["run", c, "-o", o, "--memory", "lots"], "--memory lots")
+        self.refuse(["run", c, "-o", o, "--memory", "1K"], "--memory")
+        self.refuse(["run", c, "-o", o, "--memory", "2GiBs"], "--memory")
+        self.refuse(["run", c, "-o", o, "--products", "gardens"], "gardens", "planes")
+        self.refuse(["run", c, "-o", o, "--crs", "EPSG:x"], "EPSG:2154")
+        self.refuse(["run", c, "-o", o, "--bounds", "1,2,3"], "X0,Y0,X1,Y1")
+        self.refuse(["run", c, "-o", o, "--bounds", "0,0,1,1", "--within", "a"], "excludes")
+        self.refuse(["run", c, "-o", o, "--within", self.folder / "none.json"], "cannot read the area")
+        self.refuse(["run", c, "-o", o, "--resume", "--overwrite"], "excludes")
+        self.refuse(["run", c, "-o", o, "-v", "-q"], "excludes")
+        self.refuse(["run", c, "-o", o, "--log-json", "fd:99"], "fd:99")
+        self.refuse(["run", c, "-o", o, "--log-json", "fd:x"], "fd:N")
+        self.refuse(["run", c, "-o", o, "--config", self.folder / "none.toml"], "none.toml")
+        self.refuse(["run", c, "-o", o, "--frobnicate"], "--frobnicate")
+
+    def test_configuration_faults_name_the_place(self):
+        config = self.folder / "ilot.toml"
+        for text, place, word in [("[planes]\nepsilon = 20\n", ":2:11: ", "out of range"),
+                                  ("[planes]\nepsilom = 1\n", ":2:1: ", "planes.epsilon"),
+                                  ("[planes\n", ":1:", ""), ("seed = true\n", ":1:8: ", "whole number")]:
+            config.write_text(text)
+            self.refuse(["run", self.cloud, "-o", self.out, "--config", config], f"ilot.toml{place}", word)
+
+    def test_other_usage_faults(self):
+        self.refuse([], "no command")
+        self.refuse(["frobnicate"], "frobnicate")
+        self.refuse(["--json"], "--version")
+        self.refuse(["info"], "INPUT")
+        self.refuse(["info", self.folder / "none.las"], "no such file")
+        self.refuse(["convert", self.cloud], "OUTPUT")
+        self.refuse(["convert", self.folder / "none.las", self.folder / "a.las"], "no such file")
+        self.refuse(["convert", self.cloud, self.cloud], "is the input itself")
+        (self.folder / "empty").mkdir()
+        self.refuse(["info", self.folder / "empty"], "holds no point cloud")
+
+    def test_print_config_loads_back(self):
+        first = ilot("run", "--print-config", "--set", "planes.epsilon=0.02", "--block-points", "65536")
+        self.assertEqual(first.returncode, 0, first.stderr)
+        self.assertIn("\nepsilon = 0.02\n", first.stdout)
+        self.assertIn("\nblock_points = 65536\n", first.stdout)
+        config = self.folder / "ilot.toml"
+        config.write_text(first.stdout)
+        self.assertEqual(ilot("run", "--print-config", "--config", config).stdout, first.stdout)
+        over = ilot("run", "--print-config", "--config", config, "--set", "planes.epsilon=auto").stdout
+        self.assertIn('\nepsilon = "auto"\n', over)
+
+    def test_version_and_help(self):
+        self.assertRegex(ilot("--version").stdout, r"^ilot \d+\.\d+\.\d+ \(\w+\)\n$")
+        everything = json.loads(ilot("--version", "--json").stdout)
+        for key in ("version", "git_hash", "compiler", "isa", "libraries"):
+            self.assertTrue(everything[key], key)
+        for command in ("run", "info", "convert"):
+            told = ilot(command, "--help")
+            self.assertEqual(told.returncode, 0)
+            self.assertIn(f"Example: ilot {command} ", told.stdout)
+            self.assertTrue(told.stdout.endswith("\n"))
+        for line in ilot("run", "--help").stdout.splitlines():
+            if line.startswith("  -") and "--help" not in line:
+                self.assertRegex(line, r"\[.+\]$", "every option says its default")
+
+    def test_info_measures(self):
+        told = ilot("info", self.cloud, "--json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        (one,) = json.loads(told.stdout)
+        self.assertEqual(one["points"], {"declared": 2000, "read": 2000, "rejected": 0})
+        self.assertEqual(one["classes"], {"2": 1200, "6": 800})
+        self.assertEqual(one["bounds"]["max"], [49.0, 39.0, 0.0])
+        self.assertAlmostEqual(one["sampling_step_m"], 1)
+        self.assertAlmostEqual(one["density_per_m2"]["all_returns"], 1, delta=0.2)
+        self.assertTrue(one["suits"]["planes"]["yes"])
+        self.assertIn("2,000", ilot("info", self.cloud).stdout)
+
+    def test_info_of_good_and_bad(self):
+        bad = self.folder / "bad.las"
+        bad.write_bytes(b"not a cloud")
+        self.refuse(["info", bad], "bad.las", code=1)
+        both = ilot("info", bad, self.cloud, "--json")
+        self.assertEqual(both.returncode, 3)
+        self.assertEqual(len(json.loads(both.stdout)), 1)
+        self.assertIn("bad.las", both.stderr)
+
+    def test_convert_keeps_the_points(self):
+        copy = self.folder / "copy.las"
+        done = ilot("convert", self.cloud, copy, "-q")
+        self.assertEqual((done.returncode, done.stdout, done.stderr), (0, "", ""))
+        self.assertEqual(copy.read_bytes()[-20 * 2000:], self.cloud.read_bytes()[-20 * 2000:])
+        self.refuse(["convert", self.cloud, copy], "--overwrite")
+        self.assertEqual(ilot("convert", self.cloud, copy, "--overwrite").returncode, 0)
+        self.refuse(["convert", self.cloud, self.folder / "copy.xyzzy"], "xyzzy", code=ilot(
+            "convert", self.cloud, self.folder / "copy.xyzzy").returncode)
+        self.refuse(["convert", self.cloud, self.folder / "none" / "copy.las", "-q"], "copy.las", code=1)
+
+    def test_convert_salvages(self):
+        short = las_file(self.folder / "short.las", [(0, 0, 0, 2), (1000, 0, 0, 2)], declared=5)
+        done = ilot("convert", short, self.folder / "copy.las")
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("3 of 5 points left out", done.stderr)
+
+    def test_full_standard_output(self):
+        if not os.path.exists("/dev/full"):
+            self.skipTest("no /dev/full here")
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([EXE, "info", self.cloud], stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output", done.stderr)
+
+    def test_interrupted_leaves_nothing(self):
+        def interrupted():  # pending from the first instruction on: the handler sees it at once
+            signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT, signal.SIGTERM])
+            os.kill(os.getpid(), signal.SIGINT)
+
+        before = sorted(self.folder.rglob("*"))
+        for arguments in (["convert", self.cloud, self.folder / "copy.las", "-q"], ["info", self.cloud, "-q"]):
+            done = ilot(*arguments, preexec_fn=interrupted)
+            self.assertEqual(done.returncode, 130, done.stderr)
+            self.assertIn("interrupted", done.stderr)
+        self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], "-v"])

@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Reads the includes and checks the arrows of the house: tools -> engine -> kernels, and the doors inside."""
+import pathlib
+import re
+import sys
+
+LAYER_SEES = {
+    "kernels": {"kernels"},
+    "engine": {"engine", "kernels"},
+    "tools": {"tools", "engine", "kernels"},
+    "bench": {"bench", "tests", "tools", "engine", "kernels"},
+    "tests": {"tests", "tools", "engine", "kernels"},
+}
+# Folders of the engine by height: a folder sees itself and what is lower.
+HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "pass": 3, "visibility": 4,
+          "segments": 4, "deliverables": 4, "evaluate": 5, "roofs": 6, "facades": 6, "streets": 6, "run": 7}
+EVERYWHERE = {"engine/error.h", "engine/version.h", "engine/whole_file.h", "engine/pass/stop.h"}
+PRODUCTS = {"roofs", "facades", "streets"}
+KERNEL_HEIGHT = {"core": 0, "simd": 1, "neighbours": 2, "planes": 3, "delaunay": 3, "outlines": 4, "rasters": 4}
+CLOUD_FORMATS = re.compile(r"\b(las|laz|copc|e57|ply|pcd|ptx|LAS|LAZ|COPC|E57|PLY|PCD|PTX)\b|LASF")
+DRAWING_FORMATS = re.compile(r"\b(dxf|DXF|CityJSON|GDAL|gdal\w*|ogr\w*|OGR\w*)\b")
+TALKING = re.compile(r"<iostream>|\bstd::(cout|cerr|clog|printf|exit)\b|\b(printf|puts|abort|exit|_exit)\s*\(")
+INTRINSICS = re.compile(r"#\s*include\s*<(\w*intrin|arm_neon|arm_sve)\.h>|\b_mm\d*_\w+\(")
+INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
+
+
+def strip_comments(text):
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
+
+
+def folder(path):
+    parts = path.split("/")
+    return parts[1] if len(parts) > 2 else ""
+
+
+def faults_of(name, text):
+    code = strip_comments(text)
+    layer, room = name.split("/")[0], folder(name)
+    for included in INCLUDE.findall(code):
+        top = included.split("/")[0]
+        if top in ("tbb", "oneapi") and name != "kernels/core/parallel.cpp":
+            yield f"includes {included}: only kernels/core/parallel.cpp may"
+        if top not in LAYER_SEES:
+            continue
+        if top not in LAYER_SEES[layer]:
+            yield f"includes {included}: {layer} does not see {top}"
+        other = folder(included)
+        body_of_kernel = name.startswith("kernels/simd/isa_") and included.endswith(".inl")
+        if layer == top == "kernels" and not body_of_kernel and KERNEL_HEIGHT[other] > KERNEL_HEIGHT[room]:
+            yield f"includes {included}: kernels/{other} stands above kernels/{room}"
+        if layer == top == "engine" and included not in EVERYWHERE and room:
+            if HEIGHT[other] > HEIGHT[room]:
+                yield f"includes {included}: engine/{other} stands above engine/{room}"
+            if room in PRODUCTS and other in PRODUCTS - {room}:
+                yield f"includes {included}: products do not know each other"
+            if room in PRODUCTS and other in ("formats", "deliverables"):
+                yield f"includes {included}: products know no file format"
+    if INTRINSICS.search(code) and not name.startswith("kernels/simd/"):
+        yield "uses intrinsics: only kernels/simd may"
+    if layer in ("kernels", "engine"):
+        if TALKING.search(code):
+            yield f"prints or exits ({TALKING.search(code).group(0).strip()}): library code never does"
+        if room != "formats" and CLOUD_FORMATS.search(code):
+            yield f"names {CLOUD_FORMATS.search(code).group(0)}: only engine/formats may"
+        if room != "deliverables" and DRAWING_FORMATS.search(code):
+            yield f"names {DRAWING_FORMATS.search(code).group(0)}: only engine/deliverables may"
+
+
+def cycle_in(graph):
+    state, stack = {}, []
+
+    def visit(node):
+        state[node] = "open"
+        stack.append(node)
+        for after in sorted(graph.get(node, ())):
+            if state.get(after) == "open":
+                return stack[stack.index(after):] + [after]
+            if after not in state:
+                found = visit(after)
+                if found:
+                    return found
+        state[node] = "done"
+        stack.pop()
+        return None
+
+    for start in sorted(graph):
+        if start not in state:
+            found = visit(start)
+            if found:
+                return found
+    return None
+
+
+def check(files):
+    """files: name -> text. Returns the list of faults, one line each."""
+    faults = []
+    for name, text in sorted(files.items()):
+        faults += [f"{name}: {fault}" for fault in faults_of(name, text)]
+    graph = {name: {i for i in INCLUDE.findall(strip_comments(text)) if i in files} for name, text in files.items()}
+    cycle = cycle_in(graph)
+    if cycle:
+        faults.append("cycle: " + " -> ".join(cycle))
+    return faults
+
+
+def self_test():
+    """The checker finds what it is there to find."""
+    bad = {
+        "kernels/core/a.h": '#include "engine/error.h"\n',
+        "kernels/core/b.h": '#include "kernels/planes/c.h"\n',
+        "kernels/planes/c.h": "#include <tbb/parallel_for.h>\n",
+        "kernels/planes/d.h": "#include <immintrin.h>\n",
+        "engine/store/e.cpp": 'auto x = "laz";\n',
+        "engine/store/f.cpp": '#include "engine/run/run.h"\n',
+        "engine/roofs/g.cpp": '#include "engine/facades/x.h"\n',
+        "engine/run/h.cpp": "#include <iostream>\n",
+        "engine/run/i.h": '#include "engine/run/j.h"\n',
+        "engine/run/j.h": '#include "engine/run/i.h"\n',
+        "engine/run/k.cpp": "#include <gdal.h>\n",
+        "engine/cloud/l.cpp": '#include "tools/ilot/console.h"\n',
+    }
+    faults = "\n".join(check(bad))
+    for name in bad:
+        if name not in faults:
+            sys.exit(f"include_graph: the checker misses the fault in {name}")
+    good = {"engine/formats/las.cpp": '// tbb\n#include "engine/cloud/record.h"\n', "engine/cloud/record.h": "// LAS\n"}
+    if check(good):
+        sys.exit("include_graph: the checker complains of good code: " + "; ".join(check(good)))
+
+
+def main():
+    self_test()
+    root = pathlib.Path(sys.argv[1])
+    files = {}
+    for layer in LAYER_SEES:
+        for path in (root / layer).rglob("*"):
+            if path.suffix in (".h", ".cpp", ".inl"):
+                files[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+    faults = check(files)
+    for fault in faults:
+        print(fault)
+    print(f"{len(files)} files read, {len(faults)} faults")
+    sys.exit(1 if faults or not files else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/error.h"
+#include "engine/formats/reader.h"
+#include "engine/run/inputs.h"
+#include "engine/run/measure.h"
+#include "tools/ilot/commands.h"
+#include "tools/ilot/console.h"
+
+namespace ilot {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct InfoArguments {
+  std::vector<std::string> inputs;
+  bool json = false, quiet = false;
+};
+
+struct Suitability {
+  bool planes = false;
+  std::string reason;
+};
+
+// Which products the cloud suits. Products that do not exist yet are not promised.
+Suitability suitability(const CloudInfo& info, const CloudMeasure& m) {
+  if (info.crs.geographic) return {false, "coordinates are degrees: project them first"};
+  if (m.points < 3) return {false, "fewer than three points"};
+  return {true, fmt::format("{:.3g} m between points", m.sampling_step)};
+}
+
+bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
+  const auto off = [&](double declared, double measured, std::size_t axis) {
+    return !(std::abs(declared - measured) <= 1.5 * info.layout.scale[axis]);
+  };
+  return off(info.declared_min.x, m.min.x, 0) || off(info.declared_min.y, m.min.y, 1) ||
+         off(info.declared_min.z, m.min.z, 2) || off(info.declared_max.x, m.max.x, 0) ||
+         off(info.declared_max.y, m.max.y, 1) || off(info.declared_max.z, m.max.z, 2);
+}
+
+std::vector<std::string> warnings_of(const CloudInfo& info, const CloudMeasure& m) {
+  std::vector<std::string> list = info.warnings;
+  if (m.points > 0 && box_differs(info, m)) list.push_back("the header's box is not that of the points");
+  if (m.rejected > 0) list.push_back(fmt::format("{} points have unusable coordinates", m.rejected));
+  if (info.points < info.declared_points) {
+    list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
+  }
+  if (info.crs.unit_assumed) list.push_back("nothing says what the unit is: metres are assumed");
+  return list;
+}
+
+Json vector_json(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+
+Json crs_json(const Crs& crs) {
+  return {{"name", crs.name},
+          {"epsg", crs.epsg == 0 ? Json() : Json(crs.epsg)},
+          {"geographic", crs.geographic},
+          {"metres_per_unit", crs.metres_per_unit},
+          {"metres_per_unit_z", crs.metres_per_unit_z},
+          {"unit_assumed", crs.unit_assumed}};
+}
+
+Json info_json(const CloudInfo& info, const CloudMeasure& m) {
+  Json j{{"path", info.path.string()},
+         {"format", info.format},
+         {"version", fmt::format("{}.{}", info.version_major, info.version_minor)},
+         {"point_format", info.layout.point_format},
+         {"record_length", info.layout.record_length},
+         {"scale", info.layout.scale},
+         {"offset", info.layout.offset},
+         {"crs", crs_json(info.crs)}};
+  j["extra_bytes"] = Json::array();
+  for (const ExtraField& field : info.layout.extra) {
+    j["extra_bytes"].push_back({{"name", field.name}, {"description", field.description}, {"bytes", field.size}});
+  }
+  j["points"] = {{"declared", info.declared_points}, {"read", m.points}, {"rejected", m.rejected}};
+  j["bounds"] = {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}};
+  j["declared_bounds"] = {{"min", vector_json(info.declared_min)}, {"max", vector_json(info.declared_max)}};
+  j["classes"] = Json::object();
+  for (std::size_t code = 0; code < m.classes.size(); ++code) {
+    if (m.classes[code] > 0) j["classes"][std::to_string(code)] = m.classes[code];
+  }
+  j["area_m2"] = m.occupied_area;
+  j["density_per_m2"] = {{"all_returns", m.density}, {"last_returns", m.last_return_density}};
+  j["sampling_step_m"] = m.sampling_step;
+  j["points_with_colour"] = m.with_colour;
+  j["stations"] = info.stations.size();
+  const Suitability suits = suitability(info, m);
+  j["suits"]["planes"] = {{"yes", suits.planes}, {"reason", suits.reason}};
+  j["warnings"] = warnings_of(info, m);
+  return j;
+}
+
+std::string crs_text(const Crs& crs) {
+  std::string text = crs.name.empty() ? "unknown" : crs.name;
+  if (crs.epsg != 0) text += fmt::format(" (EPSG:{})", crs.epsg);
+  if (crs.geographic) return text + ", degrees";
+  if (crs.unit_assumed) return text + ", unit unknown, metres assumed";
+  return text + fmt::format(", {} m per unit, {} m in z", crs.metres_per_unit, crs.metres_per_unit_z);
+}
+
+std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
+  std::string out = info.path.string() + "\n";
+  const auto row = [&](const char* name, const std::string& value) { out += fmt::format("  {:<14} {}\n", name, value); };
+  row("format", fmt::format("{} {}.{}, point format {}, {} bytes per point", info.format, info.version_major,
+                            info.version_minor, info.layout.point_format, info.layout.record_length));
+  for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
+  row("CRS", crs_text(info.crs));
+  row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
+  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z, m.max.x,
+                            m.max.y, m.max.z));
+  for (std::size_t code = 0; code < m.classes.size(); ++code) {
+    if (m.classes[code] == 0) continue;
+    const double share = 100.0 * static_cast<double>(m.classes[code]) / static_cast<double>(m.points);
+    row(fmt::format("class {}", code).c_str(), fmt::format("{} ({:.1f} %)", grouped(m.classes[code]), share));
+  }
+  row("area", fmt::format("{:.0f} m2 with points", m.occupied_area));
+  row("density", fmt::format("{:.2f} points/m2, last returns {:.2f}", m.density, m.last_return_density));
+  row("sampling step", fmt::format("{:.3g} m", m.sampling_step));
+  if (m.with_colour > 0) row("colour", grouped(m.with_colour) + " points");
+  if (!info.stations.empty()) row("stations", std::to_string(info.stations.size()));
+  const Suitability suits = suitability(info, m);
+  row("planes", (suits.planes ? "yes: " : "no: ") + suits.reason);
+  for (const std::string& warning : warnings_of(info, m)) row("warning", warning);
+  return out;
+}
+
+// One bad file does not hide the others: it is named, and the exit code tells.
+int info_command(const InfoArguments& given) {
+  if (given.inputs.empty()) throw Error("info: no INPUT given (ilot info --help)", ExitCode::usage);
+  const auto files = expand_inputs(given.inputs);
+  Json all = Json::array();
+  std::size_t bad = 0;
+  for (const auto& file : files) {
+    try {
+      ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
+      const auto reader = open_cloud(file);
+      progress.get().begin_stage(file.filename().string(), 2 * reader->info().points);
+      const CloudMeasure m = measure_cloud(*reader, [&](std::uint64_t n) { progress.get().advance(n); });
+      progress.get().clear_line();
+      if (given.json) all.push_back(info_json(reader->info(), m));
+      if (!given.json) print(info_text(reader->info(), m));
+    } catch (const Error& fault) {
+      if (files.size() == 1 || fault.code() == ExitCode::interrupted) throw;
+      say(fmt::format("ilot: {}\n", fault.what()));
+      ++bad;
+    }
+  }
+  if (given.json) print(all.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  if (bad == 0) return static_cast<int>(ExitCode::ok);
+  return static_cast<int>(bad == files.size() ? ExitCode::failed : ExitCode::incomplete);
+}
+
+}  // namespace
+
+void add_info_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("info", "Tells what point clouds hold, as measured");
+  auto given = std::make_shared<InfoArguments>();
+  command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns")->option_text("...");
+  command->add_flag("--json", given->json, "a JSON list with one object per file [off]");
+  command->add_flag("-q,--quiet", given->quiet, "no progress [off]");
+  command->footer("Example: ilot info district.las --json");
+  command->callback([given, &action] { action = [given] { return info_command(*given); }; });
+}
+
+}  // namespace ilot

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+// The command line of ilot: the only catch and the only exit code.
+#include <csignal>
+#include <new>
+#include <nlohmann/json.hpp>
+
+#include "engine/error.h"
+#include "engine/pass/stop.h"
+#include "engine/version.h"
+#include "kernels/simd/dispatch.h"
+#include "tools/ilot/commands.h"
+#include "tools/ilot/console.h"
+
+namespace {
+
+using namespace ilot;
+
+// The first signal asks for an orderly stop; the handler is then gone, so that the second one ends the process.
+void install_signal_handlers() {
+  struct sigaction stop {};
+  stop.sa_handler = [](int) { request_stop(); };
+  stop.sa_flags = SA_RESETHAND | SA_RESTART;
+  sigaction(SIGINT, &stop, nullptr);
+  sigaction(SIGTERM, &stop, nullptr);
+  sigset_t both;  // a parent may have blocked them
+  sigemptyset(&both);
+  sigaddset(&both, SIGINT);
+  sigaddset(&both, SIGTERM);
+  sigprocmask(SIG_UNBLOCK, &both, nullptr);
+  signal(SIGPIPE, SIG_IGN);
+}
+
+std::string version_text(bool json) {
+  if (!json) return "ilot " + version() + " (" + git_hash() + ")\n";
+  nlohmann::ordered_json all{
+      {"version", version()}, {"git_hash", git_hash()}, {"compiler", compiler()}, {"build_type", build_type()},
+      {"isa", simd::table().name}};
+  for (const auto& [name, number] : library_versions()) all["libraries"][name] = number;
+  return all.dump(2) + "\n";
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r') c = ' ';
+  }
+  return "ilot: " + text + "\n";
+}
+
+int run_command_line(int argc, char** argv) {
+  CLI::App app("Turns point clouds of cities into drawings and models.", "ilot");
+  bool show_version = false, json = false;
+  auto* version_flag = app.add_flag("--version", show_version, "show version and git hash");
+  app.add_flag("--json", json, "with --version: all of the build as JSON")->needs(version_flag);
+  app.require_subcommand(0, 1);
+  app.footer("Exit codes: 0 done, 1 failed, 2 usage, 3 done but something was skipped, 130 interrupted.\n"
+             "Example: ilot run city.las -o out\n");
+  Action action;
+  add_run_command(app, action);
+  add_info_command(app, action);
+  add_convert_command(app, action);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    const auto called = app.get_subcommands();
+    print(called.empty() ? app.help() : called.front()->help("ilot"));
+    return 0;
+  } catch (const CLI::ParseError& fault) {
+    throw Error(std::string(fault.what()) + " (ilot --help)", ExitCode::usage);
+  }
+  if (show_version) {
+    print(version_text(json));
+    return 0;
+  }
+  if (app.get_subcommands().empty()) throw Error("no command given (ilot --help)", ExitCode::usage);
+  return action ? action() : 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  install_signal_handlers();
+  try {
+    return run_command_line(argc, argv);
+  } catch (const Error& fault) {
+    say(one_line(fault.what()));
+    return static_cast<int>(fault.code());
+  } catch (const std::bad_alloc&) {
+    say(one_line("out of memory: give a smaller --memory or free some"));
+  } catch (const std::exception& fault) {
+    say(one_line(std::string("internal error: ") + fault.what()));
+  }
+  return static_cast<int>(ExitCode::failed);
+}
