@@ -48,7 +48,6 @@ Sampling measure_sampling(const NeighbourIndex& index) {
 
 PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres) {
   constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.02, kConnectedSteps = 3;
-  constexpr int kMinPoints = 30;
   PlaneParams p;
   p.epsilon = settings.epsilon
                   ? *settings.epsilon / unit_metres
@@ -56,7 +55,7 @@ PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& 
   p.min_cos = cos_degrees(settings.normal_angle);
   const double reach = settings.connectivity ? *settings.connectivity / unit_metres : kConnectedSteps * sampling.step;
   p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(reach), 8.0, 0x1p20));
-  p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kMinPoints));
+  p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kAutoMinPoints));
   return p;
 }
 

@@ -16,6 +16,8 @@ struct Sampling {
 // From at most 512 points, evenly spread in their order, and their 16 nearest neighbours. {0, 0} for fewer than 16.
 Sampling measure_sampling(const NeighbourIndex& index);
 
+constexpr int kAutoMinPoints = 30;
+
 // Parameters of plane extraction in units of the points.
 struct PlaneParams {
   double epsilon = 0;

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+// Labels back to the clouds they came from: every input again, in its own order and with all its fields, ours behind.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "engine/cloud/area.h"
+#include "engine/formats/reader.h"
+#include "engine/pass/context.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+struct LabelParams {
+  std::vector<std::uint32_t> final_id;  // per joined plane + 1: the id that is written, 0 = none; [0] = 0
+  bool write_normals = false;
+};
+
+// Sorts the labels of each block by input order ("rows"), so that a stretch of an input finds its own in a few reads.
+void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
+
+// Writes folder/NAME.las for every input; inputs of equal name get their folder's name in front. Returns the number of
+// points with a label.
+std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
+                                    const LabelParams& params, const std::filesystem::path& folder,
+                                    const PassContext& context);
+
+}  // namespace ilot

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/open_inputs.h"
+
+#include <set>
+
+#include "engine/error.h"
+#include "engine/formats/crs.h"
+
+namespace ilot {
+namespace {
+
+std::string crs_name(const Crs& crs) {
+  if (crs.epsg != 0) return "EPSG:" + std::to_string(crs.epsg);
+  return crs.name.empty() ? "none" : crs.name;
+}
+
+void skip(const std::filesystem::path& path, const std::string& reason, const RunOptions& options, Progress& progress,
+          RunRecord& record) {
+  if (options.strict) throw Error(reason);
+  progress.input_skipped(path.string(), reason);
+  record.skipped.push_back({"input", path.string(), reason});
+}
+
+std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const RunOptions& options, Progress& progress,
+                                      RunRecord& record) {
+  try {
+    auto reader = open_cloud(path);
+    if (reader->info().points > 0) return reader;
+    skip(path, path.string() + ": holds no points", options, progress, record);
+  } catch (const Error& fault) {
+    skip(path, fault.what(), options, progress, record);
+  }
+  return nullptr;
+}
+
+// Points that the header promised and the file does not hold count as something skipped.
+void note_input(const CloudInfo& info, const RunOptions& options, Progress& progress, RunRecord& record) {
+  progress.input_ok(info.path.string(), info.points);
+  for (const std::string& warning : info.warnings) {
+    progress.warn(warning);
+    record.warnings.push_back(warning);
+  }
+  if (info.declared_points > info.points) {
+    skip(info.path, info.path.string() + ": " + std::to_string(info.points) + " of " + std::to_string(info.declared_points) +
+                        " points can be read; these are used", options, progress, record);
+  }
+  std::error_code ignored;
+  record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points,
+                           std::filesystem::file_size(info.path, ignored)});
+}
+
+Crs agreed_crs(const RunInputs& inputs, const RunOptions& options) {
+  if (!options.crs.empty()) return crs_from_text(options.crs);
+  std::set<std::string> names;
+  const Crs* known = nullptr;
+  for (const auto& reader : inputs.readers) {
+    const Crs& crs = reader->info().crs;
+    if (crs.wkt.empty() && crs.epsg == 0 && crs.name.empty()) continue;
+    names.insert(crs_name(crs));
+    if (known == nullptr) known = &crs;
+  }
+  if (names.size() > 1) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    throw Error("the inputs are in different coordinate systems (" + list + "); run them apart or give --crs",
+                ExitCode::usage);
+  }
+  return known != nullptr ? *known : inputs.readers.front()->info().crs;
+}
+
+}  // namespace
+
+RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& record) {
+  RunInputs inputs;
+  for (const auto& path : options.inputs) {
+    auto reader = try_open(path, options, progress, record);
+    if (!reader) continue;
+    note_input(reader->info(), options, progress, record);
+    inputs.points += reader->info().points;
+    inputs.readers.push_back(std::move(reader));
+  }
+  if (inputs.readers.empty()) {
+    const bool single = record.skipped.size() == 1;
+    throw Error(single ? record.skipped.front().reason : "none of the inputs can be used; see the lines above");
+  }
+  inputs.crs = agreed_crs(inputs, options);
+  if (inputs.crs.geographic)
+    throw Error("the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",
+                ExitCode::usage);
+  if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n would tell");
+  record.unit_assumed = inputs.crs.unit_assumed;
+  return inputs;
+}
+
+}  // namespace ilot

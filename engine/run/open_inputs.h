@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <memory>
+#include <vector>
+
+#include "engine/formats/reader.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/run/options.h"
+
+namespace ilot {
+
+struct RunInputs {
+  std::vector<std::unique_ptr<PointReader>> readers;  // by path
+  Crs crs;                                            // of them all
+  std::uint64_t points = 0;
+};
+
+// Opens every input and agrees on one CRS. Files that cannot be read are skipped and recorded (Error with --strict or
+// when none is left). Mixed CRS and degrees are Errors with ExitCode::usage.
+RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& record);
+
+}  // namespace ilot

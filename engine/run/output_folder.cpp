@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/output_folder.h"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engine/error.h"
+#include "engine/report/resources.h"
+#include "engine/settings/config.h"
+#include "engine/version.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+json inputs_json(const RunInputs& inputs) {
+  json list = json::array();
+  for (const auto& reader : inputs.readers) {
+    const CloudInfo& info = reader->info();
+    std::error_code ignored;
+    const auto changed = fs::last_write_time(info.path, ignored).time_since_epoch().count();
+    list.push_back({fs::absolute(info.path).lexically_normal().string(), info.points,
+                    fs::file_size(info.path, ignored), changed});
+  }
+  return list;
+}
+
+json area_json(const std::optional<Area>& area) {
+  if (!area) return nullptr;
+  return {area->min_x, area->min_y, area->max_x, area->max_y, area->rings};
+}
+
+// What must be equal for a run to go on where another stopped. block_points is the exception: the first run's counts.
+json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points) {
+  Settings settings = options.settings;
+  settings.index.block_points = 0;
+  return {{"version", version()},       {"git_hash", git_hash()},      {"inputs", inputs_json(inputs)},
+          {"settings", json::parse(settings_json(settings))},          {"area", area_json(options.area)},
+          {"products", options.products}, {"crs", options.crs},        {"block_points", block_points}};
+}
+
+std::string differences(const json& before, const json& now) {
+  std::string names;
+  const auto add = [&](const std::string& name) { names += (names.empty() ? "" : ", ") + name; };
+  for (const auto& [key, value] : now.items()) {
+    if (key == "block_points" || before.value(key, json()) == value) continue;
+    if (key != "settings" || !before.contains(key)) {
+      add(key);
+      continue;
+    }
+    for (const auto& [name, setting] : value.items())
+      if (before[key].value(name, json()) != setting) add(name);
+  }
+  return names;
+}
+
+bool is_ours(const fs::path& folder) {
+  return fs::is_empty(folder) || fs::exists(folder / "run.json") || fs::exists(folder / ".store");
+}
+
+void remove_products(const fs::path& folder) {
+  for (const char* name : {"points", "planes.csv", "run.json", ".new", ".store"}) fs::remove_all(folder / name);
+}
+
+std::optional<json> read_manifest(const fs::path& path) {
+  std::ifstream file(path);
+  if (!file) return std::nullopt;
+  std::stringstream text;
+  text << file.rdbuf();
+  json value = json::parse(text.str(), nullptr, false);
+  if (value.is_discarded()) return std::nullopt;
+  return value;
+}
+
+std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
+
+}  // namespace
+
+std::uint64_t affordable_block_points(const RunOptions& options, int threads) {
+  constexpr std::uint64_t kBase = 64u << 20;  // program, tables and buffers beside the blocks
+  constexpr std::uint64_t kPerPoint = 96;     // of a block in work, its surroundings included
+  constexpr std::uint64_t kLeast = 1u << 14;
+  const std::uint64_t memory = std::max(options.memory_bytes, 2 * kBase) - kBase;
+  const std::uint64_t affordable = memory / (kPerPoint * static_cast<std::uint64_t>(threads));
+  return std::min(options.settings.index.block_points, std::max(kLeast, affordable));
+}
+
+OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
+    : path_(options.output),
+      store_(options.store.empty() ? options.output / ".store" : options.store),
+      block_points_(affordable_block_points(options, thread_count())) {
+  const fs::path manifest_path = store_ / "manifest.json";
+  const bool exists = fs::exists(path_);
+  if (exists && options.existing == Existing::refuse)
+    throw Error(path_.string() + ": exists already; give another -o, --overwrite or --resume", ExitCode::usage);
+  if (exists && !fs::is_directory(path_)) throw Error(path_.string() + ": is not a folder", ExitCode::usage);
+  if (exists && options.existing == Existing::overwrite) {
+    if (!is_ours(path_))
+      throw Error(path_.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
+    remove_products(path_);
+  }
+  const json now = manifest(options, inputs, block_points_);
+  const auto before = options.existing == Existing::resume ? read_manifest(manifest_path) : std::nullopt;
+  if (before) {
+    if (const std::string names = differences(*before, now); !names.empty())
+      throw Error("--resume: not the run that was interrupted; different: " + names +
+                      " (the same command as then goes on, --overwrite starts afresh)", ExitCode::usage);
+    block_points_ = before->value("block_points", block_points_);
+  } else {
+    fs::remove_all(store_ / "runs");
+    fs::remove_all(store_ / "blocks");
+    fs::remove_all(store_ / "cells");
+    fs::remove(store_ / "index");
+  }
+  std::error_code problem;
+  fs::create_directories(store_, problem);
+  if (!problem) fs::create_directories(path_, problem);
+  if (problem) throw Error(store_.string() + ": cannot be created: " + problem.message());
+  fs::remove_all(staging());
+  if (!before) write_whole_file(manifest_path, now.dump(1));
+}
+
+void OutputFolder::check_space(std::uint64_t points, std::uint64_t output_bytes) const {
+  constexpr std::uint64_t kStoreBytesPerPoint = 72;
+  const std::uint64_t needed = points * kStoreBytesPerPoint;
+  const std::uint64_t free_store = free_disk_bytes(store_), free_out = free_disk_bytes(path_);
+  if (needed + output_bytes <= free_store || (needed <= free_store && output_bytes <= free_out && store_ != path_ / ".store"))
+    return;
+  throw Error(store_.string() + ": the run needs about " + mebibytes(needed + output_bytes) + " of disk and " +
+              mebibytes(free_store) + " are free; free some or give --store DIR on another disk");
+}
+
+void OutputFolder::publish() const {
+  for (const auto& entry : fs::directory_iterator(staging())) {
+    const fs::path target = path_ / entry.path().filename();
+    fs::remove_all(target);
+    fs::rename(entry.path(), target);
+  }
+  fs::remove_all(staging());
+}
+
+void OutputFolder::remove_store() const { fs::remove_all(store_); }
+
+}  // namespace ilot

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// OUT appears piece by piece only behind the scenes: products are written in a staging folder and move in together.
+#pragma once
+#include <filesystem>
+#include <string>
+
+#include "engine/run/open_inputs.h"
+
+namespace ilot {
+
+class OutputFolder {
+ public:
+  // Applies the policy for an existing folder. Starting afresh removes what an earlier run left; resuming checks that
+  // the manifest tells of the same inputs, settings and area, and throws a usage Error that names what differs.
+  OutputFolder(const RunOptions& options, const RunInputs& inputs);
+
+  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& store() const { return store_; }
+  std::filesystem::path staging() const { return path_ / ".new"; }
+  std::uint64_t block_points() const { return block_points_; }  // of the run that is resumed, or this one's
+
+  // Throws when the disk cannot hold the store and the products of so many points with records of so many bytes.
+  void check_space(std::uint64_t points, std::uint64_t output_bytes) const;
+
+  // Moves the staged products into place.
+  void publish() const;
+
+  // After run.json: the run is complete and its store no longer needed.
+  void remove_store() const;
+
+ private:
+  std::filesystem::path path_, store_;
+  std::uint64_t block_points_;
+};
+
+// Largest number of points in a block that the memory budget allows, at most the setting.
+std::uint64_t affordable_block_points(const RunOptions& options, int threads);
+
+}  // namespace ilot

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/planes_product.h"
+
+#include <algorithm>
+
+#include "engine/segments/auto_params.h"
+#include "engine/segments/join_pass.h"
+#include "engine/segments/label_pass.h"
+#include "engine/segments/normals_pass.h"
+#include "engine/segments/planes_pass.h"
+#include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "kernels/planes/plane_fit.h"
+
+namespace ilot {
+namespace {
+
+Vec3 world(Index3 anchor, Vec3 offset, double unit) {
+  return {(static_cast<double>(anchor.x) + offset.x) * unit, (static_cast<double>(anchor.y) + offset.y) * unit,
+          (static_cast<double>(anchor.z) + offset.z) * unit};
+}
+
+Segment segment_of(const JoinedPlane& j, const PlaneTally& t, double unit, double metres_per_unit) {
+  Segment s;
+  s.content_id = mix64(t.content_id);
+  const Vec3 anchor = world(j.anchor, {}, unit);
+  s.plane = {j.plane.n, j.plane.d * unit - dot(j.plane.n, anchor)};
+  s.points = static_cast<std::uint64_t>(t.moments.n);
+  s.centroid = world(j.anchor, centroid(t.moments), unit);
+  s.min = world(t.box.min, {}, unit);
+  s.max = world(t.box.max, {}, unit);
+  s.rms_m = rms_to_plane(t.moments, j.plane) * unit * metres_per_unit;
+  s.epsilon_m = j.epsilon * unit * metres_per_unit;
+  return s;
+}
+
+// Ids are dense from 1 over the planes that kept points, in global order of their first cells.
+PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, double unit,
+                           double metres_per_unit) {
+  PlanesResult r;
+  r.final_id.assign(joined.planes.size() + 1, 0);
+  for (std::size_t i = 0; i < joined.planes.size(); ++i) {
+    if (tallies[i].moments.n == 0) continue;
+    r.segments.push_back(segment_of(joined.planes[i], tallies[i], unit, metres_per_unit));
+    r.segments.back().id = static_cast<std::uint32_t>(r.segments.size());
+    r.final_id[i + 1] = r.segments.back().id;
+  }
+  return r;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void record_choices(const CellPlanes& found, const Settings& settings, double unit_m, RunRecord& record) {
+  std::vector<double> epsilon, connectivity, step, noise;
+  for (const CellPlane& p : found.planes) epsilon.push_back(p.epsilon * unit_m);
+  for (const CellSummary& c : found.cells) {
+    connectivity.push_back(static_cast<double>(c.connectivity) * unit_m);
+    step.push_back(c.step * unit_m);
+    noise.push_back(c.noise * unit_m);
+  }
+  const std::string measured = "median over " + std::to_string(found.cells.size()) + " cells; sampling step " +
+                               std::to_string(median(step)) + " m, noise " + std::to_string(median(noise)) + " m";
+  if (!settings.planes.epsilon)
+    record.chosen.push_back({"planes.epsilon", median(epsilon),
+                             "3.5 times the noise of each cell, each plane's own stands in planes.csv; " + measured});
+  if (!settings.planes.connectivity)
+    record.chosen.push_back({"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
+  if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", kAutoMinPoints, "fixed"});
+}
+
+}  // namespace
+
+PlanesResult make_planes(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
+                         RunRecord& record) {
+  progress.begin_stage("normals", store.points());
+  normals_pass(store, settings.normals, context);
+
+  progress.begin_stage("planes", store.points());
+  const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  const CellPlanes found = planes_pass(store, cells, settings, context);
+  record_choices(found, settings, store.unit() * context.metres_per_unit, record);
+
+  progress.begin_stage("join", 2 * store.points());
+  const std::vector<Contact> contacts = contact_pass(store, cells, found, context);
+  const auto min_points = static_cast<std::uint32_t>(settings.planes.min_points.value_or(kAutoMinPoints));
+  const JoinedPlanes joined =
+      join_planes(cells, found, contacts, {cos_degrees(settings.planes.join_angle), min_points});
+  const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context);
+  progress.end_stage();
+  return number_planes(joined, tallies, store.unit(), context.metres_per_unit);
+}
+
+}  // namespace ilot

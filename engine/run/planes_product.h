@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "engine/model/segment.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/pass/context.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+struct PlanesResult {
+  std::vector<Segment> segments;        // by id
+  std::vector<std::uint32_t> final_id;  // per joined plane + 1; [0] = 0
+};
+
+// Blocks to planes: normals, planes per cell, join over cells, labels. Adds its stages to the progress and the values
+// that `auto` stood for to the record.
+PlanesResult make_planes(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
+                         RunRecord& record);
+
+}  // namespace ilot

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/run.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "engine/deliverables/planes_csv.h"
+#include "engine/error.h"
+#include "engine/report/resources.h"
+#include "engine/report/run_record.h"
+#include "engine/report/sha256.h"
+#include "engine/run/labelled_clouds.h"
+#include "engine/run/open_inputs.h"
+#include "engine/run/output_folder.h"
+#include "engine/run/planes_product.h"
+#include "engine/segments/cells.h"
+#include "engine/store/index.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBase = 48u << 20;  // resident before any block is loaded: program, libraries, tables
+
+double now() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+// Everything that an area needs to come out as in a run over all: its own cells and a ring of cells around them.
+std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double unit, double metres_per_unit) {
+  if (!area) return std::nullopt;
+  const double halo = 2 * kCellMetres / metres_per_unit;
+  const auto low = [&](double v) { return static_cast<std::int64_t>(std::floor((v - halo) / unit)); };
+  const auto high = [&](double v) { return static_cast<std::int64_t>(std::ceil((v + halo) / unit)); };
+  constexpr std::int64_t kFar = std::int64_t{1} << 52;
+  return IndexBox{{low(area->min_x), low(area->min_y), -kFar}, {high(area->max_x), high(area->max_y), kFar}};
+}
+
+IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points) {
+  IndexParams p;
+  p.unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
+  for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
+  p.filter.keep = area_with_halo(options.area, p.unit, inputs.crs.metres_per_unit);
+  p.block_points = block_points;
+  p.run_points = block_points;
+  return p;
+}
+
+PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points,
+                         Progress& progress) {
+  PassContext context;
+  context.budget_bytes = std::max<std::uint64_t>(options.memory_bytes, 2 * kBase) - kBase;
+  context.task_points = 2 * block_points;
+  context.metres_per_unit = inputs.crs.metres_per_unit;
+  context.advance = [&progress](std::uint64_t points) { progress.advance(points); };
+  return context;
+}
+
+std::uint64_t output_bytes(const RunInputs& inputs) {
+  std::uint64_t bytes = 0;
+  for (const auto& reader : inputs.readers)
+    bytes += reader->info().points * (reader->info().layout.record_length + 8ull);
+  return bytes;
+}
+
+void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64_t labelled, RunRecord& record) {
+  record.points.read = inputs.points;
+  record.points.labelled = labelled;
+  for (std::size_t i = 0; i < kRejections; ++i)
+    if (index.rejected[i] > 0) record.points.rejected[kRejectionNames[i]] = index.rejected[i];
+  record.points.unlabelled = inputs.points - labelled - record.points.rejected_total();
+  record.blocks = index.store.blocks().size();
+}
+
+// The run, step by step. Everything lands in the staging folder.
+void make_products(const RunOptions& options, const RunInputs& inputs, const OutputFolder& out, Progress& progress,
+                   RunRecord& record) {
+  const PassContext context = pass_context(options, inputs, out.block_points(), progress);
+  progress.begin_stage("index", inputs.points);
+  const IndexResult index =
+      build_index(inputs.readers, index_params(options, inputs, out.block_points()), out.store(), context);
+  if (index.store.points() == 0) throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+
+  const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
+
+  progress.begin_stage("write", inputs.points);
+  const LabelParams labels{planes.final_id, options.settings.normals.write};
+  rows_pass(index.store, labels, context);
+  const std::uint64_t labelled =
+      write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
+  write_planes_csv(out.staging() / "planes.csv", planes.segments);
+  progress.end_stage();
+
+  record.planes = planes.segments.size();
+  count_points(index, inputs, labelled, record);
+  if (planes.segments.empty())
+    record.skipped.push_back({"product", "planes", "no plane has enough points; see planes.min_points and planes.epsilon"});
+}
+
+std::string summary(const RunRecord& record) {
+  return grouped(record.points.read) + " points, " + grouped(record.planes.value_or(0)) + " planes, " +
+         std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +
+         std::to_string(record.peak_rss_bytes >> 20) + " MiB, " + std::to_string(record.skipped.size()) + " skipped";
+}
+
+int dry_run(const RunOptions& options, const RunInputs& inputs, Progress& progress) {
+  const std::uint64_t block_points = affordable_block_points(options, thread_count());
+  progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
+                " files into blocks of at most " + grouped(block_points));
+  progress.note("would need about " + std::to_string((inputs.points * 72 >> 20) + 1) + " MiB of disk for the store and " +
+                std::to_string((output_bytes(inputs) >> 20) + 1) + " MiB for the results; free: " +
+                std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
+  return 0;
+}
+
+int run_in_arena(const RunOptions& options, Progress& progress) {
+  RunRecord record;
+  const double start = now();
+  const RunInputs inputs = open_inputs(options, progress, record);
+  if (options.dry_run) return dry_run(options, inputs, progress);
+  const OutputFolder out(options, inputs);
+  out.check_space(inputs.points, output_bytes(inputs));
+  make_products(options, inputs, out, progress, record);
+  out.publish();
+
+  record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
+  if (options.strict && !record.skipped.empty()) record.exit = ExitCode::failed;
+  record.settings = options.settings;
+  record.products = options.products;
+  record.threads = thread_count();
+  record.memory_bytes = options.memory_bytes;
+  record.stages = progress.stages();
+  record.result_hash = result_hash(out.path(), out.store());
+  record.seconds = now() - start;
+  record.peak_rss_bytes = peak_resident_bytes();
+  write_run_json(record, out.path());
+  if (!options.keep_store) out.remove_store();
+  progress.run_done(summary(record));
+  return static_cast<int>(record.exit);
+}
+
+}  // namespace
+
+int run(const RunOptions& options, Progress& progress) {
+  progress.run_start("ilot run");
+  int code = 0;
+  with_threads(options.threads > 0 ? options.threads : hardware_threads(),
+               [&] { code = run_in_arena(options, progress); });
+  return code;
+}
+
+}  // namespace ilot

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/index.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/pass/pass.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint64_t kBytesPerPoint = 64;
+
+// Rows that one worker turns into runs: one stretch of a random-access file, or all of any other.
+struct Task {
+  std::uint32_t file = 0;
+  std::uint64_t first = 0, count = 0;
+};
+
+std::vector<Task> stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint64_t run_points) {
+  std::vector<Task> tasks;
+  for (std::uint32_t f = 0; f < inputs.size(); ++f) {
+    const std::uint64_t points = inputs[f]->info().points;
+    if (!inputs[f]->random_access()) {
+      tasks.push_back({f, 0, points});
+      continue;
+    }
+    std::uint64_t first = 0;
+    const std::vector<std::uint64_t> cuts = inputs[f]->boundaries();
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+      const bool last = i + 1 == cuts.size();
+      if (!last && cuts[i + 1] - first <= run_points) continue;
+      tasks.push_back({f, first, cuts[i] - first});
+      first = cuts[i];
+    }
+  }
+  return tasks;
+}
+
+fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first) {
+  char name[48];
+  std::snprintf(name, sizeof name, "f%06u_%013llu", file, static_cast<unsigned long long>(first));
+  return folder / "runs" / name;
+}
+
+// A stretch longer than a run (an input without random access) becomes several, front to back.
+std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const IndexParams& params,
+                                 const fs::path& folder, const PassContext& context) {
+  std::vector<SortedRun> runs;
+  for (std::uint64_t done = 0; done < task.count;) {
+    const std::uint64_t count = std::min(task.count - done, 2 * params.run_points);
+    const fs::path stem = stem_of(folder, task.file, task.first + done);
+    auto found = reader.random_access() ? find_sorted_run(stem) : std::nullopt;
+    if (found) context.advance(count);
+    runs.push_back(found ? std::move(*found)
+                         : make_sorted_run({reader, task.file, task.first + done, count}, params.unit, params.filter,
+                                           stem, context.advance));
+    done += count;
+  }
+  return runs;
+}
+
+std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
+                                const fs::path& folder, const PassContext& context) {
+  const std::vector<Task> tasks = stretches(inputs, params.run_points);
+  std::vector<std::vector<SortedRun>> parts(tasks.size());
+  std::vector<PassTask> costs;
+  for (const Task& t : tasks) costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint, t.count});
+  run_pass(costs, context.budget_bytes,
+           [&](std::size_t i) { parts[i] = make_runs(*inputs[tasks[i].file], tasks[i], params, folder, context); });
+  std::vector<SortedRun> runs;
+  for (auto& part : parts)
+    for (SortedRun& run : part) runs.push_back(std::move(run));
+  return runs;
+}
+
+std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const IndexParams& params, const fs::path& folder,
+                              const PassContext& context) {
+  const std::vector<PlannedBlock> plan = plan_blocks(runs, params.block_points);
+  std::vector<Block> blocks(plan.size());
+  std::vector<PassTask> costs;
+  for (const PlannedBlock& p : plan) costs.push_back({p.points * kBytesPerPoint, p.points});
+  run_pass(costs, context.budget_bytes, [&](std::size_t i) {
+    const fs::path summary = folder / "blocks" / (plan[i].node.name() + ".block");
+    if (fs::exists(summary)) {
+      blocks[i] = read_column<Block>(summary).at(0);
+      return;
+    }
+    blocks[i] = build_block(plan[i], runs, folder / "blocks");
+    write_column<Block>(summary, std::span(&blocks[i], 1));
+  });
+  return blocks;
+}
+
+}  // namespace
+
+double common_unit(const std::vector<std::unique_ptr<PointReader>>& inputs, double metres_per_unit) {
+  constexpr double kFinest = 1e-5;  // metres
+  double unit = 0;
+  for (const auto& input : inputs)
+    for (const double scale : input->info().layout.scale) unit = unit == 0 ? scale : std::min(unit, scale);
+  return std::max(unit, kFinest / metres_per_unit);
+}
+
+IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
+                        const fs::path& folder, const PassContext& context) {
+  fs::create_directories(folder / "runs");
+  fs::create_directories(folder / "blocks");
+  const fs::path done = folder / "index";
+  const fs::path rejected_path = folder / "rejected";
+  std::array<std::uint64_t, kRejections> rejected{};
+  if (!fs::exists(done)) {
+    const std::vector<SortedRun> runs = all_runs(inputs, params, folder, context);
+    for (const SortedRun& run : runs)
+      for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
+    const std::vector<Block> blocks = all_blocks(runs, params, folder, context);
+    write_column<std::uint64_t>(rejected_path, rejected);
+    write_column<Block>(done, blocks);
+  }
+  fs::remove_all(folder / "runs");
+  ColumnReader(rejected_path).read<std::uint64_t>(0, rejected);
+  return {Store(folder, params.unit, read_column<Block>(done)), rejected};
+}
+
+}  // namespace ilot
