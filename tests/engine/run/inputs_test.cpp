@@ -9,6 +9,8 @@ namespace {
 using namespace test;
 using Paths = std::vector<std::filesystem::path>;
 
+Paths expand(const std::vector<std::string>& arguments) { return expand_inputs(arguments); }
+
 TEST(Inputs, FilesGlobsAndFoldersAreSortedAndUnique) {
   const Folder folder;
   std::filesystem::create_directories(folder / "in" / "deep");
@@ -16,11 +18,11 @@ TEST(Inputs, FilesGlobsAndFoldersAreSortedAndUnique) {
     spill_text(folder / name, "x");
   const std::string in = (folder / "in").string();
   const Paths all{in + "/a č.LAZ", in + "/b.las", in + "/deep/c.ply", in + "/x[1].las"};
-  EXPECT_EQ(expand_inputs({in}), all);
-  EXPECT_EQ(expand_inputs({in + "/"}), all);
-  EXPECT_EQ(expand_inputs({in + "/x[1].las", in, in + "/b.las"}), all);
-  EXPECT_EQ(expand_inputs({in + "/*.las"}), (Paths{in + "/b.las", in + "/x[1].las"}));
-  EXPECT_EQ(expand_inputs({in + "/notes.txt"}), (Paths{in + "/notes.txt"}));
+  EXPECT_EQ(expand({in}), all);
+  EXPECT_EQ(expand({in + "/"}), all);
+  EXPECT_EQ(expand({in + "/x[1].las", in, in + "/b.las"}), all);
+  EXPECT_EQ(expand({in + "/*.las"}), (Paths{in + "/b.las", in + "/x[1].las"}));
+  EXPECT_EQ(expand({in + "/notes.txt"}), (Paths{in + "/notes.txt"}));
 }
 
 TEST(Inputs, WhatIsMissingIsNamed) {
@@ -28,7 +30,7 @@ TEST(Inputs, WhatIsMissingIsNamed) {
   std::filesystem::create_directories(folder / "empty");
   for (const std::string name : {"no.las", "no*.las", "empty"}) {
     try {
-      expand_inputs({(folder / name).string()});
+      expand({(folder / name).string()});
       ADD_FAILURE() << name;
     } catch (const Error& error) {
       EXPECT_NE(std::string(error.what()).find((folder / name).string()), std::string::npos);
