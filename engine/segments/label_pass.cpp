@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 64;
 constexpr int kVoters = 13;            // the point itself and its 12 nearest
-constexpr int kLeastVotes = 3;         // for a plane to be a candidate
+constexpr int kLeastVotes = 2;         // for a plane to be a candidate
 constexpr int kIslandOwnVotes = 2;     // at most so many neighbours share the label of an island
 constexpr int kIslandOtherVotes = 8;   // and at least so many agree on another
 constexpr double kStrictly = 1 - 1e-6; // rounding of coordinates and of float32 stays within epsilon
@@ -128,18 +128,30 @@ class BlockLabels {
     for (int v = 0; v < kinds; ++v)
       if (votes[static_cast<std::size_t>(v)].plane == own) own_votes = votes[static_cast<std::size_t>(v)].count;
     std::uint32_t best = own != 0 && within(i, own) ? own : 0;
-    double least = best != 0 ? std::abs(distance(i, best)) : INFINITY;
     for (int v = 0; v < kinds; ++v) {
       const Vote& vote = votes[static_cast<std::size_t>(v)];
       if (vote.plane == own || vote.count < kLeastVotes || !within(i, vote.plane)) continue;
       if (own_votes <= kIslandOwnVotes && vote.count >= kIslandOtherVotes) return vote.plane;
-      const double d = std::abs(distance(i, vote.plane));
-      if (d < least || (d == least && vote.plane < best)) {
-        best = vote.plane;
-        least = d;
-      }
+      if (best == 0 || beyond(i, best, vote.plane, neighbours)) best = vote.plane;
     }
     return best;
+  }
+
+  // Of two planes that a point is within epsilon of, does it belong to b rather than a? Two planes have two bisectors;
+  // the neighbours tell which one parts the faces (a ridge, a valley, a step), and the point's side of it decides. The
+  // nearer plane would not do: a point that noise lifts above a ridge is nearer to the face on the other side.
+  bool beyond(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> neighbours) const {
+    double side_of_a = 0, side_of_b = 0;  // where points of a lie from b, and of b from a
+    for (const std::uint32_t j : neighbours) {
+      if (j == kNoNeighbour) break;
+      if (before_[j] == a) side_of_a += distance(j, b);
+      if (before_[j] == b) side_of_b += distance(j, a);
+    }
+    const double from_a = distance(i, a), from_b = distance(i, b);
+    if (side_of_a == 0 || side_of_b == 0) return std::abs(from_b) < std::abs(from_a);
+    const bool same = (side_of_a > 0) == (side_of_b > 0);
+    const double side = same ? from_b - from_a : from_a + from_b;
+    return (side > 0) != (side_of_a > 0);
   }
 
   void set(std::uint32_t point, std::uint32_t plane) {

@@ -17,9 +17,10 @@ struct PlaneTally {
 
 // Writes "plane" (u32: 0 = none, else 1 + index into the joined planes) and "residual" (f32, signed distance in CRS
 // units) of every block, and returns what each plane got.
-// A point's candidates are its own plane and those of at least three of its 12 nearest neighbours within the
-// connectivity; it takes the nearest of those within epsilon. A point alone among points of one other plane goes to
-// that plane if it lies within epsilon. Points of dropped planes and points without one are candidates like all others.
+// A point's candidates are its own plane and those of at least two of its 12 nearest neighbours within the
+// connectivity, all within epsilon of it; between two of them decides the bisector that parts their points. A point
+// alone among points of one other plane goes to that plane if it lies within epsilon. Points of dropped planes and
+// points without one take part like all others.
 std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
                                    const JoinedPlanes& joined, const PassContext& context);
 
