@@ -21,6 +21,7 @@ constexpr std::size_t kBatch = 64;   // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
 constexpr std::size_t kPool = 512;   // candidates kept between planes
 constexpr int kRefinements = 10;
+constexpr double kExplained = 0.5;   // share of a set within epsilon of an earlier plane that makes it a fringe
 
 // The points still without a plane, compact and in their given order.
 struct Remaining {
@@ -69,10 +70,31 @@ void remove(Remaining& r, std::span<const std::uint32_t> members) {
   r.size = to;
 }
 
+struct Extent {
+  float min[3]{INFINITY, INFINITY, INFINITY};
+  float max[3]{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(Vec3 p) {
+    const double v[3]{p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      min[axis] = std::min(min[axis], static_cast<float>(v[axis]));
+      max[axis] = std::max(max[axis], static_cast<float>(v[axis]));
+    }
+  }
+  bool meets(const Extent& o, double margin) const {
+    bool meet = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      meet = meet && min[axis] - margin <= static_cast<double>(o.max[axis]) &&
+             o.min[axis] - margin <= static_cast<double>(max[axis]);
+    }
+    return meet;
+  }
+};
+
 struct Candidate {
   PlaneHypothesis plane;
   std::uint32_t count = 0;   // inliers when last scored: an upper bound since
-  std::uint32_t scored = 0;  // planes taken before that
+  std::uint32_t scored = 0;  // sets taken out before that
   std::uint64_t draw = 0;    // ties go to the earlier one
 };
 
@@ -110,12 +132,12 @@ class Search {
   std::optional<Candidate> fresh_best() {
     while (!pool_.empty()) {
       Candidate& top = pool_.front();
-      if (top.scored == result_.planes.size()) return top;
+      if (top.scored == removals_) return top;
       std::pop_heap(pool_.begin(), pool_.end(), heap_order);
       Candidate stale = pool_.back();
       pool_.pop_back();
       count_inliers(remaining_.view(), std::span(&stale.plane, 1), score_params(), std::span(&stale.count, 1));
-      stale.scored = static_cast<std::uint32_t>(result_.planes.size());
+      stale.scored = removals_;
       keep(stale);
     }
     return std::nullopt;
@@ -148,7 +170,7 @@ class Search {
     std::array<std::uint32_t, kBatch> counts;
     count_inliers(remaining_.view(), std::span(planes).first(found), score_params(), std::span(counts).first(found));
     for (std::size_t i = 0; i < found; ++i)
-      keep({planes[i], counts[i], static_cast<std::uint32_t>(result_.planes.size()), draws[i]});
+      keep({planes[i], counts[i], removals_, draws[i]});
     if (pool_.size() > 2 * kPool) {
       std::nth_element(pool_.begin(), pool_.begin() + kPool, pool_.end(), better);
       pool_.resize(kPool);
@@ -208,6 +230,25 @@ class Search {
     return part;
   }
 
+  Extent extent_of(const std::vector<std::uint32_t>& members) const {
+    Extent extent;
+    for (const std::uint32_t i : members) extent.add(remaining_.position(i));
+    return extent;
+  }
+
+  // Along an edge normals are a mixture, so a strip of points there agrees on a plane of its own although it lies on
+  // the surface beside it.
+  bool is_fringe(const std::vector<std::uint32_t>& members, const Extent& extent) const {
+    for (std::size_t p = 0; p < result_.planes.size(); ++p) {
+      if (!extent.meets(extents_[p], static_cast<double>(params_.connectivity))) continue;
+      std::size_t near = 0;
+      for (const std::uint32_t i : members)
+        near += std::abs(signed_distance(result_.planes[p], remaining_.position(i))) <= params_.epsilon;
+      if (static_cast<double>(near) > kExplained * static_cast<double>(members.size())) return true;
+    }
+    return false;
+  }
+
   void take(Candidate candidate) {
     std::pop_heap(pool_.begin(), pool_.end(), heap_order);
     pool_.pop_back();
@@ -225,10 +266,15 @@ class Search {
       if (settled) break;
     }
     if (members.size() < params_.min_points) return;
-    result_.planes.push_back(plane);
-    for (const std::uint32_t i : members)
-      result_.label[remaining_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
+    const Extent extent = extent_of(members);
+    if (!is_fringe(members, extent)) {
+      result_.planes.push_back(plane);
+      extents_.push_back(extent);
+      for (const std::uint32_t i : members)
+        result_.label[remaining_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
+    }
     remove(remaining_, members);
+    ++removals_;
     keep(candidate);  // stale now; other parts of the same plane may remain
   }
 
@@ -236,7 +282,9 @@ class Search {
   Remaining remaining_;
   Rng rng_;
   RansacPlanes result_;
+  std::vector<Extent> extents_;  // of the points of each plane
   std::vector<Candidate> pool_;  // a heap, best first
+  std::uint32_t removals_ = 0;   // sets taken out of the remaining points
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a plane, per point of that plane
   std::uint64_t draw_count_ = 0;

@@ -28,6 +28,8 @@ struct RansacPlanes {
 // refined [C3]: least squares over its largest connected part, new consensus set by distance and angle, until the set
 // no longer changes (at most 10 rounds; the plane kept is the one that the set was tested against, so that every
 // labelled point lies within epsilon of it).
+// A set of which more than half lies within epsilon of an earlier plane beside it is a fringe of that plane (normals
+// along an edge are mixtures): its points stay without a label.
 // Points without a normal are never inliers. Draws depend on the key and the points alone. O(draws x points); draws
 // adapt to the share of the smallest plane.
 RansacPlanes ransac_planes(const OrientedPoints& points, const RansacParams& params);
