@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/scan/truth_json.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <vector>
+
+#include "engine/error.h"
+#include "tools/scan/cell_scan.h"
+
+namespace ilot::scan {
+namespace {
+
+constexpr Vec3 kOrigin{kEastOrigin, kNorthOrigin, 0};
+
+const char* name_of(Surface surface) {
+  switch (surface) {
+    case Surface::ground: return "ground";
+    case Surface::roof: return "roof";
+    case Surface::wall: return "wall";
+    default: return "vegetation";
+  }
+}
+
+std::string plane_text(std::uint32_t id, Surface surface, const Plane& plane, std::uint64_t points) {
+  const double d = plane.d - dot(plane.n, kOrigin);
+  return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id, name_of(surface),
+                     plane.n.x, plane.n.y, plane.n.z, d, points);
+}
+
+std::string ring_text(std::span<const Vec3> ring) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Vec3 p = ring[i] + kOrigin;
+    text += fmt::format("{}[{:.4f},{:.4f},{:.4f}]", i ? "," : "", p.x, p.y, p.z);
+  }
+  return text + "]";
+}
+
+}  // namespace
+
+TruthJson::TruthJson(const std::filesystem::path& path, const std::string& settings) : path_(path) {
+  temporary_ = path;
+  temporary_ += ".part";
+  file_.open(temporary_, std::ios::binary | std::ios::trunc);
+  if (!file_) throw Error(temporary_.string() + " cannot be created: check the folder and its permissions.");
+  append(fmt::format("{{\"scan\":{{{}}},\n\"crs\":\"EPSG:2154\",\n\"planes\":[\n", settings));
+}
+
+TruthJson::~TruthJson() {
+  if (finished_) return;
+  file_.close();
+  std::error_code ignored;
+  std::filesystem::remove(temporary_, ignored);
+}
+
+void TruthJson::append(const std::string& text) {
+  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
+  if (!file_) throw Error(temporary_.string() + " cannot be written: check the free space of the disk.");
+}
+
+void TruthJson::add_cell(const Cell& cell, std::uint32_t first_plane, std::uint32_t first_building,
+                         std::span<const std::uint64_t> points) {
+  std::vector<std::string> planes(cell.plane_count);
+  for (std::size_t face = 0; face < cell.faces.size(); ++face) {
+    const std::uint32_t p = cell.face_plane[face];
+    std::string& text = planes[p];
+    if (text.empty())
+      text = plane_text(first_plane + p, cell.faces[face].surface, cell.faces[face].plane, points[p]);
+    else
+      text += ",";
+    text += fmt::format(R"({{"building":{},"ring":{}}})", first_building + cell.face_building[face],
+                        ring_text(cell.faces[face].ring));
+  }
+  for (const std::string& text : planes) {
+    append((first_ ? "" : ",\n") + text + "]}");
+    first_ = false;
+  }
+}
+
+void TruthJson::add_ground(const Ground& ground, const Rect& area, std::uint64_t points) {
+  const auto corner = [&](double x, double y) { return Vec3{x, y, ground.height(x, y)}; };
+  const std::vector<Vec3> ring{corner(area.x0, area.y0), corner(area.x1, area.y0), corner(area.x1, area.y1),
+                               corner(area.x0, area.y1)};
+  append((first_ ? "" : ",\n") + plane_text(kGroundPlane, Surface::ground, ground.plane(), points) +
+         fmt::format(R"({{"building":0,"ring":{}}}]}})", ring_text(ring)));
+  first_ = false;
+}
+
+void TruthJson::finish(std::uint64_t points, std::uint64_t buildings) {
+  append(fmt::format("\n],\n\"points\":{},\n\"buildings\":{}}}\n", points, buildings));
+  file_.close();
+  if (!file_) throw Error(temporary_.string() + " cannot be written: check the free space of the disk.");
+  std::error_code error;
+  std::filesystem::rename(temporary_, path_, error);
+  if (error) throw Error(path_.string() + " cannot be written: " + error.message() + ".");
+  finished_ = true;
+}
+
+}  // namespace ilot::scan
