@@ -51,11 +51,11 @@ void FlightPlan::for_each_pulse(const Rect& area, const std::function<void(const
   const double columns = 2 * static_cast<double>(half_columns_);
   const std::int64_t first_line = floor_of(area.x0 / half_swath_) - 1, last_line = floor_of(area.x1 / half_swath_) + 2;
   const std::int64_t first_row = floor_of(area.y0 / along_) - 2, last_row = floor_of(area.y1 / along_) + 2;
-  for (std::int64_t line = first_line; line <= last_line; ++line) {
-    const double line_x = static_cast<double>(line) * half_swath_;
-    const std::int64_t first = std::max(-half_columns_, floor_of((area.x0 - line_x) / across_) - 1);
-    const std::int64_t end = std::min(half_columns_, floor_of((area.x1 - line_x) / across_) + 2);
-    for (std::int64_t row = first_row; first < end && row <= last_row; ++row) {
+  for (std::int64_t row = first_row; row <= last_row; ++row) {
+    for (std::int64_t line = first_line; line <= last_line; ++line) {
+      const double line_x = static_cast<double>(line) * half_swath_;
+      const std::int64_t first = std::max(-half_columns_, floor_of((area.x0 - line_x) / across_) - 1);
+      const std::int64_t end = std::min(half_columns_, floor_of((area.x1 - line_x) / across_) + 2);
       for (std::int64_t column = first; column < end; ++column) {
         const double middle = static_cast<double>(column) + 0.5;
         const double x = line_x + middle * across_;

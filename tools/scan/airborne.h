@@ -33,7 +33,7 @@ class FlightPlan {
  public:
   FlightPlan(const AirborneParams& params, const Ground& ground, std::uint64_t seed);
 
-  // Calls visit for each pulse aimed at a place on the ground within the rectangle, by line, row and column. Every pulse
+  // Calls visit for each pulse aimed at a place on the ground within the rectangle, by row, line and column. Every pulse
   // belongs to exactly one of any set of rectangles that tile the plane, and is the same whichever that is.
   void for_each_pulse(const Rect& area, const std::function<void(const Pulse&)>& visit) const;
 

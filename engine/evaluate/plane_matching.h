@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+// How well found planes agree with true ones, point by point.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <unordered_map>
+#include <vector>
+
+namespace ilot {
+
+// How many points carry this pair of labels; 0 = none.
+struct LabelPair {
+  std::uint32_t truth = 0, found = 0;
+  std::uint64_t points = 0;
+};
+
+// Counts pairs of labels as points stream by. Memory grows with the number of different pairs, not of points.
+class LabelPairs {
+ public:
+  void add(std::uint32_t truth, std::uint32_t found) { ++counts_[(std::uint64_t{truth} << 32) | found]; }
+
+  // By rising truth, then found.
+  std::vector<LabelPair> sorted() const;
+
+ private:
+  std::unordered_map<std::uint64_t, std::uint64_t> counts_;
+};
+
+struct PlaneMatch {
+  std::uint32_t truth = 0, found = 0;
+  std::uint64_t shared = 0;  // points that carry both
+};
+
+// A found plane and the true plane that most of its points belong to.
+struct FoundPlane {
+  std::uint32_t id = 0, main_truth = 0;
+  std::uint64_t points = 0;   // all that carry it
+  std::uint64_t foreign = 0;  // those of true planes other than main_truth (points of no true plane are not foreign)
+  double foreign_share() const { return points == 0 ? 0 : static_cast<double>(foreign) / static_cast<double>(points); }
+};
+
+struct PlaneMatching {
+  std::uint64_t true_planes = 0;
+  std::uint64_t found_planes = 0;
+  std::vector<PlaneMatch> matches;  // one to one, by rising truth
+  std::uint64_t missed = 0;         // true planes without a partner
+  std::uint64_t over = 0;           // true planes that are the main truth of two found planes or more
+  std::uint64_t under = 0;          // found planes that hold most points of two true planes or more
+  std::uint64_t points = 0;         // points of true planes
+  std::uint64_t carrying = 0;       // those that carry their plane's partner
+  std::vector<FoundPlane> found;    // by rising id
+
+  double share() const { return points == 0 ? 0 : static_cast<double>(carrying) / static_cast<double>(points); }
+};
+
+// Pairs are matched one to one in the order of the points they share (ties: smaller truth, then smaller found); a pair
+// qualifies when it holds more than half of the found plane's points. `counts` says which true planes are judged (for
+// instance roofs only; empty = all); found planes are judged when their main truth is, and always with all of their
+// points. Found planes whose points belong to no true plane count as found when all true planes are judged.
+// `pairs` as LabelPairs::sorted() gives them. O(n log n) in the number of pairs.
+PlaneMatching match_planes(std::span<const LabelPair> pairs, const std::function<bool(std::uint32_t)>& counts = {});
+
+// The same from labels of points: arrays of equal length, 0 = none.
+PlaneMatching match_planes(std::span<const std::uint32_t> truth, std::span<const std::uint32_t> found);
+
+}  // namespace ilot

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/render/colours.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/error.h"
+#include "kernels/core/rng.h"
+
+namespace ilot::render {
+namespace {
+
+constexpr Rgb kNone{70, 70, 70};
+
+// Dark blue over green and yellow to red.
+Rgb ramp(double share) {
+  constexpr std::array<std::array<double, 3>, 5> kStops{
+      {{40, 60, 130}, {40, 140, 150}, {90, 180, 80}, {240, 200, 60}, {200, 50, 40}}};
+  const double at = std::clamp(share, 0.0, 1.0) * (kStops.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(at), kStops.size() - 2);
+  const double part = at - static_cast<double>(low);
+  Rgb colour{};
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<std::uint8_t>(kStops[low][c] * (1 - part) + kStops[low + 1][c] * part);
+  return colour;
+}
+
+// Bright colours from the whole hue circle in a few lightnesses.
+Rgb colour_of_id(std::uint64_t id) {
+  if (id == 0) return kNone;
+  const std::uint64_t bits = mix64(id);
+  const double hue = static_cast<double>(bits & 0xffff) / 65536 * 6;
+  const double light = 0.65 + 0.35 * static_cast<double>((bits >> 16) & 0xff) / 255;
+  const double white = 0.45 * static_cast<double>((bits >> 24) & 0xff) / 255;
+  Rgb colour{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double turn = std::fmod(hue + 2 * static_cast<double>(c), 6.0);
+    const double pure = std::clamp(std::abs(turn - 3) - 1, 0.0, 1.0);
+    colour[c] = static_cast<std::uint8_t>(255 * light * (white + (1 - white) * pure));
+  }
+  return colour;
+}
+
+Rgb colour_of_class(std::uint8_t value) {
+  constexpr std::array<Rgb, 10> kClasses{{{160, 160, 160}, {185, 185, 185}, {168, 140, 100}, {150, 200, 100}, {90, 170, 70},
+                                          {40, 120, 50}, {200, 80, 60}, {255, 0, 255}, {230, 200, 60}, {70, 120, 200}}};
+  return value < kClasses.size() ? kClasses[value] : colour_of_id(value);
+}
+
+std::uint64_t load_id(const std::byte* p, std::uint16_t size) {
+  switch (size) {
+    case 1: return load<std::uint8_t>(p);
+    case 2: return load<std::uint16_t>(p);
+    case 4: return load<std::uint32_t>(p);
+    default: return load<std::uint64_t>(p);
+  }
+}
+
+Colouring by_field(const std::string& name, const RecordLayout& layout) {
+  std::string known = "class, height, intensity";
+  if (rgb_offset(layout.point_format)) known += ", rgb";
+  for (const ExtraField& field : layout.extra) {
+    const bool integer = field.type >= FieldType::u8 && field.type <= FieldType::i64;
+    if (!integer) continue;
+    if (field.name == name)
+      return [offset = field.offset, size = field.size](std::span<const std::byte> record) {
+        return colour_of_id(load_id(&record[offset], size));
+      };
+    known += ", " + field.name;
+  }
+  throw Error("the cloud has no field \"" + name + "\" to colour by; it has " + known + ".", ExitCode::usage);
+}
+
+}  // namespace
+
+Colouring colouring(const std::string& by, const RecordLayout& layout, double low, double high) {
+  const std::uint8_t format = layout.point_format;
+  if (by == "class" || by == "classification")
+    return [format](auto record) { return colour_of_class(decode_fields(record, format).classification); };
+  if (by == "intensity")
+    return [format](auto record) {
+      const auto grey = static_cast<std::uint8_t>(decode_fields(record, format).intensity >> 8);
+      return Rgb{grey, grey, grey};
+    };
+  if (by == "height")
+    return [format, scale = layout.scale[2], offset = layout.offset[2], low, high](auto record) {
+      return ramp((decode_fields(record, format).z * scale + offset - low) / std::max(high - low, 1e-9));
+    };
+  if (const auto offset = rgb_offset(format); by == "rgb" && offset)
+    return [at = *offset](auto record) {
+      Rgb colour{};
+      for (std::size_t c = 0; c < 3; ++c)
+        colour[c] = static_cast<std::uint8_t>(load<std::uint16_t>(&record[at + 2 * c]) >> 8);
+      return colour;
+    };
+  return by_field(by, layout);
+}
+
+}  // namespace ilot::render
