@@ -19,21 +19,21 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 16;        // points read at a time
-constexpr double kForeignLimit = 0.01;         // share of foreign points above which a found plane is counted
+constexpr std::size_t kChunk = 1 << 16;  // points read at a time
+constexpr double kForeignLimit = 0.01;   // share of foreign points above which a found plane is counted
 
 struct EvaluateOptions {
   std::string input;
   std::string found_field = "plane_id";
   bool truth_fields = false, json = false;
-  std::optional<int> only_class;     // true_class
-  std::uint64_t min_points = 1;      // smaller true planes are not judged
+  std::optional<int> only_class;  // true_class
+  std::uint64_t min_points = 1;   // smaller true planes are not judged
 };
 
 // Labels of a cloud as far as they are judged.
 struct Labels {
   LabelPairs pairs;
-  std::unordered_map<std::uint32_t, std::uint8_t> class_of;   // of true planes
+  std::unordered_map<std::uint32_t, std::uint8_t> class_of;  // of true planes
   std::unordered_map<std::uint32_t, std::uint64_t> points_of;
 };
 
@@ -56,7 +56,8 @@ Labels read_labels(const EvaluateOptions& options) {
   Labels labels;
   for (std::uint64_t first = 0; first < info.points;) {
     const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kChunk, info.points - first));
-    const std::size_t got = reader->read(first, std::span(records).first(wanted * length), std::span(valid).first(wanted));
+    const std::size_t got =
+        reader->read(first, std::span(records).first(wanted * length), std::span(valid).first(wanted));
     for (std::size_t i = 0; i < got; ++i) {
       if (!valid[i]) continue;
       const std::byte* record = &records[i * length];
@@ -73,12 +74,14 @@ Labels read_labels(const EvaluateOptions& options) {
 }
 
 std::string report_text(const PlaneMatching& m, const FoundPlane* worst, std::uint64_t impure) {
-  std::string text = fmt::format("planes   true {}  found {}  matched {}  over {}  under {}  missed {}\n", m.true_planes,
-                                 m.found_planes, m.matches.size(), m.over, m.under, m.missed);
-  text += fmt::format("points   {:.3f} % of {} points of true planes carry their plane\n", 100 * m.share(), m.points);
+  std::string text = fmt::format("planes   true {}  found {}  matched {}  over {}  under {}  missed {}\n",
+                                 m.true_planes, m.found_planes, m.matches.size(), m.over, m.under, m.missed);
+  text += fmt::format("points   {:.3f} % of {} points of true planes carry their plane\n", 100 * m.share(),
+                      m.points);
   if (worst)
-    text += fmt::format("foreign  at most {:.3f} % (plane {} with {} points); {} found planes above {:.0f} %\n",
-                        100 * worst->foreign_share(), worst->id, worst->points, impure, 100 * kForeignLimit);
+    text +=
+        fmt::format("foreign  at most {:.3f} % (plane {} with {} points); {} found planes above {:.0f} %\n",
+                    100 * worst->foreign_share(), worst->id, worst->points, impure, 100 * kForeignLimit);
   return text;
 }
 
@@ -96,8 +99,10 @@ nlohmann::ordered_json report_json(const PlaneMatching& m, const FoundPlane* wor
 
 void run_evaluate(const EvaluateOptions& options) {
   if (!options.truth_fields)
-    throw Error("evaluate needs to know where the truth is: --truth-fields takes it from the cloud's own extra bytes.",
-                ExitCode::usage);
+    throw Error(
+        "evaluate needs to know where the truth is: --truth-fields takes it from the cloud's own extra "
+        "bytes.",
+        ExitCode::usage);
   const Labels labels = read_labels(options);
   std::function<bool(std::uint32_t)> judged;
   if (options.only_class || options.min_points > 1)
@@ -106,9 +111,9 @@ void run_evaluate(const EvaluateOptions& options) {
              labels.points_of.at(plane) >= options.min_points;
     };
   const PlaneMatching matching = match_planes(labels.pairs.sorted(), judged);
-  const auto worst = std::max_element(matching.found.begin(), matching.found.end(), [](const auto& a, const auto& b) {
-    return a.foreign_share() < b.foreign_share();
-  });
+  const auto worst =
+      std::max_element(matching.found.begin(), matching.found.end(),
+                       [](const auto& a, const auto& b) { return a.foreign_share() < b.foreign_share(); });
   const FoundPlane* worst_plane = worst == matching.found.end() ? nullptr : &*worst;
   const auto impure = static_cast<std::uint64_t>(
       std::count_if(matching.found.begin(), matching.found.end(),
@@ -125,9 +130,11 @@ void add_evaluate_command(CLI::App& app) {
   auto options = std::make_shared<EvaluateOptions>();
   CLI::App* command = app.add_subcommand("evaluate", "Judges a result against the truth");
   command->add_option("input", options->input, "Labelled cloud")->required();
-  command->add_flag("--truth-fields", options->truth_fields, "Truth stands in the extra bytes true_plane and true_class");
+  command->add_flag("--truth-fields", options->truth_fields,
+                    "Truth stands in the extra bytes true_plane and true_class");
   command->add_option("--found-field", options->found_field, "Extra bytes with the found planes [plane_id]");
-  command->add_option("--class", options->only_class, "Judge only planes of this true_class (2 = roofs) [all]")
+  command
+      ->add_option("--class", options->only_class, "Judge only planes of this true_class (2 = roofs) [all]")
       ->check(CLI::Range(0, 255));
   command->add_option("--min-points", options->min_points, "Judge only true planes with so many points [1]");
   command->add_flag("--json", options->json, "For machines");

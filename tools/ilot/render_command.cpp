@@ -36,13 +36,17 @@ void add_render_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand("render", "Draws a picture of a cloud");
   command->add_option("input", arguments->input, "Point cloud")->required();
   command->add_option("-o,--output", arguments->output, "Picture to write (PNG)")->required();
-  command->add_option("--by", arguments->options.by, "class, height, intensity, rgb or an extra-byte field [class]");
+  command->add_option("--by", arguments->options.by,
+                      "class, height, intensity, rgb or an extra-byte field [class]");
   command->add_option("--view", arguments->view, "top, oblique or side [top]")
       ->check(CLI::IsMember({"top", "oblique", "side"}));
-  command->add_option("--azimuth", arguments->azimuth, "Degrees from north the eye looks to, not for top [30]")
+  command
+      ->add_option("--azimuth", arguments->azimuth, "Degrees from north the eye looks to, not for top [30]")
       ->check(CLI::Range(-360.0, 360.0));
-  command->add_option("--size", arguments->options.size, "Pixels of the longer side [1600]")->check(CLI::Range(16, 16384));
-  command->add_option("--bounds", arguments->bounds, "Only this part: X0,Y0,X1,Y1 in the units of the CRS")->delimiter(',');
+  command->add_option("--size", arguments->options.size, "Pixels of the longer side [1600]")
+      ->check(CLI::Range(16, 16384));
+  command->add_option("--bounds", arguments->bounds, "Only this part: X0,Y0,X1,Y1 in the units of the CRS")
+      ->delimiter(',');
   command->footer("Example: ilot render points/town.las -o town.png --by plane_id --view oblique");
   command->callback([arguments] { run_render(*arguments); });
 }

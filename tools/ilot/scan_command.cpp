@@ -29,8 +29,8 @@ struct ScanOptions {
 std::string list_scenes() {
   std::string text = "district   a town of houses under flat, gable and hip roofs, seen from the air\n";
   for (const scan::SceneOption& option : scan::district_options())
-    text += fmt::format("  {:<17} [{} {}] {} ({} to {})\n", option.key, option.standard, option.unit, option.help,
-                        option.low, option.high);
+    text += fmt::format("  {:<17} [{} {}] {} ({} to {})\n", option.key, option.standard, option.unit,
+                        option.help, option.low, option.high);
   return text;
 }
 
@@ -40,7 +40,8 @@ void run_scan(const ScanOptions& options) {
     return;
   }
   if (options.scene != "district")
-    throw Error(fmt::format("scene \"{}\" is not known: `ilot scan --list` names them.", options.scene), ExitCode::usage);
+    throw Error(fmt::format("scene \"{}\" is not known: `ilot scan --list` names them.", options.scene),
+                ExitCode::usage);
   if (options.output.empty()) throw Error("scan needs a file to write: -o FILE.las.", ExitCode::usage);
   scan::SceneValues values(scan::district_options());
   for (const std::string& setting : options.settings) values.set(setting);
@@ -58,13 +59,15 @@ void add_scan_command(CLI::App& app) {
   auto options = std::make_shared<ScanOptions>();
   CLI::App* command = app.add_subcommand("scan", "Makes a cloud with exact truth: a virtual scanner");
   command->add_option("scene", options->scene, "Scene: district");
-  command->add_option("-o,--output", options->output, "File to write; the truth goes to NAME.truth.json beside it");
+  command->add_option("-o,--output", options->output,
+                      "File to write; the truth goes to NAME.truth.json beside it");
   command->add_option("--points", options->points, "Number of points; chooses the area at the given density")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
   command->add_option("--seed", options->seed, "Another seed, another town [0]");
   command->add_option("--threads", options->threads, "Threads [all]; the file does not depend on it")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--set", options->settings, "scene.key=value; `ilot scan --list` shows the keys")->take_all();
+  command->add_option("--set", options->settings, "scene.key=value; `ilot scan --list` shows the keys")
+      ->take_all();
   command->add_flag("--list", options->list, "Lists scenes and what can be set about them");
   command->footer("Example: ilot scan district -o town.las --points 1000000 --set scene.density=20");
   command->callback([options] { run_scan(*options); });

@@ -15,7 +15,8 @@ constexpr double kStrength = 0.06;  // of the shading, per pixel of mean depth d
 }  // namespace
 
 ViewAxes axes_of(const View& view) {
-  const double azimuth = view.azimuth_deg * std::numbers::pi / 180, elevation = view.elevation_deg * std::numbers::pi / 180;
+  const double azimuth = view.azimuth_deg * std::numbers::pi / 180,
+               elevation = view.elevation_deg * std::numbers::pi / 180;
   const Vec3 ahead{std::sin(azimuth), std::cos(azimuth), 0}, above{0, 0, 1};
   const double s = std::sin(elevation), c = std::cos(elevation);
   return {{ahead.y, -ahead.x, 0}, s * ahead + c * above, s * above - c * ahead};
@@ -32,7 +33,8 @@ void Canvas::draw(int column, int row, float depth, Rgb colour, int radius) {
   const int top = std::max(0, row - radius), bottom = std::min(height_ - 1, row + radius);
   for (int y = top; y <= bottom; ++y) {
     for (int x = left; x <= right; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
       if (depth <= depth_[i]) continue;
       depth_[i] = depth;
       colour_[i] = colour;
@@ -45,7 +47,8 @@ float Canvas::nearer_by(int column, int row) const {
   const auto at = [&](int x, int y) {
     x = std::clamp(x, 0, width_ - 1);
     y = std::clamp(y, 0, height_ - 1);
-    return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
+    return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(x)];
   };
   const float here = at(column, row);
   float sum = 0;
@@ -58,7 +61,8 @@ Image Canvas::shaded(double pixel) const {
   Image image{width_, height_, colour_};
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      const std::size_t i = static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+      const std::size_t i =
+          static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
       if (depth_[i] == kEmpty) continue;
       const double light = std::exp(-kStrength * nearer_by(x, y) / pixel);
       for (std::uint8_t& channel : image.pixels[i]) channel = static_cast<std::uint8_t>(channel * light);

@@ -24,12 +24,12 @@ class Canvas {
  public:
   Canvas(int width, int height);
 
-  // A square of 2 radius + 1 pixels about (column, row); rows count downwards. Parts outside are cut off. Larger depth
-  // is nearer.
+  // A square of 2 radius + 1 pixels about (column, row); rows count downwards. Parts outside are cut off.
+  // Larger depth is nearer.
   void draw(int column, int row, float depth, Rgb colour, int radius);
 
-  // The picture with darkened edges where neighbours stand nearer (eye-dome lighting; Boucheny 2009); pixels without a
-  // point are white. pixel: size of a pixel in units of depth.
+  // The picture with darkened edges where neighbours stand nearer (eye-dome lighting; Boucheny 2009); pixels
+  // without a point are white. pixel: size of a pixel in units of depth.
   Image shaded(double pixel) const;
 
  private:

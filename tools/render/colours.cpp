@@ -43,17 +43,29 @@ Rgb colour_of_id(std::uint64_t id) {
 }
 
 Rgb colour_of_class(std::uint8_t value) {
-  constexpr std::array<Rgb, 10> kClasses{{{160, 160, 160}, {185, 185, 185}, {168, 140, 100}, {150, 200, 100}, {90, 170, 70},
-                                          {40, 120, 50}, {200, 80, 60}, {255, 0, 255}, {230, 200, 60}, {70, 120, 200}}};
+  constexpr std::array<Rgb, 10> kClasses{{{160, 160, 160},
+                                          {185, 185, 185},
+                                          {168, 140, 100},
+                                          {150, 200, 100},
+                                          {90, 170, 70},
+                                          {40, 120, 50},
+                                          {200, 80, 60},
+                                          {255, 0, 255},
+                                          {230, 200, 60},
+                                          {70, 120, 200}}};
   return value < kClasses.size() ? kClasses[value] : colour_of_id(value);
 }
 
 std::uint64_t load_id(const std::byte* p, std::uint16_t size) {
   switch (size) {
-    case 1: return load<std::uint8_t>(p);
-    case 2: return load<std::uint16_t>(p);
-    case 4: return load<std::uint32_t>(p);
-    default: return load<std::uint64_t>(p);
+    case 1:
+      return load<std::uint8_t>(p);
+    case 2:
+      return load<std::uint16_t>(p);
+    case 4:
+      return load<std::uint32_t>(p);
+    default:
+      return load<std::uint64_t>(p);
   }
 }
 

@@ -12,12 +12,12 @@ namespace ilot::render {
 struct RenderOptions {
   std::string by = "class";  // see colouring()
   View view;
-  int size = 1600;  // pixels of the longer side
+  int size = 1600;                              // pixels of the longer side
   std::optional<std::array<double, 4>> bounds;  // x0, y0, x1, y1 in world coordinates, closed
 };
 
-// Draws a cloud orthographically. Reads it twice from front to back: memory is that of the picture. Throws Error when
-// nothing lies within the bounds.
+// Draws a cloud orthographically. Reads it twice from front to back: memory is that of the picture. Throws
+// Error when nothing lies within the bounds.
 Image render_cloud(const std::filesystem::path& path, const RenderOptions& options);
 
 }  // namespace ilot::render

@@ -11,24 +11,30 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::size_t kStandardSize = 30, kGpsTime = 22, kTrueClass = 30, kTruePlane = 31, kRecordSize = 35;
-constexpr double kUnit = 0.001;        // metres per coordinate unit
+constexpr double kUnit = 0.001;  // metres per coordinate unit
 constexpr std::size_t kMaxReturns = 5;
 constexpr double kMinSeparation = 0.5;  // metres between echoes that the receiver tells apart
 
 std::uint8_t las_class(Surface surface) {
   switch (surface) {
-    case Surface::ground: return 2;
-    case Surface::vegetation: return 5;
-    default: return 6;
+    case Surface::ground:
+      return 2;
+    case Surface::vegetation:
+      return 5;
+    default:
+      return 6;
   }
 }
 
 std::uint16_t intensity_of(Surface surface, double cosine) {
   constexpr std::array<double, 5> kReflectance{0, 0.25, 0.35, 0.5, 0.4};
-  return static_cast<std::uint16_t>(65535 * kReflectance[static_cast<std::size_t>(surface)] * (0.3 + 0.7 * cosine));
+  return static_cast<std::uint16_t>(65535 * kReflectance[static_cast<std::size_t>(surface)] *
+                                    (0.3 + 0.7 * cosine));
 }
 
-std::int32_t to_units(double metres) { return static_cast<std::int32_t>(std::llround(metres / kUnit)); }
+std::int32_t to_units(double metres) {
+  return static_cast<std::int32_t>(std::llround(metres / kUnit));
+}
 
 }  // namespace
 
@@ -54,7 +60,9 @@ RecordLayout scan_layout() {
   return layout;
 }
 
-std::uint32_t true_plane_of(const std::byte* record) { return load<std::uint32_t>(record + kTruePlane); }
+std::uint32_t true_plane_of(const std::byte* record) {
+  return load<std::uint32_t>(record + kTruePlane);
+}
 
 struct CellTracer::State {
   const Cell& cell;
@@ -93,7 +101,8 @@ void CellTracer::trace(const Ray& ray, Rng& rng, std::vector<Return>& returns) {
     if (share > 0.25 && share < 0.6) passes = false;
   }
   std::erase_if(returns, [&](const Return& r) { return r.range > last.range - kMinSeparation; });
-  std::sort(returns.begin(), returns.end(), [](const Return& a, const Return& b) { return a.range < b.range; });
+  std::sort(returns.begin(), returns.end(),
+            [](const Return& a, const Return& b) { return a.range < b.range; });
   const auto merged = std::unique(returns.begin(), returns.end(), [](const Return& a, const Return& b) {
     return b.range - a.range < kMinSeparation;
   });

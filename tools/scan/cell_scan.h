@@ -45,8 +45,8 @@ class CellTracer {
   std::unique_ptr<State> state_;
 };
 
-// Records of all the pulses aimed at the cell, in the order of the flight plan, echoes of a pulse nearest first.
-// noise: standard deviation of the range in metres.
+// Records of all the pulses aimed at the cell, in the order of the flight plan, echoes of a pulse nearest
+// first. noise: standard deviation of the range in metres.
 std::vector<std::byte> scan_cell(const Cell& cell, const FlightPlan& flight, const Ground& ground,
                                  std::uint32_t first_plane, double noise);
 

@@ -10,10 +10,10 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kCellSide = 160;     // metres, about
-constexpr double kStreetPitch = 50;   // from one street's axis to the next
+constexpr double kCellSide = 160;    // metres, about
+constexpr double kStreetPitch = 50;  // from one street's axis to the next
 constexpr double kHalfStreet = 5;
-constexpr double kMaxRise = 7;        // of a roof above its eaves
+constexpr double kMaxRise = 7;         // of a roof above its eaves
 constexpr double kSameNormal = 0.966;  // cosine of 15 degrees
 constexpr double kClearStep = 0.4;     // metres between nearly parallel roofs of neighbours
 
@@ -110,15 +110,17 @@ class CellBuilder {
     draft.setback = step(3, 0.5, 3);
     draft.eave_height = step(3, 0.5, 13);
     const double shape = rng_.uniform();
-    form.roof = shape < params_.flat ? RoofShape::flat
-                : shape < params_.flat + params_.hip ? RoofShape::hip : RoofShape::gable;
+    form.roof = shape < params_.flat                 ? RoofShape::flat
+                : shape < params_.flat + params_.hip ? RoofShape::hip
+                                                     : RoofShape::gable;
     form.ridge = in_terrace || rng_.uniform() < 0.7 ? Ridge::along_street : Ridge::across_street;
     form.pitch_deg = step(20, 5, 7);
     while (tan_deg(form.pitch_deg) * roof_span(form) / 2 > kMaxRise) form.pitch_deg -= 5;
     return draft;
   }
 
-  // Built together with its neighbour: the same walls and the same roof, which then are one plane. A hip has ends.
+  // Built together with its neighbour: the same walls and the same roof, which then are one plane. A hip has
+  // ends.
   static void imitate(Draft& draft, const Draft& model) {
     if (model.form.roof == RoofShape::hip) return;
     const double width = draft.form.width;
@@ -228,7 +230,8 @@ District::District(const DistrictParams& params) : params_(params) {
 
 Cell District::build_cell(std::uint64_t index) const {
   const auto n = static_cast<double>(cells_per_side_);
-  const auto column = static_cast<double>(index % cells_per_side_), row = static_cast<double>(index / cells_per_side_);
+  const auto column = static_cast<double>(index % cells_per_side_),
+             row = static_cast<double>(index / cells_per_side_);
   const Rect area{params_.side * column / n, params_.side * row / n, params_.side * (column + 1) / n,
                   params_.side * (row + 1) / n};
   return CellBuilder(params_, ground_, area, index + 1).build();

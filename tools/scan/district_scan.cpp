@@ -18,19 +18,22 @@ constexpr double kCellArea = 160 * 160;
 
 // Cells per batch: from the scene alone, never from the number of threads.
 std::size_t batch_size(const DistrictScan& scan) {
-  const double cell_bytes = std::min(kCellArea, scan.district.side * scan.district.side) * scan.flight.density * 36;
+  const double cell_bytes =
+      std::min(kCellArea, scan.district.side * scan.district.side) * scan.flight.density * 36;
   return static_cast<std::size_t>(std::clamp(kBatchBytes / cell_bytes, 1.0, 64.0));
 }
 
 }  // namespace
 
-DistrictScan plan_district(const SceneValues& values, std::uint64_t seed, std::optional<std::uint64_t> points) {
+DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
+                           std::optional<std::uint64_t> points) {
   DistrictScan scan;
   double area = values.get("scene.area_km2") * 1e6, density = values.get("scene.density");
   if (points) {
     const bool area_set = values.is_set("scene.area_km2");
     if (area_set && values.is_set("scene.density"))
-      throw Error("--points, scene.area_km2 and scene.density contradict each other: leave out one.", ExitCode::usage);
+      throw Error("--points, scene.area_km2 and scene.density contradict each other: leave out one.",
+                  ExitCode::usage);
     const auto wanted = static_cast<double>(*points);
     // A little more than needed: rows and columns of pulses do not fill the area's border evenly.
     const double margin = 1.005 + 4 / std::sqrt(wanted);
@@ -72,10 +75,12 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
       next_plane += item.cell.plane_count;
       next_building += item.cell.houses.size();
       if (next_plane > std::numeric_limits<std::uint32_t>::max())
-        throw Error("This district has more planes than true_plane can number (2^32): choose a smaller area.");
+        throw Error(
+            "This district has more planes than true_plane can number (2^32): choose a smaller area.");
     }
     parallel_for(batch.size(), [&](std::size_t i) {
-      batch[i].records = scan_cell(batch[i].cell, flight, district.ground(), batch[i].first_plane, scan.noise);
+      batch[i].records =
+          scan_cell(batch[i].cell, flight, district.ground(), batch[i].first_plane, scan.noise);
     });
     for (ScannedCell& item : batch) {
       if (left == 0) break;
@@ -86,7 +91,8 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
     }
   }
   if (scan.points && left > 0)
-    throw Error("The district holds " + std::to_string(*scan.points - left) + " points only: set a larger scene.area_km2.");
+    throw Error("The district holds " + std::to_string(*scan.points - left) +
+                " points only: set a larger scene.area_km2.");
 }
 
 }  // namespace ilot::scan

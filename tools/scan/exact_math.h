@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The few functions of mathematics a scene needs, made of IEEE basic operations only: libm's sin, tan and log differ
-// between machines, and the same seed must give the same file everywhere.
+// The few functions of mathematics a scene needs, made of IEEE basic operations only: libm's sin, tan and log
+// differ between machines, and the same seed must give the same file everywhere.
 #pragma once
 #include <cstdint>
 
@@ -21,8 +21,8 @@ double tan_deg(double degrees);
 // Angle in degrees whose tangent is given, for |tangent| <= 1; error below 1e-9 degrees.
 double atan_deg(double tangent);
 
-// A random number with mean 0 and variance 1, close to normal within four standard deviations and never beyond six: the
-// sum of twelve uniform numbers of 16 bits. Takes three draws.
+// A random number with mean 0 and variance 1, close to normal within four standard deviations and never
+// beyond six: the sum of twelve uniform numbers of 16 bits. Takes three draws.
 double gaussian(Rng& rng);
 
 }  // namespace ilot::scan

@@ -53,14 +53,17 @@ Plane Ground::plane() const {
   return {{-slope_x / length, -slope_y / length, 1 / length}, -base / length};
 }
 
-double roof_span(const HouseForm& form) { return 2 * ridge_frame(form).half_span; }
+double roof_span(const HouseForm& form) {
+  return 2 * ridge_frame(form).half_span;
+}
 
 std::vector<Face> house_faces(const HouseForm& form, const Ground& ground) {
   const Frame frame = ridge_frame(form);
   const double length = frame.half_length, span = frame.half_span;
   const double rise = form.roof == RoofShape::flat ? 0 : span * tan_deg(form.pitch_deg);
   const double ridge = form.roof == RoofShape::hip ? length - span : length;
-  const std::array<std::array<double, 2>, 4> corners{{{-length, -span}, {length, -span}, {length, span}, {-length, span}}};
+  const std::array<std::array<double, 2>, 4> corners{
+      {{-length, -span}, {length, -span}, {length, span}, {-length, span}}};
   std::array<Vec3, 4> eave, foot;
   for (std::size_t i = 0; i < 4; ++i) {
     eave[i] = frame.place(corners[i][0], corners[i][1], form.eave);

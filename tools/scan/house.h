@@ -20,7 +20,10 @@ struct Ground {
 };
 
 enum class RoofShape : std::uint8_t { flat, gable, hip };
-enum class Ridge : std::uint8_t { along_street, across_street };  // gable only; a hip's runs along the longer side
+enum class Ridge : std::uint8_t {
+  along_street,
+  across_street
+};  // gable only; a hip's runs along the longer side
 
 struct HouseForm {
   double x = 0, y = 0;           // centre of the footprint
@@ -45,7 +48,8 @@ std::vector<Face> house_faces(const HouseForm& form, const Ground& ground);
 // The solid whose planes are the faces' planes, in order. At most ConvexSolid::kMaxFaces faces.
 ConvexSolid house_solid(const std::vector<Face>& faces, std::uint32_t first_face);
 
-// The horizontal extent across the ridge of the roof, on which its height depends: rise = span / 2 * tan(pitch).
+// The horizontal extent across the ridge of the roof, on which its height depends: rise = span / 2 *
+// tan(pitch).
 double roof_span(const HouseForm& form);
 
 // Distance in the plane from a place to the footprint; 0 inside.

@@ -101,11 +101,14 @@ RayScene::RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> c
   rtcCommitScene(state_->scene);
   const RTCError error = rtcGetDeviceError(device());
   if (error != RTC_ERROR_NONE)
-    throw Error("Embree could not build a scene of " + std::to_string(solids.size()) + " solids (its error code " +
-                std::to_string(static_cast<int>(error)) + "): free memory and try again.");
+    throw Error("Embree could not build a scene of " + std::to_string(solids.size()) +
+                " solids (its error code " + std::to_string(static_cast<int>(error)) +
+                "): free memory and try again.");
 }
 
-RayScene::~RayScene() { rtcReleaseScene(state_->scene); }
+RayScene::~RayScene() {
+  rtcReleaseScene(state_->scene);
+}
 
 void RayScene::cast(const Ray& ray, CastResult& result) const {
   result.solid.reset();
@@ -123,7 +126,8 @@ void RayScene::cast(const Ray& ray, CastResult& result) const {
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  // The callbacks never shorten the ray: every box it pierces is tested, in whatever order, and the nearest hit wins.
+  // The callbacks never shorten the ray: every box it pierces is tested, in whatever order, and the nearest
+  // hit wins.
   rtcIntersect1(state_->scene, &context.embree, &query);
   std::sort(result.crowns.begin(), result.crowns.end(),
             [](const CrownHit& a, const CrownHit& b) { return a.crown < b.crown; });

@@ -25,10 +25,11 @@ struct CastResult {
   std::vector<CrownHit> crowns;   // those the ray crosses anywhere along it, by rising number
 };
 
-// Finds what rays meet among many solids and crowns. Embree only culls, with boxes grown beyond the rounding of its
-// floats; the hit is decided in double by enter() and cross(), ties by the smaller face, so that results do not depend
-// on the instruction set Embree chose. Keeps views of the solids and crowns: they must outlive it.
-// Several threads may cast at once. Coordinates may lie anywhere; extents around the anchor must stay below 4 km.
+// Finds what rays meet among many solids and crowns. Embree only culls, with boxes grown beyond the rounding
+// of its floats; the hit is decided in double by enter() and cross(), ties by the smaller face, so that
+// results do not depend on the instruction set Embree chose. Keeps views of the solids and crowns: they must
+// outlive it. Several threads may cast at once. Coordinates may lie anywhere; extents around the anchor must
+// stay below 4 km.
 class RayScene {
  public:
   RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> crowns, Vec3 anchor);

@@ -12,7 +12,7 @@ struct SceneOption {
   std::string_view key;  // "scene.density"
   double standard;
   std::string_view unit;
-  double low, high;      // both allowed
+  double low, high;  // both allowed
   std::string_view help;
 };
 
@@ -23,11 +23,11 @@ class SceneValues {
  public:
   explicit SceneValues(std::span<const SceneOption> options) : options_(options) {}
 
-  // Takes "scene.key=value". Throws Error (usage) for an unknown key, naming the nearest, and for what is not a number
-  // within the range.
+  // Takes "scene.key=value". Throws Error (usage) for an unknown key, naming the nearest, and for what is not
+  // a number within the range.
   void set(std::string_view assignment);
 
-  double get(std::string_view key) const;    // the default where nothing was set; the key must exist
+  double get(std::string_view key) const;  // the default where nothing was set; the key must exist
   bool is_set(std::string_view key) const;
 
  private:

@@ -14,14 +14,16 @@ struct Ray {
   Vec3 direction;  // unit length
 };
 
-inline Vec3 point_at(const Ray& ray, double t) { return ray.origin + t * ray.direction; }
+inline Vec3 point_at(const Ray& ray, double t) {
+  return ray.origin + t * ray.direction;
+}
 
 struct Bounds3 {
   Vec3 min, max;
 };
 
-// The intersection of at most kMaxFaces half-spaces, outward normals. It may be open where no ray comes from (a house
-// has no floor): bounds still have to hold all of the surface that can be seen.
+// The intersection of at most kMaxFaces half-spaces, outward normals. It may be open where no ray comes from
+// (a house has no floor): bounds still have to hold all of the surface that can be seen.
 struct ConvexSolid {
   static constexpr std::size_t kMaxFaces = 8;
   std::array<Plane, kMaxFaces> planes;
@@ -40,8 +42,8 @@ struct FaceHit {
   std::uint32_t face = 0;  // within the solid; the smaller one on an edge
 };
 
-// Where the ray enters the solid; nothing when it misses it or starts inside. Watertight: computed from the planes in
-// double, so that no ray slips between two faces.
+// Where the ray enters the solid; nothing when it misses it or starts inside. Watertight: computed from the
+// planes in double, so that no ray slips between two faces.
 std::optional<FaceHit> enter(const Ray& ray, const ConvexSolid& solid);
 
 struct Chord {

@@ -16,17 +16,21 @@ constexpr Vec3 kOrigin{kEastOrigin, kNorthOrigin, 0};
 
 const char* name_of(Surface surface) {
   switch (surface) {
-    case Surface::ground: return "ground";
-    case Surface::roof: return "roof";
-    case Surface::wall: return "wall";
-    default: return "vegetation";
+    case Surface::ground:
+      return "ground";
+    case Surface::roof:
+      return "roof";
+    case Surface::wall:
+      return "wall";
+    default:
+      return "vegetation";
   }
 }
 
 std::string plane_text(std::uint32_t id, Surface surface, const Plane& plane, std::uint64_t points) {
   const double d = plane.d - dot(plane.n, kOrigin);
-  return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id, name_of(surface),
-                     plane.n.x, plane.n.y, plane.n.z, d, points);
+  return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id,
+                     name_of(surface), plane.n.x, plane.n.y, plane.n.z, d, points);
 }
 
 std::string ring_text(std::span<const Vec3> ring) {

@@ -10,9 +10,10 @@
 
 namespace ilot::scan {
 
-// Writes NAME.truth.json as the scan goes: one plane per line, so that any number needs no memory. Each has its id as in
-// true_plane, class, equation a x + b y + c z + d = 0 in world coordinates, the number of points that carry it, and its
-// polygons with the buildings they belong to. Appears under its name at finish() or not at all.
+// Writes NAME.truth.json as the scan goes: one plane per line, so that any number needs no memory. Each has
+// its id as in true_plane, class, equation a x + b y + c z + d = 0 in world coordinates, the number of points
+// that carry it, and its polygons with the buildings they belong to. Appears under its name at finish() or
+// not at all.
 class TruthJson {
  public:
   // `settings` is the body of a JSON object that tells how the scan was made.
@@ -21,7 +22,8 @@ class TruthJson {
   TruthJson(const TruthJson&) = delete;
   TruthJson& operator=(const TruthJson&) = delete;
 
-  // The planes of one cell: ids from first_plane on, buildings from first_building on; points per plane of the cell.
+  // The planes of one cell: ids from first_plane on, buildings from first_building on; points per plane of
+  // the cell.
   void add_cell(const Cell& cell, std::uint32_t first_plane, std::uint32_t first_building,
                 std::span<const std::uint64_t> points);
   void add_ground(const Ground& ground, const Rect& area, std::uint64_t points);
