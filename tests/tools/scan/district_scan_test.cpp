@@ -49,8 +49,14 @@ TEST(DistrictScan, SameBytesForAnyNumberOfThreads) {
 
 TEST(DistrictScan, GivesExactlyThePointsAskedFor) {
   for (std::uint64_t points : {1u, 1000u, 12345u, 300000u})
-    for (const char* trees : {"scene.trees=0", "scene.trees=15"})
+    for (const char* trees : {"scene.trees=0", "scene.trees=15", "scene.trees=60"})
       EXPECT_EQ(records_of(plan({trees}, 3, points), 2).size(), points * kRecord) << points << trees;
+  // Around the size from which crowns are relied upon, whatever the town.
+  for (std::uint64_t seed = 0; seed < 12; ++seed)
+    for (const char* trees : {"scene.trees=4", "scene.trees=15", "scene.trees=60"})
+      EXPECT_EQ(records_of(plan({"scene.density=1", trees}, seed, 10100 + 3000 * seed), 2).size(),
+                (10100 + 3000 * seed) * kRecord)
+          << seed << trees;
 }
 
 TEST(DistrictScan, PulsesHaveTheDensityAskedFor) {
