@@ -58,6 +58,9 @@ int run_command_line(int argc, char** argv) {
   add_run_command(app, action);
   add_info_command(app, action);
   add_convert_command(app, action);
+  add_scan_command(app, action);
+  add_evaluate_command(app, action);
+  add_render_command(app, action);
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/ilot/scan_command.h"
-
 #include <fmt/format.h>
 
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -11,66 +8,96 @@
 
 #include "engine/error.h"
 #include "kernels/core/parallel.h"
+#include "tools/ilot/commands.h"
+#include "tools/ilot/console.h"
 #include "tools/scan/district_file.h"
 #include "tools/scan/district_scan.h"
 
 namespace ilot {
 namespace {
 
-struct ScanOptions {
+struct ScanArguments {
   std::string scene, output;
   std::optional<std::uint64_t> points;
   std::uint64_t seed = 0;
   int threads = 0;
   std::vector<std::string> settings;
-  bool list = false;
+  bool list = false, overwrite = false, quiet = false;
 };
 
 std::string list_scenes() {
   std::string text = "district   a town of houses under flat, gable and hip roofs, seen from the air\n";
   for (const scan::SceneOption& option : scan::district_options())
-    text += fmt::format("  {:<17} [{} {}] {} ({} to {})\n", option.key, option.standard, option.unit,
-                        option.help, option.low, option.high);
+    text += fmt::format("  {:<17} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                        option.standard, option.unit);
   return text;
 }
 
-void run_scan(const ScanOptions& options) {
-  if (options.list) {
-    std::cout << list_scenes();
-    return;
-  }
-  if (options.scene != "district")
-    throw Error(fmt::format("scene \"{}\" is not known: `ilot scan --list` names them.", options.scene),
-                ExitCode::usage);
-  if (options.output.empty()) throw Error("scan needs a file to write: -o FILE.las.", ExitCode::usage);
+scan::DistrictScan plan_scan(const ScanArguments& given) {
+  if (given.scene.empty()) throw Error("scan: SCENE is needed (ilot scan --list)", ExitCode::usage);
+  if (given.scene != "district")
+    throw Error("scan: no scene '" + given.scene + "' (ilot scan --list)", ExitCode::usage);
+  if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
   scan::SceneValues values(scan::district_options());
-  for (const std::string& setting : options.settings) values.set(setting);
-  const scan::DistrictScan plan = scan::plan_district(values, options.seed, options.points);
+  for (const std::string& setting : given.settings) values.set(setting);
+  return scan::plan_district(values, given.seed, given.points);
+}
+
+void check_output(const ScanArguments& given) {
+  std::error_code code;
+  for (const auto& path : {std::filesystem::path(given.output), scan::truth_path(given.output)})
+    if (!given.overwrite && std::filesystem::exists(path, code))
+      throw Error(path.string() + ": exists; --overwrite replaces it", ExitCode::usage);
+}
+
+int scan_command(const ScanArguments& given) {
+  if (given.list) {
+    print(list_scenes());
+    return static_cast<int>(ExitCode::ok);
+  }
+  const scan::DistrictScan plan = plan_scan(given);
+  check_output(given);
+  ConsoleProgress console(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
+  Progress& progress = console.get();
+  progress.begin_stage("scan", plan.points.value_or(0));
   scan::ScanSummary summary;
-  with_threads(options.threads > 0 ? options.threads : hardware_threads(),
-               [&] { summary = scan::write_district(plan, options.output); });
-  std::cout << fmt::format("{}: {} points, {} buildings, {} planes\n", options.output, summary.points,
-                           summary.buildings, summary.planes);
+  with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] {
+    summary =
+        scan::write_district(plan, given.output, [&](std::uint64_t points) { progress.advance(points); });
+  });
+  progress.end_stage();
+  progress.note(fmt::format("{}: {} points, {} buildings, {} planes", given.output, summary.points,
+                            summary.buildings, summary.planes));
+  return static_cast<int>(ExitCode::ok);
 }
 
 }  // namespace
 
-void add_scan_command(CLI::App& app) {
-  auto options = std::make_shared<ScanOptions>();
-  CLI::App* command = app.add_subcommand("scan", "Makes a cloud with exact truth: a virtual scanner");
-  command->add_option("scene", options->scene, "Scene: district");
-  command->add_option("-o,--output", options->output,
-                      "File to write; the truth goes to NAME.truth.json beside it");
-  command->add_option("--points", options->points, "Number of points; chooses the area at the given density")
+void add_scan_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("scan", "Makes a point cloud with exact truth: a virtual scanner");
+  auto given = std::make_shared<ScanArguments>();
+  command->add_option("SCENE", given->scene, "district")->option_text(" ");
+  command
+      ->add_option("-o,--output", given->output,
+                   "point cloud to write; NAME.truth.json goes beside it [none]")
+      ->option_text("FILE");
+  command
+      ->add_option("--points", given->points,
+                   "stop after so many; the area follows from the density [by area]")
+      ->option_text("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
-  command->add_option("--seed", options->seed, "Another seed, another town [0]");
-  command->add_option("--threads", options->threads, "Threads [all]; the file does not depend on it")
+  command->add_option("--seed", given->seed, "another seed, another town [0]")->option_text("S");
+  command->add_option("--threads", given->threads, "no result depends on it [all]")
+      ->option_text("N")
       ->check(CLI::Range(1, 1024));
-  command->add_option("--set", options->settings, "scene.key=value; `ilot scan --list` shows the keys")
+  command->add_option("--set", given->settings, "one option of the scene, see --list [none]")
+      ->option_text("scene.KEY=VALUE")
       ->take_all();
-  command->add_flag("--list", options->list, "Lists scenes and what can be set about them");
+  command->add_flag("--list", given->list, "list the scenes and what can be set about them [off]");
+  command->add_flag("--overwrite", given->overwrite, "replace FILE and its truth [off]");
+  command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot scan district -o town.las --points 1000000 --set scene.density=20");
-  command->callback([options] { run_scan(*options); });
+  command->callback([given, &action] { action = [given] { return scan_command(*given); }; });
 }
 
 }  // namespace ilot

@@ -81,7 +81,7 @@ Colouring by_field(const std::string& name, const RecordLayout& layout) {
       };
     known += ", " + field.name;
   }
-  throw Error("the cloud has no field \"" + name + "\" to colour by; it has " + known + ".", ExitCode::usage);
+  throw Error("the cloud has no field \"" + name + "\" to colour by; it has " + known, ExitCode::usage);
 }
 
 }  // namespace

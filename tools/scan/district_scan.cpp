@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/error.h"
+#include "engine/pass/stop.h"
 #include "kernels/core/parallel.h"
 #include "tools/scan/cell_scan.h"
 #include "tools/scan/exact_math.h"
@@ -40,7 +41,7 @@ DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
   if (points) {
     const bool area_set = values.is_set("scene.area_km2");
     if (area_set && values.is_set("scene.density"))
-      throw Error("--points, scene.area_km2 and scene.density contradict each other: leave out one.",
+      throw Error("--points, scene.area_km2 and scene.density contradict each other; leave out one",
                   ExitCode::usage);
     const auto wanted = static_cast<double>(*points);
     const double margin =
@@ -75,6 +76,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
   std::uint64_t left = scan.points.value_or(std::numeric_limits<std::uint64_t>::max());
   std::uint64_t next_plane = kGroundPlane + 1, next_building = 1;
   for (std::uint64_t first = 0; first < district.cell_count() && left > 0; first += batch_size(scan)) {
+    if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
     std::vector<ScannedCell> batch(std::min<std::uint64_t>(batch_size(scan), district.cell_count() - first));
     parallel_for(batch.size(), [&](std::size_t i) { batch[i].cell = district.build_cell(first + i); });
     for (ScannedCell& item : batch) {
@@ -83,8 +85,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
       next_plane += item.cell.plane_count;
       next_building += item.cell.houses.size();
       if (next_plane > std::numeric_limits<std::uint32_t>::max())
-        throw Error(
-            "This district has more planes than true_plane can number (2^32): choose a smaller area.");
+        throw Error("This district has more planes than true_plane can number (2^32); choose a smaller area");
     }
     parallel_for(batch.size(), [&](std::size_t i) {
       batch[i].records =
@@ -100,7 +101,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
   }
   if (scan.points && left > 0)
     throw Error("The district holds " + std::to_string(*scan.points - left) +
-                " points only: set a larger scene.area_km2.");
+                " points only; set a larger scene.area_km2");
 }
 
 }  // namespace ilot::scan

@@ -179,10 +179,10 @@ std::string message_of(std::initializer_list<const char*> settings,
 }
 
 TEST(DistrictScan, RefusesWrongSettingsInASentence) {
-  EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; the nearest is scene.density.");
-  EXPECT_EQ(message_of({"scene.density"}), "--set scene.density: write it as scene.key=value.");
+  EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; the nearest is scene.density");
+  EXPECT_EQ(message_of({"scene.density"}), "--set scene.density: write it as scene.key=value");
   EXPECT_EQ(message_of({"scene.density=many"}),
-            "--set scene.density: \"many\" is not a number from 0.1 to 200 (pulses/m2).");
+            "--set scene.density: \"many\" is not a number from 0.1 to 200 (pulses/m2)");
   for (const char* bad : {"scene.density=0", "scene.density=nan", "scene.density=1e999",
                           "scene.density=", "scene.noise=-1", "scene.density=12x"})
     EXPECT_NE(message_of({bad}), "") << bad;
