@@ -117,7 +117,7 @@ class Cli(unittest.TestCase):
         everything = json.loads(ilot("--version", "--json").stdout)
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
-        for command in ("run", "info", "convert"):
+        for command in ("run", "info", "convert", "scan", "evaluate", "render"):
             told = ilot(command, "--help")
             self.assertEqual(told.returncode, 0)
             self.assertIn(f"Example: ilot {command} ", told.stdout)
@@ -183,6 +183,48 @@ class Cli(unittest.TestCase):
             self.assertEqual(done.returncode, 130, done.stderr)
             self.assertIn("interrupted", done.stderr)
         self.assertEqual(sorted(self.folder.rglob("*")), before)
+
+
+class Scan(unittest.TestCase):
+    setUp, tearDown, refuse = Cli.setUp, Cli.tearDown, Cli.refuse
+
+    def test_usage_faults(self):
+        town = self.folder / "town.las"
+        self.refuse(["scan"], "SCENE")
+        self.refuse(["scan", "village", "-o", town], "village", "--list")
+        self.refuse(["scan", "district"], "-o FILE")
+        self.refuse(["scan", "district", "-o", town, "--set", "scene.densty=2"], "scene.density")
+        self.refuse(["scan", "district", "-o", town, "--set", "scene.density=2000"], "0.1 to 200")
+        self.refuse(["scan", "district", "-o", town, "--points", "0"], "--points")
+        self.refuse(["scan", "district", "-o", self.cloud, "--points", "1000"], "grid.las: exists", "--overwrite")
+        self.refuse(["scan", "district", "-o", self.folder / "town.xyzzy", "-q"], "xyzzy")
+        self.refuse(["evaluate"], "INPUT")
+        self.refuse(["evaluate", self.cloud], "--truth-fields")
+        self.refuse(["evaluate", self.cloud, "--truth-fields"], "true_plane", code=1)
+        self.refuse(["render", self.cloud], "-o FILE")
+        self.refuse(["render", self.cloud, "-o", self.folder / "a.png", "--by", "plane_id"], "plane_id", "height")
+        self.refuse(["render", self.cloud, "-o", self.folder / "a.png", "--bounds", "9,9,1,1"], "X0 < X1")
+        self.refuse(["render", self.cloud, "-o", self.folder / "no" / "a.png"], "a.png", code=1)
+
+    def test_scan_evaluate_render(self):
+        town = self.folder / "town.las"
+        done = ilot("scan", "district", "-o", town, "--points", "30000", "--threads", "1")
+        self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+        self.assertIn("30000 points", done.stderr)
+        other = self.folder / "other.las"
+        ilot("scan", "district", "-o", other, "--points", "30000", "--threads", "3", "-q")
+        self.assertEqual(town.read_bytes(), other.read_bytes())
+        truth = json.loads((self.folder / "town.truth.json").read_text())
+        self.assertEqual(truth["points"], 30000)
+        judged = json.loads(ilot("evaluate", town, "--truth-fields", "--found-field", "true_plane", "--json").stdout)
+        self.assertEqual(judged["planes"]["missed"], 0)
+        self.assertEqual(judged["points"]["share"], 1)
+        self.assertIn("100.000 %", ilot("evaluate", town, "--truth-fields", "--found-field", "true_plane").stdout)
+        for view in ("top", "oblique", "side"):
+            drawn = ilot("render", town, "-o", self.folder / f"{view}.png", "--view", view, "--size", "200")
+            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            self.assertEqual((self.folder / f"{view}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
+        self.assertIn("scene.density", ilot("scan", "--list").stdout)
 
 
 if __name__ == "__main__":

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
+<<<<<<< HEAD
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 
+=======
+>>>>>>> scan
 #include <fmt/format.h>
 
 #include <memory>
@@ -11,24 +14,38 @@
 
 #include "engine/error.h"
 #include "kernels/core/parallel.h"
+<<<<<<< HEAD
+=======
+#include "tools/ilot/commands.h"
+#include "tools/ilot/console.h"
+>>>>>>> scan
 #include "tools/scan/district_file.h"
 #include "tools/scan/district_scan.h"
 
 namespace ilot {
 namespace {
 
+<<<<<<< HEAD
 struct ScanOptions {
+=======
+struct ScanArguments {
+>>>>>>> scan
   std::string scene, output;
   std::optional<std::uint64_t> points;
   std::uint64_t seed = 0;
   int threads = 0;
   std::vector<std::string> settings;
+<<<<<<< HEAD
   bool list = false;
+=======
+  bool list = false, overwrite = false, quiet = false;
+>>>>>>> scan
 };
 
 std::string list_scenes() {
   std::string text = "district   a town of houses under flat, gable and hip roofs, seen from the air\n";
   for (const scan::SceneOption& option : scan::district_options())
+<<<<<<< HEAD
     text += fmt::format("  {:<17} [{} {}] {} ({} to {})\n", option.key, option.standard, option.unit,
                         option.help, option.low, option.high);
   return text;
@@ -51,11 +68,55 @@ void run_scan(const ScanOptions& options) {
                [&] { summary = scan::write_district(plan, options.output); });
   print(fmt::format("{}: {} points, {} buildings, {} planes\n", options.output, summary.points, summary.buildings,
                     summary.planes));
+=======
+    text += fmt::format("  {:<17} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                        option.standard, option.unit);
+  return text;
+}
+
+scan::DistrictScan plan_scan(const ScanArguments& given) {
+  if (given.scene.empty()) throw Error("scan: SCENE is needed (ilot scan --list)", ExitCode::usage);
+  if (given.scene != "district")
+    throw Error("scan: no scene '" + given.scene + "' (ilot scan --list)", ExitCode::usage);
+  if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
+  scan::SceneValues values(scan::district_options());
+  for (const std::string& setting : given.settings) values.set(setting);
+  return scan::plan_district(values, given.seed, given.points);
+}
+
+void check_output(const ScanArguments& given) {
+  std::error_code code;
+  for (const auto& path : {std::filesystem::path(given.output), scan::truth_path(given.output)})
+    if (!given.overwrite && std::filesystem::exists(path, code))
+      throw Error(path.string() + ": exists; --overwrite replaces it", ExitCode::usage);
+}
+
+int scan_command(const ScanArguments& given) {
+  if (given.list) {
+    print(list_scenes());
+    return static_cast<int>(ExitCode::ok);
+  }
+  const scan::DistrictScan plan = plan_scan(given);
+  check_output(given);
+  ConsoleProgress console(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
+  Progress& progress = console.get();
+  progress.begin_stage("scan", plan.points.value_or(0));
+  scan::ScanSummary summary;
+  with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] {
+    summary =
+        scan::write_district(plan, given.output, [&](std::uint64_t points) { progress.advance(points); });
+  });
+  progress.end_stage();
+  progress.note(fmt::format("{}: {} points, {} buildings, {} planes", given.output, summary.points,
+                            summary.buildings, summary.planes));
+  return static_cast<int>(ExitCode::ok);
+>>>>>>> scan
 }
 
 }  // namespace
 
 void add_scan_command(CLI::App& app, Action& action) {
+<<<<<<< HEAD
   auto options = std::make_shared<ScanOptions>();
   CLI::App* command = app.add_subcommand("scan", "Makes a cloud with exact truth: a virtual scanner");
   command->add_option("scene", options->scene, "Scene: district");
@@ -76,6 +137,32 @@ void add_scan_command(CLI::App& app, Action& action) {
       return 0;
     };
   });
+=======
+  CLI::App* command = app.add_subcommand("scan", "Makes a point cloud with exact truth: a virtual scanner");
+  auto given = std::make_shared<ScanArguments>();
+  command->add_option("SCENE", given->scene, "district")->option_text(" ");
+  command
+      ->add_option("-o,--output", given->output,
+                   "point cloud to write; NAME.truth.json goes beside it [none]")
+      ->option_text("FILE");
+  command
+      ->add_option("--points", given->points,
+                   "stop after so many; the area follows from the density [by area]")
+      ->option_text("N")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
+  command->add_option("--seed", given->seed, "another seed, another town [0]")->option_text("S");
+  command->add_option("--threads", given->threads, "no result depends on it [all]")
+      ->option_text("N")
+      ->check(CLI::Range(1, 1024));
+  command->add_option("--set", given->settings, "one option of the scene, see --list [none]")
+      ->option_text("scene.KEY=VALUE")
+      ->take_all();
+  command->add_flag("--list", given->list, "list the scenes and what can be set about them [off]");
+  command->add_flag("--overwrite", given->overwrite, "replace FILE and its truth [off]");
+  command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
+  command->footer("Example: ilot scan district -o town.las --points 1000000 --set scene.density=20");
+  command->callback([given, &action] { action = [given] { return scan_command(*given); }; });
+>>>>>>> scan
 }
 
 }  // namespace ilot
