@@ -6,8 +6,8 @@
 
 namespace ilot {
 
-// Writes beside `path` under a temporary name, checks every step, flushes to disk and renames into place. On a fault
-// nothing stays and an existing file is untouched. Error names the file.
+// Writes beside `path` under a temporary name, checks every step, flushes to disk and renames into place. On
+// a fault nothing stays and an existing file is untouched. Error names the file.
 void write_whole_file(const std::filesystem::path& path, std::string_view content);
 
 }  // namespace ilot

@@ -11,8 +11,12 @@ static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may only
 
 }  // namespace
 
-bool stop_requested() { return stop_flag.load(std::memory_order_relaxed); }
+bool stop_requested() {
+  return stop_flag.load(std::memory_order_relaxed);
+}
 
-void request_stop() { stop_flag.store(true, std::memory_order_relaxed); }
+void request_stop() {
+  stop_flag.store(true, std::memory_order_relaxed);
+}
 
 }  // namespace ilot

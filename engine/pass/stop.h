@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one process-wide flag: has somebody asked the run to stop? Set by the signal handlers of the command line, read
-// by whoever hands out work. Both functions are safe in a signal handler and from any thread.
+// The one process-wide flag: has somebody asked the run to stop? Set by the signal handlers of the command
+// line, read by whoever hands out work. Both functions are safe in a signal handler and from any thread.
 #pragma once
 
 namespace ilot {

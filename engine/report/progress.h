@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run tells about itself while it works: lines for people and events for programs, both handed to sinks that the
-// caller owns, since library code prints nothing. Stages follow one another; advance() may be called from any thread.
+// What a run tells about itself while it works: lines for people and events for programs, both handed to
+// sinks that the caller owns, since library code prints nothing. Stages follow one another; advance() may be
+// called from any thread.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -54,8 +55,8 @@ class Progress {
   void note(std::string_view sentence);  // one line, not when quiet
   void warn(std::string_view sentence);  // one line, always
 
-  // Redraws the live line, or writes the line and the heartbeat event that are due every 10 s. To be called by a timer
-  // of the caller, so that a stall shows too; cheap when nothing is due.
+  // Redraws the live line, or writes the line and the heartbeat event that are due every 10 s. To be called
+  // by a timer of the caller, so that a stall shows too; cheap when nothing is due.
   void tick();
 
   // Wipes the live line, if one stands: before somebody else writes to the console.

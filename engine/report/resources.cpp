@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/report/resources.h"
 
-#include <fstream>
 #include <sys/resource.h>
 #include <unistd.h>
+#include <fstream>
 
 namespace ilot {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the process has used and what the disk has left, asked of the operating system. 0 when it does not say.
+// What the process has used and what the disk has left, asked of the operating system. 0 when it does not
+// say.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// run.json: what was asked, what was done, what it took, what was left out and why. Scripts rely on the names.
+// run.json: what was asked, what was done, what it took, what was left out and why. Scripts rely on the
+// names.
 #pragma once
 #include <cstdint>
 #include <filesystem>

@@ -17,7 +17,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kPiece = 1u << 20;
 
-EVP_MD_CTX* context_of(const std::shared_ptr<void>& held) { return static_cast<EVP_MD_CTX*>(held.get()); }
+EVP_MD_CTX* context_of(const std::shared_ptr<void>& held) {
+  return static_cast<EVP_MD_CTX*>(held.get());
+}
 
 bool is_product(const fs::path& relative) {
   const std::string top = relative.begin()->string();
@@ -62,7 +64,8 @@ void add_file(Sha256& sum, const fs::path& folder, const std::string& name, std:
 
 }  // namespace
 
-Sha256::Sha256() : context_(EVP_MD_CTX_new(), [](void* held) { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(held)); }) {
+Sha256::Sha256()
+    : context_(EVP_MD_CTX_new(), [](void* held) { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(held)); }) {
   if (!context_ || EVP_DigestInit_ex(context_of(context_), EVP_sha256(), nullptr) != 1) {
     throw Error("SHA-256 is not available: check the installation of OpenSSL");
   }
@@ -75,7 +78,8 @@ void Sha256::update(std::span<const std::byte> bytes) {
 std::string Sha256::hex() {
   unsigned char digest[32];
   unsigned int size = 0;
-  if (EVP_DigestFinal_ex(context_of(context_), digest, &size) != 1 || size != 32) throw Error("SHA-256 failed");
+  if (EVP_DigestFinal_ex(context_of(context_), digest, &size) != 1 || size != 32)
+    throw Error("SHA-256 failed");
   std::string text;
   for (unsigned char byte : digest) {
     text += "0123456789abcdef"[byte >> 4];

@@ -40,7 +40,7 @@ void add_folder(std::vector<fs::path>& files, const fs::path& folder) {
 
 }  // namespace
 
-std::vector<fs::path> expand_inputs(std::span<const std::string> arguments) {
+std::vector<fs::path> expand_inputs(const std::vector<std::string>& arguments) {
   std::vector<fs::path> files;
   for (const std::string& argument : arguments) {
     std::error_code code;

@@ -14,16 +14,17 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kRows = 1u << 16;
-constexpr std::size_t kGrid = 512;             // cells per side of the density grid, at most
+constexpr std::size_t kGrid = 512;  // cells per side of the density grid, at most
 constexpr double kPointsPerCell = 16;
-constexpr std::size_t kWindows = 32;           // where the sampling step is measured
+constexpr std::size_t kWindows = 32;  // where the sampling step is measured
 constexpr double kPointsPerWindow = 2000;
 constexpr std::size_t kMostPerWindow = 8192;
 
 using Visit = std::function<void(const std::byte* row)>;
 
 // Calls visit for each valid row; returns the number of the others.
-std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance, const Visit& visit) {
+std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance,
+                           const Visit& visit) {
   const std::size_t length = reader.info().layout.record_length;
   std::vector<std::byte> rows(kRows * length);
   std::vector<std::uint8_t> valid(kRows);
@@ -31,7 +32,8 @@ std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::ui
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted", ExitCode::interrupted);
     const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(kRows, reader.info().points - first));
-    const std::size_t got = reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
+    const std::size_t got =
+        reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     for (std::size_t i = 0; i < got; ++i) {
       if (valid[i] != 0) visit(&rows[i * length]);
       if (valid[i] == 0) ++rejected;
@@ -44,7 +46,9 @@ std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::ui
 }
 
 Vec3 world(const RecordLayout& layout, const std::byte* row) {
-  const auto axis = [&](std::size_t i) { return load<std::int32_t>(row + 4 * i) * layout.scale[i] + layout.offset[i]; };
+  const auto axis = [&](std::size_t i) {
+    return load<std::int32_t>(row + 4 * i) * layout.scale[i] + layout.offset[i];
+  };
   return {axis(0), axis(1), axis(2)};
 }
 
@@ -96,7 +100,8 @@ struct Lattice {
   }
 };
 
-// The occupied windows with the smallest keys: a fair choice in one reading, since a window once outbid stays so.
+// The occupied windows with the smallest keys: a fair choice in one reading, since a window once outbid stays
+// so.
 class Windows {
  public:
   void add(std::size_t window, Vec3 p) {
@@ -123,9 +128,8 @@ class Windows {
  private:
   // Squared distance from each point to its nearest other place, found by sweeping along x.
   static void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
-    std::sort(points.begin(), points.end(), [](Vec3 a, Vec3 b) {
-      return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
-    });
+    std::sort(points.begin(), points.end(),
+              [](Vec3 a, Vec3 b) { return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z); });
     const auto same = [](Vec3 a, Vec3 b) { return a.x == b.x && a.y == b.y && a.z == b.z; };
     points.erase(std::unique(points.begin(), points.end(), same), points.end());
     if (points.size() < 2) return;
@@ -160,7 +164,8 @@ CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::ui
   for_each_row(reader, advance, [&](const std::byte* row) {
     const Vec3 p = world(info.layout, row);
     occupied[cells.cell(p)] = true;
-    chosen.add(windows.cell(p), {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
+    chosen.add(windows.cell(p),
+               {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
   });
   const auto full = static_cast<double>(std::count(occupied.begin(), occupied.end(), true));
   m.occupied_area = full * cells.side * cells.side * metres * metres;

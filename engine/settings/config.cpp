@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/settings/config.h"
 
+#include <toml++/toml.h>
 #include <fstream>
 #include <sstream>
-#include <toml++/toml.h>
 
 #include "engine/error.h"
 #include "engine/settings/parameters.h"
@@ -24,16 +24,21 @@ std::string place(const std::string& name, toml::source_position where) {
 
 std::string describe(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "a list of other things";
-    case toml::node_type::string: return "a string";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list of other things";
+    case toml::node_type::string:
+      return "a string";
+    default:
+      return "a date or time";
   }
 }
 
 // The node as a Value; nullopt when no setting could hold it.
 std::optional<Value> read_value(const toml::node& node) {
-  if (const auto* text = node.as_string()) return text->get() == "auto" ? std::optional<Value>(Auto{}) : std::nullopt;
+  if (const auto* text = node.as_string())
+    return text->get() == "auto" ? std::optional<Value>(Auto{}) : std::nullopt;
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* whole = node.as_integer()) return whole->get();
   if (const auto* number = node.as_floating_point()) return number->get();
@@ -117,7 +122,8 @@ void load_config_text(Settings& settings, std::string_view text, const std::stri
 void load_config(Settings& settings, const std::filesystem::path& path) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (code) throw Error(path.string() + ": cannot read the configuration: " + code.message(), ExitCode::usage);
+  if (code)
+    throw Error(path.string() + ": cannot read the configuration: " + code.message(), ExitCode::usage);
   if (size > kMaxConfigBytes) {
     throw Error(path.string() + ": larger than 1 MiB, so not a configuration of ilot", ExitCode::usage);
   }
@@ -159,7 +165,8 @@ std::string print_config(const Settings& settings) {
     if (group != section) out << "\n[" << group << "]\n";
     section = group;
     out << "# " << comment_of(p, p.get(standard)) << "\n"
-        << (dot == std::string::npos ? p.key : p.key.substr(dot + 1)) << " = " << to_text(p.get(settings)) << "\n";
+        << (dot == std::string::npos ? p.key : p.key.substr(dot + 1)) << " = " << to_text(p.get(settings))
+        << "\n";
   }
   return out.str();
 }
@@ -167,14 +174,17 @@ std::string print_config(const Settings& settings) {
 std::string parameters_markdown() {
   std::ostringstream out;
   out << "# Parameters\n\n"
-      << "Generated from the table in `engine/settings/parameters.cpp`. Each is a key of the configuration file\n"
-      << "(`--config`) and of `--set KEY=VALUE`. Lengths are metres and angles degrees, whatever the unit of the input.\n\n"
+      << "Generated from the table in `engine/settings/parameters.cpp`. Each is a key of the configuration "
+         "file\n"
+      << "(`--config`) and of `--set KEY=VALUE`. Lengths are metres and angles degrees, whatever the unit of "
+         "the input.\n\n"
       << "| key | default | range | meaning |\n|---|---|---|---|\n";
   const Settings standard;
   for (const Parameter& p : parameters()) {
     std::string range = p.kind == ValueKind::boolean ? "true or false" : range_text(p);
     if (p.optional) range += ", or `auto`";
-    out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help << " |\n";
+    out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help
+        << " |\n";
   }
   return out.str();
 }

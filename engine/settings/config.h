@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings in and out as text. The order of precedence is the caller's order of calls: defaults, then the file, then
-// each --set. Every fault is an Error with ExitCode::usage that names the place, the range or the nearest key.
+// Settings in and out as text. The order of precedence is the caller's order of calls: defaults, then the
+// file, then each --set. Every fault is an Error with ExitCode::usage that names the place, the range or the
+// nearest key.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -12,8 +13,8 @@
 
 namespace ilot {
 
-// Overwrites the settings that the TOML file gives and leaves the others. Faults read "FILE:LINE:COLUMN: ...". On a
-// fault nothing is changed. Files above 1 MiB are refused.
+// Overwrites the settings that the TOML file gives and leaves the others. Faults read "FILE:LINE:COLUMN:
+// ...". On a fault nothing is changed. Files above 1 MiB are refused.
 void load_config(Settings& settings, const std::filesystem::path& path);
 
 // The same on text; `name` stands for the file in messages.
@@ -22,8 +23,8 @@ void load_config_text(Settings& settings, std::string_view text, const std::stri
 // "planes.epsilon=0.02", "classes.noise=[7, 18]", "planes.epsilon=auto". Faults read "--set ASSIGNMENT: ...".
 void apply_assignment(Settings& settings, std::string_view assignment);
 
-// A commented TOML of all settings with default, unit, range and one line of meaning; load_config reads it back to
-// the same settings.
+// A commented TOML of all settings with default, unit, range and one line of meaning; load_config reads it
+// back to the same settings.
 std::string print_config(const Settings& settings);
 
 // docs/parameters.md.

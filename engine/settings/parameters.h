@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of settings: what the configuration file, --set, --print-config, docs/parameters.md and run.json know
-// of a setting comes from here.
+// The one table of settings: what the configuration file, --set, --print-config, docs/parameters.md and
+// run.json know of a setting comes from here.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -29,12 +29,12 @@ struct ValueRange {
 };
 
 struct Parameter {
-  std::string key;    // "planes.epsilon"
+  std::string key;  // "planes.epsilon"
   ValueKind kind;
-  bool optional;      // `auto` is a value
-  ValueRange range;   // of each entry of a list; of no meaning for booleans
-  std::string unit;   // "m", "deg" or empty
-  std::string help;   // one line
+  bool optional;     // `auto` is a value
+  ValueRange range;  // of each entry of a list; of no meaning for booleans
+  std::string unit;  // "m", "deg" or empty
+  std::string help;  // one line
   std::function<Value(const Settings&)> get;
   std::function<void(Settings&, const Value&)> set;  // expects a value that check_value() accepts
 };
@@ -45,17 +45,19 @@ const std::vector<Parameter>& parameters();
 // nullptr when there is none of that name.
 const Parameter* find_parameter(std::string_view key);
 
-// The key with the smallest edit distance (insert, delete, replace, swap of neighbours), ties to the earlier one.
+// The key with the smallest edit distance (insert, delete, replace, swap of neighbours), ties to the earlier
+// one.
 const Parameter& nearest_parameter(std::string_view key);
 
-// What is wrong with the value, as the end of a sentence ("planes.epsilon = 20 is out of range: ..."); nullopt when
-// nothing is. An integer is accepted for a number, nothing else is converted.
+// What is wrong with the value, as the end of a sentence ("planes.epsilon = 20 is out of range: ...");
+// nullopt when nothing is. An integer is accepted for a number, nothing else is converted.
 std::optional<std::string> check_value(const Parameter& parameter, const Value& value);
 
 // What the parameter takes: "a number (m) or \"auto\"".
 std::string expected_text(const Parameter& parameter);
 
-// As TOML: `"auto"`, `true`, `16`, `0.02`, `[7, 18]`. Numbers with the fewest digits that read back to the same bits.
+// As TOML: `"auto"`, `true`, `16`, `0.02`, `[7, 18]`. Numbers with the fewest digits that read back to the
+// same bits.
 std::string to_text(const Value& value);
 
 // "0.0001 to 10 m"; empty for booleans.

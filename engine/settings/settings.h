@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every value that a user can set and that can change a result, with its default. Lengths are metres, angles degrees,
-// whatever the unit of the input. nullopt = auto: computed from the measured sampling step and noise. To add one:
-// a line here and a line in the table of parameters.cpp; TOML, --set, help, docs and run.json follow.
+// Every value that a user can set and that can change a result, with its default. Lengths are metres, angles
+// degrees, whatever the unit of the input. nullopt = auto: computed from the measured sampling step and
+// noise. To add one: a line here and a line in the table of parameters.cpp; TOML, --set, help, docs and
+// run.json follow.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,9 +15,9 @@ struct IndexSettings {
 };
 
 struct NormalsSettings {
-  int neighbours = 16;      // nearest points that a normal is fitted to
-  double max_radius = 10;   // metres; neighbours farther away are not used
-  bool write = false;       // write NormalX, NormalY, NormalZ
+  int neighbours = 16;     // nearest points that a normal is fitted to
+  double max_radius = 10;  // metres; neighbours farther away are not used
+  bool write = false;      // write NormalX, NormalY, NormalZ
 };
 
 struct PlanesSettings {

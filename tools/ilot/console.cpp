@@ -83,7 +83,9 @@ ProgressOptions console_options(Verbosity verbosity, const std::string& log, int
 
 }  // namespace
 
-void say(std::string_view text) { write_all(STDERR_FILENO, text); }
+void say(std::string_view text) {
+  write_all(STDERR_FILENO, text);
+}
 
 void print(std::string_view text) {
   if (!write_all(STDOUT_FILENO, text)) throw Error(std::string("standard output: ") + std::strerror(errno));
@@ -118,6 +120,8 @@ struct ConsoleProgress::Parts {
 ConsoleProgress::ConsoleProgress(Verbosity verbosity, const std::string& log)
     : parts_(std::make_unique<Parts>(verbosity, log)) {}
 ConsoleProgress::~ConsoleProgress() = default;
-Progress& ConsoleProgress::get() { return parts_->progress; }
+Progress& ConsoleProgress::get() {
+  return parts_->progress;
+}
 
 }  // namespace ilot

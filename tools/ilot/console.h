@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where words leave the program: lines for people on standard error, results on standard output, events on a log.
+// Where words leave the program: lines for people on standard error, results on standard output, events on a
+// log.
 #pragma once
 #include <memory>
 #include <string>
@@ -15,8 +16,9 @@ void say(std::string_view text);
 // Standard output. Error when it cannot be written.
 void print(std::string_view text);
 
-// Progress on the console and, if asked for, as JSON lines on `log`: a file (replaced), `-` for standard error or
-// `fd:N` for an open descriptor. A timer keeps the line alive. One live line on a terminal; NO_COLOR is respected.
+// Progress on the console and, if asked for, as JSON lines on `log`: a file (replaced), `-` for standard
+// error or `fd:N` for an open descriptor. A timer keeps the line alive. One live line on a terminal; NO_COLOR
+// is respected.
 class ConsoleProgress {
  public:
   ConsoleProgress(Verbosity verbosity, const std::string& log);

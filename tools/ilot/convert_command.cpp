@@ -44,7 +44,8 @@ Copied copy_points(PointReader& reader, PointWriter& writer, Progress& progress)
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
     const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(kRows, reader.info().points - first));
-    const std::size_t got = reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
+    const std::size_t got =
+        reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     const std::size_t kept = keep_valid(rows, std::span(valid).first(got), length);
     writer.write(std::span(rows).first(kept * length));
     copied.written += kept;
@@ -109,8 +110,8 @@ int convert_command(const ConvertArguments& given) {
   }
   const std::uint64_t missing = std::max(info.declared_points, info.points) - copied.written;
   if (missing == 0) return static_cast<int>(ExitCode::ok);
-  progress.warn(fmt::format("{}: {} of {} points left out, {} of them for unusable coordinates", given.input, missing,
-                            missing + copied.written, copied.rejected));
+  progress.warn(fmt::format("{}: {} of {} points left out, {} of them for unusable coordinates", given.input,
+                            missing, missing + copied.written, copied.rejected));
   return static_cast<int>(ExitCode::incomplete);
 }
 

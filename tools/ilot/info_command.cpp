@@ -53,7 +53,9 @@ std::vector<std::string> warnings_of(const CloudInfo& info, const CloudMeasure& 
   return list;
 }
 
-Json vector_json(Vec3 v) { return Json::array({v.x, v.y, v.z}); }
+Json vector_json(Vec3 v) {
+  return Json::array({v.x, v.y, v.z});
+}
 
 Json crs_json(const Crs& crs) {
   return {{"name", crs.name},
@@ -75,7 +77,8 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
          {"crs", crs_json(info.crs)}};
   j["extra_bytes"] = Json::array();
   for (const ExtraField& field : info.layout.extra) {
-    j["extra_bytes"].push_back({{"name", field.name}, {"description", field.description}, {"bytes", field.size}});
+    j["extra_bytes"].push_back(
+        {{"name", field.name}, {"description", field.description}, {"bytes", field.size}});
   }
   j["points"] = {{"declared", info.declared_points}, {"read", m.points}, {"rejected", m.rejected}};
   j["bounds"] = {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}};
@@ -105,14 +108,16 @@ std::string crs_text(const Crs& crs) {
 
 std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   std::string out = info.path.string() + "\n";
-  const auto row = [&](const char* name, const std::string& value) { out += fmt::format("  {:<14} {}\n", name, value); };
+  const auto row = [&](const char* name, const std::string& value) {
+    out += fmt::format("  {:<14} {}\n", name, value);
+  };
   row("format", fmt::format("{} {}.{}, point format {}, {} bytes per point", info.format, info.version_major,
                             info.version_minor, info.layout.point_format, info.layout.record_length));
   for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
   row("CRS", crs_text(info.crs));
   row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
-  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z, m.max.x,
-                            m.max.y, m.max.z));
+  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z,
+                            m.max.x, m.max.y, m.max.z));
   for (std::size_t code = 0; code < m.classes.size(); ++code) {
     if (m.classes[code] == 0) continue;
     const double share = 100.0 * static_cast<double>(m.classes[code]) / static_cast<double>(m.points);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of options that need more than a number parser. Faults are Errors with ExitCode::usage that name the option.
+// Values of options that need more than a number parser. Faults are Errors with ExitCode::usage that name the
+// option.
 #pragma once
 #include <cstdint>
 #include <string>

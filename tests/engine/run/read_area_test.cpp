@@ -35,7 +35,8 @@ TEST(Bounds, CornersInAnyOrderAndClosed) {
 }
 
 TEST(Bounds, Faults) {
-  for (const char* text : {"", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1;2;3;4", "1,2,inf,4", "nan,0,1,1", "1,2,1,4"}) {
+  for (const char* text :
+       {"", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1;2;3;4", "1,2,inf,4", "nan,0,1,1", "1,2,1,4"}) {
     EXPECT_EQ(fault_of([&] { parse_bounds(text); }).substr(0, 9), "--bounds ") << text;
   }
 }
@@ -52,15 +53,18 @@ TEST(ReadArea, GeoJsonWithAHole) {
 TEST(ReadArea, WktEqualsGeoJson) {
   const Area a = parse_area(kSquareWithHole, "a.json");
   const Area b = parse_area("POLYGON((0 0,10 0,10 10,0 10,0 0),(4 4,6 4,6 6,4 6,4 4))", "b.wkt");
-  const Area c = parse_area(" SRID=2154;MultiPolygon Z (((0 0 1, 10 0 1,10 10 1,0 10 1,0 0 1),(4 4 1,6 4 1,6 6 1,4 6 1)))\n", "c");
+  const Area c = parse_area(
+      " SRID=2154;MultiPolygon Z (((0 0 1, 10 0 1,10 10 1,0 10 1,0 0 1),(4 4 1,6 4 1,6 6 1,4 6 1)))\n", "c");
   EXPECT_EQ(a.rings, b.rings);
   EXPECT_EQ(a.rings, c.rings);
   EXPECT_EQ(c.max_x, 10);
 }
 
 TEST(ReadArea, FeaturesAreJoined) {
-  const std::string one = R"({"type":"Feature","properties":null,"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1]]]]}})";
-  const std::string two = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[5,5],[9,5],[5,9]]]}})";
+  const std::string one =
+      R"({"type":"Feature","properties":null,"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1]]]]}})";
+  const std::string two =
+      R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[5,5],[9,5],[5,9]]]}})";
   const Area a = parse_area(R"({"type":"FeatureCollection","features":[)" + one + "," + two + "]}", "t");
   EXPECT_TRUE(a.contains(0.25, 0.25));
   EXPECT_TRUE(a.contains(6, 6));
@@ -79,20 +83,34 @@ TEST(ReadArea, NeighboursShareNoPoint) {
 }
 
 TEST(ReadArea, Faults) {
-  for (const char* text :
-       {"", "{}", "{", "POINT(1 2)", "POLYGON", "POLYGON((", "POLYGON((0 0,1 1))", "POLYGON((0 0,1 0,1 1,0 0)", "[1,2]",
-        "POLYGON((0 0,1 0,1 nan))", "POLYGON((0 0,1 0,1 1)) x", "POLYGON M ((0 0 1,1 0 1,1 1 1))",
-        R"({"type":"Point","coordinates":[1,2]})", R"({"type":"Polygon","coordinates":[]})",
-        R"({"type":"Polygon","coordinates":[[[0,0],[1],[1,1]]]})", R"({"type":"Polygon","coordinates":[[1,2,3]]})",
-        R"({"type":"Polygon","coordinates":[[[0,0],[1e999,1],[1,1]]]})", R"({"type":7})",
-        R"({"type":"Feature","geometry":null})", R"({"type":"Polygon","coordinates":"x"})"}) {
+  for (const char* text : {"",
+                           "{}",
+                           "{",
+                           "POINT(1 2)",
+                           "POLYGON",
+                           "POLYGON((",
+                           "POLYGON((0 0,1 1))",
+                           "POLYGON((0 0,1 0,1 1,0 0)",
+                           "[1,2]",
+                           "POLYGON((0 0,1 0,1 nan))",
+                           "POLYGON((0 0,1 0,1 1)) x",
+                           "POLYGON M ((0 0 1,1 0 1,1 1 1))",
+                           R"({"type":"Point","coordinates":[1,2]})",
+                           R"({"type":"Polygon","coordinates":[]})",
+                           R"({"type":"Polygon","coordinates":[[[0,0],[1],[1,1]]]})",
+                           R"({"type":"Polygon","coordinates":[[1,2,3]]})",
+                           R"({"type":"Polygon","coordinates":[[[0,0],[1e999,1],[1,1]]]})",
+                           R"({"type":7})",
+                           R"({"type":"Feature","geometry":null})",
+                           R"({"type":"Polygon","coordinates":"x"})"}) {
     EXPECT_EQ(fault_of([&] { parse_area(text, "a.json"); }).substr(0, 8), "a.json: ") << text;
   }
   EXPECT_EQ(fault_of([] { read_area("/nonexistent.json"); }),
             "/nonexistent.json: cannot read the area: No such file or directory");
   std::string deep;
   for (int i = 0; i < 100; ++i) deep += R"({"type":"Feature","geometry":)";
-  EXPECT_EQ(fault_of([&] { parse_area(deep + "null" + std::string(100, '}'), "d"); }), "d: collections nest too deeply");
+  EXPECT_EQ(fault_of([&] { parse_area(deep + "null" + std::string(100, '}'), "d"); }),
+            "d: collections nest too deeply");
 }
 
 TEST(ReadArea, FromAFile) {

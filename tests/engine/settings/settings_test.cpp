@@ -40,10 +40,11 @@ std::string set_fault(const std::string& assignment) {
 
 TEST(Config, ReadsEveryKindOfValue) {
   Settings s;
-  load_config_text(s,
-                   "seed = 9\n[planes]\nepsilon = 0.02\nmin_points = \"auto\"\njoin_angle = 5\n[normals]\nwrite = true\n"
-                   "[classes]\nbuilding = [6, 67]\nnoise = []\n",
-                   "t");
+  load_config_text(
+      s,
+      "seed = 9\n[planes]\nepsilon = 0.02\nmin_points = \"auto\"\njoin_angle = 5\n[normals]\nwrite = true\n"
+      "[classes]\nbuilding = [6, 67]\nnoise = []\n",
+      "t");
   EXPECT_EQ(s.seed, 9u);
   EXPECT_EQ(s.planes.epsilon, 0.02);
   EXPECT_FALSE(s.planes.min_points);
@@ -84,12 +85,14 @@ TEST(Config, NamesTheType) {
             "ilot.toml:2:11: planes.epsilon must be a number (m) or \"auto\", not a string");
   EXPECT_EQ(load_fault("[normals]\nneighbours = 8.5\n"),
             "ilot.toml:2:14: normals.neighbours must be a whole number (points), not 8.5");
-  EXPECT_EQ(load_fault("[normals]\nwrite = 1\n"), "ilot.toml:2:9: normals.write must be true or false, not 1");
+  EXPECT_EQ(load_fault("[normals]\nwrite = 1\n"),
+            "ilot.toml:2:9: normals.write must be true or false, not 1");
   EXPECT_EQ(load_fault("[normals]\nneighbours = \"auto\"\n"),
             "ilot.toml:2:14: normals.neighbours cannot be \"auto\": it must be a whole number (points)");
   EXPECT_EQ(load_fault("[classes]\nnoise = [7, \"x\"]\n"),
             "ilot.toml:2:9: classes.noise must be a list of whole numbers, not a list of other things");
-  EXPECT_EQ(load_fault("seed = 1979-05-27\n"), "ilot.toml:1:8: seed must be a whole number, not a date or time");
+  EXPECT_EQ(load_fault("seed = 1979-05-27\n"),
+            "ilot.toml:1:8: seed must be a whole number, not a date or time");
   EXPECT_EQ(load_fault("[seed]\nx = 1\n"), "ilot.toml:1:2: seed must be a whole number, not a table");
 }
 
@@ -164,7 +167,8 @@ TEST(PrintConfig, LoadsBackToTheSameSettings) {
     EXPECT_EQ(settings_json(settings), settings_json(back));
   }
   EXPECT_EQ(differing_keys(Settings{}, s),
-            (std::vector<std::string>{"seed", "normals.write", "planes.epsilon", "planes.min_points", "classes.noise"}));
+            (std::vector<std::string>{"seed", "normals.write", "planes.epsilon", "planes.min_points",
+                                      "classes.noise"}));
 }
 
 TEST(SettingsHash, ChangesWithEveryParameter) {
@@ -198,7 +202,8 @@ TEST(Parameters, DocumentationIsUpToDate) {
   std::ifstream file(path);
   std::stringstream text;
   text << file.rdbuf();
-  EXPECT_EQ(text.str(), parameters_markdown()) << "run this test with ILOT_UPDATE_GOLDEN=1 and review docs/parameters.md";
+  EXPECT_EQ(text.str(), parameters_markdown())
+      << "run this test with ILOT_UPDATE_GOLDEN=1 and review docs/parameters.md";
 }
 
 }  // namespace
