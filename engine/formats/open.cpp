@@ -37,7 +37,7 @@ bool looks_like_ply(std::span<const std::byte> bytes) {
 
 std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
   LasContainer container = parse_las(*file);
-  if (container.compressed) throw Error(file->path().string() + ": LAZ is not supported yet; decompress it to LAS");
+  if (container.compressed) return open_laz(std::move(file), std::move(container));
   return open_las(std::move(file), std::move(container));
 }
 

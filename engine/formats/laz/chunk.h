@@ -7,6 +7,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/formats/fields.h"
+
 namespace ilot::laz {
 
 struct ChunkLayout {
@@ -14,24 +16,6 @@ struct ChunkLayout {
   std::uint16_t record_length = 20;  // bytes, at least the format's standard size; the rest are extra bytes
   std::uint8_t item_version = 2;     // 2 (formats 0-5), 3 or 4 (formats 6-10)
   bool layered() const { return point_format >= 6; }
-};
-
-// Attributes to decode, of layered chunks. x, y, returns and scanner channel always are. The others of one point hold
-// unspecified values when not asked for.
-enum Fields : std::uint32_t {
-  kFieldZ = 1,
-  kFieldClass = 2,
-  kFieldFlags = 4,
-  kFieldIntensity = 8,
-  kFieldAngle = 16,
-  kFieldUser = 32,
-  kFieldSource = 64,
-  kFieldGpsTime = 128,
-  kFieldRgb = 256,
-  kFieldNir = 512,
-  kFieldWavepacket = 1024,
-  kFieldExtra = 2048,
-  kAllFields = 4095,
 };
 
 // Decodes one chunk after the other. Keeps its models (1 to 2 MB, more with several scanner channels) between chunks and
@@ -44,7 +28,8 @@ class ChunkDecoder {
   ChunkDecoder& operator=(ChunkDecoder&&) noexcept;
 
   // Sets out to decode `points` > 0 points. False: the chunk cannot hold them. `chunk` must stay until the last next().
-  // It may be longer than the chunk (when nothing tells its size): see consumed().
+  // `fields`: attributes to decode, of layered chunks; x, y, returns and scanner channel always are, and the others hold
+  // anything when not asked for. The chunk may be longer than it should (when nothing tells its size): see consumed().
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields = kAllFields);
 
   // Decodes the next records.size() / record_length points. False: the chunk is damaged, the records are worthless.
@@ -67,12 +52,16 @@ class ChunkDecoder {
 bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::span<std::byte> records,
                   std::uint16_t record_length, std::uint32_t fields = kAllFields);
 
-// Points that a layered chunk at the start of `chunk` says it holds, and its size in bytes; 0 when it is not whole.
+// Points that a layered chunk says it holds, and its size in bytes; 0 when it is not whole. `head`: its beginning, at
+// least the raw point and the sizes of the streams; `available`: bytes from its start to what bounds it.
 struct LayeredExtent {
   std::uint64_t points = 0;
   std::uint64_t bytes = 0;
 };
-LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> chunk);
+LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head,
+                             std::uint64_t available);
+// Bytes of the raw point and the sizes of the streams.
+std::size_t layered_head(const ChunkLayout& layout);
 
 // Encodes chunks; keeps its models and buffers between them. Bytes are those of LASzip for the same points.
 class ChunkEncoder {

@@ -89,7 +89,7 @@ class LayeredDecoder final : public ChunkDecoder::Implementation {
       : Implementation(layout.record_length), layout_(layout), codec_(layout), sizes_(codec_.plan().layers) {}
 
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields) override {
-    const LayeredExtent extent = layered_extent(layout_, chunk);
+    const LayeredExtent extent = layered_extent(layout_, chunk, chunk.size());
     if (extent.points != points || points == 0) return false;
     restart(chunk.first(extent.bytes), points);
     std::size_t at = codec_.plan().fixed_bytes();
@@ -152,18 +152,20 @@ bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::
          decoder.ended_well();
 }
 
-LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> chunk) {
+std::size_t layered_head(const ChunkLayout& layout) { return LayeredPlan(layout).fixed_bytes(); }
+
+LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head, std::uint64_t available) {
   const LayeredPlan plan(layout);
-  if (chunk.size() < plan.fixed_bytes()) return {};
-  const std::byte* sizes = chunk.data() + plan.record_length + 4;
+  if (head.size() < plan.fixed_bytes()) return {};
+  const std::byte* sizes = head.data() + plan.record_length + 4;
   std::uint64_t bytes = plan.fixed_bytes();
   for (std::uint32_t i = 0; i < plan.layers; ++i) {
     const auto size = load<std::uint32_t>(sizes + 4 * std::size_t{i});
     if (size > 0 && size < 4) return {};
     bytes += size;
   }
-  if (bytes > chunk.size()) return {};
-  return {load<std::uint32_t>(chunk.data() + plan.record_length), bytes};
+  if (bytes > available) return {};
+  return {load<std::uint32_t>(head.data() + plan.record_length), bytes};
 }
 
 }  // namespace ilot::laz
