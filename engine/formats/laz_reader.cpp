@@ -106,9 +106,9 @@ class LazReader final : public PointReader {
   bool advance(Cursor& c, std::span<std::byte> records) {
     c.at += records.size() / info_.layout.record_length;
     const bool ended = c.at == c.end;
-    if (c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well())) return true;
-    c.at = c.end = UINT64_MAX;
-    return false;
+    const bool whole = c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well());
+    if (ended || !whole) c.at = c.end = UINT64_MAX;
+    return whole;
   }
 
   std::unique_ptr<InputFile> file_;
