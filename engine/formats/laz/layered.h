@@ -65,7 +65,7 @@ class LayeredCodec {
     Point14 p{};
     if constexpr (kEncodes) p = Point14::from(record);
     const bool new_channel = core_.code(streams_.data(), p);
-    if constexpr (!kEncodes) p.to(record);
+    if constexpr (!kEncodes) core_.last().to(record);
     if (plan_.record_length > Point14::kSize) code_tail(record, new_channel);
   }
 

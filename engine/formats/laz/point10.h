@@ -3,6 +3,7 @@
 #pragma once
 #include <cstdint>
 
+#include "engine/cloud/record.h"
 #include "engine/formats/laz/integer_codec.h"
 #include "engine/formats/laz/predict.h"
 
@@ -16,6 +17,18 @@ struct Point10 {  // as in the file
   std::uint8_t angle;
   std::uint8_t user;
   std::uint16_t source;
+
+  void to(std::byte* record) const {
+    store(record, x);
+    store(record + 4, y);
+    store(record + 8, z);
+    store(record + 12, intensity);
+    store(record + 14, returns);
+    store(record + 15, classification);
+    store(record + 16, angle);
+    store(record + 17, user);
+    store(record + 18, source);
+  }
 };
 static_assert(sizeof(Point10) == 20);
 
@@ -29,19 +42,20 @@ class Point10Codec {
     std::fill(std::begin(last_z_), std::end(last_z_), 0);
   }
 
-  // Encodes p, or decodes into it.
-  void code(Coder& coder, Point10& p) {
-    constexpr bool kEncodes = Coder::kEncodes;
-    if constexpr (!kEncodes) p = last_;
-    const std::uint32_t changed = coder.symbol(changed_, kEncodes ? changes(p) : 0);
-    if (changed & kReturns) p.returns = byte(coder, returns_[last_.returns], p.returns);
-    const std::uint32_t r = p.returns & 7u, n = (p.returns >> 3) & 7u;
-    const std::uint32_t m = kReturnMap8[n][r];
-    code_intensity(coder, p, changed, m);
-    if (changed) [[unlikely]] code_attributes(coder, p, changed);
-    code_coordinates(coder, p, m, n, r);
-    last_ = p;
+  // Encodes p (or decodes a point, which is last() then). Decoding works in place, value by value: a copy of fields just
+  // written would wait for all of them, and with it the next point.
+  void code(Coder& coder, const Point10& p) {
+    const std::uint32_t changed = coder.symbol(changed_, Coder::kEncodes ? changes(p) : 0);
+    if constexpr (Coder::kEncodes) {
+      Point10 value = p;
+      code_values(coder, value, changed);
+      last_ = value;
+    } else {
+      code_values(coder, last_, changed);
+    }
   }
+
+  const Point10& last() const { return last_; }
 
  private:
   enum Change : std::uint32_t { kSource = 1, kUser = 2, kAngle = 4, kClass = 8, kIntensity = 16, kReturns = 32 };
@@ -56,6 +70,16 @@ class Point10Codec {
     return (p.returns != last_.returns ? kReturns : 0u) | (p.intensity != last_intensity_[m] ? kIntensity : 0u) |
            (p.classification != last_.classification ? kClass : 0u) | (p.angle != last_.angle ? kAngle : 0u) |
            (p.user != last_.user ? kUser : 0u) | (p.source != last_.source ? kSource : 0u);
+  }
+
+  // p may be last_: each value is read before it is written.
+  void code_values(Coder& coder, Point10& p, std::uint32_t changed) {
+    if (changed & kReturns) p.returns = byte(coder, returns_[last_.returns], p.returns);
+    const std::uint32_t r = p.returns & 7u, n = (p.returns >> 3) & 7u;
+    const std::uint32_t m = kReturnMap8[n][r];
+    code_intensity(coder, p, changed, m);
+    if (changed & ~(kReturns | kIntensity)) code_attributes(coder, p, changed);
+    code_coordinates(coder, p, m, n, r);
   }
 
   void code_intensity(Coder& coder, Point10& p, std::uint32_t changed, std::uint32_t m) {

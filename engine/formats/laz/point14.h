@@ -30,7 +30,16 @@ struct Point14 {
     return p;
   }
   void to(std::byte* record) const {
-    std::memcpy(record, this, kGpsOffset);
+    store(record, x);
+    store(record + 4, y);
+    store(record + 8, z);
+    store(record + 12, intensity);
+    store(record + 14, returns);
+    store(record + 15, flags);
+    store(record + 16, classification);
+    store(record + 17, user);
+    store(record + 18, angle);
+    store(record + 20, source);
     store(record + kGpsOffset, gps_time);
   }
   std::uint32_t r() const { return returns & 15u; }
@@ -70,23 +79,24 @@ class Point14Codec {
 
   std::uint32_t channel() const { return current_; }
 
-  // Encodes p, or decodes into it. Returns whether the scanner channel differs from the last point's.
-  bool code(Stream<Coder>* streams, Point14& p) {
-    const Point14 previous = channels_[current_]->last;
-    const std::uint32_t change = code_change(streams[kLayerXy].coder, previous, p);
+  // Encodes p (or decodes a point, which is last() then). Returns whether the scanner channel differs from the last
+  // point's. Decoding works in place, value by value: a copy of fields just written would wait for all of them, and with
+  // it the next point.
+  bool code(Stream<Coder>* streams, const Point14& p) {
+    const std::uint32_t change = code_change(streams[kLayerXy].coder, channels_[current_]->last, p);
     Channel& c = *channels_[current_];
-    if constexpr (!kEncodes) p = c.last;
-    const bool new_time = change & kGps;
-    code_returns(streams[kLayerXy].coder, c, change, p);
-    const std::uint32_t last_return = p.r() >= p.n();
-    const std::uint32_t cpr = (p.r() == 1 ? 2u : 0u) | last_return;
-    code_coordinates(streams, c, p, new_time);
-    code_attributes(streams, c, p, cpr, new_time);
-    code_rare(streams, c, p, change);
-    c.last = p;
-    c.new_time = new_time;
+    if constexpr (kEncodes) {
+      Point14 value = p;
+      code_values(streams, c, value, change);
+      c.last = value;
+    } else {
+      code_values(streams, c, c.last, change);
+    }
+    c.new_time = change & kGps;
     return change & kChannel;
   }
+
+  const Point14& last() const { return channels_[current_]->last; }
 
  private:
   static constexpr bool kEncodes = Coder::kEncodes;
@@ -152,6 +162,17 @@ class Point14Codec {
       channels_[current_]->last.set_channel(current_);
     }
     return change;
+  }
+
+  // p may be c.last: each value is read before it is written.
+  static void code_values(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t change) {
+    const bool new_time = change & kGps;
+    code_returns(streams[kLayerXy].coder, c, change, p);
+    const std::uint32_t last_return = p.r() >= p.n();
+    const std::uint32_t cpr = (p.r() == 1 ? 2u : 0u) | last_return;
+    code_coordinates(streams, c, p, new_time);
+    code_attributes(streams, c, p, cpr, new_time);
+    code_rare(streams, c, p, change);
   }
 
   static void code_returns(Coder& coder, Channel& c, std::uint32_t change, Point14& p) {

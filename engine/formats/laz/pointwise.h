@@ -42,7 +42,7 @@ class PointwiseCodec {
     Point10 p{};
     if constexpr (kEncodes) p = load<Point10>(record);
     core_.code(coder, p);
-    if constexpr (!kEncodes) store(record, p);
+    if constexpr (!kEncodes) core_.last().to(record);
     if (gps_offset_) code_gps(coder, record + gps_offset_);
     if (rgb_offset_) code_rgb(coder, record + rgb_offset_);
     if (wave_offset_) code_wave(coder, record + wave_offset_);
