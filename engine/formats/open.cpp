@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/las.h"
+#include "engine/formats/laz.h"
 #include "engine/formats/pcd.h"
 #include "engine/formats/ply.h"
 #include "engine/formats/text.h"
@@ -37,7 +38,7 @@ bool looks_like_ply(std::span<const std::byte> bytes) {
 
 std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
   LasContainer container = parse_las(*file);
-  if (container.compressed) throw Error(file->path().string() + ": LAZ is not supported yet; decompress it to LAS");
+  if (container.compressed) return open_laz(std::move(file), std::move(container));
   return open_las(std::move(file), std::move(container));
 }
 
@@ -58,15 +59,16 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
   if (looks_like_pcd(beginning) || extension == ".pcd") return open_pcd(std::move(file));
   if (extension == ".ply") throw Error(path.string() + ": is not a PLY file (no ply at byte 0)");
   if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file));
-  throw Error(path.string() + ": is not a point cloud that can be read (LAS, PLY, PCD, or text as .xyz .txt .csv .pts .asc)");
+  throw Error(path.string() + ": is not a point cloud that can be read (LAS, LAZ, PLY, PCD, or text as .xyz .txt .csv .pts .asc)");
 }
 
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec) {
   const std::string extension = lower_extension(path);
   if (extension == ".las") return create_las(path, spec);
+  if (extension == ".laz") return create_laz(path, spec);
   if (extension == ".ply") return create_ply(path, spec);
   if (is_one_of(extension, {".csv", ".xyz", ".txt"})) return create_csv(path, spec);
-  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .ply, .csv, .xyz or .txt",
+  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .laz, .ply, .csv, .xyz or .txt",
               ExitCode::usage);
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/cloud/cloud_info.h"
+#include "engine/formats/fields.h"
 
 namespace ilot {
 
@@ -28,6 +29,10 @@ class PointReader {
   // Points at which a read should start and end: units of decoding (LAZ chunks). Strictly increasing, first 0, last
   // info().points. A read across a boundary is correct but decodes both sides.
   virtual std::vector<std::uint64_t> boundaries() const = 0;
+
+  // From now on only these attributes (of Fields) are looked at; the others may hold anything. Readers that decode
+  // attribute by attribute skip the rest. Not while another thread reads.
+  virtual void limit_to(std::uint32_t fields) { static_cast<void>(fields); }
 
   // Fills `records` (a multiple of layout.record_length) with the rows from `first` on; returns how many were whole.
   // Fewer than asked = the rest of the file is damaged (never the case for rows below info().points of binary

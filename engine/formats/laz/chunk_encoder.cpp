@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/formats/laz/chunk.h"
+#include "engine/formats/laz/layered.h"
+#include "engine/formats/laz/pointwise.h"
+
+namespace ilot::laz {
+
+class ChunkEncoder::Implementation {
+ public:
+  virtual ~Implementation() = default;
+  virtual void encode(std::span<const std::byte> records, std::vector<std::byte>& out) = 0;
+
+ protected:
+  std::uint32_t epoch_ = 0;
+};
+
+namespace {
+
+void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
+void append(std::vector<std::byte>& out, std::uint32_t v) {
+  std::byte bytes[4];
+  store(bytes, v);
+  append(out, bytes);
+}
+
+class PointwiseEncoder final : public ChunkEncoder::Implementation {
+ public:
+  explicit PointwiseEncoder(const ChunkLayout& layout)
+      : record_length_(layout.record_length), codec_(std::make_unique<PointwiseCodec<Encoder>>(layout)) {}
+
+  void encode(std::span<const std::byte> records, std::vector<std::byte>& out) override {
+    encoder_.start(++epoch_);
+    codec_->start(records.data());
+    for (std::size_t at = record_length_; at < records.size(); at += record_length_) {
+      codec_->code(encoder_, records.data() + at);
+    }
+    append(out, records.first(record_length_));
+    append(out, encoder_.finish());
+  }
+
+ private:
+  std::size_t record_length_;
+  Encoder encoder_;
+  std::unique_ptr<PointwiseCodec<Encoder>> codec_;
+};
+
+class LayeredEncoder final : public ChunkEncoder::Implementation {
+ public:
+  explicit LayeredEncoder(const ChunkLayout& layout) : record_length_(layout.record_length), codec_(layout) {}
+
+  void encode(std::span<const std::byte> records, std::vector<std::byte>& out) override {
+    ++epoch_;
+    for (Stream<Encoder>& s : codec_.streams()) {
+      s.coder.start(epoch_);
+      s.active = false;
+    }
+    codec_.start(records.data());
+    for (std::size_t at = record_length_; at < records.size(); at += record_length_) {
+      codec_.code(records.data() + at);
+    }
+    codec_.streams()[kLayerXy].active = codec_.streams()[kLayerZ].active = true;
+    append(out, records.first(record_length_));
+    append(out, static_cast<std::uint32_t>(records.size() / record_length_));
+    append_streams(out);
+  }
+
+ private:
+  void append_streams(std::vector<std::byte>& out) {
+    streams_.clear();
+    for (Stream<Encoder>& s : codec_.streams()) {
+      streams_.push_back(s.active ? s.coder.finish() : std::span<const std::byte>());
+      append(out, static_cast<std::uint32_t>(streams_.back().size()));
+    }
+    for (const auto& s : streams_) append(out, s);
+  }
+
+  std::size_t record_length_;
+  LayeredCodec<Encoder> codec_;
+  std::vector<std::span<const std::byte>> streams_;
+};
+
+}  // namespace
+
+ChunkEncoder::ChunkEncoder(const ChunkLayout& layout) {
+  if (layout.layered()) {
+    implementation_ = std::make_unique<LayeredEncoder>(layout);
+  } else {
+    implementation_ = std::make_unique<PointwiseEncoder>(layout);
+  }
+}
+ChunkEncoder::~ChunkEncoder() = default;
+ChunkEncoder::ChunkEncoder(ChunkEncoder&&) noexcept = default;
+ChunkEncoder& ChunkEncoder::operator=(ChunkEncoder&&) noexcept = default;
+
+void ChunkEncoder::encode(std::span<const std::byte> records, std::vector<std::byte>& out) {
+  implementation_->encode(records, out);
+}
+
+}  // namespace ilot::laz

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+// Adaptive probability models of the LAZ arithmetic coder. A model is all zero bytes before its first use; it belongs to
+// the chunk whose epoch it carries and starts afresh when a coder of another epoch meets it. So a decoder allocates its
+// models once, and a new chunk costs nothing for models that it never touches.
+#pragma once
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
+namespace ilot::laz {
+
+constexpr std::uint32_t kSymbolShift = 15;
+constexpr std::uint32_t kSymbolTotal = 1u << kSymbolShift;
+constexpr std::uint32_t kBitShift = 13;
+constexpr std::uint32_t kBitTotal = 1u << kBitShift;
+
+// Width of the lookup table of a model with `symbols` symbols: about two buckets per symbol, so that the search behind
+// the lookup rarely takes a step.
+constexpr std::uint32_t table_bits(std::uint32_t symbols) {
+  std::uint32_t bits = 4;
+  while ((1u << bits) < 2 * symbols && bits < 9) ++bits;
+  return bits;
+}
+
+// At most kCapacity symbols; kLookup: with the table that decoders search by.
+template <std::uint32_t kCapacity, bool kLookup>
+class SymbolModel {
+ public:
+  static constexpr std::uint32_t kTableBits = table_bits(kCapacity);
+  static constexpr std::uint32_t kTableShift = kSymbolShift - kTableBits;
+  static_assert(kTableShift >= 6, "targets reach kSymbolTotal + 63, which must fall into the last bucket");
+
+  // Makes the model ready for a chunk; cheap when it already is. symbols in [2, kCapacity].
+  void prepare(std::uint32_t epoch, std::uint32_t symbols = kCapacity) {
+    if (epoch_ != epoch) [[unlikely]] restart(epoch, symbols);
+  }
+
+  std::uint32_t last_symbol() const { return last_; }
+  // Cumulative frequency below symbol s, of kSymbolTotal; s <= last_symbol() + 1, where it is a guard above all others.
+  std::uint32_t below(std::uint32_t s) const { return cumulated_[s]; }
+
+  // The largest s with below(s) <= target; target < kSymbolTotal + 64.
+  std::uint32_t find(std::uint32_t target) const {
+    static_assert(kLookup);
+    std::uint32_t s = table_[target >> kTableShift];
+    while (cumulated_[s + 1] <= target) ++s;
+    return s;
+  }
+
+  void count(std::uint32_t s) {
+    ++counts_[s];
+    if (--until_ == 0) [[unlikely]] update();
+  }
+
+ private:
+  using Entry = std::conditional_t<(kCapacity > 256), std::uint16_t, std::uint8_t>;
+  struct NoTable {};
+  using Table = std::conditional_t<kLookup, Entry[(1u << kTableBits) + 1], NoTable>;
+  static constexpr std::uint16_t kGuard = 0xFFFF;
+
+  [[gnu::noinline]] void restart(std::uint32_t epoch, std::uint32_t symbols) {
+    epoch_ = epoch;
+    last_ = symbols - 1;
+    total_ = 0;
+    cycle_ = symbols;
+    for (std::uint32_t i = 0; i < symbols; ++i) counts_[i] = 1;
+    update();
+    cycle_ = until_ = (symbols + 6) >> 1;
+  }
+
+  [[gnu::noinline]] void update() {
+    const std::uint32_t symbols = last_ + 1;
+    total_ += cycle_;
+    if (total_ > kSymbolTotal) halve(symbols);
+    const std::uint32_t scale = 0x80000000u / total_;
+    std::uint32_t sum = 0;
+    for (std::uint32_t i = 0; i < symbols; ++i) {
+      cumulated_[i] = static_cast<std::uint16_t>((scale * sum) >> (31 - kSymbolShift));
+      sum += counts_[i];
+    }
+    cumulated_[symbols] = kGuard;
+    if constexpr (kLookup) fill_table();
+    cycle_ = std::min((5 * cycle_) >> 2, (symbols + 6) << 3);
+    until_ = cycle_;
+  }
+
+  void halve(std::uint32_t symbols) {
+    total_ = 0;
+    for (std::uint32_t i = 0; i < symbols; ++i) {
+      counts_[i] = static_cast<std::uint16_t>((counts_[i] + 1) >> 1);
+      total_ += counts_[i];
+    }
+  }
+
+  // table_[b] = the symbol that holds the first target of bucket b.
+  void fill_table() {
+    constexpr std::uint32_t kBuckets = (1u << kTableBits) + 1;
+    std::uint32_t bucket = 0;
+    for (std::uint32_t s = 0; s < last_; ++s) {
+      const std::uint32_t end = (cumulated_[s + 1] + (1u << kTableShift) - 1) >> kTableShift;
+      while (bucket < end) table_[bucket++] = static_cast<Entry>(s);
+    }
+    while (bucket < kBuckets) table_[bucket++] = static_cast<Entry>(last_);
+  }
+
+  std::uint32_t epoch_;
+  std::uint32_t until_;
+  std::uint32_t last_;
+  std::uint32_t total_;
+  std::uint32_t cycle_;
+  std::uint16_t counts_[kCapacity];
+  std::uint16_t cumulated_[kCapacity + 1];
+  Table table_;
+};
+
+class BitModel {
+ public:
+  void prepare(std::uint32_t epoch) {
+    if (epoch_ != epoch) [[unlikely]] *this = fresh(epoch);
+  }
+  // Share of zeros, of kBitTotal.
+  std::uint32_t zero_share() const { return zero_share_; }
+  void count(std::uint32_t bit) {
+    zeros_ += bit ^ 1;
+    if (--until_ == 0) [[unlikely]] update();
+  }
+
+ private:
+  static BitModel fresh(std::uint32_t epoch) {
+    BitModel m;
+    m.epoch_ = epoch;
+    m.zeros_ = 1;
+    m.total_ = 2;
+    m.zero_share_ = kBitTotal / 2;
+    m.cycle_ = m.until_ = 4;
+    return m;
+  }
+  void update() {
+    total_ += cycle_;
+    if (total_ > kBitTotal) {
+      total_ = (total_ + 1) >> 1;
+      zeros_ = (zeros_ + 1) >> 1;
+      if (zeros_ == total_) ++total_;
+    }
+    const std::uint32_t scale = 0x80000000u / total_;
+    zero_share_ = (zeros_ * scale) >> (31 - kBitShift);
+    cycle_ = std::min((5 * cycle_) >> 2, 64u);
+    until_ = cycle_;
+  }
+
+  std::uint32_t epoch_;
+  std::uint32_t until_;
+  std::uint32_t zeros_;
+  std::uint32_t total_;
+  std::uint32_t zero_share_;
+  std::uint32_t cycle_;
+};
+
+}  // namespace ilot::laz

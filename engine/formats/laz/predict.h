@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+// Predictors and tables that the point codecs share.
+#pragma once
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace ilot::laz {
+
+// A running median of the last values: five sorted values, of which each new one drives out the largest or the smallest,
+// in turns of the side it falls on. Without branches on the values.
+class Median5 {
+ public:
+  std::int32_t get() const { return v_[2]; }
+  void add(std::int32_t x) {
+    const std::int32_t* kept = v_ + low_;
+    const std::int32_t a = kept[0], b = kept[1], c = kept[2], d = kept[3];
+    const bool below = x < v_[2], above = v_[2] < x;
+    low_ = low_ ? above : !below;
+    v_[0] = std::min(a, x);
+    v_[1] = std::max(a, std::min(b, x));
+    v_[2] = std::max(b, std::min(c, x));
+    v_[3] = std::max(c, std::min(d, x));
+    v_[4] = std::max(d, x);
+  }
+
+ private:
+  std::int32_t v_[5] = {};
+  std::uint32_t low_ = 0;  // 1: the next value drives out the smallest
+};
+
+constexpr std::int32_t clamp_byte(std::int32_t v) { return std::clamp(v, 0, 255); }
+
+// Contexts that bin the number of bits of the coordinates coded before.
+constexpr std::uint32_t y_context(std::uint32_t x_bits) { return x_bits < 20 ? x_bits & ~1u : 20; }
+constexpr std::uint32_t z_context(std::uint32_t mean_bits) { return mean_bits < 18 ? mean_bits & ~1u : 18; }
+
+// Point formats 0-5: [number of returns][return number].
+inline constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnMap8{{{15, 14, 13, 12, 11, 10, 9, 8},
+                                                                         {14, 0, 1, 3, 6, 10, 10, 9},
+                                                                         {13, 1, 2, 4, 7, 11, 11, 10},
+                                                                         {12, 3, 4, 5, 8, 12, 12, 11},
+                                                                         {11, 6, 7, 8, 9, 13, 13, 12},
+                                                                         {10, 10, 11, 12, 13, 14, 14, 13},
+                                                                         {9, 10, 11, 12, 13, 14, 15, 14},
+                                                                         {8, 9, 10, 11, 12, 13, 14, 15}}};
+
+// Point formats 6-10: [number of returns][return number].
+inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnMap16{{
+    {0, 1, 2, 3, 4, 5, 3, 4, 4, 5, 5, 5, 5, 5, 5, 5}, {1, 0, 1, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3},
+    {2, 1, 2, 4, 4, 4, 4, 4, 4, 4, 4, 3, 3, 3, 3, 3}, {3, 3, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {4, 3, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4}, {5, 3, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {3, 3, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4}, {4, 3, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4},
+    {4, 3, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4}, {5, 3, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4},
+    {5, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 4, 4, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4, 4}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
+}};
+
+}  // namespace ilot::laz

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <mutex>
+#include <string>
+
+#include "engine/error.h"
+#include "engine/formats/laz.h"
+#include "engine/formats/laz/chunk_index.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kSkipBlock = 512;  // points decoded at a time to get to the first one wanted
+
+// A decoder in the middle of a chunk, ready to go on.
+struct Cursor {
+  explicit Cursor(const laz::ChunkLayout& layout) : decoder(layout) {}
+  laz::ChunkDecoder decoder;
+  std::vector<std::byte> chunk, skipped;
+  std::uint64_t at = UINT64_MAX;   // next point
+  std::uint64_t end = UINT64_MAX;  // of the chunk
+};
+
+class LazReader final : public PointReader {
+ public:
+  LazReader(std::unique_ptr<InputFile> file, LasContainer container, const laz::Compression& compression)
+      : file_(std::move(file)),
+        info_(std::move(container.info)),
+        compression_(compression),
+        index_(laz::index_chunks(*file_, container.point_offset, info_.declared_points, compression)) {
+    info_.points = index_.points;
+    if (!index_.warning.empty()) {
+      info_.warnings.push_back(file_->path().string() + ": " + std::to_string(info_.points) + " of " +
+                               std::to_string(info_.declared_points) + " points can be read: " + index_.warning);
+    }
+    if (info_.points == 0 && info_.declared_points > 0) {
+      throw Error(file_->path().string() + ": none of its " + std::to_string(info_.declared_points) +
+                  " points can be read (" + index_.warning + "); fetch the file again");
+    }
+  }
+
+  const CloudInfo& info() const override { return info_; }
+  bool random_access() const override { return !compression_.one_stream; }
+  void limit_to(std::uint32_t fields) override { fields_ = fields; }
+
+  std::vector<std::uint64_t> boundaries() const override {
+    std::vector<std::uint64_t> result;
+    for (const laz::ChunkPlace& chunk : index_.chunks) result.push_back(chunk.first);
+    if (result.empty()) result.push_back(0);
+    if (result.back() != info_.points) result.push_back(info_.points);
+    return result;
+  }
+
+  std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) override {
+    if (first >= info_.points) return 0;
+    const std::size_t length = info_.layout.record_length;
+    const std::uint64_t asked = std::min(records.size() / length, valid.size());
+    const std::uint64_t rows = std::min(asked, info_.points - first);
+    std::unique_ptr<Cursor> cursor = borrow(first);
+    std::uint64_t done = 0;
+    while (done < rows && (cursor->at == first + done || seek(*cursor, first + done))) {
+      const std::uint64_t part = std::min(rows - done, cursor->end - cursor->at);
+      if (!advance(*cursor, records.subspan(done * length, part * length))) break;
+      done += part;
+    }
+    give_back(std::move(cursor));
+    std::fill_n(valid.begin(), done, std::uint8_t{1});
+    return done;
+  }
+
+ private:
+  // One that stands at `first`, if there is.
+  std::unique_ptr<Cursor> borrow(std::uint64_t first) {
+    const std::lock_guard lock(mutex_);
+    if (idle_.empty()) return std::make_unique<Cursor>(compression_.layout);
+    auto it = std::find_if(idle_.begin(), idle_.end(), [&](const auto& c) { return c->at == first; });
+    if (it == idle_.end()) it = idle_.begin();
+    std::unique_ptr<Cursor> cursor = std::move(*it);
+    idle_.erase(it);
+    return cursor;
+  }
+  void give_back(std::unique_ptr<Cursor> cursor) {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(cursor));
+  }
+
+  bool seek(Cursor& c, std::uint64_t point) {
+    c.at = c.end = UINT64_MAX;
+    const auto after = std::upper_bound(index_.chunks.begin(), index_.chunks.end(), point,
+                                        [](std::uint64_t p, const laz::ChunkPlace& chunk) { return p < chunk.first; });
+    const laz::ChunkPlace& place = *(after - 1);
+    c.chunk.resize(place.bytes);
+    if (file_->read_at(place.offset, c.chunk) != place.bytes) return false;
+    if (!c.decoder.begin(c.chunk, place.points, fields_)) return false;
+    c.at = place.first;
+    c.end = place.first + place.points;
+    c.skipped.resize(std::min(point - c.at, kSkipBlock) * info_.layout.record_length);
+    while (c.at < point) {
+      const std::uint64_t block = std::min(kSkipBlock, point - c.at);
+      if (!advance(c, std::span(c.skipped).first(block * info_.layout.record_length))) return false;
+    }
+    return true;
+  }
+
+  // A single stream has no size of its own, and may have been cut.
+  bool advance(Cursor& c, std::span<std::byte> records) {
+    c.at += records.size() / info_.layout.record_length;
+    const bool ended = c.at == c.end;
+    const bool whole = c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well());
+    if (ended || !whole) c.at = c.end = UINT64_MAX;
+    return whole;
+  }
+
+  std::unique_ptr<InputFile> file_;
+  CloudInfo info_;
+  laz::Compression compression_;
+  laz::ChunkIndex index_;
+  std::uint32_t fields_ = kAllFields;
+  std::mutex mutex_;
+  std::vector<std::unique_ptr<Cursor>> idle_;
+};
+
+const Vlr& laszip_vlr(const InputFile& file, const CloudInfo& info) {
+  for (const Vlr& vlr : info.vlrs) {
+    if (vlr.user_id == laz::kLaszipUserId && vlr.record_id == laz::kLaszipRecordId) return vlr;
+  }
+  throw Error(file.path().string() + ": says that its points are compressed but has no LASzip record; " +
+              "fetch the file again");
+}
+
+}  // namespace
+
+std::unique_ptr<PointReader> open_laz(std::unique_ptr<InputFile> file, LasContainer container) {
+  const RecordLayout& layout = container.info.layout;
+  const Vlr& vlr = laszip_vlr(*file, container.info);
+  const laz::ParsedCompression parsed = laz::parse_laszip_record(vlr.payload, layout.point_format, layout.record_length);
+  if (!parsed.problem.empty()) throw Error(file->path().string() + ": its LASzip record " + parsed.problem);
+  return std::make_unique<LazReader>(std::move(file), std::move(container), parsed.compression);
+}
+
+}  // namespace ilot
