@@ -1,10 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-<<<<<<< HEAD
-#include "tools/ilot/commands.h"
-#include "tools/ilot/console.h"
-
-=======
->>>>>>> scan
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -18,11 +12,8 @@
 #include "engine/error.h"
 #include "engine/evaluate/plane_matching.h"
 #include "engine/formats/reader.h"
-<<<<<<< HEAD
-=======
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
->>>>>>> scan
 
 namespace ilot {
 namespace {
@@ -30,11 +21,7 @@ namespace {
 constexpr std::size_t kChunk = 1 << 16;  // points read at a time
 constexpr double kForeignLimit = 0.01;   // share of foreign points above which a found plane is counted
 
-<<<<<<< HEAD
-struct EvaluateOptions {
-=======
 struct EvaluateArguments {
->>>>>>> scan
   std::string input;
   std::string found_field = "plane_id";
   bool truth_fields = false, json = false;
@@ -52,19 +39,11 @@ struct Labels {
 const ExtraField& require_field(const CloudInfo& info, const std::string& name, FieldType type) {
   for (const ExtraField& field : info.layout.extra)
     if (field.name == name && field.type == type) return field;
-<<<<<<< HEAD
-  throw Error(fmt::format("{}: has no extra bytes \"{}\" of the type {}; give a cloud that carries them.",
-                          info.path.string(), name, type == FieldType::u8 ? "u8" : "u32"));
-}
-
-Labels read_labels(const EvaluateOptions& options) {
-=======
   throw Error(fmt::format("{}: no extra bytes '{}' of the type {}; give a cloud that carries them",
                           info.path.string(), name, type == FieldType::u8 ? "u8" : "u32"));
 }
 
 Labels read_labels(const EvaluateArguments& options) {
->>>>>>> scan
   const std::unique_ptr<PointReader> reader = open_cloud(options.input);
   const CloudInfo& info = reader->info();
   const std::size_t length = info.layout.record_length;
@@ -117,20 +96,11 @@ nlohmann::ordered_json report_json(const PlaneMatching& m, const FoundPlane* wor
   return json;
 }
 
-<<<<<<< HEAD
-void run_evaluate(const EvaluateOptions& options) {
-  if (!options.truth_fields)
-    throw Error(
-        "evaluate needs to know where the truth is: --truth-fields takes it from the cloud's own extra "
-        "bytes.",
-        ExitCode::usage);
-=======
 int evaluate_command(const EvaluateArguments& options) {
   if (options.input.empty()) throw Error("evaluate: INPUT is needed (ilot evaluate --help)", ExitCode::usage);
   if (!options.truth_fields)
     throw Error("evaluate: where is the truth? --truth-fields takes it from the cloud's own extra bytes",
                 ExitCode::usage);
->>>>>>> scan
   const Labels labels = read_labels(options);
   std::function<bool(std::uint32_t)> judged;
   if (options.only_class || options.min_points > 1)
@@ -146,41 +116,14 @@ int evaluate_command(const EvaluateArguments& options) {
   const auto impure = static_cast<std::uint64_t>(
       std::count_if(matching.found.begin(), matching.found.end(),
                     [](const FoundPlane& plane) { return plane.foreign_share() > kForeignLimit; }));
-<<<<<<< HEAD
-  if (options.json)
-    print(report_json(matching, worst_plane, impure).dump(2) + "\n");
-  else
-    print(report_text(matching, worst_plane, impure));
-=======
   print(options.json ? report_json(matching, worst_plane, impure).dump(2) + "\n"
                      : report_text(matching, worst_plane, impure));
   return static_cast<int>(ExitCode::ok);
->>>>>>> scan
 }
 
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, Action& action) {
-<<<<<<< HEAD
-  auto options = std::make_shared<EvaluateOptions>();
-  CLI::App* command = app.add_subcommand("evaluate", "Judges a result against the truth");
-  command->add_option("input", options->input, "Labelled cloud")->required();
-  command->add_flag("--truth-fields", options->truth_fields,
-                    "Truth stands in the extra bytes true_plane and true_class");
-  command->add_option("--found-field", options->found_field, "Extra bytes with the found planes [plane_id]");
-  command
-      ->add_option("--class", options->only_class, "Judge only planes of this true_class (2 = roofs) [all]")
-      ->check(CLI::Range(0, 255));
-  command->add_option("--min-points", options->min_points, "Judge only true planes with so many points [1]");
-  command->add_flag("--json", options->json, "For machines");
-  command->footer("Example: ilot evaluate out/points/town.las --truth-fields --class 2");
-  command->callback([options, &action] {
-    action = [options] {
-      run_evaluate(*options);
-      return 0;
-    };
-  });
-=======
   CLI::App* command = app.add_subcommand("evaluate", "Judges a result against the truth");
   auto given = std::make_shared<EvaluateArguments>();
   command->add_option("INPUT", given->input, "a labelled point cloud")->option_text(" ");
@@ -196,7 +139,6 @@ void add_evaluate_command(CLI::App& app, Action& action) {
   command->add_flag("--json", given->json, "for programs [off]");
   command->footer("Example: ilot evaluate out/points/town.las --truth-fields --class 2");
   command->callback([given, &action] { action = [given] { return evaluate_command(*given); }; });
->>>>>>> scan
 }
 
 }  // namespace ilot

@@ -1,19 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-<<<<<<< HEAD
-#include "tools/ilot/commands.h"
-#include "tools/ilot/console.h"
-
-=======
->>>>>>> scan
 #include <memory>
 #include <string>
 #include <vector>
 
 #include "engine/error.h"
-<<<<<<< HEAD
-=======
 #include "tools/ilot/commands.h"
->>>>>>> scan
 #include "tools/render/render_cloud.h"
 
 namespace ilot {
@@ -26,17 +17,6 @@ struct RenderArguments {
   render::RenderOptions options;
 };
 
-<<<<<<< HEAD
-void run_render(RenderArguments& arguments) {
-  const double elevation = arguments.view == "top" ? 90 : arguments.view == "oblique" ? 40 : 0;
-  arguments.options.view = {arguments.view == "top" ? 0 : arguments.azimuth, elevation};
-  if (const auto& b = arguments.bounds; !b.empty()) {
-    if (b.size() != 4 || !(b[0] < b[2] && b[1] < b[3]))
-      throw Error("--bounds: write X0,Y0,X1,Y1 with X0 < X1 and Y0 < Y1.", ExitCode::usage);
-    arguments.options.bounds = {b[0], b[1], b[2], b[3]};
-  }
-  render::write_png(render::render_cloud(arguments.input, arguments.options), arguments.output);
-=======
 int render_command(RenderArguments given) {
   if (given.input.empty() || given.output.empty())
     throw Error("render: INPUT and -o FILE are needed (ilot render --help)", ExitCode::usage);
@@ -49,36 +29,11 @@ int render_command(RenderArguments given) {
   }
   render::write_png(render::render_cloud(given.input, given.options), given.output);
   return static_cast<int>(ExitCode::ok);
->>>>>>> scan
 }
 
 }  // namespace
 
 void add_render_command(CLI::App& app, Action& action) {
-<<<<<<< HEAD
-  auto arguments = std::make_shared<RenderArguments>();
-  CLI::App* command = app.add_subcommand("render", "Draws a picture of a cloud");
-  command->add_option("input", arguments->input, "Point cloud")->required();
-  command->add_option("-o,--output", arguments->output, "Picture to write (PNG)")->required();
-  command->add_option("--by", arguments->options.by,
-                      "class, height, intensity, rgb or an extra-byte field [class]");
-  command->add_option("--view", arguments->view, "top, oblique or side [top]")
-      ->check(CLI::IsMember({"top", "oblique", "side"}));
-  command
-      ->add_option("--azimuth", arguments->azimuth, "Degrees from north the eye looks to, not for top [30]")
-      ->check(CLI::Range(-360.0, 360.0));
-  command->add_option("--size", arguments->options.size, "Pixels of the longer side [1600]")
-      ->check(CLI::Range(16, 16384));
-  command->add_option("--bounds", arguments->bounds, "Only this part: X0,Y0,X1,Y1 in the units of the CRS")
-      ->delimiter(',');
-  command->footer("Example: ilot render points/town.las -o town.png --by plane_id --view oblique");
-  command->callback([arguments, &action] {
-    action = [arguments] {
-      run_render(*arguments);
-      return 0;
-    };
-  });
-=======
   CLI::App* command = app.add_subcommand("render", "Draws a picture of a point cloud");
   auto given = std::make_shared<RenderArguments>();
   command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
@@ -100,7 +55,6 @@ void add_render_command(CLI::App& app, Action& action) {
       ->delimiter(',');
   command->footer("Example: ilot render out/points/town.las -o town.png --by plane_id --view oblique");
   command->callback([given, &action] { action = [given] { return render_command(*given); }; });
->>>>>>> scan
 }
 
 }  // namespace ilot

@@ -11,10 +11,7 @@ namespace {
 
 constexpr float kEmpty = -std::numeric_limits<float>::infinity();
 constexpr double kStrength = 0.06;  // of the shading, per pixel of mean depth difference
-<<<<<<< HEAD
-=======
 constexpr float kDeepest = 30;      // pixels: no edge is darker than a step of so many
->>>>>>> scan
 
 }  // namespace
 
@@ -47,11 +44,7 @@ void Canvas::draw(int column, int row, float depth, Rgb colour, int radius) {
 }
 
 // Mean of how much nearer the pixels around stand, those farther or empty counting as level.
-<<<<<<< HEAD
-float Canvas::nearer_by(int column, int row) const {
-=======
 float Canvas::nearer_by(int column, int row, float limit) const {
->>>>>>> scan
   const auto at = [&](int x, int y) {
     x = std::clamp(x, 0, width_ - 1);
     y = std::clamp(y, 0, height_ - 1);
@@ -61,30 +54,19 @@ float Canvas::nearer_by(int column, int row, float limit) const {
   const float here = at(column, row);
   float sum = 0;
   for (int dy = -2; dy <= 2; dy += 2)
-<<<<<<< HEAD
-    for (int dx = -2; dx <= 2; dx += 2) sum += std::max(0.0f, at(column + dx, row + dy) - here);
-=======
     for (int dx = -2; dx <= 2; dx += 2) sum += std::clamp(at(column + dx, row + dy) - here, 0.0f, limit);
->>>>>>> scan
   return sum / 8;
 }
 
 Image Canvas::shaded(double pixel) const {
   Image image{width_, height_, colour_};
-<<<<<<< HEAD
-=======
   const auto limit = static_cast<float>(kDeepest * pixel);
->>>>>>> scan
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
       const std::size_t i =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
       if (depth_[i] == kEmpty) continue;
-<<<<<<< HEAD
-      const double light = std::exp(-kStrength * nearer_by(x, y) / pixel);
-=======
       const double light = std::exp(-kStrength * nearer_by(x, y, limit) / pixel);
->>>>>>> scan
       for (std::uint8_t& channel : image.pixels[i]) channel = static_cast<std::uint8_t>(channel * light);
     }
   }

@@ -33,11 +33,7 @@ class Canvas {
   Image shaded(double pixel) const;
 
  private:
-<<<<<<< HEAD
-  float nearer_by(int column, int row) const;
-=======
   float nearer_by(int column, int row, float limit) const;
->>>>>>> scan
 
   int width_, height_;
   std::vector<float> depth_;

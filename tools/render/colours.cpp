@@ -81,11 +81,7 @@ Colouring by_field(const std::string& name, const RecordLayout& layout) {
       };
     known += ", " + field.name;
   }
-<<<<<<< HEAD
-  throw Error("the cloud has no field \"" + name + "\" to colour by; it has " + known + ".", ExitCode::usage);
-=======
   throw Error("the cloud has no field \"" + name + "\" to colour by; it has " + known, ExitCode::usage);
->>>>>>> scan
 }
 
 }  // namespace

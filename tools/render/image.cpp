@@ -21,17 +21,10 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   if (!png_image_write_to_file(&png, temporary.c_str(), 0, image.pixels.data(), 0, nullptr)) {
     std::filesystem::remove(temporary, error);
     throw Error(path.string() + " cannot be written (" + png.message +
-<<<<<<< HEAD
-                "): check the folder and the free space.");
-  }
-  std::filesystem::rename(temporary, path, error);
-  if (error) throw Error(path.string() + " cannot be written: " + error.message() + ".");
-=======
                 "); check the folder and the free space");
   }
   std::filesystem::rename(temporary, path, error);
   if (error) throw Error(path.string() + " cannot be written: " + error.message());
->>>>>>> scan
 }
 
 }  // namespace ilot::render

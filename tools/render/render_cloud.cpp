@@ -67,11 +67,7 @@ Extent measure(const std::filesystem::path& path, const RenderOptions& options, 
     e.high = std::max(e.high, p.z);
     ++e.points;
   });
-<<<<<<< HEAD
-  if (e.points == 0) throw Error(path.string() + ": no point lies within the bounds.");
-=======
   if (e.points == 0) throw Error(path.string() + ": no point lies within the bounds");
->>>>>>> scan
   return e;
 }
 

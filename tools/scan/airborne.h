@@ -38,12 +38,7 @@ class FlightPlan {
   // whichever that is.
   void for_each_pulse(const Rect& area, const std::function<void(const Pulse&)>& visit) const;
 
-<<<<<<< HEAD
-  double spacing_across() const { return across_; }
-  double spacing_along() const { return along_; }
-=======
   double density() const { return params_.density; }
->>>>>>> scan
 
  private:
   Pulse make_pulse(std::int64_t line, std::int64_t row, std::int64_t column, double x, double y) const;

@@ -116,11 +116,8 @@ std::vector<std::byte> scan_cell(const Cell& cell, const FlightPlan& flight, con
   CellTracer tracer(cell, ground, first_plane);
   std::vector<Return> returns;
   std::vector<std::byte> records;
-<<<<<<< HEAD
-=======
   const double area = (cell.area.x1 - cell.area.x0) * (cell.area.y1 - cell.area.y0);
   records.reserve(static_cast<std::size_t>(1.06 * area * flight.density()) * kRecordSize);
->>>>>>> scan
   flight.for_each_pulse(cell.area, [&](Pulse pulse) {
     tracer.trace(pulse.ray, pulse.rng, returns);
     PointFields fields;

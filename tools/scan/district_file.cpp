@@ -51,12 +51,8 @@ std::filesystem::path truth_path(const std::filesystem::path& cloud) {
   return path.replace_extension(".truth.json");
 }
 
-<<<<<<< HEAD
-ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path) {
-=======
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written) {
->>>>>>> scan
   const std::unique_ptr<PointWriter> writer = create_cloud(path, cloud_spec());
   TruthJson truth(truth_path(path), settings_text(scan));
   const std::size_t record_length = writer->record_length();
@@ -64,10 +60,7 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
   std::uint64_t ground_points = 0;
   scan_district(scan, [&](const ScannedCell& item) {
     writer->write(item.records);
-<<<<<<< HEAD
-=======
     if (written) written(item.records.size() / record_length);
->>>>>>> scan
     std::vector<std::uint64_t> points(item.cell.plane_count);
     for (std::size_t at = 0; at < item.records.size(); at += record_length) {
       const std::uint32_t plane = true_plane_of(&item.records[at]);

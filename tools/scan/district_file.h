@@ -2,10 +2,7 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-<<<<<<< HEAD
-=======
 #include <functional>
->>>>>>> scan
 
 #include "tools/scan/district_scan.h"
 
@@ -15,17 +12,11 @@ struct ScanSummary {
   std::uint64_t points = 0, buildings = 0, planes = 0;  // planes with the ground
 };
 
-<<<<<<< HEAD
-// Scans the district into a LAS file and its truth into NAME.truth.json beside it. Both appear whole or not
-// at all. Memory does not grow with the area. Throws Error.
-ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path);
-=======
 // Scans the district into a LAS file and its truth into NAME.truth.json beside it. Neither stays
 // half-written. Memory does not grow with the area. `written` hears of points as they are written. Throws
 // Error.
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written = {});
->>>>>>> scan
 
 // NAME.truth.json of NAME.las.
 std::filesystem::path truth_path(const std::filesystem::path& cloud);

@@ -6,10 +6,7 @@
 #include <limits>
 
 #include "engine/error.h"
-<<<<<<< HEAD
-=======
 #include "engine/pass/stop.h"
->>>>>>> scan
 #include "kernels/core/parallel.h"
 #include "tools/scan/cell_scan.h"
 #include "tools/scan/exact_math.h"
@@ -27,8 +24,6 @@ std::size_t batch_size(const DistrictScan& scan) {
   return static_cast<std::size_t>(std::clamp(kBatchBytes / cell_bytes, 1.0, 64.0));
 }
 
-<<<<<<< HEAD
-=======
 // Pulses to send per point wanted. Rows and columns of pulses do not fill the area's border evenly, so a few
 // more than needed; but crowns give 0.0016 to 0.0018 further echoes per pulse for each tree per hectare
 // (measured), of which two thirds are relied upon where cells are large enough to hold trees.
@@ -37,7 +32,6 @@ double points_margin(double points, double area, double trees) {
   return (1.005 + 4 / std::sqrt(points)) / echoes;
 }
 
->>>>>>> scan
 }  // namespace
 
 DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
@@ -47,19 +41,11 @@ DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
   if (points) {
     const bool area_set = values.is_set("scene.area_km2");
     if (area_set && values.is_set("scene.density"))
-<<<<<<< HEAD
-      throw Error("--points, scene.area_km2 and scene.density contradict each other: leave out one.",
-                  ExitCode::usage);
-    const auto wanted = static_cast<double>(*points);
-    // A little more than needed: rows and columns of pulses do not fill the area's border evenly.
-    const double margin = 1.005 + 4 / std::sqrt(wanted);
-=======
       throw Error("--points, scene.area_km2 and scene.density contradict each other; leave out one",
                   ExitCode::usage);
     const auto wanted = static_cast<double>(*points);
     const double margin =
         points_margin(wanted, area_set ? area : wanted / density, values.get("scene.trees"));
->>>>>>> scan
     if (area_set)
       density = margin * wanted / area;
     else
@@ -90,10 +76,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
   std::uint64_t left = scan.points.value_or(std::numeric_limits<std::uint64_t>::max());
   std::uint64_t next_plane = kGroundPlane + 1, next_building = 1;
   for (std::uint64_t first = 0; first < district.cell_count() && left > 0; first += batch_size(scan)) {
-<<<<<<< HEAD
-=======
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
->>>>>>> scan
     std::vector<ScannedCell> batch(std::min<std::uint64_t>(batch_size(scan), district.cell_count() - first));
     parallel_for(batch.size(), [&](std::size_t i) { batch[i].cell = district.build_cell(first + i); });
     for (ScannedCell& item : batch) {
@@ -102,12 +85,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
       next_plane += item.cell.plane_count;
       next_building += item.cell.houses.size();
       if (next_plane > std::numeric_limits<std::uint32_t>::max())
-<<<<<<< HEAD
-        throw Error(
-            "This district has more planes than true_plane can number (2^32): choose a smaller area.");
-=======
         throw Error("This district has more planes than true_plane can number (2^32); choose a smaller area");
->>>>>>> scan
     }
     parallel_for(batch.size(), [&](std::size_t i) {
       batch[i].records =
@@ -123,11 +101,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
   }
   if (scan.points && left > 0)
     throw Error("The district holds " + std::to_string(*scan.points - left) +
-<<<<<<< HEAD
-                " points only: set a larger scene.area_km2.");
-=======
                 " points only; set a larger scene.area_km2");
->>>>>>> scan
 }
 
 }  // namespace ilot::scan

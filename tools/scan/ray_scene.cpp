@@ -18,11 +18,7 @@ constexpr float kMargin = 0.05f;
 // One device serves the whole process, as Embree advises; it lives until the end.
 RTCDevice device() {
   static const RTCDevice shared = rtcNewDevice(nullptr);
-<<<<<<< HEAD
-  if (!shared) throw Error("Embree cannot start on this machine: reinstall libembree3.");
-=======
   if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
->>>>>>> scan
   return shared;
 }
 
@@ -107,11 +103,7 @@ RayScene::RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> c
   if (error != RTC_ERROR_NONE)
     throw Error("Embree could not build a scene of " + std::to_string(solids.size()) +
                 " solids (its error code " + std::to_string(static_cast<int>(error)) +
-<<<<<<< HEAD
-                "): free memory and try again.");
-=======
                 "); free memory and try again");
->>>>>>> scan
 }
 
 RayScene::~RayScene() {

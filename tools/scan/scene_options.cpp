@@ -54,11 +54,7 @@ std::span<const SceneOption> district_options() {
 void SceneValues::set(std::string_view assignment) {
   const std::size_t equals = assignment.find('=');
   if (equals == std::string_view::npos)
-<<<<<<< HEAD
-    throw Error(fmt::format("--set {}: write it as scene.key=value.", assignment), ExitCode::usage);
-=======
     throw Error(fmt::format("--set {}: write it as scene.key=value", assignment), ExitCode::usage);
->>>>>>> scan
   const std::string_view key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
   const auto option =
       std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
@@ -66,21 +62,13 @@ void SceneValues::set(std::string_view assignment) {
     const auto nearest = std::min_element(
         options_.begin(), options_.end(),
         [&](const auto& a, const auto& b) { return edit_distance(a.key, key) < edit_distance(b.key, key); });
-<<<<<<< HEAD
-    throw Error(fmt::format("--set {}: no such key; the nearest is {}.", key, nearest->key), ExitCode::usage);
-=======
     throw Error(fmt::format("--set {}: no such key; the nearest is {}", key, nearest->key), ExitCode::usage);
->>>>>>> scan
   }
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() ||
       !(value >= option->low && value <= option->high))
-<<<<<<< HEAD
-    throw Error(fmt::format("--set {}: \"{}\" is not a number from {} to {} ({}).", key, text, option->low,
-=======
     throw Error(fmt::format("--set {}: \"{}\" is not a number from {} to {} ({})", key, text, option->low,
->>>>>>> scan
                             option->high, option->unit),
                 ExitCode::usage);
   values_.insert_or_assign(std::string(key), value);
@@ -90,11 +78,7 @@ double SceneValues::get(std::string_view key) const {
   if (const auto found = values_.find(key); found != values_.end()) return found->second;
   const auto option =
       std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
-<<<<<<< HEAD
-  if (option == options_.end()) throw Error(fmt::format("{} is not an option of this scene.", key));
-=======
   if (option == options_.end()) throw Error(fmt::format("{} is not an option of this scene", key));
->>>>>>> scan
   return option->standard;
 }
 

@@ -3,15 +3,8 @@
 
 #include <fmt/format.h>
 
-<<<<<<< HEAD
-#include <system_error>
 #include <vector>
 
-#include "engine/error.h"
-=======
-#include <vector>
-
->>>>>>> scan
 #include "tools/scan/cell_scan.h"
 
 namespace ilot::scan {
@@ -49,33 +42,12 @@ std::string ring_text(std::span<const Vec3> ring) {
 
 }  // namespace
 
-<<<<<<< HEAD
-TruthJson::TruthJson(const std::filesystem::path& path, const std::string& settings) : path_(path) {
-  temporary_ = path;
-  temporary_ += ".part";
-  file_.open(temporary_, std::ios::binary | std::ios::trunc);
-  if (!file_) throw Error(temporary_.string() + " cannot be created: check the folder and its permissions.");
-  append(fmt::format("{{\"scan\":{{{}}},\n\"crs\":\"EPSG:2154\",\n\"planes\":[\n", settings));
-}
-
-TruthJson::~TruthJson() {
-  if (finished_) return;
-  file_.close();
-  std::error_code ignored;
-  std::filesystem::remove(temporary_, ignored);
-}
-
-void TruthJson::append(const std::string& text) {
-  file_.write(text.data(), static_cast<std::streamsize>(text.size()));
-  if (!file_) throw Error(temporary_.string() + " cannot be written: check the free space of the disk.");
-=======
 TruthJson::TruthJson(const std::filesystem::path& path, const std::string& settings) : file_(path) {
   append(fmt::format("{{\"scan\":{{{}}},\n\"crs\":\"EPSG:2154\",\n\"planes\":[\n", settings));
 }
 
 void TruthJson::append(const std::string& text) {
   file_.append(std::as_bytes(std::span(text)));
->>>>>>> scan
 }
 
 void TruthJson::add_cell(const Cell& cell, std::uint32_t first_plane, std::uint32_t first_building,
@@ -108,16 +80,7 @@ void TruthJson::add_ground(const Ground& ground, const Rect& area, std::uint64_t
 
 void TruthJson::finish(std::uint64_t points, std::uint64_t buildings) {
   append(fmt::format("\n],\n\"points\":{},\n\"buildings\":{}}}\n", points, buildings));
-<<<<<<< HEAD
-  file_.close();
-  if (!file_) throw Error(temporary_.string() + " cannot be written: check the free space of the disk.");
-  std::error_code error;
-  std::filesystem::rename(temporary_, path_, error);
-  if (error) throw Error(path_.string() + " cannot be written: " + error.message() + ".");
-  finished_ = true;
-=======
   file_.commit();
->>>>>>> scan
 }
 
 }  // namespace ilot::scan

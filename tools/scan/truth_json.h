@@ -2,17 +2,10 @@
 #pragma once
 #include <cstdint>
 #include <filesystem>
-<<<<<<< HEAD
-#include <fstream>
-#include <span>
-#include <string>
-
-=======
 #include <span>
 #include <string>
 
 #include "engine/formats/file.h"
->>>>>>> scan
 #include "tools/scan/district.h"
 
 namespace ilot::scan {
@@ -25,12 +18,6 @@ class TruthJson {
  public:
   // `settings` is the body of a JSON object that tells how the scan was made.
   TruthJson(const std::filesystem::path& path, const std::string& settings);
-<<<<<<< HEAD
-  ~TruthJson();
-  TruthJson(const TruthJson&) = delete;
-  TruthJson& operator=(const TruthJson&) = delete;
-=======
->>>>>>> scan
 
   // The planes of one cell: ids from first_plane on, buildings from first_building on; points per plane of
   // the cell.
@@ -42,14 +29,8 @@ class TruthJson {
  private:
   void append(const std::string& text);
 
-<<<<<<< HEAD
-  std::filesystem::path path_, temporary_;
-  std::ofstream file_;
-  bool first_ = true, finished_ = false;
-=======
   OutputFile file_;
   bool first_ = true;
->>>>>>> scan
 };
 
 }  // namespace ilot::scan

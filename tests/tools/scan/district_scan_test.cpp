@@ -49,10 +49,6 @@ TEST(DistrictScan, SameBytesForAnyNumberOfThreads) {
 
 TEST(DistrictScan, GivesExactlyThePointsAskedFor) {
   for (std::uint64_t points : {1u, 1000u, 12345u, 300000u})
-<<<<<<< HEAD
-    for (const char* trees : {"scene.trees=0", "scene.trees=15"})
-      EXPECT_EQ(records_of(plan({trees}, 3, points), 2).size(), points * kRecord) << points << trees;
-=======
     for (const char* trees : {"scene.trees=0", "scene.trees=15", "scene.trees=60"})
       EXPECT_EQ(records_of(plan({trees}, 3, points), 2).size(), points * kRecord) << points << trees;
   // Around the size from which crowns are relied upon, whatever the town.
@@ -61,7 +57,6 @@ TEST(DistrictScan, GivesExactlyThePointsAskedFor) {
       EXPECT_EQ(records_of(plan({"scene.density=1", trees}, seed, 10100 + 3000 * seed), 2).size(),
                 (10100 + 3000 * seed) * kRecord)
           << seed << trees;
->>>>>>> scan
 }
 
 TEST(DistrictScan, PulsesHaveTheDensityAskedFor) {
@@ -184,17 +179,10 @@ std::string message_of(std::initializer_list<const char*> settings,
 }
 
 TEST(DistrictScan, RefusesWrongSettingsInASentence) {
-<<<<<<< HEAD
-  EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; the nearest is scene.density.");
-  EXPECT_EQ(message_of({"scene.density"}), "--set scene.density: write it as scene.key=value.");
-  EXPECT_EQ(message_of({"scene.density=many"}),
-            "--set scene.density: \"many\" is not a number from 0.1 to 200 (pulses/m2).");
-=======
   EXPECT_EQ(message_of({"scene.densty=3"}), "--set scene.densty: no such key; the nearest is scene.density");
   EXPECT_EQ(message_of({"scene.density"}), "--set scene.density: write it as scene.key=value");
   EXPECT_EQ(message_of({"scene.density=many"}),
             "--set scene.density: \"many\" is not a number from 0.1 to 200 (pulses/m2)");
->>>>>>> scan
   for (const char* bad : {"scene.density=0", "scene.density=nan", "scene.density=1e999",
                           "scene.density=", "scene.noise=-1", "scene.density=12x"})
     EXPECT_NE(message_of({bad}), "") << bad;
