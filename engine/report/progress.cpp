@@ -168,9 +168,7 @@ void Progress::run_done(std::string_view message) {
   const std::lock_guard lock(mutex_);
   end_stage_locked();
   event("run_done", {{"msg", json_quote(message)}});
-  line(fmt::format("{} in {}, peak memory {:.0f} MiB", message, duration(now()),
-                   static_cast<double>(peak_resident_bytes()) / 0x1p20),
-       Verbosity::normal);
+  line(message, Verbosity::normal);
 }
 
 void Progress::note(std::string_view sentence) {

@@ -50,6 +50,7 @@ class Progress {
   void unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total);
   void unit_skipped(std::string_view unit, std::string_view reason);
 
+  // The closing line: points, wall seconds, peak memory, skipped.
   void run_done(std::string_view message);
 
   void note(std::string_view sentence);  // one line, not when quiet
