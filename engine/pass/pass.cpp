@@ -53,11 +53,11 @@ class Admission {
   std::uint64_t bytes_;
 };
 
+}  // namespace
+
 void stop_if_asked() {
   if (stop_requested()) throw Error("interrupted; the same command with --resume goes on", ExitCode::interrupted);
 }
-
-}  // namespace
 
 void run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes, const std::function<void(std::size_t)>& body) {
   std::vector<std::size_t> order(tasks.size());

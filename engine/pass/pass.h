@@ -17,4 +17,7 @@ struct PassTask {
 // What a task computes must not depend on which others run: order and concurrency are free.
 void run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes, const std::function<void(std::size_t)>& body);
 
+// Throws Error(interrupted) when stop_requested().
+void stop_if_asked();
+
 }  // namespace ilot

@@ -2,14 +2,13 @@
 #include "engine/run/labelled_clouds.h"
 
 #include <algorithm>
-#include <atomic>
 #include <map>
-#include <mutex>
 
 #include "engine/error.h"
-#include "engine/formats/las.h"
+#include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
 #include "engine/version.h"
+#include "kernels/core/parallel.h"
 #include "kernels/neighbours/morton.h"
 #include "kernels/neighbours/normals.h"
 
@@ -20,7 +19,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBytesPerPoint = 64;
 constexpr std::uint32_t kRowSample = 1024;
-constexpr std::uint64_t kStretch = 1 << 17;  // rows written at a time
+constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk of the output
 
 // What is known of one input row.
 struct RowLabel {
@@ -111,82 +110,66 @@ void append_label(const RowLabel& label, const LabelParams& params, double metre
   for (int axis = 0; axis < 3; ++axis) store<float>(to + 8 + 4 * axis, static_cast<float>(n[axis]) / 32767.0f);
 }
 
-// One output while several threads fill it.
-class LabelledCloud {
- public:
-  LabelledCloud(const Store& store, const std::vector<BlockRows>& blocks, PointReader& input, std::uint32_t file,
-                const LabelParams& params, const fs::path& path, const PassContext& context)
-      : store_(store),
-        blocks_(blocks),
-        input_(input),
-        file_(file),
-        params_(params),
-        context_(context),
-        writer_(path, labelled_spec(input, params)) {}
+// A stretch of one input on its way to the output.
+struct Stretch {
+  std::uint64_t first = 0, count = 0;
+  std::vector<std::byte> rows;  // labelled, those that are not valid left out
+  std::uint64_t labelled = 0;
+};
 
-  // Reads, labels and writes rows; rows that are not valid are left out, so first_out is where the next one goes.
-  std::uint64_t copy(std::uint64_t first, std::uint64_t count, std::uint64_t first_out) {
-    const std::size_t in_length = input_.info().layout.record_length;
-    const std::size_t out_length = writer_.record_length();
-    std::vector<std::byte> in(count * in_length), out(count * out_length);
-    std::vector<std::uint8_t> valid(count);
-    std::vector<RowLabel> labels(count);
-    if (input_.read(first, in, valid) != count)
-      throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
-    collect_labels(store_, blocks_, input_order(file_, first), labels);
-    std::uint64_t written = 0, labelled = 0;
-    for (std::size_t i = 0; i < count; ++i) {
+class Labeller {
+ public:
+  Labeller(const Store& store, const std::vector<BlockRows>& blocks, const LabelParams& params,
+           const PassContext& context)
+      : store_(store), blocks_(blocks), params_(params), context_(context) {}
+
+  void fill(Stretch& s, PointReader& input, std::uint32_t file, std::size_t out_length) const {
+    const std::size_t in_length = input.info().layout.record_length;
+    std::vector<std::byte> in(s.count * in_length);
+    std::vector<std::uint8_t> valid(s.count);
+    std::vector<RowLabel> labels(s.count);
+    if (input.read(s.first, in, valid) != s.count)
+      throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");
+    collect_labels(store_, blocks_, input_order(file, s.first), labels);
+    s.rows.resize(s.count * out_length);
+    std::byte* row = s.rows.data();
+    for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
-      std::byte* row = out.data() + written++ * out_length;
       std::copy_n(in.data() + i * in_length, in_length, row);
       append_label(labels[i], params_, context_.metres_per_unit, row + in_length);
-      labelled += labels[i].plane != 0;
+      s.labelled += labels[i].plane != 0;
+      row += out_length;
     }
-    out.resize(written * out_length);
-    writer_.write_at(first_out, out);
-    PointStatistics part;
-    part.add(out, writer_.layout());
-    const std::lock_guard lock(mutex_);
-    statistics_.merge(part);
-    labelled_ += labelled;
-    context_.advance(count);
-    return written;
+    s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));
   }
 
-  void finish() { writer_.finish(statistics_); }
-  std::uint64_t labelled() const { return labelled_; }
+  // Stretches are read and labelled in parallel, a few at a time, and written in order.
+  std::uint64_t copy(PointReader& input, std::uint32_t file, PointWriter& writer) const {
+    const std::size_t together = input.random_access() ? 2 * static_cast<std::size_t>(thread_count()) : 1;
+    std::vector<Stretch> batch;
+    std::uint64_t labelled = 0, first = 0;
+    while (first < input.info().points) {
+      stop_if_asked();
+      batch.clear();
+      for (; batch.size() < together && first < input.info().points; first += batch.back().count)
+        batch.push_back({first, std::min(kStretch, input.info().points - first), {}, 0});
+      parallel_for(batch.size(), [&](std::size_t i) { fill(batch[i], input, file, writer.record_length()); });
+      for (const Stretch& s : batch) {
+        writer.write(s.rows);
+        labelled += s.labelled;
+        context_.advance(s.count);
+      }
+    }
+    writer.finish();
+    return labelled;
+  }
 
  private:
   const Store& store_;
   const std::vector<BlockRows>& blocks_;
-  PointReader& input_;
-  std::uint32_t file_;
   const LabelParams& params_;
   const PassContext& context_;
-  LasFileWriter writer_;
-  std::mutex mutex_;
-  PointStatistics statistics_;
-  std::uint64_t labelled_ = 0;
 };
-
-// Every row of a LAS file is valid, so where a stretch goes is known before the others are read.
-bool rows_keep_their_place(const PointReader& input) {
-  return input.random_access() && !input.info().header.empty();
-}
-
-void copy_in_parallel(LabelledCloud& cloud, std::uint64_t points, const PassContext& context) {
-  std::vector<PassTask> tasks((points + kStretch - 1) / kStretch, {kStretch * 256, kStretch});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const std::uint64_t first = i * kStretch;
-    cloud.copy(first, std::min(kStretch, points - first), first);
-  });
-}
-
-void copy_in_order(LabelledCloud& cloud, std::uint64_t points) {
-  std::uint64_t out = 0;
-  for (std::uint64_t first = 0; first < points; first += kStretch)
-    out += cloud.copy(first, std::min(kStretch, points - first), out);
-}
 
 std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   std::map<std::string, int> stems;
@@ -219,17 +202,11 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
   fs::create_directories(folder);
   const std::vector<BlockRows> blocks = sample_rows(store);
   const std::vector<std::string> names = output_names(inputs);
+  const Labeller labeller(store, blocks, params, context);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
-    LabelledCloud cloud(store, blocks, *inputs[f], f, params, folder / (names[f] + ".las"), context);
-    const std::uint64_t points = inputs[f]->info().points;
-    if (rows_keep_their_place(*inputs[f])) {
-      copy_in_parallel(cloud, points, context);
-    } else {
-      copy_in_order(cloud, points);
-    }
-    cloud.finish();
-    labelled += cloud.labelled();
+    const auto writer = create_cloud(folder / (names[f] + ".laz"), labelled_spec(*inputs[f], params));
+    labelled += labeller.copy(*inputs[f], f, *writer);
   }
   return labelled;
 }

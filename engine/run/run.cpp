@@ -14,7 +14,7 @@
 #include "engine/run/output_folder.h"
 #include "engine/run/planes_product.h"
 #include "engine/segments/cells.h"
-#include "engine/store/index.h"
+#include "engine/pass/index.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {

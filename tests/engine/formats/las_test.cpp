@@ -234,7 +234,7 @@ TEST(Las, RefusesWhatCannotBeUnderstoodWithASentence) {
       {"points outside", set(96, std::uint32_t{4000000000u}), "place of the points"},
       {"format", set(104, char{11}), "point format 11"},
       {"old laz", set(104, char{0x46}), "pre-release"},
-      {"laz", set(104, static_cast<unsigned char>(0x86)), "LAZ"},
+      {"laz", set(104, static_cast<unsigned char>(0x86)), "LASzip record"},
       {"record", set(105, std::uint16_t{29}), "record length 29"},
       {"no record", set(105, std::uint16_t{0}), "record length 0"},
       {"zero scale", set(131, 0.0), "scale of x"},

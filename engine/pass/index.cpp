@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/store/index.h"
+#include "engine/pass/index.h"
 
 #include <algorithm>
 #include <cstdio>
