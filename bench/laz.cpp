@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAZ: decoding, selective decoding and encoding of a real file in memory, points per second. The file is ILOT_BENCH_LAZ
-// (any .laz), else files of ILOT_DATA for formats 3, 6 (made from 8), 7 and 8.
+// LAZ: decoding, selective decoding and encoding of a real file in memory, points per second. The file is
+// ILOT_BENCH_LAZ (any .laz), else files of ILOT_DATA for formats 3, 6 (made from 8), 7 and 8.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -37,7 +37,8 @@ struct Sample {
 Sample load_sample(const std::filesystem::path& path) {
   const auto reader = open_cloud(path);
   const auto& l = reader->info().layout;
-  Sample sample{{l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, {}, 0};
+  Sample sample{
+      {l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, {}, 0};
   const auto bounds = reader->boundaries();
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     std::vector<std::byte> records((bounds[i + 1] - bounds[i]) * l.record_length);
@@ -77,7 +78,8 @@ void decode(benchmark::State& state, const Sample& sample, std::uint32_t fields,
   with_threads(threads, [&] {
     for (auto _ : state) {
       parallel_for(count, [&](std::size_t i) {
-        const bool ok = laz::decode_chunk(*decoders[i], sample.chunks[i / kCopies].bytes, out[i], sample.layout.record_length, fields);
+        const bool ok = laz::decode_chunk(*decoders[i], sample.chunks[i / kCopies].bytes, out[i],
+                                          sample.layout.record_length, fields);
         if (!ok) throw Error("a chunk did not decode");
       });
     }
@@ -110,7 +112,8 @@ void add_benchmarks(const std::string& name, Sample loaded) {
         [=](benchmark::State& s) { decode(s, *sample, kAllFields, threads); });
   }
   if (sample->layout.layered()) {
-    add(prefix + "/decode_xyz_class", [=](benchmark::State& s) { decode(s, *sample, kFieldZ | kFieldClass, 1); });
+    add(prefix + "/decode_xyz_class",
+        [=](benchmark::State& s) { decode(s, *sample, kFieldZ | kFieldClass, 1); });
   }
   add(prefix + "/encode", [=](benchmark::State& s) { encode(s, *sample); });
 }

@@ -22,11 +22,14 @@ struct Slot {
 class LazWriter final : public PointWriter {
  public:
   LazWriter(const std::filesystem::path& path, const CloudSpec& spec, const LazOptions& options)
-      : file_(path), plan_(plan_las(spec)), chunk_bytes_(std::size_t{options.chunk_points} * plan_.layout.record_length) {
+      : file_(path),
+        plan_(plan_las(spec)),
+        chunk_bytes_(std::size_t{options.chunk_points} * plan_.layout.record_length) {
     compression_.layout = {plan_.layout.point_format, plan_.layout.record_length,
                            static_cast<std::uint8_t>(plan_.layout.point_format >= 6 ? 3 : 2)};
     compression_.chunk_size = options.chunk_points;
-    plan_.vlrs.push_back({laz::kLaszipUserId, laz::kLaszipRecordId, "compressed points", laz::laszip_record(compression_)});
+    plan_.vlrs.push_back(
+        {laz::kLaszipUserId, laz::kLaszipRecordId, "compressed points", laz::laszip_record(compression_)});
     std::vector<std::byte> prefix = las_prefix(plan_);
     mark_compressed(prefix);
     mark_compressed(plan_.header);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One chunk of a LAZ file, from bytes to records and back. Memory only: no file, no thread, no exception but bad_alloc.
+// One chunk of a LAZ file, from bytes to records and back. Memory only: no file, no thread, no exception but
+// bad_alloc.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,8 +19,8 @@ struct ChunkLayout {
   bool layered() const { return point_format >= 6; }
 };
 
-// Decodes one chunk after the other. Keeps its models (1 to 2 MB, more with several scanner channels) between chunks and
-// allocates nothing after the first ones. One thread at a time.
+// Decodes one chunk after the other. Keeps its models (1 to 2 MB, more with several scanner channels) between
+// chunks and allocates nothing after the first ones. One thread at a time.
 class ChunkDecoder {
  public:
   explicit ChunkDecoder(const ChunkLayout& layout);
@@ -27,13 +28,14 @@ class ChunkDecoder {
   ChunkDecoder(ChunkDecoder&&) noexcept;
   ChunkDecoder& operator=(ChunkDecoder&&) noexcept;
 
-  // Sets out to decode `points` > 0 points. False: the chunk cannot hold them. `chunk` must stay until the last next().
-  // `fields`: attributes to decode, of layered chunks; x, y, returns and scanner channel always are, and the others hold
-  // anything when not asked for. The chunk may be longer than it should (when nothing tells its size): see consumed().
+  // Sets out to decode `points` > 0 points. False: the chunk cannot hold them. `chunk` must stay until the
+  // last next(). `fields`: attributes to decode, of layered chunks; x, y, returns and scanner channel always
+  // are, and the others hold anything when not asked for. The chunk may be longer than it should (when
+  // nothing tells its size): see consumed().
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields = kAllFields);
 
-  // Decodes the next records.size() / record_length points. False: the chunk is damaged, the records are worthless.
-  // O(points), about 25 to 60 ns each; the result is the same for any cut into calls.
+  // Decodes the next records.size() / record_length points. False: the chunk is damaged, the records are
+  // worthless. O(points), about 25 to 60 ns each; the result is the same for any cut into calls.
   bool next(std::span<std::byte> records);
 
   // Bytes of the chunk; known when all its points are decoded (layered chunks: from begin() on).
@@ -52,8 +54,9 @@ class ChunkDecoder {
 bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::span<std::byte> records,
                   std::uint16_t record_length, std::uint32_t fields = kAllFields);
 
-// Points that a layered chunk says it holds, and its size in bytes; 0 when it is not whole. `head`: its beginning, at
-// least the raw point and the sizes of the streams; `available`: bytes from its start to what bounds it.
+// Points that a layered chunk says it holds, and its size in bytes; 0 when it is not whole. `head`: its
+// beginning, at least the raw point and the sizes of the streams; `available`: bytes from its start to what
+// bounds it.
 struct LayeredExtent {
   std::uint64_t points = 0;
   std::uint64_t bytes = 0;

@@ -10,8 +10,9 @@ namespace ilot::laz {
 namespace {
 
 std::uint32_t layer_field(const LayeredPlan& plan, std::uint32_t layer) {
-  constexpr std::uint32_t kCore[kCoreLayers] = {~0u,         kFieldZ,    kFieldClass,  kFieldFlags,  kFieldIntensity,
-                                                kFieldAngle, kFieldUser, kFieldSource, kFieldGpsTime};
+  constexpr std::uint32_t kCore[kCoreLayers] = {~0u,         kFieldZ,         kFieldClass,
+                                                kFieldFlags, kFieldIntensity, kFieldAngle,
+                                                kFieldUser,  kFieldSource,    kFieldGpsTime};
   if (layer < kCoreLayers) return kCore[layer];
   if (layer >= plan.extra_layer) return kFieldExtra;
   if (layer == plan.rgb_layer) return kFieldRgb;
@@ -142,9 +143,15 @@ ChunkDecoder& ChunkDecoder::operator=(ChunkDecoder&&) noexcept = default;
 bool ChunkDecoder::begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields) {
   return points > 0 && implementation_->begin(chunk, points, fields);
 }
-bool ChunkDecoder::next(std::span<std::byte> records) { return implementation_->fill(records); }
-std::size_t ChunkDecoder::consumed() const { return implementation_->consumed(); }
-bool ChunkDecoder::ended_well() const { return implementation_->ended_well(); }
+bool ChunkDecoder::next(std::span<std::byte> records) {
+  return implementation_->fill(records);
+}
+std::size_t ChunkDecoder::consumed() const {
+  return implementation_->consumed();
+}
+bool ChunkDecoder::ended_well() const {
+  return implementation_->ended_well();
+}
 
 bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::span<std::byte> records,
                   std::uint16_t record_length, std::uint32_t fields) {
@@ -152,9 +159,12 @@ bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::
          decoder.ended_well();
 }
 
-std::size_t layered_head(const ChunkLayout& layout) { return LayeredPlan(layout).fixed_bytes(); }
+std::size_t layered_head(const ChunkLayout& layout) {
+  return LayeredPlan(layout).fixed_bytes();
+}
 
-LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head, std::uint64_t available) {
+LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head,
+                             std::uint64_t available) {
   const LayeredPlan plan(layout);
   if (head.size() < plan.fixed_bytes()) return {};
   const std::byte* sizes = head.data() + plan.record_length + 4;

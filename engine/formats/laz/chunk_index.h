@@ -11,7 +11,7 @@
 namespace ilot::laz {
 
 struct ChunkPlace {
-  std::uint64_t first = 0;   // point
+  std::uint64_t first = 0;  // point
   std::uint64_t points = 0;
   std::uint64_t offset = 0;  // in the file
   std::uint64_t bytes = 0;
@@ -23,8 +23,9 @@ struct ChunkIndex {
   std::string warning;       // empty when everything is as declared
 };
 
-// Finds the chunks of `declared` points from `begin` (the place of the points) on. By the table of chunks where it makes
-// sense; else by scanning for whole chunks, which decodes formats 0-5. Throws Error when that is impossible.
+// Finds the chunks of `declared` points from `begin` (the place of the points) on. By the table of chunks
+// where it makes sense; else by scanning for whole chunks, which decodes formats 0-5. Throws Error when that
+// is impossible.
 ChunkIndex index_chunks(const InputFile& file, std::uint64_t begin, std::uint64_t declared,
                         const Compression& compression);
 

@@ -51,7 +51,7 @@ class GpsTimeCodec {
   static constexpr std::uint32_t kFullWithoutStep = kMayRepeat ? 2 : 1;
   static constexpr std::uint32_t kManySteps = 500;      // and its multiple
   static constexpr std::uint32_t kManyBackwards = 510;  // the multiple -10
-  static constexpr int kMaxTurns = 5;  // encoders switch once; damaged streams must end too
+  static constexpr int kMaxTurns = 5;                   // encoders switch once; damaged streams must end too
 
   static bool fits(std::uint64_t difference) {
     return static_cast<std::int64_t>(difference) == static_cast<std::int32_t>(difference);
@@ -71,8 +71,9 @@ class GpsTimeCodec {
     return special;
   }
 
-  // In double: old files come from compilers that kept such quotients in wide registers. Builds of LASzip that round the
-  // quotient to float choose the neighbouring multiple for about one time in 10^5, at the same size.
+  // In double: old files come from compilers that kept such quotients in wide registers. Builds of LASzip
+  // that round the quotient to float choose the neighbouring multiple for about one time in 10^5, at the same
+  // size.
   static std::uint32_t multiple_of(std::int32_t difference, std::int32_t step) {
     const double ratio = static_cast<double>(difference) / step;
     const double bounded = std::clamp(ratio, -1000.0, 1000.0);
@@ -88,8 +89,9 @@ class GpsTimeCodec {
   }
 
   void code_multiple(Coder& coder, Sequence& s, std::uint32_t symbol, std::uint64_t value) {
-    const std::int32_t factor = symbol <= kManySteps ? static_cast<std::int32_t>(symbol)
-                                                     : static_cast<std::int32_t>(kManySteps) - static_cast<std::int32_t>(symbol);
+    const std::int32_t factor =
+        symbol <= kManySteps ? static_cast<std::int32_t>(symbol)
+                             : static_cast<std::int32_t>(kManySteps) - static_cast<std::int32_t>(symbol);
     const auto predicted =
         static_cast<std::int32_t>(static_cast<std::uint32_t>(factor) * static_cast<std::uint32_t>(s.step));
     const auto real = static_cast<std::int32_t>(value - s.time);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integers as correctors to a prediction: the number of bits k of the corrector by one of kContexts models, then its
-// high 8 bits by a model of k, then the rest raw. Values are taken modulo 2^kBits (16 or 32).
+// Integers as correctors to a prediction: the number of bits k of the corrector by one of kContexts models,
+// then its high 8 bits by a model of k, then the rest raw. Values are taken modulo 2^kBits (16 or 32).
 #pragma once
 #include <bit>
 #include <cstdint>

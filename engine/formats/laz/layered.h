@@ -10,34 +10,11 @@
 #include "engine/cloud/record.h"
 #include "engine/formats/laz/chunk.h"
 #include "engine/formats/laz/colour.h"
+#include "engine/formats/laz/layered_plan.h"
 #include "engine/formats/laz/point14.h"
 #include "engine/formats/laz/wavepacket.h"
 
 namespace ilot::laz {
-
-// Where the items behind the core lie in the record and which streams they have; 0: absent.
-struct LayeredPlan {
-  explicit LayeredPlan(const ChunkLayout& layout) {
-    const std::uint8_t format = layout.point_format;
-    std::uint32_t layer = kCoreLayers;
-    rgb = static_cast<std::uint32_t>(rgb_offset(format).value_or(0));
-    nir = static_cast<std::uint32_t>(nir_offset(format).value_or(0));
-    extra = static_cast<std::uint32_t>(standard_size(format));
-    if (format >= 9) wave = extra - static_cast<std::uint32_t>(kWavepacketSize);
-    extra_count = layout.record_length - extra;
-    if (rgb) rgb_layer = layer++;
-    if (nir) nir_layer = layer++;
-    if (wave) wave_layer = layer++;
-    extra_layer = layer;
-    layers = layer + extra_count;
-    record_length = layout.record_length;
-  }
-  std::size_t fixed_bytes() const { return record_length + 4 + std::size_t{4} * layers; }
-
-  std::uint32_t rgb = 0, nir = 0, wave = 0, extra = 0, extra_count = 0;
-  std::uint32_t rgb_layer = 0, nir_layer = 0, wave_layer = 0, extra_layer = 0;
-  std::uint32_t layers = 0, record_length = 0;
-};
 
 template <class Coder>
 class LayeredCodec {
@@ -58,7 +35,7 @@ class LayeredCodec {
       if (t) t->used = false;
     }
     tail_ = p.channel();
-    open_tail(tail_, first + Point14::kSize);
+    open_tail(tail_, first);
   }
 
   void code(Byte* record) {
@@ -73,11 +50,12 @@ class LayeredCodec {
   static constexpr bool kEncodes = Coder::kEncodes;
   using ByteModel = typename Coder::template Model<256>;
 
-  // Models of the items behind the core, and the last record's bytes behind the core: one set for each scanner channel.
+  // Models of the items behind the core, and the last record's bytes behind the core: one set for each
+  // scanner channel.
   struct Tail {
-    explicit Tail(const LayeredPlan& plan) : last(plan.record_length - Point14::kSize), extra(plan.extra_count) {}
+    explicit Tail(const LayeredPlan& plan) : last(plan.record_length), extra(plan.extra_count) {}
     bool used = false;
-    std::vector<std::byte> last;
+    std::vector<std::byte> last;  // as a record, of which the core is not used
     std::vector<ByteModel> extra;
     RgbCodec<Coder> rgb{};
     NirCodec<Coder> nir{};
@@ -89,11 +67,12 @@ class LayeredCodec {
     Tail& t = *tails_[index];
     t.used = true;
     t.wave.start();
-    std::memcpy(t.last.data(), last, t.last.size());
+    std::copy_n(last, t.last.size(), t.last.begin());
   }
 
-  // The models to code by and the last values to predict from need not belong together: item version 3 takes channel 0
-  // for a point that stays in its channel, and on a change to a set in use keeps the old one's values for one point.
+  // The models to code by and the last values to predict from need not belong together: item version 3 takes
+  // channel 0 for a point that stays in its channel, and on a change to a set in use keeps the old one's
+  // values for one point.
   void code_tail(Byte* record, bool new_channel) {
     const std::uint32_t wanted = own_channel_ || new_channel ? core_.channel() : 0;
     std::uint32_t values = tail_;
@@ -104,7 +83,7 @@ class LayeredCodec {
       tail_ = wanted;
     }
     Tail& models = *tails_[tail_];
-    std::byte* last = tails_[values]->last.data() - Point14::kSize;  // offsets are those of the record
+    std::byte* last = tails_[values]->last.data();
     const std::size_t size = plan_.record_length - Point14::kSize;
     if constexpr (!kEncodes) std::memcpy(record + Point14::kSize, last + Point14::kSize, size);
     if (plan_.rgb) code_rgb(models, last, record);

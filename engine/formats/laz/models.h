@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive probability models of the LAZ arithmetic coder. A model is all zero bytes before its first use; it belongs to
-// the chunk whose epoch it carries and starts afresh when a coder of another epoch meets it. So a decoder allocates its
-// models once, and a new chunk costs nothing for models that it never touches.
+// Adaptive probability models of the LAZ arithmetic coder. A model is all zero bytes before its first use; it
+// belongs to the chunk whose epoch it carries and starts afresh when a coder of another epoch meets it. So a
+// decoder allocates its models once, and a new chunk costs nothing for models that it never touches.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -10,13 +10,12 @@
 
 namespace ilot::laz {
 
+constexpr std::uint32_t kMinLength = 0x01000000;  // of the coder's interval
 constexpr std::uint32_t kSymbolShift = 15;
 constexpr std::uint32_t kSymbolTotal = 1u << kSymbolShift;
-constexpr std::uint32_t kBitShift = 13;
-constexpr std::uint32_t kBitTotal = 1u << kBitShift;
 
-// Width of the lookup table of a model with `symbols` symbols: about two buckets per symbol, so that the search behind
-// the lookup rarely takes a step.
+// Width of the lookup table of a model with `symbols` symbols: about two buckets per symbol, so that the
+// search behind the lookup rarely takes a step.
 constexpr std::uint32_t table_bits(std::uint32_t symbols) {
   std::uint32_t bits = 4;
   while ((1u << bits) < 2 * symbols && bits < 9) ++bits;
@@ -33,11 +32,13 @@ class SymbolModel {
 
   // Makes the model ready for a chunk; cheap when it already is. symbols in [2, kCapacity].
   void prepare(std::uint32_t epoch, std::uint32_t symbols = kCapacity) {
-    if (epoch_ != epoch) [[unlikely]] restart(epoch, symbols);
+    if (epoch_ != epoch) [[unlikely]]
+      restart(epoch, symbols);
   }
 
   std::uint32_t last_symbol() const { return last_; }
-  // Cumulative frequency below symbol s, of kSymbolTotal; s <= last_symbol() + 1, where it is a guard above all others.
+  // Cumulative frequency below symbol s, of kSymbolTotal; s <= last_symbol() + 1, where it is a guard above
+  // all others.
   std::uint32_t below(std::uint32_t s) const { return cumulated_[s]; }
 
   // The largest s with below(s) <= target; target < kSymbolTotal + 64.
@@ -50,7 +51,8 @@ class SymbolModel {
 
   void count(std::uint32_t s) {
     ++counts_[s];
-    if (--until_ == 0) [[unlikely]] update();
+    if (--until_ == 0) [[unlikely]]
+      update();
   }
 
  private:
@@ -112,49 +114,6 @@ class SymbolModel {
   std::uint16_t counts_[kCapacity];
   std::uint16_t cumulated_[kCapacity + 1];
   Table table_;
-};
-
-class BitModel {
- public:
-  void prepare(std::uint32_t epoch) {
-    if (epoch_ != epoch) [[unlikely]] *this = fresh(epoch);
-  }
-  // Share of zeros, of kBitTotal.
-  std::uint32_t zero_share() const { return zero_share_; }
-  void count(std::uint32_t bit) {
-    zeros_ += bit ^ 1;
-    if (--until_ == 0) [[unlikely]] update();
-  }
-
- private:
-  static BitModel fresh(std::uint32_t epoch) {
-    BitModel m;
-    m.epoch_ = epoch;
-    m.zeros_ = 1;
-    m.total_ = 2;
-    m.zero_share_ = kBitTotal / 2;
-    m.cycle_ = m.until_ = 4;
-    return m;
-  }
-  void update() {
-    total_ += cycle_;
-    if (total_ > kBitTotal) {
-      total_ = (total_ + 1) >> 1;
-      zeros_ = (zeros_ + 1) >> 1;
-      if (zeros_ == total_) ++total_;
-    }
-    const std::uint32_t scale = 0x80000000u / total_;
-    zero_share_ = (zeros_ * scale) >> (31 - kBitShift);
-    cycle_ = std::min((5 * cycle_) >> 2, 64u);
-    until_ = cycle_;
-  }
-
-  std::uint32_t epoch_;
-  std::uint32_t until_;
-  std::uint32_t zeros_;
-  std::uint32_t total_;
-  std::uint32_t zero_share_;
-  std::uint32_t cycle_;
 };
 
 }  // namespace ilot::laz

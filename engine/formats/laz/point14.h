@@ -7,59 +7,14 @@
 
 #include "engine/cloud/record.h"
 #include "engine/formats/laz/gps_time.h"
+#include "engine/formats/laz/layered_plan.h"
+#include "engine/formats/laz/point14_record.h"
 #include "engine/formats/laz/predict.h"
 
 namespace ilot::laz {
 
-struct Point14 {
-  std::int32_t x, y, z;
-  std::uint16_t intensity;
-  std::uint8_t returns;  // bits 0-3 return number, 4-7 number of returns
-  std::uint8_t flags;    // bits 0-3 class flags, 4-5 scanner channel, 6 scan direction, 7 edge
-  std::uint8_t classification, user;
-  std::int16_t angle;
-  std::uint16_t source;
-  std::uint64_t gps_time;
-
-  static constexpr std::size_t kSize = 30;
-  static constexpr std::size_t kGpsOffset = 22;
-  static Point14 from(const std::byte* record) {
-    Point14 p;
-    std::memcpy(&p, record, kGpsOffset);
-    p.gps_time = load<std::uint64_t>(record + kGpsOffset);
-    return p;
-  }
-  void to(std::byte* record) const {
-    store(record, x);
-    store(record + 4, y);
-    store(record + 8, z);
-    store(record + 12, intensity);
-    store(record + 14, returns);
-    store(record + 15, flags);
-    store(record + 16, classification);
-    store(record + 17, user);
-    store(record + 18, angle);
-    store(record + 20, source);
-    store(record + kGpsOffset, gps_time);
-  }
-  std::uint32_t r() const { return returns & 15u; }
-  std::uint32_t n() const { return returns >> 4; }
-  std::uint32_t channel() const { return (flags >> 4) & 3u; }
-  std::uint32_t flag_bits() const { return (flags & 15u) | (flags >> 6) << 4; }
-  void set_channel(std::uint32_t c) { flags = static_cast<std::uint8_t>((flags & ~0x30u) | c << 4); }
-  void set_flag_bits(std::uint32_t f) {
-    flags = static_cast<std::uint8_t>((flags & 0x30u) | (f & 15u) | (f >> 4) << 6);
-  }
-};
-
-// Streams of a chunk in file order; those of the items behind the core follow from kCoreLayers on.
-enum Layer : std::uint32_t {
-  kLayerXy, kLayerZ, kLayerClass, kLayerFlags, kLayerIntensity, kLayerAngle, kLayerUser, kLayerSource, kLayerGps,
-  kCoreLayers
-};
-
-// A stream and its state: decoding, `active` tells whether it is decoded at all; encoding, whether anything changed in
-// it, without which it is dropped.
+// A stream and its state: decoding, `active` tells whether it is decoded at all; encoding, whether anything
+// changed in it, without which it is dropped.
 template <class Coder>
 struct Stream {
   Coder coder;
@@ -79,9 +34,9 @@ class Point14Codec {
 
   std::uint32_t channel() const { return current_; }
 
-  // Encodes p (or decodes a point, which is last() then). Returns whether the scanner channel differs from the last
-  // point's. Decoding works in place, value by value: a copy of fields just written would wait for all of them, and with
-  // it the next point.
+  // Encodes p (or decodes a point, which is last() then). Returns whether the scanner channel differs from
+  // the last point's. Decoding works in place, value by value: a copy of fields just written would wait for
+  // all of them, and with it the next point.
   bool code(Stream<Coder>* streams, const Point14& p) {
     const std::uint32_t change = code_change(streams[kLayerXy].coder, channels_[current_]->last, p);
     Channel& c = *channels_[current_];
@@ -100,7 +55,14 @@ class Point14Codec {
 
  private:
   static constexpr bool kEncodes = Coder::kEncodes;
-  enum Change : std::uint32_t { kReturnMask = 3, kReturnCount = 4, kAngle = 8, kGps = 16, kSource = 32, kChannel = 64 };
+  enum Change : std::uint32_t {
+    kReturnMask = 3,
+    kReturnCount = 4,
+    kAngle = 8,
+    kGps = 16,
+    kSource = 32,
+    kChannel = 64
+  };
   using ByteModel = typename Coder::template Model<256>;
   template <std::uint32_t kSymbols>
   using Model = typename Coder::template Model<kSymbols>;
@@ -152,8 +114,8 @@ class Point14Codec {
   // Codes what changed, and moves on to the point's scanner channel.
   std::uint32_t code_change(Coder& coder, const Point14& previous, const Point14& p) {
     Channel& c = *channels_[current_];
-    const std::uint32_t context = (previous.r() == 1 ? 1u : 0u) | (previous.r() >= previous.n() ? 2u : 0u) |
-                                  (c.new_time ? 4u : 0u);
+    const std::uint32_t context =
+        (previous.r() == 1 ? 1u : 0u) | (previous.r() >= previous.n() ? 2u : 0u) | (c.new_time ? 4u : 0u);
     const std::uint32_t change = coder.symbol(c.change[context], kEncodes ? changes(previous, p) : 0);
     if (change & kChannel) [[unlikely]] {
       const std::uint32_t hop = coder.symbol(c.channel, kEncodes ? (p.channel() - current_ - 1) & 3u : 0);
@@ -180,9 +142,14 @@ class Point14Codec {
     std::uint32_t n = last_n, r = last_r;
     if (change & kReturnCount) n = coder.symbol(c.return_count[last_n], p.n());
     switch (change & kReturnMask) {
-      case 0: break;
-      case 1: r = (r + 1) & 15u; break;
-      case 2: r = (r + 15) & 15u; break;
+      case 0:
+        break;
+      case 1:
+        r = (r + 1) & 15u;
+        break;
+      case 2:
+        r = (r + 15) & 15u;
+        break;
       default:
         if (change & kGps) {
           r = coder.symbol(c.return_number[last_r], p.r());
@@ -226,7 +193,8 @@ class Point14Codec {
   }
 
   // What every point has a symbol for.
-  static void code_attributes(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t cpr, bool new_time) {
+  static void code_attributes(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t cpr,
+                              bool new_time) {
     const Point14& last = c.last;
     layer(streams[kLayerClass], last.classification, p.classification, [&](Coder& coder) {
       return coder.symbol(c.classification[(last.classification & 31u) << 1 | (cpr == 3)], p.classification);

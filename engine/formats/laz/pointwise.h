@@ -35,7 +35,9 @@ class PointwiseCodec {
     if (rgb_offset_) last_rgb_ = load<Rgb>(first + rgb_offset_);
     if (wave_offset_) last_wave_ = Wavepacket::from(first + wave_offset_);
     wave_.start();
-    std::memcpy(last_extra_.data(), first + extra_offset_, last_extra_.size());
+    for (std::size_t i = 0; i < last_extra_.size(); ++i) {
+      last_extra_[i] = std::to_integer<std::uint8_t>(first[extra_offset_ + i]);
+    }
   }
 
   void code(Coder& coder, Byte* record) {

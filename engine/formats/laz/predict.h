@@ -7,8 +7,8 @@
 
 namespace ilot::laz {
 
-// A running median of the last values: five sorted values, of which each new one drives out the largest or the smallest,
-// in turns of the side it falls on. Without branches on the values.
+// A running median of the last values: five sorted values, of which each new one drives out the largest or
+// the smallest, in turns of the side it falls on. Without branches on the values.
 class Median5 {
  public:
   std::int32_t get() const { return v_[2]; }
@@ -29,11 +29,17 @@ class Median5 {
   std::uint32_t low_ = 0;  // 1: the next value drives out the smallest
 };
 
-constexpr std::int32_t clamp_byte(std::int32_t v) { return std::clamp(v, 0, 255); }
+constexpr std::int32_t clamp_byte(std::int32_t v) {
+  return std::clamp(v, 0, 255);
+}
 
 // Contexts that bin the number of bits of the coordinates coded before.
-constexpr std::uint32_t y_context(std::uint32_t x_bits) { return x_bits < 20 ? x_bits & ~1u : 20; }
-constexpr std::uint32_t z_context(std::uint32_t mean_bits) { return mean_bits < 18 ? mean_bits & ~1u : 18; }
+constexpr std::uint32_t y_context(std::uint32_t x_bits) {
+  return x_bits < 20 ? x_bits & ~1u : 20;
+}
+constexpr std::uint32_t z_context(std::uint32_t mean_bits) {
+  return mean_bits < 18 ? mean_bits & ~1u : 18;
+}
 
 // Point formats 0-5: [number of returns][return number].
 inline constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnMap8{{{15, 14, 13, 12, 11, 10, 9, 8},
@@ -47,14 +53,22 @@ inline constexpr std::array<std::array<std::uint8_t, 8>, 8> kReturnMap8{{{15, 14
 
 // Point formats 6-10: [number of returns][return number].
 inline constexpr std::array<std::array<std::uint8_t, 16>, 16> kReturnMap16{{
-    {0, 1, 2, 3, 4, 5, 3, 4, 4, 5, 5, 5, 5, 5, 5, 5}, {1, 0, 1, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3},
-    {2, 1, 2, 4, 4, 4, 4, 4, 4, 4, 4, 3, 3, 3, 3, 3}, {3, 3, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
-    {4, 3, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4}, {5, 3, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
-    {3, 3, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4}, {4, 3, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4},
-    {4, 3, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4}, {5, 3, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4},
-    {5, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 4, 4, 4},
-    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4, 4}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4},
-    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5}, {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
+    {0, 1, 2, 3, 4, 5, 3, 4, 4, 5, 5, 5, 5, 5, 5, 5},
+    {1, 0, 1, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3, 3},
+    {2, 1, 2, 4, 4, 4, 4, 4, 4, 4, 4, 3, 3, 3, 3, 3},
+    {3, 3, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {4, 3, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {5, 3, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {3, 3, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4, 4},
+    {4, 3, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4, 4},
+    {4, 3, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4, 4},
+    {5, 3, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4, 4},
+    {5, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 4, 4, 4, 4, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 4, 4, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5, 4},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5, 5},
+    {5, 3, 3, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 4, 5, 5},
 }};
 
 }  // namespace ilot::laz

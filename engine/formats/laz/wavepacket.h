@@ -56,14 +56,19 @@ class WavepacketCodec {
     const std::uint32_t kind = Coder::kEncodes ? kind_of(last, w) : 0;
     last_kind_ = coder.symbol(kind_[last_kind_], kind);
     switch (last_kind_) {
-      case kSame: w.offset = last.offset; break;
-      case kNext: w.offset = last.offset + last.size; break;
+      case kSame:
+        w.offset = last.offset;
+        break;
+      case kNext:
+        w.offset = last.offset + last.size;
+        break;
       case kNear:
         last_difference_ =
             difference_.code(coder, last_difference_, static_cast<std::int32_t>(w.offset - last.offset), 0);
         w.offset = last.offset + static_cast<std::uint64_t>(static_cast<std::int64_t>(last_difference_));
         break;
-      default: w.offset = raw64(coder, w.offset);
+      default:
+        w.offset = raw64(coder, w.offset);
     }
   }
 

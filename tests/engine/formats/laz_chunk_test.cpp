@@ -50,8 +50,9 @@ TEST(LazChunk, RoundTripOfEveryFormat) {
     ChunkEncoder encoder(layout);
     ChunkDecoder decoder(layout);
     for (const std::size_t count : {1, 2, 3, 100, 3000}) {
-      SCOPED_TRACE(testing::Message() << "format " << int(layout.point_format) << " version "
-                                      << int(layout.item_version) << " length " << layout.record_length << " n " << count);
+      SCOPED_TRACE(testing::Message()
+                   << "format " << int(layout.point_format) << " version " << int(layout.item_version)
+                   << " length " << layout.record_length << " n " << count);
       const auto records = PointMaker(layout, ++key).make(count);
       std::vector<std::byte> chunk, decoded(records.size());
       encoder.encode(records, chunk);
@@ -118,8 +119,9 @@ TEST(LazChunk, DamageIsToldOrHarmless) {
     std::vector<std::byte> decoded(records.size());
     for (int round = 0; round < 60; ++round) {
       // An exact copy on the heap, so that a sanitizer sees every byte read too many.
-      std::vector<std::byte> damaged(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(
-                                                                       round % 3 ? chunk.size() : rng.below(chunk.size())));
+      std::vector<std::byte> damaged(
+          chunk.begin(),
+          chunk.begin() + static_cast<std::ptrdiff_t>(round % 3 ? chunk.size() : rng.below(chunk.size())));
       for (std::uint64_t i = rng.below(4); i < 4 && !damaged.empty(); ++i) {
         damaged[rng.below(damaged.size())] = static_cast<std::byte>(rng.below(256));
       }
@@ -129,7 +131,8 @@ TEST(LazChunk, DamageIsToldOrHarmless) {
         decode_chunk(decoder, damaged, decoded, layout.record_length);
       }
     }
-    ASSERT_TRUE(decode_chunk(decoder, chunk, decoded, layout.record_length)) << "damage must not outlive its chunk";
+    ASSERT_TRUE(decode_chunk(decoder, chunk, decoded, layout.record_length))
+        << "damage must not outlive its chunk";
     EXPECT_TRUE(decoded == records);
   }
 }
@@ -148,15 +151,16 @@ TEST(LazChunk, ChunkTablesRoundTrip) {
         EXPECT_EQ(table.chunks[i].points, chunks[i].points);
         EXPECT_EQ(table.chunks[i].bytes, chunks[i].bytes);
       }
-      EXPECT_EQ(count == 0 || !decode_chunk_table(bytes, variable, count - 1).ok, true) << "count out of bounds";
+      EXPECT_EQ(count == 0 || !decode_chunk_table(bytes, variable, count - 1).ok, true)
+          << "count out of bounds";
       if (count < 2) continue;
       EXPECT_FALSE(decode_chunk_table(std::span(bytes).first(bytes.size() - 3), variable, count).ok);
     }
   }
 }
 
-// The strongest test of both directions: every chunk of every real file, decoded and encoded again, has the bytes that
-// LASzip (or whoever wrote the file) gave it, and so has the table.
+// The strongest test of both directions: every chunk of every real file, decoded and encoded again, has the
+// bytes that LASzip (or whoever wrote the file) gave it, and so has the table.
 TEST(LazChunk, RealChunksComeBackByteForByte) {
   ILOT_DATA_OR_SKIP(data);
   std::size_t files = 0, chunks = 0;
@@ -180,7 +184,8 @@ TEST(LazChunk, RealChunksComeBackByteForByte) {
       std::vector<std::byte> records(place.points * layout.record_length), again;
       ASSERT_TRUE(decode_chunk(decoder, chunk, records, layout.record_length)) << "chunk at " << place.offset;
       encoder.encode(records, again);
-      ASSERT_TRUE(again == chunk) << "chunk at " << place.offset << " of " << place.bytes << " came back as " << again.size();
+      ASSERT_TRUE(again == chunk) << "chunk at " << place.offset << " of " << place.bytes << " came back as "
+                                  << again.size();
       table.push_back({place.points, static_cast<std::uint32_t>(place.bytes)});
       ++chunks;
     }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the LAZ tests share: all compressed files of the real data, made-up points of every format, chunks of a file.
+// What the LAZ tests share: all compressed files of the real data, made-up points of every format, chunks of
+// a file.
 #pragma once
 #include <algorithm>
 #include <cstring>
@@ -45,10 +46,12 @@ struct OpenedLaz {
   laz::ChunkIndex index;
 };
 
-// Points that visit every branch of the codec: channels, returns, several clocks, jumps, extremes, rare changes.
+// Points that visit every branch of the codec: channels, returns, several clocks, jumps, extremes, rare
+// changes.
 class PointMaker {
  public:
-  PointMaker(const laz::ChunkLayout& layout, std::uint64_t key) : layout_(layout), rng_(key), record_(layout.record_length) {}
+  PointMaker(const laz::ChunkLayout& layout, std::uint64_t key)
+      : layout_(layout), rng_(key), record_(layout.record_length) {}
 
   std::vector<std::byte> make(std::size_t count) {
     std::vector<std::byte> out;
@@ -65,15 +68,20 @@ class PointMaker {
     store(&record_[at], static_cast<T>(load<T>(&record_[at]) + difference));
   }
   bool one_in(std::uint64_t n) { return rng_.below(n) == 0; }
-  std::uint32_t spread() { return static_cast<std::uint32_t>(rng_.next() >> (32 + rng_.below(32))) - static_cast<std::uint32_t>(rng_.below(64)); }
+  std::uint32_t spread() {
+    return static_cast<std::uint32_t>(rng_.next() >> (32 + rng_.below(32))) -
+           static_cast<std::uint32_t>(rng_.below(64));
+  }
 
   void advance() {
-    for (std::size_t axis = 0; axis < 3; ++axis) add<std::uint32_t>(4 * axis, one_in(50) ? static_cast<std::uint32_t>(rng_.next()) : spread());
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      add<std::uint32_t>(4 * axis, one_in(50) ? static_cast<std::uint32_t>(rng_.next()) : spread());
     for (std::size_t i = 12; i < (layout_.layered() ? 22u : 20u); ++i) {
       if (one_in(i == 14 ? 2 : 9)) record_[i] = static_cast<std::byte>(rng_.below(one_in(3) ? 256 : 40));
     }
     if (const auto gps = gps_time_offset(layout_.point_format)) advance_time(*gps);
-    for (std::size_t i = layout_.layered() ? 30 : standard_size(layout_.point_format); i < record_.size(); ++i) {
+    for (std::size_t i = layout_.layered() ? 30 : standard_size(layout_.point_format); i < record_.size();
+         ++i) {
       if (one_in(5)) record_[i] = static_cast<std::byte>(rng_.below(256));
     }
     if (!layout_.layered()) {

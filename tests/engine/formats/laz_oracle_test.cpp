@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Both directions against another implementation: npm's laz-perf 0.0.7 (WebAssembly), through tests/oracles. Skipped
-// loudly without node and the package: npm install laz-perf@0.0.7 in the folder that ILOT_NPM names.
+// Both directions against another implementation: npm's laz-perf 0.0.7 (WebAssembly), through tests/oracles.
+// Skipped loudly without node and the package: npm install laz-perf@0.0.7 in the folder that ILOT_NPM names.
 #include <cstdlib>
 
 #include "engine/formats/laz.h"
@@ -17,13 +17,14 @@ bool npm_has_laz_perf() {
          std::system("node --version > /dev/null 2>&1") == 0;
 }
 
-#define LAZ_PERF_OR_SKIP()                                                                              \
+#define LAZ_PERF_OR_SKIP() \
   if (!npm_has_laz_perf()) GTEST_SKIP() << "no node, or no laz-perf below ILOT_NPM: nothing was compared"
 
 // False when laz-perf cannot decode the file.
 bool decode_by_laz_perf(const std::filesystem::path& in, const std::filesystem::path& out) {
   std::filesystem::remove(out);
-  const std::string command = "node '" + std::string(kScript) + "' '" + in.string() + "' '" + out.string() + "' 2> /dev/null";
+  const std::string command =
+      "node '" + std::string(kScript) + "' '" + in.string() + "' '" + out.string() + "' 2> /dev/null";
   return std::system(command.c_str()) == 0;
 }
 
@@ -47,7 +48,8 @@ TEST(LazOracle, RealFilesDecodeToTheSameBytes) {
   EXPECT_GE(compared, 40u);
 }
 
-// All formats that laz-perf knows, with several scanner channels, extra bytes, a chunk of one point at the end.
+// All formats that laz-perf knows, with several scanner channels, extra bytes, a chunk of one point at the
+// end.
 TEST(LazOracle, OurFilesDecodeToTheSameBytes) {
   LAZ_PERF_OR_SKIP();
   const test::Folder folder;
@@ -57,7 +59,8 @@ TEST(LazOracle, OurFilesDecodeToTheSameBytes) {
       CloudSpec spec;
       spec.like.layout.point_format = format;
       spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(format) + extra);
-      const laz::ChunkLayout layout{format, spec.like.layout.record_length, static_cast<std::uint8_t>(format < 6 ? 2 : 3)};
+      const laz::ChunkLayout layout{format, spec.like.layout.record_length,
+                                    static_cast<std::uint8_t>(format < 6 ? 2 : 3)};
       const auto rows = test::PointMaker(layout, format + 100u).make(8001);
       const auto writer = create_laz(folder / "a.laz", spec, {2000});
       writer->write(rows);

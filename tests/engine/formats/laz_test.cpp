@@ -20,14 +20,18 @@ CloudSpec spec_of(std::uint8_t format, std::uint16_t extra = 0) {
   CloudSpec spec;
   spec.like.layout.point_format = format;
   spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(format) + extra);
-  if (extra > 0) spec.like.layout.extra = {{"more", "", FieldType::opaque, static_cast<std::uint16_t>(standard_size(format)), extra}};
+  if (extra > 0)
+    spec.like.layout.extra = {
+        {"more", "", FieldType::opaque, static_cast<std::uint16_t>(standard_size(format)), extra}};
   spec.software = "test";
   return spec;
 }
 
 std::vector<std::byte> points_of(const CloudSpec& spec, std::size_t count, std::uint64_t key = 1) {
   const auto& l = spec.like.layout;
-  return PointMaker({l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, key).make(count);
+  return PointMaker({l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)},
+                    key)
+      .make(count);
 }
 
 void write_file(const std::filesystem::path& path, const CloudSpec& spec, std::span<const std::byte> rows,
@@ -35,7 +39,8 @@ void write_file(const std::filesystem::path& path, const CloudSpec& spec, std::s
   const auto writer = create_laz(path, spec, {chunk_points});
   ASSERT_EQ(writer->record_length(), spec.like.layout.record_length);
   const std::size_t step = 777 * writer->record_length();
-  for (std::size_t at = 0; at < rows.size(); at += step) writer->write(rows.subspan(at, std::min(step, rows.size() - at)));
+  for (std::size_t at = 0; at < rows.size(); at += step)
+    writer->write(rows.subspan(at, std::min(step, rows.size() - at)));
   writer->finish();
 }
 
@@ -90,7 +95,8 @@ TEST(Laz, ReadsAnyRangeFromAnyThread) {
         std::vector<std::uint8_t> valid(count);
         const std::size_t got = reader->read(first, out, valid);
         const std::uint64_t expected = first >= 9000 ? 0 : std::min(count, 9000 - first);
-        if (got != expected || std::memcmp(out.data(), rows.data() + first * 34 * (got > 0), got * 34) != 0) ++wrong;
+        if (got != expected || std::memcmp(out.data(), rows.data() + first * 34 * (got > 0), got * 34) != 0)
+          ++wrong;
       }
     });
   }
@@ -223,7 +229,8 @@ TEST(Laz, UncompressedTwinsHoldTheSamePoints) {
 // What a run asks for is what full decoding gives.
 TEST(Laz, SelectedFieldsEqualFullDecoding) {
   ILOT_DATA_OR_SKIP(data);
-  for (const char* name : {"ign/77050_627755_pf8.laz", "minimalhouse/minimal_house_12.laz", "ign/77050_627755_pf3.laz"}) {
+  for (const char* name :
+       {"ign/77050_627755_pf8.laz", "minimalhouse/minimal_house_12.laz", "ign/77050_627755_pf3.laz"}) {
     SCOPED_TRACE(name);
     const auto all = open_cloud(data / name), some = open_cloud(data / name);
     some->limit_to(kFieldZ | kFieldClass);
