@@ -47,7 +47,7 @@ Sampling measure_sampling(const NeighbourIndex& index) {
 }
 
 PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres) {
-  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.02, kConnectedSteps = 3;
+  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kConnectedSteps = 3;
   PlaneParams p;
   p.epsilon = settings.epsilon
                   ? *settings.epsilon / unit_metres

@@ -26,7 +26,7 @@ struct PlaneParams {
   std::uint32_t min_points = 3;
 };
 
-// Settings where they are given, else: epsilon = 3.5 noise, at least 3 lattice units and a fiftieth of the step;
+// Settings where they are given, else: epsilon = 3.5 noise, at least 3 lattice units and a quarter of the step;
 // connectivity = 3 steps; min_points = 30. unit_metres is the lattice unit in metres.
 PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres);
 
