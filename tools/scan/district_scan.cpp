@@ -15,12 +15,12 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kBatchBytes = 160e6;  // of records in memory at a time
-constexpr double kCellArea = 160 * 160;
 
 // Cells per batch: from the scene alone, never from the number of threads.
-std::size_t batch_size(const DistrictScan& scan) {
-  const double cell_bytes =
-      std::min(kCellArea, scan.district.side * scan.district.side) * scan.flight.density * 36;
+std::size_t batch_size(const DistrictScan& scan, const District& district) {
+  const double cell_area =
+      scan.district.side * scan.district.side / static_cast<double>(district.cell_count());
+  const double cell_bytes = cell_area * scan.flight.density * 36;
   return static_cast<std::size_t>(std::clamp(kBatchBytes / cell_bytes, 1.0, 64.0));
 }
 
@@ -75,9 +75,10 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
   const std::size_t record_length = scan_layout().record_length;
   std::uint64_t left = scan.points.value_or(std::numeric_limits<std::uint64_t>::max());
   std::uint64_t next_plane = kGroundPlane + 1, next_building = 1;
-  for (std::uint64_t first = 0; first < district.cell_count() && left > 0; first += batch_size(scan)) {
+  const std::size_t at_once = batch_size(scan, district);
+  for (std::uint64_t first = 0; first < district.cell_count() && left > 0; first += at_once) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
-    std::vector<ScannedCell> batch(std::min<std::uint64_t>(batch_size(scan), district.cell_count() - first));
+    std::vector<ScannedCell> batch(std::min<std::uint64_t>(at_once, district.cell_count() - first));
     parallel_for(batch.size(), [&](std::size_t i) { batch[i].cell = district.build_cell(first + i); });
     for (ScannedCell& item : batch) {
       item.first_plane = static_cast<std::uint32_t>(next_plane);
