@@ -34,6 +34,9 @@ class PointWriter {
   virtual void finish() = 0;
 };
 
+// What labelled clouds are written as.
+constexpr const char* kCloudExtension = ".laz";
+
 // By extension. Throws Error when the format is not one we write, with the list of those we do.
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec);
 

@@ -205,7 +205,7 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
   const Labeller labeller(store, blocks, params, context);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
-    const auto writer = create_cloud(folder / (names[f] + ".laz"), labelled_spec(*inputs[f], params));
+    const auto writer = create_cloud(folder / (names[f] + kCloudExtension), labelled_spec(*inputs[f], params));
     labelled += labeller.copy(*inputs[f], f, *writer);
   }
   return labelled;

@@ -53,6 +53,12 @@ PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std
   context.task_points = 2 * block_points;
   context.metres_per_unit = inputs.crs.metres_per_unit;
   context.advance = [&progress](std::uint64_t points) { progress.advance(points); };
+  if (options.area) {
+    const double unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
+    context.wanted = [&area = *options.area, unit](Index3 p) {
+      return area.contains(static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit);
+    };
+  }
   return context;
 }
 

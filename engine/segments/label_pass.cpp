@@ -10,11 +10,12 @@
 #include "engine/segments/block_cells.h"
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/knn.h"
+#include "kernels/neighbours/normals.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 64;
+constexpr std::uint64_t kBytesPerPoint = 72;
 constexpr int kVoters = 13;            // the point itself and its 12 nearest
 constexpr int kLeastVotes = 2;         // for a plane to be a candidate
 constexpr int kIslandOwnVotes = 2;     // at most so many neighbours share the label of an island
@@ -49,12 +50,13 @@ int count_votes(std::span<const std::uint32_t> neighbours, std::uint32_t self, c
 class BlockLabels {
  public:
   BlockLabels(const Store& store, std::uint32_t block, const BlockCells& cells, const CellPlanes& cell_planes,
-              const JoinedPlanes& joined)
-      : store_(store), block_(block), cells_(cells), cell_planes_(cell_planes), joined_(joined) {
+              const JoinedPlanes& joined, const std::function<bool(Index3)>& wanted)
+      : store_(store), block_(block), cells_(cells), cell_planes_(cell_planes), joined_(joined), wanted_(wanted) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
     before_ = load_column<std::uint32_t>(store, view_, "segment");
     for (std::uint32_t& s : before_) s = s == 0 ? 0 : joined.of_segment[s - 1];
+    normals_ = load_column<PackedNormal>(store, view_, "normals");
     own_ = range_of_block(view_, block);
     plane_.resize(b.points);
     residual_.resize(b.points);
@@ -139,22 +141,41 @@ class BlockLabels {
 
   // Of two planes that a point is within epsilon of, does it belong to b rather than a? Two planes have two bisectors;
   // the neighbours tell which one parts the faces (a ridge, a valley, a step), and the point's side of it decides. The
-  // nearer plane would not do: a point that noise lifts above a ridge is nearer to the face on the other side.
+  // nearer plane would not do: a point that noise lifts above a ridge is nearer to the face on the other side. Where no
+  // bisector parts the neighbours the planes cross inside one of the faces, and the point's own normal decides.
   bool beyond(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> neighbours) const {
+    struct Seen {
+      double from_a, from_b;
+      bool on_b;
+    };
+    std::array<Seen, kVoters> seen;
+    std::size_t count = 0;
     double side_of_a = 0, side_of_b = 0;  // where points of a lie from b, and of b from a
     for (const std::uint32_t j : neighbours) {
       if (j == kNoNeighbour) break;
-      if (before_[j] == a) side_of_a += distance(j, b);
-      if (before_[j] == b) side_of_b += distance(j, a);
+      if (before_[j] != a && before_[j] != b) continue;
+      const Seen s{distance(j, a), distance(j, b), before_[j] == b};
+      (s.on_b ? side_of_b : side_of_a) += s.on_b ? s.from_a : s.from_b;
+      seen[count++] = s;
     }
-    const double from_a = distance(i, a), from_b = distance(i, b);
-    if (side_of_a == 0 || side_of_b == 0) return std::abs(from_b) < std::abs(from_a);
     const bool same = (side_of_a > 0) == (side_of_b > 0);
-    const double side = same ? from_b - from_a : from_a + from_b;
-    return (side > 0) != (side_of_a > 0);
+    const auto on_side_of_b = [&](double from_a, double from_b) {
+      return ((same ? from_b - from_a : from_a + from_b) > 0) != (side_of_a > 0);
+    };
+    std::size_t right = 0;
+    for (std::size_t n = 0; n < count; ++n) right += on_side_of_b(seen[n].from_a, seen[n].from_b) == seen[n].on_b;
+    if (4 * right >= 3 * count) return on_side_of_b(distance(i, a), distance(i, b));
+    return agreement(i, b) > agreement(i, a);
+  }
+
+  double agreement(std::uint32_t i, std::uint32_t plane) const {
+    const PackedNormal& n = normals_[i];
+    const Vec3 normal{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
+    return std::abs(dot(normal, joined_.planes[plane - 1].plane.n));
   }
 
   void set(std::uint32_t point, std::uint32_t plane) {
+    if (wanted_ && !wanted_(position(own_.begin + point))) plane = 0;
     plane_[point] = plane;
     residual_[point] =
         plane == 0 ? 0.0f : static_cast<float>(distance(own_.begin + point, plane) * store_.unit());
@@ -165,9 +186,11 @@ class BlockLabels {
   const BlockCells& cells_;
   const CellPlanes& cell_planes_;
   const JoinedPlanes& joined_;
+  const std::function<bool(Index3)>& wanted_;
   View view_;
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
+  std::vector<PackedNormal> normals_;
   std::vector<std::uint32_t> plane_;   // of the block's own points
   std::vector<float> residual_;
 };
@@ -191,7 +214,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "plane")) {
-      BlockLabels labels(store, block, block_cells[block], cell_planes, joined);
+      BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context.wanted);
       labels.decide();
       labels.write();
     }

@@ -20,7 +20,7 @@ struct PlaneTally {
 // A point's candidates are its own plane and those of at least two of its 12 nearest neighbours within the
 // connectivity, all within epsilon of it; between two of them decides the bisector that parts their points. A point
 // alone among points of one other plane goes to that plane if it lies within epsilon. Points of dropped planes and
-// points without one take part like all others.
+// points without one take part like all others. Points that are not wanted get none.
 std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
                                    const JoinedPlanes& joined, const PassContext& context);
 
