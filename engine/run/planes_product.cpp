@@ -57,8 +57,8 @@ double median(std::vector<double> values) {
 
 void record_choices(const CellPlanes& found, const Settings& settings, double unit_m, RunRecord& record) {
   std::vector<double> epsilon, connectivity, step, noise;
-  for (const CellPlane& p : found.planes) epsilon.push_back(p.epsilon * unit_m);
   for (const CellSummary& c : found.cells) {
+    epsilon.push_back(c.epsilon * unit_m);
     connectivity.push_back(static_cast<double>(c.connectivity) * unit_m);
     step.push_back(c.step * unit_m);
     noise.push_back(c.noise * unit_m);
@@ -67,7 +67,8 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                std::to_string(median(step)) + " m, noise " + std::to_string(median(noise)) + " m";
   if (!settings.planes.epsilon)
     record.chosen.push_back({"planes.epsilon", median(epsilon),
-                             "3.5 times the noise of each cell, each plane's own stands in planes.csv; " + measured});
+                             "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each plane's own stands in "
+                             "planes.csv; " + measured});
   if (!settings.planes.connectivity)
     record.chosen.push_back({"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
   if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", kAutoMinPoints, "fixed"});
@@ -86,10 +87,10 @@ PlanesResult make_planes(const Store& store, const Settings& settings, const Pas
   record_choices(found, settings, store.unit() * context.metres_per_unit, record);
 
   progress.begin_stage("join", 2 * store.points());
-  const std::vector<Contact> contacts = contact_pass(store, cells, found, context);
+  std::vector<Contact> contacts = contact_pass(store, cells, found, context);
   const auto min_points = static_cast<std::uint32_t>(settings.planes.min_points.value_or(kAutoMinPoints));
   const JoinedPlanes joined =
-      join_planes(cells, found, contacts, {cos_degrees(settings.planes.join_angle), min_points});
+      join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle), min_points});
   const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context);
   progress.end_stage();
   return number_planes(joined, tallies, store.unit(), context.metres_per_unit);

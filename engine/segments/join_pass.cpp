@@ -32,7 +32,7 @@ BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& l
   for (std::uint32_t i = 0; i < view.size; ++i) {
     if (labels[i] == 0) continue;
     const std::uint32_t segment = labels[i] - 1;
-    const IndexBox box = cells[planes.planes[segment].cell].node.box();
+    const IndexBox box = cells[planes.cell_of[segment]].node.box();
     const Index3 p{static_cast<std::int64_t>(view.x[i]) + view.anchor.x,
                    static_cast<std::int64_t>(view.y[i]) + view.anchor.y,
                    static_cast<std::int64_t>(view.z[i]) + view.anchor.z};
@@ -76,7 +76,7 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
   std::vector<std::int64_t> reach2(1);
   for (const std::uint32_t i : border.own) {
     const std::uint32_t a = border.segment[i];
-    const std::uint32_t cell = planes.planes[a].cell;
+    const std::uint32_t cell = planes.cell_of[a];
     const std::int64_t r = planes.cells[cell].connectivity;
     knn(index, std::span(&i, 1), {kNearest, r * r}, neighbours, reach2);
     std::uint32_t seen[kNearest];
@@ -84,7 +84,7 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
     for (const std::uint32_t j : neighbours) {
       if (j == kNoNeighbour) break;
       const std::uint32_t c = border.segment[j];
-      if (planes.planes[c].cell == cell || std::find(seen, seen + count, c) != seen + count) continue;
+      if (planes.cell_of[c] == cell || std::find(seen, seen + count, c) != seen + count) continue;
       seen[count++] = c;
       pairs.push_back(static_cast<std::uint64_t>(std::min(a, c)) << 32 | std::max(a, c));
     }
@@ -101,16 +101,21 @@ Index3 minus(Index3 a, Index3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 
 class Joiner {
  public:
-  Joiner(const std::vector<Cell>& cells, const CellPlanes& planes, const JoinParams& params)
-      : cells_(cells), planes_(planes), params_(params), parents_(planes.planes.size()), sets_(parents_) {
-    for (const CellPlane& p : planes.planes) groups_.push_back({p.moments, p.epsilon});
+  Joiner(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes, const JoinParams& params)
+      : cells_(cells), planes_(planes), params_(params), parents_(planes.cell_of.size()), sets_(parents_) {
+    for (std::uint32_t c = 0; c < cells.size(); ++c) {
+      for (const CellPlane& p : read_cell_planes(store, cells[c])) {
+        groups_.push_back({p.moments, planes.cells[c].epsilon});
+        normals_.push_back(p.plane.n);
+      }
+    }
   }
 
   void try_join(const Contact& contact) {
     std::uint32_t a = sets_.find(contact.a), b = sets_.find(contact.b);
     if (a == b) return;
     if (b < a) std::swap(a, b);
-    if (std::abs(dot(normal(contact.a), normal(contact.b))) < params_.min_cos) return;
+    if (std::abs(dot(normals_[contact.a], normals_[contact.b])) < params_.min_cos) return;
     const double epsilon = std::max(groups_[a].epsilon, groups_[b].epsilon);
     const Moments moved = shifted(groups_[b].moments, minus(anchor(b), anchor(a)));
     Moments both = groups_[a].moments;
@@ -125,8 +130,8 @@ class Joiner {
 
   JoinedPlanes result() {
     JoinedPlanes r;
-    r.of_segment.assign(planes_.planes.size(), 0);
-    for (std::uint32_t i = 0; i < planes_.planes.size(); ++i) {
+    r.of_segment.assign(planes_.cell_of.size(), 0);
+    for (std::uint32_t i = 0; i < planes_.cell_of.size(); ++i) {
       const std::uint32_t root = sets_.find(i);
       if (root == i) {
         const PlaneFit fit = fit_plane(groups_[i].moments);
@@ -141,8 +146,7 @@ class Joiner {
   }
 
  private:
-  Index3 anchor(std::uint32_t plane) const { return cells_[planes_.planes[plane].cell].node.min_corner(); }
-  Vec3 normal(std::uint32_t plane) const { return planes_.planes[plane].plane.n; }
+  Index3 anchor(std::uint32_t plane) const { return cells_[planes_.cell_of[plane]].node.min_corner(); }
 
   const std::vector<Cell>& cells_;
   const CellPlanes& planes_;
@@ -150,6 +154,7 @@ class Joiner {
   std::vector<std::uint32_t> parents_;
   UnionFind sets_;
   std::vector<Group> groups_;
+  std::vector<Vec3> normals_;  // of the cell planes
 };
 
 }  // namespace
@@ -182,10 +187,10 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
   return merged;
 }
 
-JoinedPlanes join_planes(const std::vector<Cell>& cells, const CellPlanes& planes, std::vector<Contact> contacts,
-                         const JoinParams& params) {
+JoinedPlanes join_planes(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
+                         std::vector<Contact> contacts, const JoinParams& params) {
   std::stable_sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) { return a.count > b.count; });
-  Joiner joiner(cells, planes, params);
+  Joiner joiner(store, cells, planes, params);
   for (const Contact& c : contacts)
     if (c.count >= kLeastContacts) joiner.try_join(c);
   return joiner.result();

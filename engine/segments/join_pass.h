@@ -40,7 +40,7 @@ struct JoinParams {
 // each stays within half its epsilon (root mean square) of their common least-squares plane. Only exact sums enter, so
 // the answer depends on the set of cells and contacts alone; a group's outcome does not depend on groups that it does
 // not touch. O(contacts log contacts).
-JoinedPlanes join_planes(const std::vector<Cell>& cells, const CellPlanes& planes, std::vector<Contact> contacts,
-                         const JoinParams& params);
+JoinedPlanes join_planes(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
+                         std::vector<Contact> contacts, const JoinParams& params);
 
 }  // namespace ilot

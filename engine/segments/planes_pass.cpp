@@ -18,8 +18,10 @@ constexpr std::uint64_t kBytesPerPoint = 160;
 struct StoredCell {
   std::uint64_t planes = 0;
   std::int64_t connectivity = 1;
-  double step = 0, noise = 0;
+  double epsilon = 0, step = 0, noise = 0;
+  double unused = 0;  // the planes that follow hold 128-bit sums and are aligned
 };
+static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
 std::filesystem::path cell_path(const Store& store, const Cell& cell, const char* suffix) {
   return store.folder() / "cells" / (cell.node.name() + suffix);
@@ -60,7 +62,7 @@ struct CellResult {
   std::vector<std::uint32_t> labels;
 };
 
-CellResult own_part(const CellPoints& cp, const RansacPlanes& found, const PlaneParams& params) {
+CellResult own_part(const CellPoints& cp, const RansacPlanes& found) {
   CellResult r;
   std::vector<std::vector<std::uint32_t>> members(found.planes.size());
   for (std::uint32_t i = 0; i < cp.size; ++i)
@@ -68,7 +70,7 @@ CellResult own_part(const CellPoints& cp, const RansacPlanes& found, const Plane
   std::vector<std::uint32_t> number(found.planes.size() + 1, 0);
   for (std::size_t p = 0; p < found.planes.size(); ++p) {
     if (members[p].empty()) continue;
-    r.planes.push_back({0, found.planes[p], params.epsilon, moments_of(cp.points(), members[p])});
+    r.planes.push_back({found.planes[p], moments_of(cp.points(), members[p])});
     number[p + 1] = static_cast<std::uint32_t>(r.planes.size());
   }
   for (std::uint32_t i = 0; i < cp.size; ++i)
@@ -87,8 +89,8 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
       {cp.points(), n.x.data(), n.y.data(), n.z.data()},
       {params.epsilon, params.min_cos, params.connectivity, params.min_points, settings.planes.probability,
        content_key(cp, settings.seed)});
-  CellResult r = own_part(cp, found, params);
-  r.header = {r.planes.size(), params.connectivity, sampling.step, sampling.noise};
+  CellResult r = own_part(cp, found);
+  r.header = {r.planes.size(), params.connectivity, params.epsilon, sampling.step, sampling.noise, 0};
   return r;
 }
 
@@ -100,17 +102,12 @@ void write_cell(const Store& store, const Cell& cell, const CellResult& r) {
   writer.commit();
 }
 
-void read_cell(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
-  const ColumnReader reader(cell_path(store, cells[cell], ".planes"));
+void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
   StoredCell header;
-  reader.read<StoredCell>(0, std::span(&header, 1));
-  CellSummary& summary = all.cells[cell];
-  summary = {static_cast<std::uint32_t>(all.planes.size()), static_cast<std::uint32_t>(header.planes),
-             header.connectivity, header.step, header.noise};
-  all.planes.resize(all.planes.size() + header.planes);
-  const auto planes = std::span(all.planes).subspan(summary.first_plane, header.planes);
-  reader.read_bytes(sizeof header, std::as_writable_bytes(planes));
-  for (CellPlane& p : planes) p.cell = cell;
+  ColumnReader(cell_path(store, cells[cell], ".planes")).read<StoredCell>(0, std::span(&header, 1));
+  all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()), static_cast<std::uint32_t>(header.planes),
+                     header.connectivity, header.epsilon, header.step, header.noise};
+  all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 
 // Labels of the cells become one column per block, numbered over all cells.
@@ -158,9 +155,18 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   });
   CellPlanes all;
   all.cells.resize(cells.size());
-  for (std::uint32_t c = 0; c < cells.size(); ++c) read_cell(store, cells, c, all);
+  for (std::uint32_t c = 0; c < cells.size(); ++c) summarise(store, cells, c, all);
   write_segments(store, cells, all, context);
   return all;
+}
+
+std::vector<CellPlane> read_cell_planes(const Store& store, const Cell& cell) {
+  const ColumnReader reader(cell_path(store, cell, ".planes"));
+  StoredCell header;
+  reader.read<StoredCell>(0, std::span(&header, 1));
+  std::vector<CellPlane> planes(header.planes);
+  reader.read_bytes(sizeof header, std::as_writable_bytes(std::span(planes)));
+  return planes;
 }
 
 }  // namespace ilot

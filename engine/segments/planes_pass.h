@@ -10,28 +10,31 @@
 
 namespace ilot {
 
-// A plane of one cell before the join. Lengths in lattice units, coordinates relative to the cell's corner.
-struct CellPlane {
-  std::uint32_t cell = 0;  // index into the cells
-  Plane plane;             // fitted over the cell and its margin
-  double epsilon = 0;
-  Moments moments;         // of its points in the cell itself
-};
-
+// What stays in memory of a cell while passes run over the blocks. Lengths in lattice units.
 struct CellSummary {
-  std::uint32_t first_plane = 0, plane_count = 0;  // in the list of all cell planes
-  std::int64_t connectivity = 1;                   // units
-  double step = 0, noise = 0;                      // units
+  std::uint32_t first_plane = 0, plane_count = 0;  // among all cell planes
+  std::int64_t connectivity = 1;
+  double epsilon = 0;
+  double step = 0, noise = 0;
 };
 
 struct CellPlanes {
-  std::vector<CellSummary> cells;   // as the canonical cells
-  std::vector<CellPlane> planes;    // by cell
+  std::vector<CellSummary> cells;       // as the canonical cells
+  std::vector<std::uint32_t> cell_of;   // per cell plane: its cell
 };
 
-// Finds the planes of each cell and writes the column "segment" (u32 per point: 0 = none, else 1 + index into planes).
-// A cell's answer depends on the points of the cell and its margin alone.
+// Finds the planes of each cell and writes the column "segment" (u32 per point: 0 = none, else 1 + number of the cell
+// plane). A cell's answer depends on the points of the cell and its margin alone.
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context);
+
+// A plane of one cell before the join, as it is kept on disk. Coordinates relative to the cell's corner.
+struct CellPlane {
+  Plane plane;      // fitted over the cell and its margin
+  Moments moments;  // of its points in the cell itself
+};
+
+// The planes of one cell, which planes_pass has found.
+std::vector<CellPlane> read_cell_planes(const Store& store, const Cell& cell);
 
 }  // namespace ilot

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The command line of ilot: the only catch and the only exit code.
+#include <malloc.h>
+
 #include <csignal>
 #include <new>
 #include <nlohmann/json.hpp>
@@ -82,6 +84,8 @@ int run_command_line(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   install_signal_handlers();
+  // Blocks go back to the system when they are freed, not into a pool that --memory knows nothing of.
+  mallopt(M_MMAP_THRESHOLD, 1 << 18);
   try {
     return run_command_line(argc, argv);
   } catch (const Error& fault) {
