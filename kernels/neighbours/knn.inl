@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of knn. A query starts from an upper bound of its answer's radius, then one sweep of the box hierarchy in index
-// order collects every point within it. Boxes and leaves are tried eight at a time in float32 against a bound that is
-// inflated by more than the rounding; what passes is measured again in integers, so the answer is exact.
+// Body of knn. A query starts from an upper bound of its answer's radius, taken from the query before it or from the
+// points around it in index order; every point within the bound is a candidate, and the k nearest are selected.
+// Near path: up to eight queries of one leaf share one sweep of the box hierarchy. Squared distances up to 2^24 are
+// integers that float32 holds exactly (a rounded sum is never below 2^24), so no second measurement is needed.
+// Far path, for wider bounds, crowds of coincident points and ties at the k-th: one sweep a query, float32 only culls
+// with a bound inflated by more than the rounding, and what passes is measured in integers.
 
 namespace {
 
@@ -167,32 +170,202 @@ inline void collect(const KnnArgs& a, std::uint32_t query, std::int64_t bound, C
   }
 }
 
+// The far path: any bound, any number of candidates, any ties.
+inline std::int64_t far_query(const KnnArgs& a, std::uint32_t query, std::int64_t bound, std::uint32_t* out) {
+  Candidates c;
+  c.size = 0;
+  const std::uint32_t k = static_cast<std::uint32_t>(a.k);
+  collect(a, query, bound, c);
+  if (c.size > k) shrink(c, k);
+  for (std::uint32_t i = 0; i < k; ++i) out[i] = i < c.size ? c.index[i] : 0xffffffffu;
+  if (c.size < k) return -1;
+  std::uint64_t largest = 0;
+  for (std::uint32_t i = 0; i < k; ++i) largest = c.key[i] > largest ? c.key[i] : largest;
+  return static_cast<std::int64_t>(largest >> kSlotBits);
+}
+
+constexpr std::int64_t kExactInFloat = std::int64_t{1} << 24;
+constexpr std::uint32_t kNearCapacity = 256;
+constexpr std::uint32_t kLeafCapacity = 192;
+
+struct Leaves {
+  std::uint32_t leaf[kLeafCapacity];
+  std::uint32_t size;
+};
+
+struct NearCandidates {
+  float d2[kNearCapacity + 16];
+  std::uint32_t index[kNearCapacity + 16];
+  std::uint32_t size;
+};
+
+inline std::uint32_t near_boxes(const float* node, const F8 (&low)[3], const F8 (&high)[3], F8 bound) {
+  const F8 zero = splat(0.0f);
+  const F8 dx = max8(max8(load8(node) - high[0], low[0] - load8(node + 24)), zero);
+  const F8 dy = max8(max8(load8(node + 8) - high[1], low[1] - load8(node + 32)), zero);
+  const F8 dz = max8(max8(load8(node + 16) - high[2], low[2] - load8(node + 40)), zero);
+  return mask_le(dx * dx + dy * dy + dz * dz, bound);
+}
+
+// Leaves that may hold a point within the bound of any of the queries, ascending. False when there are too many.
+inline bool collect_leaves(const KnnArgs& a, const std::uint32_t* queries, std::uint32_t count, float bound, Leaves& out) {
+  float box[6] = {a.x[queries[0]], a.y[queries[0]], a.z[queries[0]], a.x[queries[0]], a.y[queries[0]], a.z[queries[0]]};
+  for (std::uint32_t i = 1; i < count; ++i) {
+    const float v[3] = {a.x[queries[i]], a.y[queries[i]], a.z[queries[i]]};
+    for (int axis = 0; axis < 3; ++axis) {
+      box[axis] = v[axis] < box[axis] ? v[axis] : box[axis];
+      box[axis + 3] = v[axis] > box[axis + 3] ? v[axis] : box[axis + 3];
+    }
+  }
+  const F8 low[3] = {splat(box[0]), splat(box[1]), splat(box[2])};
+  const F8 high[3] = {splat(box[3]), splat(box[4]), splat(box[5])};
+  const F8 limit = splat(bound);
+  struct Pending {
+    std::uint32_t node, children;
+  };
+  Pending stack[16];
+  int level = a.levels - 1;
+  out.size = 0;
+  stack[level] = {0, near_boxes(a.boxes[level], low, high, limit)};
+  while (level < a.levels) {
+    Pending& top = stack[level];
+    if (top.children == 0) {
+      ++level;
+      continue;
+    }
+    const std::uint32_t child = top.node * 8 + static_cast<std::uint32_t>(__builtin_ctz(top.children));
+    top.children &= top.children - 1;
+    if (level == 0) {
+      if (out.size == kLeafCapacity) return false;
+      out.leaf[out.size++] = child;
+    } else {
+      --level;
+      stack[level] = {child, near_boxes(a.boxes[level] + std::size_t{48} * child, low, high, limit)};
+    }
+  }
+  return true;
+}
+
+// Points of the leaves within the bound, ascending. False when there are too many.
+inline bool scan_leaves(const KnnArgs& a, std::uint32_t query, const Leaves& leaves, float bound, NearCandidates& c) {
+  const F8 qx = splat(a.x[query]), qy = splat(a.y[query]), qz = splat(a.z[query]), limit = splat(bound);
+  c.size = 0;
+  for (std::uint32_t l = 0; l < leaves.size; ++l) {
+    const std::uint32_t begin = leaves.leaf[l] * 8;
+    const F8 dx = load8(a.x + begin) - qx, dy = load8(a.y + begin) - qy, dz = load8(a.z + begin) - qz;
+    const F8 d2 = dx * dx + dy * dy + dz * dz;
+    std::uint32_t hits = mask_le(d2, limit);
+    if (a.size - begin < 8) hits &= (1u << (a.size - begin)) - 1;
+    if (hits == 0) continue;
+    float lanes[8];
+    store8(lanes, d2);
+    do {
+      const std::uint32_t j = static_cast<std::uint32_t>(__builtin_ctz(hits));
+      hits &= hits - 1;
+      c.d2[c.size] = lanes[j];
+      c.index[c.size++] = begin + j;
+    } while (hits != 0);
+    if (c.size > kNearCapacity) return false;
+  }
+  return true;
+}
+
+// A value that exactly k of the candidates do not exceed, by interpolation between counts; false when there is none
+// (a tie at the k-th) or it was not found soon.
+inline bool find_limit(NearCandidates& c, std::uint32_t k, float bound, float& limit) {
+  if (c.size == k) {
+    limit = bound;
+    return true;
+  }
+  for (std::uint32_t i = c.size; i < c.size + 8; ++i) c.d2[i] = 3e38f;
+  float low = -1.0f, high = bound;
+  std::uint32_t at_low = 0, at_high = c.size;
+  for (int round = 0; round < 16; ++round) {
+    const float share = static_cast<float>(k - at_low) / static_cast<float>(at_high - at_low);
+    const float guess = low + (high - low) * share;
+    if (!(guess > low && guess < high)) return false;
+    Count8 counts = zero_count();
+    const F8 g = splat(guess);
+    for (std::uint32_t i = 0; i < c.size; i += 8) count_le(counts, load8(c.d2 + i), g);
+    const std::uint32_t n = total(counts);
+    if (n == k) {
+      limit = guess;
+      return true;
+    }
+    if (n < k) {
+      low = guess;
+      at_low = n;
+    } else {
+      high = guess;
+      at_high = n;
+    }
+  }
+  return false;
+}
+
+// The near path of one query; false = take the far path.
+inline bool near_query(const KnnArgs& a, std::uint32_t query, const Leaves& leaves, std::int64_t bound,
+                       std::uint32_t* out, std::int64_t& reach2) {
+  NearCandidates c;
+  const std::uint32_t k = static_cast<std::uint32_t>(a.k);
+  const float limit = static_cast<float>(bound);
+  if (!scan_leaves(a, query, leaves, limit, c)) return false;
+  float kept = limit;
+  if (c.size > k && !find_limit(c, k, limit, kept)) return false;
+  std::uint32_t n = 0;
+  float largest = 0;
+  for (std::uint32_t i = 0; i < c.size; ++i) {
+    const bool take = c.d2[i] <= kept;
+    if (n < k) out[n] = c.index[i];
+    largest = take && c.d2[i] > largest ? c.d2[i] : largest;
+    n += take;
+  }
+  reach2 = n < k ? -1 : static_cast<std::int64_t>(largest);
+  for (; n < k; ++n) out[n] = 0xffffffffu;
+  return true;
+}
+
+struct Previous {
+  std::uint32_t query;
+  std::int64_t reach2;  // -1: unknown
+};
+
+inline std::int64_t bound_of(const KnnArgs& a, std::uint32_t query, const Previous& previous) {
+  if (previous.reach2 < 0) return window_bound(a, query);
+  const std::int64_t step2 = exact_d2(a, query, previous.query);
+  if (step2 > previous.reach2) return window_bound(a, query);
+  const std::int64_t bound = bound_from_previous(previous.reach2, step2);
+  return bound < a.max_d2 ? bound : a.max_d2;
+}
+
 }  // namespace
 
 void knn(const KnnArgs& a) {
-  Candidates c;
+  Leaves leaves;
+  leaves.size = 0;
+  Previous previous{0, -1};
   const std::uint32_t k = static_cast<std::uint32_t>(a.k);
-  std::int64_t previous_reach2 = -1;
-  std::uint32_t previous = 0;
-  for (std::uint32_t q = 0; q < a.query_count; ++q) {
-    const std::uint32_t query = a.queries[q];
-    std::int64_t bound = a.max_d2;
-    const std::int64_t step2 = previous_reach2 < 0 ? 0 : exact_d2(a, query, previous);
-    if (previous_reach2 >= 0 && step2 <= previous_reach2) {
-      bound = bound_from_previous(previous_reach2, step2);
-      if (bound > a.max_d2) bound = a.max_d2;
-    } else {
-      bound = window_bound(a, query);
+  for (std::uint32_t begin = 0; begin < a.query_count;) {
+    std::uint32_t end = begin + 1;
+    while (end < a.query_count && end - begin < 8 && a.queries[end] / 8 == a.queries[begin] / 8) ++end;
+    std::int64_t bounds[8], widest = 0;
+    for (std::uint32_t q = begin; q < end; ++q) {
+      bounds[q - begin] = bound_of(a, a.queries[q], previous);
+      widest = bounds[q - begin] > widest ? bounds[q - begin] : widest;
     }
-    c.size = 0;
-    collect(a, query, bound, c);
-    const std::uint32_t found = c.size < k ? c.size : k;
-    if (c.size > k) select_smallest(c.key, c.size, k);
-    sort_keys(c.key, found);
-    std::uint32_t* out = a.neighbours + std::size_t{q} * k;
-    for (std::uint32_t i = 0; i < k; ++i) out[i] = i < found ? c.index[c.key[i] & kSlotMask] : 0xffffffffu;
-    a.reach2[q] = found < k ? -1 : static_cast<std::int64_t>(c.key[k - 1] >> kSlotBits);
-    previous_reach2 = a.reach2[q];
-    previous = query;
+    const bool near = widest < kExactInFloat &&
+                      collect_leaves(a, a.queries + begin, end - begin, static_cast<float>(widest) * 1.000001f, leaves);
+    for (std::uint32_t q = begin; q < end; ++q) {
+      std::uint32_t* out = a.neighbours + std::size_t{q} * k;
+      std::int64_t bound = bounds[q - begin];
+      if (q > begin) {  // the neighbour just answered may know better
+        const std::int64_t closer = bound_of(a, a.queries[q], previous);
+        bound = closer < bound ? closer : bound;
+      }
+      if (!near || !near_query(a, a.queries[q], leaves, bound, out, a.reach2[q]))
+        a.reach2[q] = far_query(a, a.queries[q], bound, out);
+      previous = {a.queries[q], a.reach2[q]};
+    }
+    begin = end;
   }
 }

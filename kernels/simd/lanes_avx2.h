@@ -11,6 +11,7 @@ struct F8 {
   __m256 v;
 };
 inline F8 load8(const float* p) { return {_mm256_loadu_ps(p)}; }
+inline void store8(float* p, F8 a) { _mm256_storeu_ps(p, a.v); }
 inline F8 splat(float v) { return {_mm256_set1_ps(v)}; }
 inline F8 operator+(F8 a, F8 b) { return {_mm256_add_ps(a.v, b.v)}; }
 inline F8 operator-(F8 a, F8 b) { return {_mm256_sub_ps(a.v, b.v)}; }

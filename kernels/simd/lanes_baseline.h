@@ -12,6 +12,10 @@ struct F8 {
   __m128 lo, hi;
 };
 inline F8 load8(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+inline void store8(float* p, F8 a) {
+  _mm_storeu_ps(p, a.lo);
+  _mm_storeu_ps(p + 4, a.hi);
+}
 inline F8 splat(float v) { return {_mm_set1_ps(v), _mm_set1_ps(v)}; }
 inline F8 operator+(F8 a, F8 b) { return {_mm_add_ps(a.lo, b.lo), _mm_add_ps(a.hi, b.hi)}; }
 inline F8 operator-(F8 a, F8 b) { return {_mm_sub_ps(a.lo, b.lo), _mm_sub_ps(a.hi, b.hi)}; }
@@ -59,6 +63,9 @@ inline F8 load8(const float* p) {
   F8 r;
   for (int i = 0; i < 8; ++i) r.v[i] = p[i];
   return r;
+}
+inline void store8(float* p, F8 a) {
+  for (int i = 0; i < 8; ++i) p[i] = a.v[i];
 }
 inline F8 splat(float s) {
   F8 r;

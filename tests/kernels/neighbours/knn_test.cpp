@@ -42,9 +42,11 @@ Answer brute_force(Points points, std::span<const std::uint32_t> queries, const 
     for (std::uint32_t j = 0; j < points.size; ++j)
       if (squared(points, q, j) <= params.max_d2) all.emplace_back(squared(points, q, j), j);
     std::sort(all.begin(), all.end());
-    for (std::size_t i = 0; i < static_cast<std::size_t>(params.k); ++i)
-      a.neighbours.push_back(i < all.size() ? all[i].second : kNoNeighbour);
     const std::size_t k = static_cast<std::size_t>(params.k);
+    std::vector<std::uint32_t> nearest;
+    for (std::size_t i = 0; i < k; ++i) nearest.push_back(i < all.size() ? all[i].second : kNoNeighbour);
+    std::sort(nearest.begin(), nearest.end());
+    a.neighbours.insert(a.neighbours.end(), nearest.begin(), nearest.end());
     a.reach2.push_back(all.size() < k ? -1 : all[k - 1].first);
   }
   return a;
