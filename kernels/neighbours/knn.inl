@@ -256,15 +256,7 @@ inline bool scan_leaves(const KnnArgs& a, std::uint32_t query, const Leaves& lea
     const F8 d2 = dx * dx + dy * dy + dz * dz;
     std::uint32_t hits = mask_le(d2, limit);
     if (a.size - begin < 8) hits &= (1u << (a.size - begin)) - 1;
-    if (hits == 0) continue;
-    float lanes[8];
-    store8(lanes, d2);
-    do {
-      const std::uint32_t j = static_cast<std::uint32_t>(__builtin_ctz(hits));
-      hits &= hits - 1;
-      c.d2[c.size] = lanes[j];
-      c.index[c.size++] = begin + j;
-    } while (hits != 0);
+    c.size += append8(c.d2 + c.size, c.index + c.size, d2, begin, hits);
     if (c.size > kNearCapacity) return false;
   }
   return true;
@@ -314,10 +306,11 @@ inline bool near_query(const KnnArgs& a, std::uint32_t query, const Leaves& leav
   if (c.size > k && !find_limit(c, k, limit, kept)) return false;
   std::uint32_t n = 0;
   float largest = 0;
-  for (std::uint32_t i = 0; i < c.size; ++i) {
+  for (std::uint32_t i = 0; i < c.size && n < k; ++i) {
     const bool take = c.d2[i] <= kept;
-    if (n < k) out[n] = c.index[i];
-    largest = take && c.d2[i] > largest ? c.d2[i] : largest;
+    out[n] = c.index[i];
+    const float d2 = take ? c.d2[i] : 0.0f;
+    largest = d2 > largest ? d2 : largest;
     n += take;
   }
   reach2 = n < k ? -1 : static_cast<std::int64_t>(largest);

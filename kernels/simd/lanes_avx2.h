@@ -22,6 +22,29 @@ inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
 
+// For each mask, the lanes that are set, in order, one byte each.
+struct CompressTable {
+  std::uint64_t lanes[256];
+  constexpr CompressTable() : lanes() {
+    for (int mask = 0; mask < 256; ++mask) {
+      int to = 0;
+      for (int lane = 0; lane < 8; ++lane)
+        if ((mask >> lane & 1) != 0) lanes[mask] |= static_cast<std::uint64_t>(lane) << 8 * to++;
+    }
+  }
+};
+constexpr CompressTable kCompress;
+
+// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
+// end. Returns how many lanes there were.
+inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
+  const __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kCompress.lanes[mask])));
+  _mm256_storeu_ps(values, _mm256_permutevar8x32_ps(v.v, lanes));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(indices),
+                      _mm256_add_epi32(lanes, _mm256_set1_epi32(static_cast<int>(first))));
+  return static_cast<std::uint32_t>(__builtin_popcount(mask));
+}
+
 struct Count8 {
   __m256i v;
 };
