@@ -140,7 +140,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   record.seconds = now() - start;
   record.peak_rss_bytes = peak_resident_bytes();
   write_run_json(record, out.path());
-  if (!options.keep_store) out.remove_store();
+  out.finish(options.keep_store);
   progress.run_done(summary(record));
   return static_cast<int>(record.exit);
 }
