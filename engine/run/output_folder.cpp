@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/report/resources.h"
@@ -76,16 +78,20 @@ bool is_store(const fs::path& folder) {
   return false;
 }
 
+void remove_starting_with(const fs::path& folder, std::string_view beginning) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with(beginning)) found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove(path);
+}
+
 // Takes away what runs put there and nothing else. A store that is half gone must not look whole to --resume, so it
 // loses the name of its manifest first and the manifest itself last.
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
   for (const char* name : {"runs", "blocks", "cells", "index", "rejected"}) fs::remove_all(store / name);
-  std::vector<fs::path> markers;
-  for (const auto& entry : fs::directory_iterator(store))
-    if (entry.path().filename().string().starts_with(kManifest)) markers.push_back(entry.path());
-  for (const fs::path& marker : markers) fs::remove(marker);
+  remove_starting_with(store, kManifest);
 }
 
 void remove_products(const fs::path& folder) {
@@ -157,8 +163,13 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
   std::error_code problem;
   fs::create_directories(store_, problem);
   if (!problem) fs::create_directories(path_, problem);
-  if (problem) throw Error(store_.string() + ": cannot be created: " + problem.message());
+  if (problem) {
+    discard();
+    throw Error((fs::is_directory(store_) ? path_ : store_).string() + ": cannot be created: " + problem.message() +
+                "; give another place");
+  }
   fs::remove_all(staging());
+  remove_starting_with(path_, "run.json.");  // what a write that was cut short left
   if (!before) write_whole_file(manifest_path, now.dump(1));
 }
 
@@ -178,6 +189,14 @@ void OutputFolder::publish() const {
     fs::remove_all(target);
     fs::rename(entry.path(), target);
   }
+}
+
+void OutputFolder::discard() const {
+  std::error_code ignored;
+  fs::remove_all(staging(), ignored);
+  if (fs::is_directory(store_, ignored)) clear_store(store_);
+  for (const fs::path& folder : {store_, path_})
+    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);
 }
 
 void OutputFolder::finish(bool keep_store) const {

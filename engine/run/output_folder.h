@@ -26,6 +26,9 @@ class OutputFolder {
   // Moves the staged products into place.
   void publish() const;
 
+  // After a failure that --resume could not mend: no store, no staging folder, no empty folder stays.
+  void discard() const;
+
   // After run.json: the run is complete; staging folder and store are no longer needed.
   void finish(bool keep_store) const;
 

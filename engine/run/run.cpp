@@ -85,7 +85,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
   progress.begin_stage("index", inputs.points);
   const IndexResult index =
       build_index(inputs.readers, index_params(options, inputs, out.block_points()), out.store(), context);
-  if (index.store.points() == 0) throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+  if (index.store.points() == 0) {
+    out.discard();
+    throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+  }
 
   const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
 
