@@ -17,7 +17,8 @@ std::string crs_name(const Crs& crs) {
 void skip(const std::filesystem::path& path, const std::string& reason, const RunOptions& options, Progress& progress,
           RunRecord& record) {
   if (options.strict) throw Error(reason);
-  progress.input_skipped(path.string(), reason);
+  const std::string prefix = path.string() + ": ";
+  progress.input_skipped(path.string(), reason.starts_with(prefix) ? reason.substr(prefix.size()) : reason);
   record.skipped.push_back({"input", path.string(), reason});
 }
 
@@ -26,8 +27,10 @@ std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const R
   try {
     auto reader = open_cloud(path);
     if (reader->info().points > 0) return reader;
+    if (options.inputs.size() == 1) throw Error(path.string() + ": holds no points");
     skip(path, path.string() + ": holds no points", options, progress, record);
   } catch (const Error& fault) {
+    if (options.inputs.size() == 1) throw;
     skip(path, fault.what(), options, progress, record);
   }
   return nullptr;
@@ -79,10 +82,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     inputs.points += reader->info().points;
     inputs.readers.push_back(std::move(reader));
   }
-  if (inputs.readers.empty()) {
-    const bool single = record.skipped.size() == 1;
-    throw Error(single ? record.skipped.front().reason : "none of the inputs can be used; see the lines above");
-  }
+  if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic)
     throw Error("the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",

@@ -5,6 +5,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <string_view>
+#include <vector>
 
 #include "engine/error.h"
 #include "engine/report/resources.h"
@@ -60,12 +62,59 @@ std::string differences(const json& before, const json& now) {
   return names;
 }
 
+constexpr const char* kManifest = "manifest.json";
+
 bool is_ours(const fs::path& folder) {
-  return fs::is_empty(folder) || fs::exists(folder / "run.json") || fs::exists(folder / ".store");
+  return fs::is_empty(folder) || fs::exists(folder / "run.json") || fs::exists(folder / ".store") ||
+         fs::exists(folder / ".new");
+}
+
+// A store is known by its manifest, or by what a write or a removal that was cut short left of it.
+bool is_store(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return false;
+  if (fs::is_empty(folder)) return true;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with(kManifest)) return true;
+  return false;
+}
+
+void remove_starting_with(const fs::path& folder, std::string_view beginning) {
+  std::vector<fs::path> found;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename().string().starts_with(beginning)) found.push_back(entry.path());
+  for (const fs::path& path : found) fs::remove(path);
+}
+
+// Takes away what runs put there and nothing else. A store that is half gone must not look whole to --resume, so it
+// loses the name of its manifest first and the manifest itself last.
+void clear_store(const fs::path& store) {
+  if (!fs::is_directory(store)) return;
+  if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
+  for (const char* name : {"runs", "blocks", "cells", "index", "rejected"}) fs::remove_all(store / name);
+  remove_starting_with(store, kManifest);
 }
 
 void remove_products(const fs::path& folder) {
+  clear_store(folder / ".store");
   for (const char* name : {"points", "planes.csv", "run.json", ".new", ".store"}) fs::remove_all(folder / name);
+}
+
+bool lies_in(const fs::path& file, const fs::path& folder) {
+  const fs::path whole = fs::canonical(file), top = fs::canonical(folder);
+  return std::mismatch(top.begin(), top.end(), whole.begin(), whole.end()).first == top.end();
+}
+
+// An existing folder is touched only when it is a run's, and never when it holds what is to be read.
+void check_existing(const fs::path& folder, const RunOptions& options, const RunInputs& inputs) {
+  if (options.existing == Existing::refuse)
+    throw Error(folder.string() + ": exists already; give another -o, --overwrite or --resume", ExitCode::usage);
+  if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder", ExitCode::usage);
+  if (!is_ours(folder))
+    throw Error(folder.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
+  for (const auto& reader : inputs.readers)
+    if (lies_in(reader->info().path, folder))
+      throw Error(reader->info().path.string() + ": lies in the output folder, whose content would be replaced; give another -o",
+                  ExitCode::usage);
 }
 
 std::optional<json> read_manifest(const fs::path& path) {
@@ -95,16 +144,12 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
     : path_(options.output),
       store_(options.store.empty() ? options.output / ".store" : options.store),
       block_points_(affordable_block_points(options, thread_count())) {
-  const fs::path manifest_path = store_ / "manifest.json";
+  const fs::path manifest_path = store_ / kManifest;
   const bool exists = fs::exists(path_);
-  if (exists && options.existing == Existing::refuse)
-    throw Error(path_.string() + ": exists already; give another -o, --overwrite or --resume", ExitCode::usage);
-  if (exists && !fs::is_directory(path_)) throw Error(path_.string() + ": is not a folder", ExitCode::usage);
-  if (exists && options.existing == Existing::overwrite) {
-    if (!is_ours(path_))
-      throw Error(path_.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
-    remove_products(path_);
-  }
+  if (exists) check_existing(path_, options, inputs);
+  if (!options.store.empty() && fs::exists(store_) && !is_store(store_))
+    throw Error(store_.string() + ": holds something else than a block store; give an empty folder", ExitCode::usage);
+  if (exists && options.existing == Existing::overwrite) remove_products(path_);
   const json now = manifest(options, inputs, block_points_);
   const auto before = options.existing == Existing::resume ? read_manifest(manifest_path) : std::nullopt;
   if (before) {
@@ -113,16 +158,18 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
                       " (the same command as then goes on, --overwrite starts afresh)", ExitCode::usage);
     block_points_ = before->value("block_points", block_points_);
   } else {
-    fs::remove_all(store_ / "runs");
-    fs::remove_all(store_ / "blocks");
-    fs::remove_all(store_ / "cells");
-    fs::remove(store_ / "index");
+    clear_store(store_);
   }
   std::error_code problem;
   fs::create_directories(store_, problem);
   if (!problem) fs::create_directories(path_, problem);
-  if (problem) throw Error(store_.string() + ": cannot be created: " + problem.message());
+  if (problem) {
+    discard();
+    throw Error((fs::is_directory(store_) ? path_ : store_).string() + ": cannot be created: " + problem.message() +
+                "; give another place");
+  }
   fs::remove_all(staging());
+  remove_starting_with(path_, "run.json.");  // what a write that was cut short left
   if (!before) write_whole_file(manifest_path, now.dump(1));
 }
 
@@ -142,9 +189,21 @@ void OutputFolder::publish() const {
     fs::remove_all(target);
     fs::rename(entry.path(), target);
   }
-  fs::remove_all(staging());
 }
 
-void OutputFolder::remove_store() const { fs::remove_all(store_); }
+void OutputFolder::discard() const {
+  std::error_code ignored;
+  fs::remove_all(staging(), ignored);
+  if (fs::is_directory(store_, ignored)) clear_store(store_);
+  for (const fs::path& folder : {store_, path_})
+    if (fs::is_directory(folder, ignored)) fs::remove(folder, ignored);
+}
+
+void OutputFolder::finish(bool keep_store) const {
+  fs::remove_all(staging());
+  if (keep_store) return;
+  clear_store(store_);
+  if (fs::is_empty(store_)) fs::remove(store_);
+}
 
 }  // namespace ilot

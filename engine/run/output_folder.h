@@ -11,7 +11,8 @@ namespace ilot {
 class OutputFolder {
  public:
   // Applies the policy for an existing folder. Starting afresh removes what an earlier run left; resuming checks that
-  // the manifest tells of the same inputs, settings and area, and throws a usage Error that names what differs.
+  // the manifest tells of the same inputs, settings and area, and throws a usage Error that names what differs. So does a
+  // folder, of results or of the store, that holds something else, and an input that lies in the output folder.
   OutputFolder(const RunOptions& options, const RunInputs& inputs);
 
   const std::filesystem::path& path() const { return path_; }
@@ -25,8 +26,11 @@ class OutputFolder {
   // Moves the staged products into place.
   void publish() const;
 
-  // After run.json: the run is complete and its store no longer needed.
-  void remove_store() const;
+  // After a failure that --resume could not mend: no store, no staging folder, no empty folder stays.
+  void discard() const;
+
+  // After run.json: the run is complete; staging folder and store are no longer needed.
+  void finish(bool keep_store) const;
 
  private:
   std::filesystem::path path_, store_;

@@ -85,7 +85,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
   progress.begin_stage("index", inputs.points);
   const IndexResult index =
       build_index(inputs.readers, index_params(options, inputs, out.block_points()), out.store(), context);
-  if (index.store.points() == 0) throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+  if (index.store.points() == 0) {
+    out.discard();
+    throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+  }
 
   const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
 
@@ -140,7 +143,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   record.seconds = now() - start;
   record.peak_rss_bytes = peak_resident_bytes();
   write_run_json(record, out.path());
-  if (!options.keep_store) out.remove_store();
+  out.finish(options.keep_store);
   progress.run_done(summary(record));
   return static_cast<int>(record.exit);
 }

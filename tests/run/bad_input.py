@@ -1,0 +1,207 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Bad input, bad requests and bad disks: one line that says file, place and what to do, and nothing half-written."""
+import math
+import random
+import resource
+import struct
+import subprocess
+
+from support import EXE, RunTest, ilot, main, small_las
+
+GRID = [(500 * i, 500 * j, 0) for i in range(40) for j in range(30)]
+
+
+class BadInput(RunTest):
+    def setUp(self):
+        super().setUp()
+        self.good = small_las(self.folder / "good.las", GRID)
+        self.out = self.folder / "out"
+
+    def tree(self):
+        return {path: path.read_bytes() if path.is_file() else None for path in self.folder.rglob("*")}
+
+    def refuse(self, inputs, *words, code=1, arguments=(), **options):
+        """One line on stderr with these words; the folder is as it was."""
+        before = self.tree()
+        inputs = inputs if isinstance(inputs, list) else [inputs]
+        done = ilot("run", *inputs, "-o", self.out, "-q", *arguments, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertEqual(done.stdout, "")
+        lines = [line for line in done.stderr.splitlines() if "no input says its unit" not in line]
+        self.assertEqual(len(lines), 1, done.stderr)
+        self.assertTrue(lines[0].startswith("ilot: "), done.stderr)
+        self.assertNotIn("internal error", done.stderr)
+        for word in words:
+            self.assertIn(word, lines[0])
+        self.assertEqual(self.tree(), before, "nothing may be written")
+
+    def bad_files(self):
+        """Name, words of the message."""
+        write = lambda name, data: (self.folder / name).write_bytes(data)
+        good = self.good.read_bytes()
+        write("empty.las", b"")
+        write("text.las", b"this is not a point cloud at all\n" * 20)
+        write("header.las", good[:100])
+        zero = bytearray(good)
+        struct.pack_into("<d", zero, 131, 0.0)
+        write("zero.las", zero)
+        endless = bytearray(good)
+        struct.pack_into("<d", endless, 139, math.nan)
+        write("nan-scale.las", endless)
+        short = bytearray(good)
+        struct.pack_into("<H", short, 105, 7)
+        write("record.las", short)
+        write("none.las", small_las(self.folder / "x.las", []).read_bytes())
+        (self.folder / "x.las").unlink()
+        return {"empty.las": ["empty"], "text.las": ["not a LAS"], "header.las": ["header"],
+                "zero.las": ["scale of x", "131", "positive"], "nan-scale.las": ["scale of y"],
+                "record.las": ["record length", "105"], "none.las": ["no points"]}
+
+    def test_files_that_cannot_be_read(self):
+        for name, words in self.bad_files().items():
+            with self.subTest(name):
+                self.refuse(self.folder / name, name, *words)
+
+    def test_one_bad_among_good(self):
+        for name in self.bad_files():
+            with self.subTest(name):
+                out, told = self.work([self.good, self.folder / name], code=3)
+                self.assertEqual([s["where"] for s in told["skipped"]], [str(self.folder / name)])
+                self.assertEqual(told["skipped"][0]["what"], "input")
+                self.assertIn(name, told["skipped"][0]["reason"])
+                self.assertEqual(told["exit_code"], 3)
+                self.assertEqual(told["counts"]["points"]["read"], len(GRID))
+                self.assertEqual([p.name for p in (out / "points").iterdir()], ["good.laz"])
+
+    def test_strict(self):
+        (self.folder / "empty.las").write_bytes(b"")
+        self.refuse([self.good, self.folder / "empty.las"], "empty.las", arguments=["--strict"])
+
+    def test_truncated_and_lying_counts_are_salvaged(self):
+        data = self.good.read_bytes()
+        cases = {"cut.las": (data[:227 + 20 * 900 + 7], 900)}
+        lying = bytearray(data)
+        struct.pack_into("<I", lying, 107, 4000000000)
+        cases["lying.las"] = bytes(lying), len(GRID)
+        for name, (content, points) in cases.items():
+            with self.subTest(name):
+                (self.folder / name).write_bytes(content)
+                out, told = self.work(self.folder / name, code=3)
+                self.assertEqual(told["counts"]["points"]["read"], points)
+                self.assertIn(name, told["skipped"][0]["reason"])
+                self.assertEqual(self.labelled(out, name[:-4]).count, points)
+
+    def test_coordinates_that_are_no_numbers(self):
+        rows = [f"{x / 1000} {y / 1000} {z / 1000}" for x, y, z in GRID]
+        for place, word in ((5, "nan nan nan"), (77, "inf 0 0"), (200, "1 -inf 3")):
+            rows[place] = word
+        ply = self.folder / "holes.ply"
+        ply.write_text("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+                       "property double z\nend_header\n" % len(rows) + "\n".join(rows) + "\n")
+        binary = self.folder / "binary.ply"
+        values = b"".join(struct.pack("<3f", *map(float, row.split())) for row in rows)
+        binary.write_bytes(b"ply\nformat binary_little_endian 1.0\nelement vertex %d\nproperty float x\n"
+                           b"property float y\nproperty float z\nend_header\n" % len(rows) + values)
+        for path in (ply, binary):
+            with self.subTest(path.name):
+                out, told = self.work(path)
+                self.assertEqual(told["counts"]["points"]["read"], len(rows))
+                self.assertEqual(told["counts"]["points"]["rejected"], 3)
+                self.assertEqual(told["counts"]["planes"], 1)
+        ply.write_text("ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
+                       "property double z\nend_header\nnan 0 0\n0 0 inf\n")
+        self.refuse(ply, "rejected")
+
+    def test_degenerate_clouds(self):
+        rng = random.Random(3)
+        clouds = {"equal": [(1000, 2000, 3000)] * 5000, "line": [(7 * i, 14 * i, 21 * i) for i in range(5000)],
+                  "one": [(1, 2, 3)], "two": [(1, 2, 3), (4, 5, 6)],
+                  "far": [(-2**31, -2**31, -2**31), (2**31 - 1, 2**31 - 1, 2**31 - 1)] * 50,
+                  "noise": [(rng.randrange(10**6), rng.randrange(10**6), rng.randrange(10**6)) for _ in range(3000)]}
+        for name, points in clouds.items():
+            with self.subTest(name):
+                path = small_las(self.folder / f"{name}.las", points)
+                hashes = set()
+                for way in ([], ["--block-points", "256", "--threads", "3"]):
+                    _, told = self.work(path, *way, code=3)
+                    self.assertEqual(told["counts"]["points"]["read"], len(points))
+                    self.assertEqual(told["counts"]["points"]["labelled"], 0)
+                    self.assertEqual(told["skipped"][0]["what"], "product")
+                    hashes.add(told["result_hash"])
+                self.assertEqual(len(hashes), 1)
+
+    def test_requests(self):
+        self.refuse(self.folder / "none.las", "none.las: no such file", code=2)
+        for arguments, words in ((["--set", "planes.epsilom=1"], ["planes.epsilom", "planes.epsilon"]),
+                                 (["--set", "planes.epsilon=99"], ["planes.epsilon", "0.0001 to 10"]),
+                                 (["--threads", "0"], ["threads"]), (["--memory", "1M"], ["memory"]),
+                                 (["--bounds", "1,1,1,1"], ["bounds"])):
+            self.refuse(self.good, *words, code=2, arguments=arguments)
+        self.refuse(self.good, "rejected", arguments=["--bounds", "90000,90000,90001,90001"])
+
+    def test_output_folders(self):
+        self.out.mkdir()
+        (self.out / "precious.txt").write_text("mine")
+        self.refuse(self.good, "exists", code=2)
+        for way in ("--overwrite", "--resume"):
+            self.refuse(self.good, "something else", code=2, arguments=[way])
+        (self.out / "precious.txt").unlink()
+        self.out.rmdir()
+        self.out.write_text("a file")
+        for way in ([], ["--overwrite"], ["--resume"]):
+            self.refuse(self.good, "out", code=2, arguments=way)
+        self.out = self.out / "below" / "it"
+        self.refuse(self.good, "cannot be created")
+        self.refuse(self.good, "cannot be created", arguments=["--resume"])
+        self.refuse(self.good, "cannot be created", arguments=["--store", self.folder / "store"])
+        self.out = self.folder / "other"
+        self.refuse(self.good, "/proc/ilot", "another place", arguments=["--store", "/proc/ilot"])
+
+    def test_store_of_others_stays(self):
+        store = self.folder / "store"
+        (store / "blocks").mkdir(parents=True)
+        (store / "blocks" / "thesis.txt").write_text("years of work")
+        self.refuse(self.good, "something else", code=2, arguments=["--store", store])
+        (store / "blocks" / "thesis.txt").unlink()
+        (store / "blocks").rmdir()
+        self.work(self.good, "--store", store)
+
+    def test_input_in_the_output_stays(self):
+        out, _ = self.work(self.good)
+        inner = out / "points" / "good.laz"
+        before = inner.read_bytes()
+        for way in ("--overwrite", "--resume"):
+            done = ilot("run", inner, "-o", out, way)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertEqual(inner.read_bytes(), before)
+
+    def test_overwrite(self):
+        out, first = self.work(self.good)
+        (out / "points" / "stray.laz").write_text("of an earlier run")
+        _, second = self.work(self.good, "--overwrite", out=out)
+        self.assertEqual(first["result_hash"], second["result_hash"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "points", "run.json"])
+
+    def test_disk_full_at_any_size(self):
+        """A limit on file sizes stands for the full disk: every write may be the one that fails."""
+        path = self.district(60000)
+        _, whole = self.work(path)
+        for limit in (0, 100, 5000, 50000, 300000, 500000):
+            out = self.folder / f"full-{limit}"
+            done = subprocess.run([EXE, "run", path, "-o", out, "-q"], capture_output=True, text=True, timeout=60,
+                                  restore_signals=False,
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit)))
+            with self.subTest(limit=limit, said=done.stderr):
+                self.assertEqual(done.returncode, 1)
+                lines = [line for line in done.stderr.splitlines() if line.startswith("ilot: ") and "unit" not in line]
+                self.assertEqual(len(lines), 1)
+                self.assertIn(str(out), lines[0])
+                for name in ("run.json", "planes.csv", "points"):
+                    self.assertFalse((out / name).exists(), name)
+                _, told = self.work(path, "--resume", out=out)
+                self.assertEqual(told["result_hash"], whole["result_hash"])
+
+
+if __name__ == "__main__":
+    main(synthetic=[BadInput])

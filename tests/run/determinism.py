@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Invariants 1 to 4: threads, instruction sets, blocks, memory and the order of files never show in the result."""
+import collections
+import struct
+
+from support import Las, RunTest, main, real
+
+WAYS = [
+    ["--threads", "1"], ["--threads", "2"], ["--threads", "3"], ["--threads", "8"],
+    ["--block-points", "4096", "--threads", "2"], ["--block-points", "65536"], ["--block-points", "1048576"],
+    ["--block-points", "67108864"], ["--memory", "96M", "--threads", "2"], ["--memory", "4G"],
+    ["--memory", "96M", "--block-points", "2000", "--threads", "3"],
+]
+
+
+def contacts(out):
+    """How often planes of neighbouring cells touch: what the join decides from."""
+    sums = collections.Counter()
+    for path in (out / ".store" / "blocks").glob("*.contacts"):
+        for a, b, count in struct.iter_unpack("<III", path.read_bytes()):
+            sums[a, b] += count
+    return sums
+
+
+class Determinism(RunTest):
+    def same_all_ways(self, inputs):
+        hashes, blocks = {}, set()
+        for way in WAYS:
+            _, told = self.work(inputs, *way)
+            hashes[" ".join(way)] = told["result_hash"]
+            blocks.add(told["blocks"])
+        _, told = self.work(inputs, env={"ILOT_FORCE_ISA": "baseline"})
+        hashes["baseline"] = told["result_hash"]
+        _, told = self.work(inputs)
+        hashes["again"] = told["result_hash"]
+        self.assertEqual(len(set(hashes.values())), 1, hashes)
+        self.assertGreater(max(blocks), 20, "there were blocks to tell apart")
+        self.assertGreater(told["counts"]["planes"], 20)
+        self.assertGreater(told["counts"]["points"]["labelled"], 0.5 * told["counts"]["points"]["read"])
+
+    def parts(self, cloud, cut, names="abc"):
+        """The cloud in three files; returns them and the records' places per file."""
+        records = cloud.records()
+        places = [[], [], []]
+        for i in range(len(records)):
+            places[cut(i, len(records))].append(i)
+        files = [cloud.write(self.folder / f"{name}.las", [records[i] for i in part])
+                 for name, part in zip(names, places)]
+        return files, places
+
+    def labels_in_parts(self, cloud, cut, names):
+        """Labels and planes.csv of a run over three files, put back into the order of the whole."""
+        files, places = self.parts(cloud, cut, names)
+        out, _ = self.work(files, "--block-points", "8192")
+        labels = [None] * cloud.count
+        for name, part in zip(names, places):
+            for i, label in zip(part, self.labelled(out, name).labels()):
+                labels[i] = label
+        return labels, (out / "planes.csv").read_bytes()
+
+    def same_in_any_files(self, path):
+        cloud = Las.read(path)
+        out, _ = self.work(path)
+        whole = self.labelled(out, path.stem).labels(), (out / "planes.csv").read_bytes()
+        for cut in (lambda i, n: min(2, 3 * i // n), lambda i, n: i % 3):
+            for names in ("abc", "cab"):
+                self.assertTrue(whole == self.labels_in_parts(cloud, cut, names), names)
+        files, _ = self.parts(cloud, lambda i, n: i % 3)
+        first = self.work(files)[1]["result_hash"]
+        self.assertEqual(first, self.work(files[::-1], "--threads", "3")[1]["result_hash"])
+
+
+class Synthetic(Determinism):
+    def test_same_all_ways(self):
+        self.same_all_ways(self.district(300000))
+
+    def test_any_files(self):
+        self.same_in_any_files(self.district(100000))
+
+    def test_each_point_twice(self):
+        cloud = Las.read(self.district(60000))
+        files = [cloud.write(self.folder / name) for name in ("a.las", "b.las")]
+        hashes = {self.work(files, *way)[1]["result_hash"] for way in ([], ["--block-points", "1000", "--threads", "3"])}
+        self.assertEqual(len(hashes), 1)
+        out, _ = self.work(files[::-1])
+        self.assertTrue(self.labelled(out, "a").labels() == self.labelled(out, "b").labels(), "equal points, equal labels")
+
+    def test_density_that_changes_from_cell_to_cell(self):
+        cloud = Las.read(self.district(300000))
+        shift = [round(o / s) for o, s in zip(cloud.offset, cloud.scale)]
+        kept = [record for i, (record, (x, y, _)) in enumerate(zip(cloud.records(), cloud.raw()))
+                if ((x + shift[0] >> 15) + (y + shift[1] >> 15)) % 2 == 0 or i % 9 == 0]
+        path = cloud.write(self.folder / "uneven.las", kept)
+        ways = [self.work(path, "--keep-store", "--block-points", points) for points in (1500, 8192, 1048576)]
+        self.assertEqual(len({told["result_hash"] for _, told in ways}), 1)
+        first, *others = [contacts(out) for out, _ in ways]
+        self.assertGreater(len(first), 50)
+        for other in others:
+            self.assertEqual(first, other)
+
+
+class Real(Determinism):
+    def test_urban_tile(self):
+        self.same_all_ways(real("ign/77050_627755_pf6.las"))
+
+    def test_coloured_tile(self):
+        self.same_all_ways(real("ign/870000_6618000.las"))
+
+    def test_both_together(self):
+        self.same_all_ways([real("ign/870000_6618000.las"), real("ign/77050_627755_pf6.las")])
+
+    def test_any_files(self):
+        self.same_in_any_files(real("ign/77050_627755_pf6.las"))
+
+
+if __name__ == "__main__":
+    main(synthetic=[Synthetic], real=[Real])

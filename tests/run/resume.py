@@ -1,0 +1,189 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Invariant 5: a run that is killed or interrupted goes on where it stood and ends with the same bytes."""
+import os
+import random
+import signal
+import subprocess
+import time
+
+from support import EXE, RunTest, ilot, main, real
+
+SLOW = ["--threads", "1", "--block-points", "4096"]
+
+
+class Resume(RunTest):
+    def start(self, inputs, out, *arguments):
+        inputs = inputs if isinstance(inputs, list) else [inputs]
+        return subprocess.Popen([EXE, "run", *map(str, inputs), "-o", str(out), "-q", *map(str, arguments)],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+
+    def stop_after(self, seconds, how, inputs, out, *arguments):
+        """Starts a run and sends the signal; returns its exit code and what it said."""
+        run = self.start(inputs, out, *arguments)
+        try:
+            _, said = run.communicate(timeout=seconds)
+        except subprocess.TimeoutExpired:
+            run.send_signal(how)
+            _, said = run.communicate(timeout=60)
+        return run.returncode, said
+
+    def stop_in_stage(self, stage, how, inputs, out, *arguments):
+        """Sends the signal as soon as a file of that stage stands in the store."""
+        pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.planes",
+                   "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows"}[stage]
+        run = self.start(inputs, out, *arguments)
+        while run.poll() is None and not any((out / ".store").glob(pattern)):
+            time.sleep(0.001)
+        if run.poll() is None:
+            run.send_signal(how)
+        _, said = run.communicate(timeout=60)
+        return run.returncode, said
+
+    def seconds_of(self, inputs, *arguments):
+        began = time.monotonic()
+        _, told = self.work(inputs, *arguments)
+        return time.monotonic() - began, told["result_hash"]
+
+    def check_kills(self, inputs, moments, seed, *arguments):
+        whole, expected = self.seconds_of(inputs, *arguments)
+        rng = random.Random(seed)
+        kills = 0
+        for i in range(moments):
+            out = self.folder / f"killed-{i}"
+            code, _ = self.stop_after(whole * rng.uniform(0.02, 0.98), signal.SIGKILL, inputs, out, *arguments)
+            kills += code == -signal.SIGKILL
+            if code == 0:
+                continue
+            if out.exists() and i % 2 == 1:  # a second time, in the middle of going on
+                self.stop_after(whole * rng.uniform(0.02, 0.5), signal.SIGKILL, inputs, out, "--resume", *arguments)
+            _, told = self.work(inputs, "--resume", *arguments, out=out)
+            self.assertEqual(told["result_hash"], expected)
+            self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "points", "run.json"])
+        self.assertGreater(kills, moments // 3, "most runs were killed before they ended")
+
+    def times(self, out, *patterns):
+        return {p: p.stat().st_mtime_ns for pattern in patterns for p in (out / ".store").glob(pattern)}
+
+
+class Synthetic(Resume):
+    def test_killed_at_random_moments(self):
+        self.check_kills(self.district(150000), 6, 11, *SLOW)
+
+    def test_killed_with_a_store_elsewhere(self):
+        path = self.district(100000)
+        self.check_kills(path, 3, 5, *SLOW, "--store", self.folder / "store")
+        self.assertFalse((self.folder / "store").exists())
+
+    def test_killed_in_every_stage(self):
+        path = self.district(100000)
+        _, expected = self.work(path, *SLOW)
+        for stage in ("index", "normals", "planes", "join", "label", "write"):
+            with self.subTest(stage):
+                out = self.folder / stage
+                code, _ = self.stop_in_stage(stage, signal.SIGKILL, path, out, *SLOW)
+                self.assertEqual(code, -signal.SIGKILL)
+                _, told = self.work(path, "--resume", *SLOW, out=out)
+                self.assertEqual(told["result_hash"], expected["result_hash"])
+
+    def test_only_unfinished_work_is_redone(self):
+        path = self.district(150000)
+        _, expected = self.work(path, *SLOW)
+        out = self.folder / "out"
+        code, _ = self.stop_in_stage("planes", signal.SIGKILL, path, out, *SLOW)
+        self.assertEqual(code, -signal.SIGKILL)
+        finished = self.times(out, "blocks/*.codes", "blocks/*.order", "blocks/*.block", "blocks/*.normals", "cells/*.planes",
+                              "index", "manifest.json")
+        self.assertGreater(len(finished), 60)
+        _, told = self.work(path, "--resume", "--keep-store", "--threads", "3", "--block-points", "65536", out=out)
+        self.assertEqual(told["result_hash"], expected["result_hash"])
+        self.assertEqual(told["blocks"], expected["blocks"], "the first run's partition counts")
+        for file, written in finished.items():
+            self.assertEqual(file.stat().st_mtime_ns, written, f"{file.name} was written again")
+        everything = self.times(out, "blocks/*", "cells/*", "index")
+        _, again = self.work(path, "--resume", "--keep-store", *SLOW, out=out)
+        self.assertEqual(again["result_hash"], expected["result_hash"])
+        self.assertEqual(self.times(out, "blocks/*", "cells/*", "index"), everything)
+
+    def test_finished_runs_of_the_index_are_kept(self):
+        path = self.district(300000)
+        out = self.folder / "out"
+        run = self.start(path, out, *SLOW)
+        while run.poll() is None and len(list((out / ".store").glob("runs/*.table"))) < 5:
+            time.sleep(0.001)
+        run.kill()
+        run.communicate()
+        runs = len(list((out / ".store").glob("runs/*.table")))
+        self.assertGreaterEqual(runs, 5)
+        _, told = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(told["result_hash"], self.work(path)[1]["result_hash"])
+
+    def test_interrupted(self):
+        path = self.district(150000)
+        _, expected = self.work(path, *SLOW)
+        for stage in ("index", "normals", "planes", "label"):
+            for how in (signal.SIGINT, signal.SIGTERM):
+                with self.subTest(stage=stage, how=how.name):
+                    out = self.folder / f"{stage}-{how.name}"
+                    code, said = self.stop_in_stage(stage, how, path, out, *SLOW)
+                    self.assertEqual(code, 130, said)
+                    lines = [line for line in said.splitlines() if "unit" not in line]
+                    self.assertEqual(len(lines), 1, said)
+                    self.assertIn("--resume", lines[0])
+                    self.assertFalse((out / "run.json").exists())
+                    _, told = self.work(path, "--resume", *SLOW, out=out)
+                    self.assertEqual(told["result_hash"], expected["result_hash"])
+
+    def test_another_request_is_refused(self):
+        path, other = self.district(100000), self.district(30000)
+        out = self.folder / "out"
+        self.stop_in_stage("normals", signal.SIGKILL, path, out, *SLOW)
+        for inputs, arguments, word in (([path], ["--set", "planes.epsilon=0.03"], "planes.epsilon"),
+                                        ([path], ["--set", "normals.neighbours=9"], "normals.neighbours"),
+                                        ([path], ["--bounds", "651000,6861000,651050,6861050"], "area"),
+                                        ([path], ["--crs", "EPSG:2154"], "crs"),
+                                        ([path, other], [], "inputs")):
+            done = ilot("run", *inputs, "-o", out, "-q", "--resume", *SLOW, *arguments)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(f"different: {word}", done.stderr)
+        os.utime(path)
+        done = ilot("run", path, "-o", out, "-q", "--resume", *SLOW)
+        self.assertEqual(done.returncode, 2, "the input was touched")
+        _, told = self.work(path, "--overwrite", *SLOW, out=out)
+        self.assertEqual(told["result_hash"], self.work(path)[1]["result_hash"])
+
+    def test_leftovers_do_no_harm(self):
+        path = self.district(60000)
+        out, expected = self.work(path, "--keep-store", *SLOW)
+        store = out / ".store"
+        for file in list(store.glob("blocks/*"))[::3]:  # a removal of the store that was cut short
+            file.unlink()
+        (store / "manifest.json").rename(store / "manifest.json.removed")
+        _, told = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(told["result_hash"], expected["result_hash"])
+        for name in ("manifest.json.77.tmp", "blocks/x.codes.part", "runs/y.table.part"):
+            (store / name).parent.mkdir(parents=True, exist_ok=True)
+            (store / name).write_bytes(b"half")
+        (out / ".new" / "points").mkdir(parents=True)
+        (out / ".new" / "points" / "half.laz").write_bytes(b"half")
+        (out / "run.json.77.tmp").write_bytes(b"half")
+        (out / "run.json").unlink()
+        _, told = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(told["result_hash"], expected["result_hash"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "points", "run.json"])
+
+    def test_resume_of_nothing_and_of_a_finished_run(self):
+        path = self.district(30000)
+        out, first = self.work(path, "--resume")
+        _, second = self.work(path, "--resume", out=out)
+        self.assertEqual(first["result_hash"], second["result_hash"])
+
+
+class Real(Resume):
+    def test_killed_at_random_moments(self):
+        inputs = [real("ign/77050_627755_pf6.las"), real("ign/870000_6618000.las")]
+        self.check_kills(inputs, 6, 7, "--block-points", "4096")
+
+
+if __name__ == "__main__":
+    main(synthetic=[Synthetic], real=[Real])

@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs of the whole engine from outside. ILOT_EXE names the program, ILOT_DATA the folder of real clouds."""
+import csv
+import json
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+
+EXE = os.environ["ILOT_EXE"]
+DATA = os.environ.get("ILOT_DATA")
+SKIPPED = 77
+SANITIZED = os.environ.get("ILOT_SANITIZE", "") != ""
+
+
+def ilot(*arguments, timeout=120, **options):
+    return subprocess.run([EXE, *map(str, arguments)], capture_output=True, text=True, timeout=timeout, **options)
+
+
+def real(name):
+    path = pathlib.Path(DATA, name)
+    if not path.exists():
+        raise FileNotFoundError(f"{path}: ILOT_DATA does not hold it")
+    return path
+
+
+class Las:
+    """An uncompressed LAS file: header and records as they stand, coordinates on request."""
+
+    def __init__(self, data):
+        self.data = data
+        self.start, = struct.unpack_from("<I", data, 96)
+        self.length, = struct.unpack_from("<H", data, 105)
+        self.scale = struct.unpack_from("<3d", data, 131)
+        self.offset = struct.unpack_from("<3d", data, 155)
+        self.count, = struct.unpack_from("<I", data, 107)
+        if data[25] >= 4:
+            self.count = struct.unpack_from("<Q", data, 247)[0] or self.count
+
+    @staticmethod
+    def read(path):
+        return Las(pathlib.Path(path).read_bytes())
+
+    def records(self):
+        return [self.data[a:a + self.length]
+                for a in range(self.start, self.start + self.count * self.length, self.length)]
+
+    def raw(self):
+        """The integers x, y, z of every record."""
+        skip = self.length - 12
+        rows = self.data[self.start:self.start + self.count * self.length]
+        return list(struct.iter_unpack(f"<iii{skip}x", rows))
+
+    def points(self):
+        (sx, sy, sz), (ox, oy, oz) = self.scale, self.offset
+        return [(x * sx + ox, y * sy + oy, z * sz + oz) for x, y, z in self.raw()]
+
+    def labels(self):
+        """(plane_id, residual) of every record of a labelled cloud."""
+        rows = self.data[self.start:self.start + self.count * self.length]
+        return list(struct.iter_unpack(f"<{self.length - 8}xIf", rows))
+
+    def write(self, path, records=None, offset=None, scale=None):
+        """The same cloud with other records, offset or scale."""
+        head = bytearray(self.data[:self.start])
+        records = self.records() if records is None else records
+        struct.pack_into("<I", head, 107, len(records))
+        if head[25] >= 4:
+            struct.pack_into("<Q", head, 247, len(records))
+            struct.pack_into("<QI", head, 235, 0, 0)  # what followed the points is left out
+        struct.pack_into("<3d", head, 131, *(scale or self.scale))
+        struct.pack_into("<3d", head, 155, *(offset or self.offset))
+        pathlib.Path(path).write_bytes(bytes(head) + b"".join(records))
+        return path
+
+
+def small_las(path, points, scale=(0.001, 0.001, 0.001), offset=(0, 0, 0), declared=None):
+    """LAS 1.2, point format 0; points are raw integers (x, y, z)."""
+    head = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, b"", 1, 2, b"test", b"test", 1, 2026, 227, 227, 0,
+                       0, 20, len(points) if declared is None else declared, len(points), 0, 0, 0, 0)
+    head += struct.pack("<12d", *scale, *offset, 0, 0, 0, 0, 0, 0)
+    rows = b"".join(struct.pack("<iiiHBBbBH", x, y, z, 7, 0b001001, 6, 0, 0, 1) for x, y, z in points)
+    pathlib.Path(path).write_bytes(head + rows)
+    return path
+
+
+def planes_of(out):
+    with open(pathlib.Path(out, "planes.csv"), newline="") as file:
+        rows = list(csv.DictReader(file))
+    for row in rows:
+        for key, value in row.items():
+            row[key] = value if key == "content_id" else int(value) if key in ("plane_id", "points") else float(value)
+    return rows
+
+
+class RunTest(unittest.TestCase):
+    """A folder of its own per test, and runs in it."""
+
+    def setUp(self):
+        self.holder = tempfile.TemporaryDirectory(prefix="ilot-run-")
+        self.folder = pathlib.Path(self.holder.name)
+        self.runs = 0
+
+    def tearDown(self):
+        self.holder.cleanup()
+
+    def district(self, points, **settings):
+        path = self.folder / f"district-{points}.las"
+        chosen = [word for key, value in settings.items() for word in ("--set", f"scene.{key}={value}")]
+        done = ilot("scan", "district", "-o", path, "--points", points, "-q", *chosen)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return path
+
+    def work(self, inputs, *arguments, out=None, code=0, env=None, **options):
+        """Runs in a new folder; returns it and its run.json."""
+        self.runs += 1
+        out = out or self.folder / f"out-{self.runs}"
+        inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
+        done = ilot("run", *inputs, "-o", out, "-q", *arguments, env={**os.environ, **(env or {})}, **options)
+        self.assertEqual(done.returncode, code, done.stderr)
+        return out, json.loads((out / "run.json").read_text())
+
+    def labelled(self, out, name):
+        path = self.folder / f"{out.name}-{name}.las"
+        done = ilot("convert", out / "points" / f"{name}.laz", path, "-q", "--overwrite")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return Las.read(path)
+
+
+def main(**suites):
+    """Runs the suite that argv names; one called real needs ILOT_DATA."""
+    name = sys.argv[1] if len(sys.argv) > 1 else next(iter(suites))
+    if name == "real" and not DATA:
+        print("SKIPPED: the tests on real clouds need ILOT_DATA, the folder that holds them", file=sys.stderr)
+        sys.exit(SKIPPED)
+    loader = unittest.defaultTestLoader
+    suite = unittest.TestSuite(loader.loadTestsFromTestCase(case) for case in suites[name])
+    done = unittest.TextTestRunner(verbosity=2).run(suite)
+    sys.exit(0 if done.wasSuccessful() else 1)
