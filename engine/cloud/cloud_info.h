@@ -40,11 +40,17 @@ struct Station {
   Vec3 position;
 };
 
+// One of several scans in a file; its rows follow those of the scan before it.
+struct ScanPart {
+  std::string name;
+  std::uint64_t points = 0;
+};
+
 // What is known of one point cloud after opening it and before reading its points. Declared values come from the
 // header and are never trusted: index and info measure them.
 struct CloudInfo {
   std::filesystem::path path;
-  std::string format;                 // "las", "laz", "copc", "ply", "text", "pcd", "e57"
+  std::string format;                 // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
   std::uint8_t version_major = 1, version_minor = 4;
   RecordLayout layout;
   std::uint64_t declared_points = 0;
@@ -54,6 +60,7 @@ struct CloudInfo {
   std::vector<Vlr> vlrs;
   Crs crs;
   std::vector<Station> stations;
+  std::vector<ScanPart> scans;        // of formats that hold several; else empty
   std::vector<std::string> warnings;  // oddities that do not stop the run; points < declared_points after salvage
 };
 

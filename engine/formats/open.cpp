@@ -6,10 +6,12 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/formats/e57.h"
 #include "engine/formats/las.h"
 #include "engine/formats/laz.h"
 #include "engine/formats/pcd.h"
 #include "engine/formats/ply.h"
+#include "engine/formats/ptx.h"
 #include "engine/formats/text.h"
 
 namespace ilot {
@@ -45,7 +47,7 @@ std::unique_ptr<PointReader> open_las_family(std::unique_ptr<InputFile> file) {
 }  // namespace
 
 bool is_cloud_extension(const std::filesystem::path& path) {
-  return is_one_of(lower_extension(path), {".las", ".laz", ".ply", ".pcd", ".xyz", ".pts", ".asc"});
+  return is_one_of(lower_extension(path), {".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".xyz", ".pts", ".asc"});
 }
 
 std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
@@ -55,11 +57,13 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
   const auto beginning = std::span(buffer).first(file->read_at(0, buffer));
   const std::string extension = lower_extension(path);
   if (looks_like_las(beginning) || is_one_of(extension, {".las", ".laz"})) return open_las_family(std::move(file));
+  if (looks_like_e57(beginning) || extension == ".e57") return open_e57(std::move(file));
   if (looks_like_ply(beginning)) return open_ply(std::move(file));
   if (looks_like_pcd(beginning) || extension == ".pcd") return open_pcd(std::move(file));
   if (extension == ".ply") throw Error(path.string() + ": is not a PLY file (no ply at byte 0)");
+  if (extension == ".ptx") return open_ptx(std::move(file));
   if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file));
-  throw Error(path.string() + ": is not a point cloud that can be read (LAS, LAZ, PLY, PCD, or text as .xyz .txt .csv .pts .asc)");
+  throw Error(path.string() + ": is not a point cloud that can be read (LAS, LAZ, E57, PLY, PCD, PTX, or text as .xyz .txt .csv .pts .asc)");
 }
 
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec) {

@@ -106,6 +106,7 @@ std::unique_ptr<PointReader> open_text(std::unique_ptr<InputFile> file) {
   TextBody body;
   body.offset = preamble.offset;
   body.first_line = preamble.first_line;
+  body.counts_between = is_pts(file->path()) && preamble.declared > 0;
   if (!named) preamble.columns = guessed_columns(preamble.first);
   if (!named && is_pts(file->path()) && (preamble.columns.size() == 4 || preamble.columns.size() == 7))
     body.convert = [](std::span<double> values) { values[3] = (values[3] + 2048) * 16; };

@@ -12,7 +12,8 @@ namespace ilot {
 
 // Without names, columns are x y z, then by their number: 4 intensity; 6 red green blue, or a normal when no value
 // exceeds 1; 7 intensity and colours. Others keep their number as name. In .pts files intensities run from -2048 to
-// 2047 and are stored as (i + 2048) * 16. Throws Error when no columns x, y and z are found.
+// 2047 and are stored as (i + 2048) * 16, and a later line of one count begins another block. Throws Error when no
+// columns x, y and z are found.
 std::unique_ptr<PointReader> open_text(std::unique_ptr<InputFile> file);
 
 // Comma separated with a line of names: world coordinates, standard fields, then extra bytes. Every number is the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <charconv>
 #include <limits>
+#include <optional>
 #include <string>
 
 #include "engine/formats/lines.h"
@@ -10,8 +12,20 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kSample = 1000;
+constexpr std::uint64_t kMostDeclared = 1'000'000'000'000'000;
 
 bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+
+// The number of a line that holds one natural number and nothing else.
+std::optional<std::uint64_t> lone_count(std::string_view line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin == std::string_view::npos || line.size() - begin > 24) return std::nullopt;
+  line = line.substr(begin, line.find_last_not_of(" \t") + 1 - begin);
+  std::uint64_t count = 0;
+  const auto [end, error] = std::from_chars(line.data(), line.data() + line.size(), count);
+  if (error != std::errc{} || end != line.data() + line.size()) return std::nullopt;
+  return count;
+}
 
 class TextTable final : public PointReader {
  public:
@@ -58,7 +72,7 @@ class TextTable final : public PointReader {
     lines_ = LineReader(*file_, body_.offset);
     row_ = 0;
     line_ = body_.first_line - 1;
-    malformed_ = 0;
+    malformed_ = later_counts_ = 0;
   }
 
   // The next line that is not blank, while rows may follow.
@@ -66,11 +80,17 @@ class TextTable final : public PointReader {
     if (row_ >= body_.most_rows) return false;
     while (lines_.next(line)) {
       ++line_;
-      if (is_blank_line(line)) continue;
+      if (is_blank_line(line) || (body_.counts_between && skip_count(line))) continue;
       ++row_;
       return true;
     }
     return false;
+  }
+
+  bool skip_count(std::string_view line) {
+    const auto count = lone_count(line);
+    if (count) later_counts_ += std::min(*count, kMostDeclared);
+    return count.has_value();
   }
 
   std::uint64_t count_rows() {
@@ -78,6 +98,7 @@ class TextTable final : public PointReader {
     std::string_view line;
     while (next_row(line)) {
     }
+    if (info_.declared_points > 0) info_.declared_points += std::min(later_counts_, kMostDeclared);
     return row_;
   }
 
@@ -117,7 +138,7 @@ class TextTable final : public PointReader {
   std::vector<double> values_;
   std::vector<std::string_view> fields_;
   LineReader lines_;
-  std::uint64_t row_ = 0, line_ = 0, malformed_ = 0, first_malformed_ = 0;
+  std::uint64_t row_ = 0, line_ = 0, malformed_ = 0, first_malformed_ = 0, later_counts_ = 0;
   bool reported_ = false;
   TablePlan plan_;
 };

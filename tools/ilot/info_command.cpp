@@ -33,7 +33,9 @@ Suitability suitability(const CloudInfo& info, const CloudMeasure& m) {
   return {true, fmt::format("{:.3g} m between points", m.sampling_step)};
 }
 
+// Formats other than LAS and LAZ have no header block of ours to compare with.
 bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
+  if (info.header.empty()) return false;
   const auto off = [&](double declared, double measured, std::size_t axis) {
     return !(std::abs(declared - measured) <= 1.5 * info.layout.scale[axis]);
   };
@@ -91,7 +93,12 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
   j["density_per_m2"] = {{"all_returns", m.density}, {"last_returns", m.last_return_density}};
   j["sampling_step_m"] = m.sampling_step;
   j["points_with_colour"] = m.with_colour;
-  j["stations"] = info.stations.size();
+  j["scans"] = Json::array();
+  for (const ScanPart& scan : info.scans) j["scans"].push_back({{"name", scan.name}, {"points", scan.points}});
+  j["stations"] = Json::array();
+  for (const Station& station : info.stations) {
+    j["stations"].push_back({{"name", station.name}, {"position", vector_json(station.position)}});
+  }
   const Suitability suits = suitability(info, m);
   j["suits"]["planes"] = {{"yes", suits.planes}, {"reason", suits.reason}};
   j["warnings"] = warnings_of(info, m);
@@ -111,8 +118,10 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   const auto row = [&](const char* name, const std::string& value) {
     out += fmt::format("  {:<14} {}\n", name, value);
   };
-  row("format", fmt::format("{} {}.{}, point format {}, {} bytes per point", info.format, info.version_major,
-                            info.version_minor, info.layout.point_format, info.layout.record_length));
+  const bool las = !info.header.empty();
+  const std::string version = las ? fmt::format(" {}.{}", info.version_major, info.version_minor) : "";
+  row("format", fmt::format("{}{}, point format {}, {} bytes per point", info.format, version,
+                            info.layout.point_format, info.layout.record_length));
   for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
   row("CRS", crs_text(info.crs));
   row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
@@ -127,7 +136,11 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   row("density", fmt::format("{:.2f} points/m2, last returns {:.2f}", m.density, m.last_return_density));
   row("sampling step", fmt::format("{:.3g} m", m.sampling_step));
   if (m.with_colour > 0) row("colour", grouped(m.with_colour) + " points");
-  if (!info.stations.empty()) row("stations", std::to_string(info.stations.size()));
+  for (const ScanPart& scan : info.scans) row("scan", scan.name + ": " + grouped(scan.points) + " points");
+  for (const Station& station : info.stations) {
+    const Vec3 at = station.position;
+    row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}", station.name, at.x, at.y, at.z));
+  }
   const Suitability suits = suitability(info, m);
   row("planes", (suits.planes ? "yes: " : "no: ") + suits.reason);
   for (const std::string& warning : warnings_of(info, m)) row("warning", warning);
