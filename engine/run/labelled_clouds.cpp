@@ -24,7 +24,6 @@ constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk o
 // What is known of one input row.
 struct RowLabel {
   std::uint32_t plane = 0;
-  float residual = 0;
   PackedNormal normal;
 };
 
@@ -38,8 +37,7 @@ struct BlockRows {
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
   const auto order = store.read<InputOrder>(block, "order");
   const std::vector<std::uint32_t> sorted = sorted_order(order);
-  auto plane = store.read<std::uint32_t>(block, "plane");
-  auto residual = store.read<float>(block, "residual");
+  const auto plane = store.read<std::uint32_t>(block, "plane");
   std::vector<PackedNormal> normals(order.size());
   if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
   std::vector<InputOrder> orders(order.size());
@@ -47,7 +45,7 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const std::uint32_t from = sorted[i];
     orders[i] = order[from];
-    rows[i] = {params.final_id[plane[from]], residual[from], normals[from]};
+    rows[i] = {params.final_id[plane[from]], normals[from]};
   }
   store.write<InputOrder>(block, "row_order", orders);
   store.write<RowLabel>(block, "rows", rows);
@@ -102,9 +100,16 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   return spec;
 }
 
-void append_label(const RowLabel& label, const LabelParams& params, double metres_per_unit, std::byte* to) {
+// Signed distance from the coordinates as they stand in the input, in lattice units.
+double residual(const std::byte* record, const LatticeMap& lattice, const JoinedPlane& plane) {
+  const Vec3 offset = lattice.offset_from(plane.anchor, load<std::int32_t>(record), load<std::int32_t>(record + 4),
+                                          load<std::int32_t>(record + 8));
+  return signed_distance(plane.plane, offset);
+}
+
+void append_label(const RowLabel& label, double residual_m, const LabelParams& params, std::byte* to) {
   store<std::uint32_t>(to, label.plane);
-  store<float>(to + 4, label.plane == 0 ? 0.0f : static_cast<float>(label.residual * metres_per_unit));
+  store<float>(to + 4, static_cast<float>(residual_m));
   if (!params.write_normals) return;
   const std::int16_t n[3]{label.normal.x, label.normal.y, label.normal.z};
   for (int axis = 0; axis < 3; ++axis) store<float>(to + 8 + 4 * axis, static_cast<float>(n[axis]) / 32767.0f);
@@ -131,13 +136,17 @@ class Labeller {
     if (input.read(s.first, in, valid) != s.count)
       throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");
     collect_labels(store_, blocks_, input_order(file, s.first), labels);
+    const LatticeMap lattice(input.info().layout, store_.unit());
+    const double metres = store_.unit() * context_.metres_per_unit;
     s.rows.resize(s.count * out_length);
     std::byte* row = s.rows.data();
     for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
       std::copy_n(in.data() + i * in_length, in_length, row);
-      append_label(labels[i], params_, context_.metres_per_unit, row + in_length);
-      s.labelled += labels[i].plane != 0;
+      const std::uint32_t plane = labels[i].plane;
+      const double distance = plane == 0 ? 0 : metres * residual(row, lattice, params_.planes[plane - 1]);
+      append_label(labels[i], distance, params_, row + in_length);
+      s.labelled += plane != 0;
       row += out_length;
     }
     s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));

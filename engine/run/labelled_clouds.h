@@ -10,12 +10,14 @@
 #include "engine/cloud/area.h"
 #include "engine/formats/reader.h"
 #include "engine/pass/context.h"
+#include "engine/segments/join_pass.h"
 #include "engine/store/store.h"
 
 namespace ilot {
 
 struct LabelParams {
   std::vector<std::uint32_t> final_id;  // per joined plane + 1: the id that is written, 0 = none; [0] = 0
+  std::vector<JoinedPlane> planes;      // by final id - 1: what residuals are measured to
   bool write_normals = false;
 };
 

@@ -43,6 +43,7 @@ PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTa
     if (tallies[i].moments.n == 0) continue;
     r.segments.push_back(segment_of(joined.planes[i], tallies[i], unit, metres_per_unit));
     r.segments.back().id = static_cast<std::uint32_t>(r.segments.size());
+    r.planes.push_back(joined.planes[i]);
     r.final_id[i + 1] = r.segments.back().id;
   }
   return r;

@@ -5,6 +5,7 @@
 #include "engine/model/segment.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
+#include "engine/segments/join_pass.h"
 #include "engine/pass/context.h"
 #include "engine/store/store.h"
 
@@ -12,6 +13,7 @@ namespace ilot {
 
 struct PlanesResult {
   std::vector<Segment> segments;        // by id
+  std::vector<JoinedPlane> planes;      // the same on the lattice
   std::vector<std::uint32_t> final_id;  // per joined plane + 1; [0] = 0
 };
 

@@ -22,6 +22,8 @@ namespace {
 
 constexpr std::uint64_t kBase = 48u << 20;  // resident before any block is loaded: program, libraries, tables
 
+constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
+
 double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -46,6 +48,16 @@ IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std
   return p;
 }
 
+// A point on the very border may stand on either side of it in the input's own arithmetic: it is left out.
+std::function<bool(Index3)> inside_area(const Area& area, double unit, double rounding) {
+  const double slack = (rounding + 1e-3) * unit;
+  return [&area, unit, slack](Index3 p) {
+    const double x = static_cast<double>(p.x) * unit, y = static_cast<double>(p.y) * unit;
+    return area.contains(x - slack, y - slack) && area.contains(x + slack, y - slack) &&
+           area.contains(x - slack, y + slack) && area.contains(x + slack, y + slack);
+  };
+}
+
 PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points,
                          Progress& progress) {
   PassContext context;
@@ -53,12 +65,10 @@ PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std
   context.task_points = 2 * block_points;
   context.metres_per_unit = inputs.crs.metres_per_unit;
   context.advance = [&progress](std::uint64_t points) { progress.advance(points); };
-  if (options.area) {
-    const double unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
-    context.wanted = [&area = *options.area, unit](Index3 p) {
-      return area.contains(static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit);
-    };
-  }
+  const double unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
+  for (const auto& reader : inputs.readers)
+    if (!LatticeMap(reader->info().layout, unit).exact()) context.rounding = kHalfDiagonal;
+  if (options.area) context.wanted = inside_area(*options.area, unit, context.rounding);
   return context;
 }
 
@@ -93,7 +103,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
   const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
 
   progress.begin_stage("write", inputs.points);
-  const LabelParams labels{planes.final_id, options.settings.normals.write};
+  const LabelParams labels{planes.final_id, planes.planes, options.settings.normals.write};
   rows_pass(index.store, labels, context);
   const std::uint64_t labelled =
       write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);

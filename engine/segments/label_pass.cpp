@@ -50,8 +50,8 @@ int count_votes(std::span<const std::uint32_t> neighbours, std::uint32_t self, c
 class BlockLabels {
  public:
   BlockLabels(const Store& store, std::uint32_t block, const BlockCells& cells, const CellPlanes& cell_planes,
-              const JoinedPlanes& joined, const std::function<bool(Index3)>& wanted)
-      : store_(store), block_(block), cells_(cells), cell_planes_(cell_planes), joined_(joined), wanted_(wanted) {
+              const JoinedPlanes& joined, const PassContext& context)
+      : store_(store), block_(block), cells_(cells), cell_planes_(cell_planes), joined_(joined), context_(context) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
     before_ = load_column<std::uint32_t>(store, view_, "segment");
@@ -59,7 +59,6 @@ class BlockLabels {
     normals_ = load_column<PackedNormal>(store, view_, "normals");
     own_ = range_of_block(view_, block);
     plane_.resize(b.points);
-    residual_.resize(b.points);
   }
 
   void decide() {
@@ -100,7 +99,6 @@ class BlockLabels {
   }
 
   void write() const {
-    store_.write<float>(block_, "residual", residual_);
     store_.write<StoredTally>(block_, "tally", tallies());
     store_.write<std::uint32_t>(block_, "plane", plane_);
   }
@@ -119,7 +117,7 @@ class BlockLabels {
   }
 
   bool within(std::uint32_t i, std::uint32_t plane) const {
-    return std::abs(distance(i, plane)) <= joined_.planes[plane - 1].epsilon * kStrictly;
+    return std::abs(distance(i, plane)) <= joined_.planes[plane - 1].epsilon * kStrictly - context_.rounding;
   }
 
   std::uint32_t choose(std::uint32_t i, std::span<const std::uint32_t> neighbours) const {
@@ -175,10 +173,8 @@ class BlockLabels {
   }
 
   void set(std::uint32_t point, std::uint32_t plane) {
-    if (wanted_ && !wanted_(position(own_.begin + point))) plane = 0;
-    plane_[point] = plane;
-    residual_[point] =
-        plane == 0 ? 0.0f : static_cast<float>(distance(own_.begin + point, plane) * store_.unit());
+    const bool wanted = !context_.wanted || context_.wanted(position(own_.begin + point));
+    plane_[point] = wanted ? plane : 0;
   }
 
   const Store& store_;
@@ -186,13 +182,12 @@ class BlockLabels {
   const BlockCells& cells_;
   const CellPlanes& cell_planes_;
   const JoinedPlanes& joined_;
-  const std::function<bool(Index3)>& wanted_;
+  const PassContext& context_;
   View view_;
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
   std::vector<PackedNormal> normals_;
   std::vector<std::uint32_t> plane_;   // of the block's own points
-  std::vector<float> residual_;
 };
 
 void add(PlaneTally& sum, const PlaneTally& t) {
@@ -214,7 +209,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "plane")) {
-      BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context.wanted);
+      BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context);
       labels.decide();
       labels.write();
     }

@@ -58,7 +58,7 @@ LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
     const double factor = std::nearbyint(axis.scale / unit);
     const double shift = std::nearbyint(axis.offset / unit);
     axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < 1e-9 * factor && factor < 0x1p20 &&
-                 std::abs(shift) < kFarthest && std::abs(axis.offset / unit - shift) < 1e-3;
+                 std::abs(shift) < kFarthest && std::abs(axis.offset / unit - shift) < 1e-5;
     if (!axis.exact) continue;
     axis.factor = static_cast<std::int64_t>(factor);
     axis.shift = static_cast<std::int64_t>(shift);
@@ -74,6 +74,15 @@ bool LatticeMap::Axis::map(std::int32_t raw, std::int64_t& out) const {
   if (!(std::abs(v) < kFarthest)) return false;
   out = static_cast<std::int64_t>(v);
   return true;
+}
+
+double LatticeMap::Axis::offset_from(std::int64_t anchor, std::int32_t raw) const {
+  if (exact) return static_cast<double>(raw * factor + shift - anchor);
+  return (raw * scale + offset) / unit - static_cast<double>(anchor);
+}
+
+Vec3 LatticeMap::offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const {
+  return {axes_[0].offset_from(anchor.x, x), axes_[1].offset_from(anchor.y, y), axes_[2].offset_from(anchor.z, z)};
 }
 
 bool LatticeMap::map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {

@@ -63,6 +63,8 @@ class LatticeMap {
   LatticeMap(const RecordLayout& layout, double unit);
   // False when the point is too far out (beyond 2^51 units) to be handled.
   bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const;
+  // Where the point lies from an anchor, in units: whole numbers when exact(), else without rounding to the lattice.
+  Vec3 offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool exact() const { return axes_[0].exact && axes_[1].exact && axes_[2].exact; }
 
  private:
@@ -71,6 +73,7 @@ class LatticeMap {
     std::int64_t factor, shift;
     bool exact;
     bool map(std::int32_t raw, std::int64_t& out) const;
+    double offset_from(std::int64_t anchor, std::int32_t raw) const;
   };
   std::array<Axis, 3> axes_;
 };

@@ -14,8 +14,8 @@ class Memory(RunTest):
         return told["peak_rss_bytes"]
 
     def test_ten_times_the_points(self):
-        small, large = self.peak(200000, "--block-points", "16384"), self.peak(2000000, "--block-points", "16384")
-        self.assertLessEqual(large, 1.1 * small, f"{small >> 20} MiB at 200,000 points, {large >> 20} MiB at 2,000,000")
+        small, large = self.peak(500000, "--block-points", "16384"), self.peak(5000000, "--block-points", "16384")
+        self.assertLessEqual(large, 1.1 * small, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
         self.assertLessEqual(large, 96 << 20)
 
     def test_peak_stays_within_the_budget(self):
