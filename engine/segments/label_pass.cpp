@@ -20,6 +20,8 @@ constexpr int kVoters = 13;            // the point itself and its 12 nearest
 constexpr int kLeastVotes = 2;         // for a plane to be a candidate
 constexpr int kIslandOwnVotes = 2;     // at most so many neighbours share the label of an island
 constexpr int kIslandOtherVotes = 8;   // and at least so many agree on another
+constexpr double kFlat = 1.6;          // curvature of pure noise with twice its deviation, over (noise / step)^2
+constexpr double kPartedByNormals = 0.996;  // cosine of 5 degrees: planes that normals can tell apart
 constexpr double kStrictly = 1 - 1e-6; // rounding of coordinates and of float32 stays within epsilon
 
 struct StoredTally {
@@ -67,7 +69,9 @@ class BlockLabels {
     std::vector<std::uint32_t> queries, neighbours(kBatch * kVoters);
     std::vector<std::int64_t> reach2(kBatch);
     for (const BlockCells::Range& range : cells_.ranges) {
-      const std::int64_t r = cell_planes_.cells[range.cell].connectivity;
+      const CellSummary& cell = cell_planes_.cells[range.cell];
+      const std::int64_t r = cell.connectivity;
+      flat_ = cell.step > 0 ? kFlat * (cell.noise / cell.step) * (cell.noise / cell.step) : 0;
       for (std::uint32_t done = 0; done < range.count; done += kBatch) {
         const std::uint32_t n = std::min(kBatch, range.count - done);
         queries.clear();
@@ -137,11 +141,23 @@ class BlockLabels {
     return best;
   }
 
-  // Of two planes that a point is within epsilon of, does it belong to b rather than a? Two planes have two bisectors;
-  // the neighbours tell which one parts the faces (a ridge, a valley, a step), and the point's side of it decides. The
-  // nearer plane would not do: a point that noise lifts above a ridge is nearer to the face on the other side. Where no
-  // bisector parts the neighbours the planes cross inside one of the faces, and the point's own normal decides.
+  // Of two planes that a point is within epsilon of, does it belong to b rather than a? Away from edges (all is flat
+  // around the point: the planes cross inside one of the faces) its normal decides. At an edge normals are mixtures, and
+  // the bisector of the planes decides that parts the neighbours: a ridge, a valley or a step. The nearer plane would not
+  // do: a point that noise lifts above a ridge is nearer to the face on the other side.
   bool beyond(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> neighbours) const {
+    if (is_flat(i) && std::abs(dot(joined_.planes[a - 1].plane.n, joined_.planes[b - 1].plane.n)) < kPartedByNormals)
+      return agreement(i, b) > agreement(i, a);
+    return beyond_bisector(i, a, b, neighbours);
+  }
+
+  bool is_flat(std::uint32_t i) const {
+    constexpr double kGreatest = 3.0 * 65535;
+    return normals_[i].curvature <= flat_ * kGreatest;
+  }
+
+  bool beyond_bisector(std::uint32_t i, std::uint32_t a, std::uint32_t b,
+                       std::span<const std::uint32_t> neighbours) const {
     struct Seen {
       double from_a, from_b;
       bool on_b;
@@ -187,6 +203,7 @@ class BlockLabels {
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
   std::vector<PackedNormal> normals_;
+  double flat_ = 0;                    // curvature up to which a neighbourhood of the cell at hand is flat
   std::vector<std::uint32_t> plane_;   // of the block's own points
 };
 
