@@ -35,8 +35,9 @@ double sin_series(double x) {
 }  // namespace
 
 double cos_degrees(double degrees) {
-  const double turns = std::nearbyint(degrees / 90);
-  const double rest = (degrees - 90 * turns) * kRadian;
+  const double within = std::fmod(degrees, 360.0);  // exact by definition, so the same on every machine
+  const double turns = std::nearbyint(within / 90);
+  const double rest = (within - 90 * turns) * kRadian;
   const auto quadrant = static_cast<std::int64_t>(turns) & 3;
   switch (quadrant) {
     case 0: return cos_series(rest);

@@ -95,8 +95,10 @@ inline std::int64_t window_bound(const KnnArgs& a, std::uint32_t i) {
   const std::uint32_t end = a.size - i > reach ? i + reach + 1 : a.size;
   if (end - begin < static_cast<std::uint32_t>(a.k)) return a.max_d2;
   std::uint64_t key[kCapacity];
-  for (std::uint32_t j = begin; j < end; ++j)
-    key[j - begin] = static_cast<std::uint64_t>(exact_d2(a, i, j)) << kSlotBits | (j - begin);
+  for (std::uint32_t j = begin; j < end; ++j) {
+    const std::int64_t d2 = exact_d2(a, i, j);  // up to 2^52, which a key has no room for; beyond max_d2 it does not matter
+    key[j - begin] = static_cast<std::uint64_t>(d2 < a.max_d2 ? d2 : a.max_d2) << kSlotBits | (j - begin);
+  }
   select_smallest(key, end - begin, static_cast<std::uint32_t>(a.k));
   std::uint64_t largest = 0;
   for (int n = 0; n < a.k; ++n) largest = key[n] > largest ? key[n] : largest;

@@ -39,6 +39,7 @@ struct Remaining {
 Remaining with_normals(const OrientedPoints& p) {
   constexpr std::size_t kPadding = 16;
   Remaining r;
+  if (p.nx == nullptr) return r;
   for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->reserve(p.points.size + kPadding);
   for (std::size_t i = 0; i < p.points.size; ++i) {
     if (p.nx[i] == 0 && p.ny[i] == 0 && p.nz[i] == 0) continue;

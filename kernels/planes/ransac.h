@@ -11,7 +11,7 @@ struct RansacParams {
   double epsilon = 0;             // units; greatest distance of an inlier
   double min_cos = 0;             // of the angle between an inlier's normal and the plane's
   std::int64_t connectivity = 1;  // units; a consensus set falls apart where points are farther apart
-  std::uint32_t min_points = 3;   // fewest inliers of a plane
+  std::uint32_t min_points = 3;   // fewest inliers of a plane, at least 3
   double probability = 0.99;      // that no larger plane was overlooked when one is taken
   std::uint64_t key = 0;          // of the random draws
 };

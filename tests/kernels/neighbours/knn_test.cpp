@@ -86,6 +86,28 @@ TEST(Knn, ManyDuplicatesOverflowTheCandidateBuffer) {
   EXPECT_EQ(a.neighbours, b.neighbours);
 }
 
+// Offsets reach 2^24 either way, so squared distances need 52 bits, more than a packed key has room for.
+TEST(Knn, PointsAsFarApartAsOffsetsAllow) {
+  constexpr float e = 8388608;  // 2^23
+  const std::vector<std::array<float, 3>> corners{{-e, -e, -e}, {e, -e, -e}, {-e, e, -e}, {e, e, -e},
+                                                  {-e, -e, e},  {e, -e, e},  {-e, e, e},  {e, e, e}};
+  test::PointSet set;
+  for (int i = 0; i < 5; ++i)
+    for (const auto& c : corners) {
+      set.x.push_back(c[0] + static_cast<float>(i * 900));
+      set.y.push_back(c[1] - static_cast<float>(i * 70));
+      set.z.push_back(c[2]);
+    }
+  set.size = set.x.size();
+  for (auto* v : {&set.x, &set.y, &set.z}) v->resize(set.size + 16, 0.0f);
+  for (const KnnParams params : {KnnParams{2, kMaxSquaredReach}, KnnParams{5, kMaxSquaredReach}, KnnParams{6, kMaxSquaredReach}}) {
+    const Answer got = run_knn(set.view(), all_of(set.size), params);
+    const Answer want = brute_force(set.view(), all_of(set.size), params);
+    EXPECT_EQ(got.neighbours, want.neighbours) << params.k;
+    EXPECT_EQ(got.reach2, want.reach2) << params.k;
+  }
+}
+
 TEST(Knn, OrderOfQueriesDoesNotShow) {
   const auto set = test::point_sets(500)[1];
   auto queries = all_of(500);

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// Integer points with normals, patch by patch, in Morton order: scenes for plane extraction.
+#pragma once
+#include <cmath>
+#include <numeric>
+
+#include "kernels/planes/plane_score.h"
+#include "tests/support/point_sets.h"
+
+namespace ilot::test {
+
+struct OrientedSet {
+  std::vector<float> x, y, z, nx, ny, nz;
+  std::size_t size = 0;
+  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
+  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+};
+
+// Sum of twelve uniform numbers: bell-shaped, standard deviation 1, never beyond 6.
+inline double bell(Rng& rng) {
+  double sum = -6;
+  for (int i = 0; i < 12; ++i) sum += rng.uniform();
+  return sum;
+}
+
+// A rectangle of columns x rows points `step` apart along the unit vectors u and v.
+struct Patch {
+  Vec3 origin, u, v;
+  int columns = 0, rows = 0;
+  double step = 1, noise = 0;
+  Vec3 normal() const { return cross(u, v); }
+};
+
+class OrientedSetBuilder {
+ public:
+  explicit OrientedSetBuilder(std::uint64_t key) : rng_(key) {}
+
+  void add(Vec3 p, Vec3 n) {
+    points_.push_back({p, n});
+  }
+  // Normals lean by up to `lean` (tangent of an angle) in either direction.
+  void add(const Patch& patch, double lean = 0) {
+    for (int i = 0; i < patch.columns; ++i)
+      for (int j = 0; j < patch.rows; ++j) {
+        const Vec3 p = patch.origin + patch.step * i * patch.u + patch.step * j * patch.v;
+        const double a = lean * (2 * rng_.uniform() - 1), b = lean * (2 * rng_.uniform() - 1);
+        const Vec3 n = patch.normal() + a * patch.u + b * patch.v;
+        add(p + patch.noise * bell(rng_) * patch.normal(), (1 / norm(n)) * n);
+      }
+  }
+  // Rounded to integers and sorted; coordinates must not be negative.
+  OrientedSet build() const {
+    std::vector<std::uint64_t> codes;
+    for (const auto& [p, n] : points_) {
+      const auto whole = [](double v) { return static_cast<std::uint32_t>(std::nearbyint(v)); };
+      codes.push_back(morton_code({whole(p.x), whole(p.y), whole(p.z)}));
+    }
+    OrientedSet set;
+    set.size = codes.size();
+    for (const std::uint32_t i : sorted_order(codes)) {
+      const Cell3 c = morton_cell(codes[i]);
+      const Vec3 n = points_[i].second;
+      const double row[6]{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z), n.x, n.y, n.z};
+      std::size_t column = 0;
+      for (auto* v : set_columns(set)) v->push_back(static_cast<float>(row[column++]));
+    }
+    for (auto* v : set_columns(set)) v->resize(set.size + 16, 0.0f);
+    return set;
+  }
+
+ private:
+  static std::array<std::vector<float>*, 6> set_columns(OrientedSet& s) {
+    return {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz};
+  }
+  Rng rng_;
+  std::vector<std::pair<Vec3, Vec3>> points_;
+};
+
+}  // namespace ilot::test
