@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/output_folder.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -131,13 +133,32 @@ std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes >> 20)
 
 }  // namespace
 
+std::uint64_t memory_for_blocks(const RunOptions& options) {
+  constexpr std::uint64_t kBase = 56u << 20;
+  return std::max(options.memory_bytes, 2 * kBase) - kBase;
+}
+
 std::uint64_t affordable_block_points(const RunOptions& options, int threads) {
-  constexpr std::uint64_t kBase = 64u << 20;  // program, tables and buffers beside the blocks
-  constexpr std::uint64_t kPerPoint = 96;     // of a block in work, its surroundings included
+  constexpr std::uint64_t kPerPoint = 96;  // of a block in work, its surroundings included
   constexpr std::uint64_t kLeast = 1u << 14;
-  const std::uint64_t memory = std::max(options.memory_bytes, 2 * kBase) - kBase;
-  const std::uint64_t affordable = memory / (kPerPoint * static_cast<std::uint64_t>(threads));
+  const std::uint64_t affordable = memory_for_blocks(options) / (kPerPoint * static_cast<std::uint64_t>(threads));
   return std::min(options.settings.index.block_points, std::max(kLeast, affordable));
+}
+
+bool is_finished(const RunOptions& options, const RunInputs& inputs) {
+  const fs::path store = options.store.empty() ? options.output / ".store" : options.store;
+  const auto record = read_manifest(options.output / "run.json");
+  if (!record || fs::exists(store / kManifest) ||
+      record->value("parameters_hash", "") != fmt::format("{:016x}", settings_hash(options.settings)))
+    return false;
+  const json& read = (*record)["inputs"];
+  if (read.size() != inputs.readers.size()) return false;
+  for (std::size_t i = 0; i < read.size(); ++i) {
+    const CloudInfo& info = inputs.readers[i]->info();
+    if (read[i].value("path", "") != info.path.string() || read[i].value("points", std::uint64_t{0}) != info.points)
+      return false;
+  }
+  return true;
 }
 
 OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
@@ -175,12 +196,19 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
 
 void OutputFolder::check_space(std::uint64_t points, std::uint64_t output_bytes) const {
   constexpr std::uint64_t kStoreBytesPerPoint = 72;
-  const std::uint64_t needed = points * kStoreBytesPerPoint;
+  std::uint64_t written = 0;  // by the run that is resumed
+  for (const auto& entry : fs::recursive_directory_iterator(store_))
+    if (entry.is_regular_file()) written += entry.file_size();
+  const std::uint64_t store_bytes = points * kStoreBytesPerPoint;
+  const std::uint64_t needed = store_bytes - std::min(store_bytes, written);
   const std::uint64_t free_store = free_disk_bytes(store_), free_out = free_disk_bytes(path_);
-  if (needed + output_bytes <= free_store || (needed <= free_store && output_bytes <= free_out && store_ != path_ / ".store"))
-    return;
-  throw Error(store_.string() + ": the run needs about " + mebibytes(needed + output_bytes) + " of disk and " +
-              mebibytes(free_store) + " are free; free some or give --store DIR on another disk");
+  const bool one_disk = store_ == path_ / ".store";
+  const bool enough = one_disk ? needed + output_bytes <= free_out : needed <= free_store && output_bytes <= free_out;
+  if (enough) return;
+  if (written == 0) discard();
+  throw Error((one_disk ? path_ : store_).string() + ": the run needs about " + mebibytes(needed) +
+              " for its store, of which " + mebibytes(free_store) + " are free, and " + mebibytes(output_bytes) +
+              " for the results, of which " + mebibytes(free_out) + " are free; free some or give --store DIR on another disk");
 }
 
 void OutputFolder::publish() const {

@@ -37,6 +37,12 @@ class OutputFolder {
   std::uint64_t block_points_;
 };
 
+// Does the folder hold the complete result of a run over these inputs with these settings?
+bool is_finished(const RunOptions& options, const RunInputs& inputs);
+
+// What --memory leaves for blocks in work, beside the program, its libraries and tables.
+std::uint64_t memory_for_blocks(const RunOptions& options);
+
 // Largest number of points in a block that the memory budget allows, at most the setting.
 std::uint64_t affordable_block_points(const RunOptions& options, int threads);
 

@@ -34,13 +34,13 @@ Segment segment_of(const JoinedPlane& j, const PlaneTally& t, double unit, doubl
   return s;
 }
 
-// Ids are dense from 1 over the planes that kept points, in global order of their first cells.
-PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, double unit,
-                           double metres_per_unit) {
+// Ids are dense from 1 over the planes that kept enough points, in global order of their first cells.
+PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, std::int64_t min_points,
+                           double unit, double metres_per_unit) {
   PlanesResult r;
   r.final_id.assign(joined.planes.size() + 1, 0);
   for (std::size_t i = 0; i < joined.planes.size(); ++i) {
-    if (tallies[i].moments.n == 0) continue;
+    if (tallies[i].moments.n < min_points) continue;
     r.segments.push_back(segment_of(joined.planes[i], tallies[i], unit, metres_per_unit));
     r.segments.back().id = static_cast<std::uint32_t>(r.segments.size());
     r.planes.push_back(joined.planes[i]);
@@ -94,7 +94,7 @@ PlanesResult make_planes(const Store& store, const Settings& settings, const Pas
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle), min_points});
   const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context);
   progress.end_stage();
-  return number_planes(joined, tallies, store.unit(), context.metres_per_unit);
+  return number_planes(joined, tallies, context.wanted ? 1 : min_points, store.unit(), context.metres_per_unit);
 }
 
 }  // namespace ilot

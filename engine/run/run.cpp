@@ -20,7 +20,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBase = 48u << 20;  // resident before any block is loaded: program, libraries, tables
 
 constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
 
@@ -48,27 +47,30 @@ IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std
   return p;
 }
 
-// A point on the very border may stand on either side of it in the input's own arithmetic: it is left out.
-std::function<bool(Index3)> inside_area(const Area& area, double unit, double rounding) {
-  const double slack = (rounding + 1e-3) * unit;
-  return [&area, unit, slack](Index3 p) {
-    const double x = static_cast<double>(p.x) * unit, y = static_cast<double>(p.y) * unit;
-    return area.contains(x - slack, y - slack) && area.contains(x + slack, y - slack) &&
-           area.contains(x - slack, y + slack) && area.contains(x + slack, y + slack);
+// Borders of a box are lattice lines and closed: a point on the border of two boxes belongs to both.
+std::function<bool(Index3)> inside_area(const Area& area, double unit) {
+  constexpr double kOnTheLine = 1e-6;  // of a unit: rounding of the division
+  const auto x0 = static_cast<std::int64_t>(std::ceil(area.min_x / unit - kOnTheLine));
+  const auto y0 = static_cast<std::int64_t>(std::ceil(area.min_y / unit - kOnTheLine));
+  const auto x1 = static_cast<std::int64_t>(std::floor(area.max_x / unit + kOnTheLine));
+  const auto y1 = static_cast<std::int64_t>(std::floor(area.max_y / unit + kOnTheLine));
+  return [&area, unit, x0, y0, x1, y1](Index3 p) {
+    if (p.x < x0 || p.x > x1 || p.y < y0 || p.y > y1) return false;
+    return area.rings.empty() || area.contains(static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit);
   };
 }
 
 PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points,
                          Progress& progress) {
   PassContext context;
-  context.budget_bytes = std::max<std::uint64_t>(options.memory_bytes, 2 * kBase) - kBase;
+  context.budget_bytes = memory_for_blocks(options);
   context.task_points = 2 * block_points;
   context.metres_per_unit = inputs.crs.metres_per_unit;
   context.advance = [&progress](std::uint64_t points) { progress.advance(points); };
   const double unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
   for (const auto& reader : inputs.readers)
     if (!LatticeMap(reader->info().layout, unit).exact()) context.rounding = kHalfDiagonal;
-  if (options.area) context.wanted = inside_area(*options.area, unit, context.rounding);
+  if (options.area) context.wanted = inside_area(*options.area, unit);
   return context;
 }
 
@@ -137,6 +139,10 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   const double start = now();
   const RunInputs inputs = open_inputs(options, progress, record);
   if (options.dry_run) return dry_run(options, inputs, progress);
+  if (options.existing == Existing::resume && is_finished(options, inputs)) {
+    progress.note(options.output.string() + ": is finished, nothing is left to do");
+    return 0;
+  }
   const OutputFolder out(options, inputs);
   out.check_space(inputs.points, output_bytes(inputs));
   make_products(options, inputs, out, progress, record);

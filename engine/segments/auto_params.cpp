@@ -46,15 +46,18 @@ Sampling measure_sampling(const NeighbourIndex& index) {
   return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
 }
 
-PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres) {
-  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kConnectedSteps = 3;
+PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres,
+                                std::int64_t reach) {
+  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kMostMetres = 0.5, kConnectedSteps = 3;
+  constexpr double kLeastReach = 4, kMostReach = 0x1p20;  // what euclidean_clusters can do with a cell
   PlaneParams p;
-  p.epsilon = settings.epsilon
-                  ? *settings.epsilon / unit_metres
-                  : std::max({kNoiseFactor * sampling.noise, kLeastUnits, kLeastSteps * sampling.step});
+  const double surface = std::max(kNoiseFactor * sampling.noise, kLeastSteps * sampling.step);
+  p.epsilon = settings.epsilon ? *settings.epsilon / unit_metres
+                               : std::max(kLeastUnits, std::min(surface, kMostMetres / unit_metres));
   p.min_cos = cos_degrees(settings.normal_angle);
-  const double reach = settings.connectivity ? *settings.connectivity / unit_metres : kConnectedSteps * sampling.step;
-  p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(reach), 8.0, 0x1p20));
+  const double connectivity = settings.connectivity ? *settings.connectivity / unit_metres
+                                                    : std::min(kConnectedSteps * sampling.step, static_cast<double>(reach));
+  p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(connectivity), kLeastReach, kMostReach));
   p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kAutoMinPoints));
   return p;
 }

@@ -26,8 +26,10 @@ struct PlaneParams {
   std::uint32_t min_points = 3;
 };
 
-// Settings where they are given, else: epsilon = 3.5 noise, at least 3 lattice units and a quarter of the step;
-// connectivity = 3 steps; min_points = 30. unit_metres is the lattice unit in metres.
-PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres);
+// Settings where they are given, else: epsilon = 3.5 noise, at least 3 lattice units and a quarter of the step, at most
+// 0.5 m; connectivity = 3 steps, at most `reach` (units), beyond which a unit does not know its surroundings;
+// min_points = 30. unit_metres is the lattice unit in metres.
+PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres,
+                                std::int64_t reach);
 
 }  // namespace ilot

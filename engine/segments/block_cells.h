@@ -30,4 +30,10 @@ inline std::vector<BlockCells> cells_of_blocks(const Store& store, const std::ve
   return result;
 }
 
+// Points that a view of the block and its surroundings within the connectivity holds.
+inline std::uint64_t points_around(const Store& store, std::uint32_t block, const BlockCells& cells) {
+  const Block& b = store.blocks()[block];
+  return plan_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner()).size;
+}
+
 }  // namespace ilot

@@ -5,13 +5,51 @@
 #include <cmath>
 
 #include "kernels/core/parallel.h"
+#include "kernels/core/rng.h"
 
 namespace ilot {
 namespace {
 
 constexpr int kMarginShift = 4;  // margin = edge / 16
 
-IndexBox with_margin(const Node& node) { return node.box().grown(std::max<std::int64_t>(1, node.edge() >> kMarginShift)); }
+constexpr std::uint32_t kBatch = 1 << 14;
+
+// Calls visit(position, code, slice, point of the block) for the points of the plan that lie in the box, in global order.
+template <class Visit>
+void for_each_in(const Store& store, const View& plan, const IndexBox& box, const Visit& visit) {
+  std::vector<std::uint64_t> codes;
+  for (const Slice& s : plan.slices) {
+    const ColumnReader reader(store.path(s.block, "codes"));
+    const Tile tile = store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
+      codes.resize(std::min(kBatch, s.count - done));
+      reader.read<std::uint64_t>(s.first + done, codes);
+      for (std::uint32_t i = 0; i < codes.size(); ++i) {
+        const Index3 p = index_of({tile, codes[i]});
+        if (box.contains(p)) visit(p, codes[i], s, s.first + done + i);
+      }
+    }
+  }
+}
+
+// Normals of points that are asked for in rising order, read a batch at a time.
+class NormalsCursor {
+ public:
+  explicit NormalsCursor(const Store& store) : store_(store) {}
+  const PackedNormal& at(const Slice& slice, std::uint32_t point) {
+    if (slice.block != block_ || point < first_ || point >= first_ + batch_.size()) {
+      block_ = slice.block;
+      first_ = point;
+      batch_ = store_.read<PackedNormal>(block_, "normals", first_, std::min(kBatch, slice.first + slice.count - point));
+    }
+    return batch_[point - first_];
+  }
+
+ private:
+  const Store& store_;
+  std::uint32_t block_ = UINT32_MAX, first_ = 0;
+  std::vector<PackedNormal> batch_;
+};
 
 int cell_level(double unit_metres) {
   int bits = 0;
@@ -106,25 +144,29 @@ std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit) {
   return cells;
 }
 
-View cell_view(const Store& store, const Cell& cell) {
-  return load_view(store, with_margin(cell.node), cell.node.min_corner());
-}
+std::int64_t margin_of(const Cell& cell) { return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift); }
 
-CellPoints cell_points(const View& view, const Cell& cell) {
-  const auto margin = static_cast<float>(std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift));
-  const auto edge = static_cast<float>(cell.node.edge());
-  const auto inside = [&](float v, float grown) { return v >= -grown && v <= edge - 1 + grown; };
+CellPoints load_cell(const Store& store, const Cell& cell) {
+  const IndexBox around = cell.node.box().grown(margin_of(cell));
+  const View plan = plan_view(store, around, cell.node.min_corner());
+  std::uint64_t in_margin = 0;
+  for_each_in(store, plan, around, [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) {
+    in_margin += !cell.node.box().contains(p);
+  });
+  const bool thin = in_margin > kCellPoints;
+  const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;
-  for (std::uint32_t i = 0; i < view.size; ++i) {
-    const float x = view.x[i], y = view.y[i], z = view.z[i];
-    if (!inside(x, margin) || !inside(y, margin) || !inside(z, margin)) continue;
-    cp.x.push_back(x);
-    cp.y.push_back(y);
-    cp.z.push_back(z);
-    cp.view_index.push_back(i);
-    cp.core.push_back(inside(x, 0) && inside(y, 0) && inside(z, 0));
-  }
-  cp.size = cp.view_index.size();
+  NormalsCursor normals(store);
+  for_each_in(store, plan, around, [&](Index3 p, std::uint64_t code, const Slice& slice, std::uint32_t point) {
+    const bool core = cell.node.box().contains(p);
+    if (!core && thin && mix64(code) > keep_below) return;
+    cp.x.push_back(static_cast<float>(p.x - plan.anchor.x));
+    cp.y.push_back(static_cast<float>(p.y - plan.anchor.y));
+    cp.z.push_back(static_cast<float>(p.z - plan.anchor.z));
+    cp.normals.push_back(normals.at(slice, point));
+    cp.core.push_back(core);
+  });
+  cp.size = cp.core.size();
   constexpr std::size_t kPadding = 16;
   for (auto* v : {&cp.x, &cp.y, &cp.z}) v->resize(cp.size + kPadding, 0.0f);
   return cp;

@@ -7,6 +7,7 @@
 
 #include "engine/pass/context.h"
 #include "engine/store/view.h"
+#include "kernels/neighbours/normals.h"
 
 namespace ilot {
 
@@ -27,16 +28,19 @@ constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 // All cells that hold points, in global order.
 std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit);
 
-// Points of a cell and of a margin of 1/16 of its edge around it, compact and in global order, as offsets from the
-// cell's corner.
+// Depth of the margin around a cell that is looked at along with it: 1/16 of its edge, in units.
+std::int64_t margin_of(const Cell& cell);
+
+// Points of a cell and of its margin, compact and in global order, as offsets from the cell's corner. A margin of more
+// than kCellPoints points is thinned to about that many by a hash of their codes, so a cell never holds more than twice
+// kCellPoints (unless more coincide). Reads in small batches.
 struct CellPoints {
-  std::vector<float> x, y, z;             // padded as Points asks
-  std::vector<std::uint32_t> view_index;  // in the view they were read with
-  std::vector<std::uint8_t> core;         // 1 = in the cell itself
+  std::vector<float> x, y, z;           // padded as Points asks
+  std::vector<PackedNormal> normals;
+  std::vector<std::uint8_t> core;       // 1 = in the cell itself
   std::size_t size = 0;
   Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };
-View cell_view(const Store& store, const Cell& cell);
-CellPoints cell_points(const View& view, const Cell& cell);
+CellPoints load_cell(const Store& store, const Cell& cell);
 
 }  // namespace ilot

@@ -63,7 +63,20 @@ std::vector<Contact> counted(std::vector<std::uint64_t> pairs) {
   return contacts;
 }
 
-// All border points of a block whose cell has the same connectivity are one batch of queries.
+// Cells other than its own of whose planes a border point has points among its nearest, as pairs of planes.
+void add_pairs(std::uint32_t own, std::span<const std::uint32_t> neighbours, const BorderPoints& border,
+               const CellPlanes& planes, std::vector<std::uint64_t>& pairs) {
+  std::uint32_t seen[kNearest];
+  int count = 0;
+  for (const std::uint32_t j : neighbours) {
+    if (j == kNoNeighbour) break;
+    const std::uint32_t other = border.segment[j];
+    if (planes.cell_of[other] == planes.cell_of[own] || std::find(seen, seen + count, other) != seen + count) continue;
+    seen[count++] = other;
+    pairs.push_back(static_cast<std::uint64_t>(std::min(own, other)) << 32 | std::max(own, other));
+  }
+}
+
 std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, const BlockCells& own_cells,
                                     const std::vector<Cell>& cells, const CellPlanes& planes) {
   const std::int64_t reach = own_cells.widest_connectivity;
@@ -72,23 +85,21 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
   const auto labels = load_column<std::uint32_t>(store, view, "segment");
   const BorderPoints border = border_points(view, labels, range_of_block(view, block), cells, planes, reach);
   const NeighbourIndex index = build_neighbour_index(border.points());
+  const auto reach_of = [&](std::uint32_t i) { return planes.cells[planes.cell_of[border.segment[i]]].connectivity; };
+  constexpr std::size_t kBatch = 256;
+  std::vector<std::uint32_t> neighbours(kBatch * kNearest);
+  std::vector<std::int64_t> reach2(kBatch);
   std::vector<std::uint64_t> pairs;
-  std::vector<std::uint32_t> neighbours(kNearest);
-  std::vector<std::int64_t> reach2(1);
-  for (const std::uint32_t i : border.own) {
-    const std::uint32_t a = border.segment[i];
-    const std::uint32_t cell = planes.cell_of[a];
-    const std::int64_t r = planes.cells[cell].connectivity;
-    knn(index, std::span(&i, 1), {kNearest, r * r}, neighbours, reach2);
-    std::uint32_t seen[kNearest];
-    int count = 0;
-    for (const std::uint32_t j : neighbours) {
-      if (j == kNoNeighbour) break;
-      const std::uint32_t c = border.segment[j];
-      if (planes.cell_of[c] == cell || std::find(seen, seen + count, c) != seen + count) continue;
-      seen[count++] = c;
-      pairs.push_back(static_cast<std::uint64_t>(std::min(a, c)) << 32 | std::max(a, c));
-    }
+  for (std::size_t begin = 0; begin < border.own.size();) {
+    const std::int64_t r = reach_of(border.own[begin]);
+    std::size_t end = begin;
+    while (end < border.own.size() && end - begin < kBatch && reach_of(border.own[end]) == r) ++end;
+    const auto batch = std::span(border.own).subspan(begin, end - begin);
+    const auto lists = std::span(neighbours).first(batch.size() * kNearest);
+    knn(index, batch, {kNearest, r * r}, lists, std::span(reach2).first(batch.size()));
+    for (std::size_t i = 0; i < batch.size(); ++i)
+      add_pairs(border.segment[batch[i]], lists.subspan(i * kNearest, kNearest), border, planes, pairs);
+    begin = end;
   }
   return counted(std::move(pairs));
 }
@@ -117,16 +128,15 @@ class Joiner {
     if (a == b) return;
     if (b < a) std::swap(a, b);
     if (std::abs(dot(normals_[contact.a], normals_[contact.b])) < params_.min_cos) return;
-    const double epsilon = std::max(groups_[a].epsilon, groups_[b].epsilon);
     const Moments moved = shifted(groups_[b].moments, minus(anchor(b), anchor(a)));
     Moments both = groups_[a].moments;
     both.add(moved);
     const PlaneFit fit = fit_plane(both);
     if (!fit.unique) return;
-    if (rms_to_plane(groups_[a].moments, fit.plane) > kAgreement * epsilon) return;
-    if (rms_to_plane(moved, fit.plane) > kAgreement * epsilon) return;
+    if (rms_to_plane(groups_[a].moments, fit.plane) > kAgreement * groups_[a].epsilon) return;
+    if (rms_to_plane(moved, fit.plane) > kAgreement * groups_[b].epsilon) return;
     sets_.unite(a, b);
-    groups_[a] = {both, epsilon};
+    groups_[a] = {both, std::max(groups_[a].epsilon, groups_[b].epsilon)};
   }
 
   JoinedPlanes result() {
@@ -164,7 +174,8 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
                                   const PassContext& context) {
   const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, planes);
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
+    tasks.push_back({points_around(store, b, block_cells[b]) * kBytesPerPoint, store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "contacts")) {

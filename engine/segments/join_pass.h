@@ -37,7 +37,8 @@ struct JoinParams {
 };
 
 // Joins greedily, most contacts first (ties by index): two groups become one when the angle between them is small and
-// each stays within half its epsilon (root mean square) of their common least-squares plane. Only exact sums enter, so
+// each stays within half its own epsilon (root mean square) of their common least-squares plane; the larger epsilon is
+// the group's. Only exact sums enter, so
 // the answer depends on the set of cells and contacts alone; a group's outcome does not depend on groups that it does
 // not touch. O(contacts log contacts).
 JoinedPlanes join_planes(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,

@@ -222,7 +222,8 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
                                    const JoinedPlanes& joined, const PassContext& context) {
   const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, cell_planes);
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
+    tasks.push_back({points_around(store, b, block_cells[b]) * kBytesPerPoint, store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "plane")) {

@@ -18,6 +18,7 @@ constexpr std::uint64_t kBytesPerPoint = 64;
 struct Waiting {
   std::vector<std::uint32_t> points;
   std::int64_t margin = 0;
+  bool whatever_it_takes = false;  // as many points as that coincide there: take them all
 };
 
 std::int64_t root(std::int64_t squared) {
@@ -86,7 +87,7 @@ class BlockNormals {
         result_(store.blocks()[block].points) {}
 
   std::vector<PackedNormal> compute() {
-    Waiting all{std::vector<std::uint32_t>(result_.size()), first_margin()};
+    Waiting all{std::vector<std::uint32_t>(result_.size()), first_margin(), false};
     std::iota(all.points.begin(), all.points.end(), 0u);
     std::vector<Waiting> stack{std::move(all)};
     while (!stack.empty()) {
@@ -120,13 +121,13 @@ class BlockNormals {
   void attempt(const Waiting& group, std::vector<Waiting>& stack) {
     const IndexBox read = box_of(group.points).grown(group.margin);
     View view = plan_view(store_, read, store_.blocks()[block_].node.min_corner());
-    if (view.size > max_points_) return divide(group, stack);
+    if (view.size > max_points_ && !group.whatever_it_takes) return divide(group, stack);
     load_points(store_, view);
     const std::vector<std::uint32_t> queries = positions(view, group.points);
     std::vector<PackedNormal> found(queries.size());
     std::vector<std::int64_t> reach2(queries.size());
     normals(build_neighbour_index(view.points()), queries, params_, found, reach2);
-    Waiting wider{{}, std::min(radius_, 2 * group.margin)};
+    Waiting wider{{}, std::min(radius_, 2 * group.margin), false};
     for (std::size_t i = 0; i < queries.size(); ++i) {
       // What lies beyond `clear` may be unread. Fewer than k: certain only when all of max_radius was read.
       const std::int64_t clear = clearance(read, view, queries[i]);
@@ -145,13 +146,12 @@ class BlockNormals {
     if (group.points.size() == 1) {
       const Index3 p = position(group.points[0]);
       const std::int64_t reach = root(reach_by_chunks(store_, p, params_));
-      if (reach >= group.margin) max_points_ = UINT64_MAX;  // as many points as that coincide there: take them all
-      stack.push_back({group.points, reach});
+      stack.push_back({group.points, reach, true});
       return;
     }
     const auto middle = group.points.begin() + static_cast<std::ptrdiff_t>(group.points.size() / 2);
-    stack.push_back({{group.points.begin(), middle}, group.margin});
-    stack.push_back({{middle, group.points.end()}, group.margin});
+    stack.push_back({{group.points.begin(), middle}, group.margin, false});
+    stack.push_back({{middle, group.points.end()}, group.margin, false});
   }
 
   Index3 position(std::uint32_t point) const {

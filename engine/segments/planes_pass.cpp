@@ -31,12 +31,12 @@ struct Normals {
   std::vector<float> x, y, z;
 };
 
-Normals unpack(const std::vector<PackedNormal>& packed, const CellPoints& cp) {
+Normals unpack(const CellPoints& cp) {
   Normals n;
   for (auto* v : {&n.x, &n.y, &n.z}) v->assign(cp.x.size(), 0.0f);
   constexpr float kScale = 1.0f / 32767;
   for (std::size_t i = 0; i < cp.size; ++i) {
-    const PackedNormal& p = packed[cp.view_index[i]];
+    const PackedNormal& p = cp.normals[i];
     n.x[i] = static_cast<float>(p.x) * kScale;
     n.y[i] = static_cast<float>(p.y) * kScale;
     n.z[i] = static_cast<float>(p.z) * kScale;
@@ -79,12 +79,11 @@ CellResult own_part(const CellPoints& cp, const RansacPlanes& found) {
 }
 
 CellResult solve(const Store& store, const Cell& cell, const Settings& settings, const PassContext& context) {
-  const View view = cell_view(store, cell);
-  const CellPoints cp = cell_points(view, cell);
-  const Normals n = unpack(load_column<PackedNormal>(store, view, "normals"), cp);
+  const CellPoints cp = load_cell(store, cell);
+  const Normals n = unpack(cp);
   const Sampling sampling = measure_sampling(build_neighbour_index(cp.points()));
   const PlaneParams params =
-      choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit);
+      choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit, margin_of(cell));
   const RansacPlanes found = ransac_planes(
       {cp.points(), n.x.data(), n.y.data(), n.z.data()},
       {params.epsilon, params.min_cos, params.connectivity, params.min_points, settings.planes.probability,
@@ -146,7 +145,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
                        const PassContext& context) {
   std::filesystem::create_directories(store.folder() / "cells");
   std::vector<PassTask> tasks;
-  for (const Cell& c : cells) tasks.push_back({c.points * kBytesPerPoint * 3 / 2, c.points});
+  for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * kBytesPerPoint, c.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
     if (!std::filesystem::exists(cell_path(store, cell, ".planes")))

@@ -112,7 +112,7 @@ inline std::int64_t bound_from_previous(std::int64_t reach2, std::int64_t d2) {
   return static_cast<std::int64_t>(r * r * 1.000000001) + 1;
 }
 
-inline float inflate(std::int64_t d2) { return static_cast<float>(d2) * 1.000002f + 1.0f; }
+inline float inflate(std::int64_t d2) { return d2 < 0 ? -1.0f : static_cast<float>(d2) * 1.000002f + 1.0f; }
 
 inline void scan_leaf(const KnnArgs& a, std::uint32_t query, std::uint32_t leaf, std::int64_t& bound, Candidates& c) {
   const std::uint32_t begin = leaf * 8;
@@ -133,7 +133,8 @@ inline void scan_leaf(const KnnArgs& a, std::uint32_t query, std::uint32_t leaf,
     shrink(c, static_cast<std::uint32_t>(a.k));
     std::uint64_t largest = 0;
     for (int n = 0; n < a.k; ++n) largest = c.key[n] > largest ? c.key[n] : largest;
-    bound = static_cast<std::int64_t>(largest >> kSlotBits);
+    // Whatever comes later has a larger index, so at the same distance it loses.
+    bound = static_cast<std::int64_t>(largest >> kSlotBits) - 1;
   }
 }
 

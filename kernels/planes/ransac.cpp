@@ -20,6 +20,7 @@ constexpr double kLocality = 4;      // a window around a point of a plane is ha
 constexpr std::size_t kBatch = 64;   // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
 constexpr std::size_t kPool = 512;   // candidates kept between planes
+constexpr std::size_t kSample = 1 << 14;  // points that candidates are scored on while more remain
 constexpr int kRefinements = 10;
 constexpr double kExplained = 0.5;   // share of a set within epsilon of an earlier plane that makes it a fringe
 
@@ -29,6 +30,20 @@ struct Remaining {
   std::vector<std::uint32_t> index;  // into the caller's points
   std::size_t size = 0;
 
+  void add(const Remaining& from, std::size_t i) {
+    x.push_back(from.x[i]);
+    y.push_back(from.y[i]);
+    z.push_back(from.z[i]);
+    nx.push_back(from.nx[i]);
+    ny.push_back(from.ny[i]);
+    nz.push_back(from.nz[i]);
+    index.push_back(from.index[i]);
+    ++size;
+  }
+  void pad() {
+    constexpr std::size_t kPadding = 16;
+    for (auto* v : {&x, &y, &z, &nx, &ny, &nz}) v->resize(size + kPadding, 0.0f);
+  }
   OrientedPoints view() const {
     return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()};
   }
@@ -92,17 +107,42 @@ struct Extent {
   }
 };
 
-struct Candidate {
-  PlaneHypothesis plane;
-  std::uint32_t count = 0;   // inliers when last scored: an upper bound since
-  std::uint32_t scored = 0;  // sets taken out before that
-  std::uint64_t draw = 0;    // ties go to the earlier one
-};
+// Hypotheses and how many points of the sample each has now. Ties go to the earlier draw.
+struct Pool {
+  std::vector<PlaneHypothesis> planes;
+  std::vector<std::uint32_t> counts;
+  std::vector<std::uint64_t> draws;
 
-bool better(const Candidate& a, const Candidate& b) {
-  return a.count != b.count ? a.count > b.count : a.draw < b.draw;
-}
-bool heap_order(const Candidate& a, const Candidate& b) { return better(b, a); }
+  bool better(std::size_t a, std::size_t b) const {
+    return counts[a] != counts[b] ? counts[a] > counts[b] : draws[a] < draws[b];
+  }
+  std::size_t best() const {
+    std::size_t top = 0;
+    for (std::size_t i = 1; i < planes.size(); ++i)
+      if (better(i, top)) top = i;
+    return top;
+  }
+  // Keeps those with at least so many points, and only the best `most` when there are twice as many.
+  void prune(std::uint32_t least, std::size_t most) {
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < planes.size(); ++i)
+      if (counts[i] >= least) order.push_back(i);
+    if (order.size() > 2 * most) {
+      std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(most), order.end(),
+                       [&](std::size_t a, std::size_t b) { return better(a, b); });
+      order.resize(most);
+      std::sort(order.begin(), order.end());
+    }
+    for (std::size_t to = 0; to < order.size(); ++to) {
+      planes[to] = planes[order[to]];
+      counts[to] = counts[order[to]];
+      draws[to] = draws[order[to]];
+    }
+    planes.resize(order.size());
+    counts.resize(order.size());
+    draws.resize(order.size());
+  }
+};
 
 class Search {
  public:
@@ -115,12 +155,15 @@ class Search {
 
   RansacPlanes run() {
     while (remaining_.size >= params_.min_points) {
-      const std::optional<Candidate> best = fresh_best();
-      const double size = best ? std::max<double>(best->count, params_.min_points) : params_.min_points;
+      refresh_sample();
+      const bool any = !pool_.planes.empty();
+      const std::size_t best = any ? pool_.best() : 0;
+      const double least = params_.min_points;
+      const double size = any ? std::max(least, static_cast<double>(pool_.counts[best] * stride_)) : least;
       if (expected_hits_per_point_ * size < needed_hits_) {
         draw_batch();
-      } else if (best) {
-        take(*best);
+      } else if (any) {
+        take(best);
       } else {
         break;
       }
@@ -129,25 +172,24 @@ class Search {
   }
 
  private:
-  // The best candidate, scored on the points that remain; nothing when none has enough.
-  std::optional<Candidate> fresh_best() {
-    while (!pool_.empty()) {
-      Candidate& top = pool_.front();
-      if (top.scored == removals_) return top;
-      std::pop_heap(pool_.begin(), pool_.end(), heap_order);
-      Candidate stale = pool_.back();
-      pool_.pop_back();
-      count_inliers(remaining_.view(), std::span(&stale.plane, 1), score_params(), std::span(&stale.count, 1));
-      stale.scored = removals_;
-      keep(stale);
-    }
-    return std::nullopt;
+  // Every stride-th point of the caller's, the stride halving as fewer remain; candidates are counted anew then.
+  void refresh_sample() {
+    std::size_t stride = 1;
+    while (remaining_.size > stride * kSample) stride *= 2;
+    if (stride == stride_) return;
+    stride_ = stride;
+    sample_ = {};
+    for (std::size_t i = 0; i < remaining_.size; ++i)
+      if (remaining_.index[i] % stride_ == 0) sample_.add(remaining_, i);
+    sample_.pad();
+    count_inliers(sample_.view(), pool_.planes, score_params(), pool_.counts);
+    pool_.prune(least_count(), kPool);
   }
 
-  void keep(const Candidate& c) {
-    if (c.count < params_.min_points) return;
-    pool_.push_back(c);
-    std::push_heap(pool_.begin(), pool_.end(), heap_order);
+  // A candidate with fewer points of the sample is not worth keeping: half of what the smallest plane should have.
+  std::uint32_t least_count() const {
+    if (stride_ == 1) return params_.min_points;
+    return std::max(3u, params_.min_points / static_cast<std::uint32_t>(2 * stride_));
   }
 
   PlaneScoreParams score_params() const {
@@ -155,28 +197,40 @@ class Search {
   }
 
   void draw_batch() {
-    std::array<PlaneHypothesis, kBatch> planes;
-    std::array<std::uint64_t, kBatch> draws;
-    std::size_t found = 0;
+    const std::size_t before = pool_.planes.size();
     std::uint64_t made = 0;
-    while (found < kBatch && made < kBatchDraws) {
+    while (pool_.planes.size() - before < kBatch && made < kBatchDraws) {
       ++made;
-      const auto plane = draw();
-      if (!plane) continue;
-      draws[found] = draw_count_ + made;
-      planes[found++] = *plane;
+      if (const auto plane = draw()) {
+        pool_.planes.push_back(*plane);
+        pool_.draws.push_back(draw_count_ + made);
+      }
     }
     draw_count_ += made;
     expected_hits_per_point_ += static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
-    std::array<std::uint32_t, kBatch> counts;
-    count_inliers(remaining_.view(), std::span(planes).first(found), score_params(), std::span(counts).first(found));
-    for (std::size_t i = 0; i < found; ++i)
-      keep({planes[i], counts[i], removals_, draws[i]});
-    if (pool_.size() > 2 * kPool) {
-      std::nth_element(pool_.begin(), pool_.begin() + kPool, pool_.end(), better);
-      pool_.resize(kPool);
-      std::make_heap(pool_.begin(), pool_.end(), heap_order);
+    pool_.counts.resize(pool_.planes.size());
+    count_inliers(sample_.view(), std::span(pool_.planes).subspan(before), score_params(),
+                  std::span(pool_.counts).subspan(before));
+    pool_.prune(least_count(), kPool);
+  }
+
+  // Takes the members (positions, ascending) out of the remaining points and of every candidate's count.
+  void take_out(const std::vector<std::uint32_t>& members) {
+    Remaining gone;
+    for (const std::uint32_t i : members)
+      if (remaining_.index[i] % stride_ == 0) gone.add(remaining_, i);
+    gone.pad();
+    std::vector<std::uint32_t> in_sample, lost(pool_.planes.size());
+    for (std::uint32_t i = 0, next = 0; next < gone.size; ++i) {
+      if (sample_.index[i] != gone.index[next]) continue;
+      in_sample.push_back(i);
+      ++next;
     }
+    count_inliers(gone.view(), pool_.planes, score_params(), lost);
+    for (std::size_t i = 0; i < lost.size(); ++i) pool_.counts[i] -= lost[i];
+    pool_.prune(least_count(), kPool);
+    remove(sample_, in_sample);
+    remove(remaining_, members);
   }
 
   std::optional<PlaneHypothesis> draw() {
@@ -250,10 +304,8 @@ class Search {
     return false;
   }
 
-  void take(Candidate candidate) {
-    std::pop_heap(pool_.begin(), pool_.end(), heap_order);
-    pool_.pop_back();
-    const PlaneHypothesis& h = candidate.plane;
+  void take(std::size_t candidate) {
+    const PlaneHypothesis h = pool_.planes[candidate];
     Plane plane{{h[0], h[1], h[2]}, h[3]};
     std::vector<std::uint32_t> members = part_of(consensus(plane), {});
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
@@ -266,7 +318,11 @@ class Search {
       members = std::move(next);
       if (settled) break;
     }
-    if (members.size() < params_.min_points) return;
+    if (members.size() < params_.min_points) {
+      pool_.counts[candidate] = 0;
+      pool_.prune(least_count(), kPool);
+      return;
+    }
     const Extent extent = extent_of(members);
     if (!is_fringe(members, extent)) {
       result_.planes.push_back(plane);
@@ -274,9 +330,7 @@ class Search {
       for (const std::uint32_t i : members)
         result_.label[remaining_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
     }
-    remove(remaining_, members);
-    ++removals_;
-    keep(candidate);  // stale now; other parts of the same plane may remain
+    take_out(members);  // the candidate stays: other parts of the same plane may remain
   }
 
   RansacParams params_;
@@ -284,8 +338,9 @@ class Search {
   Rng rng_;
   RansacPlanes result_;
   std::vector<Extent> extents_;  // of the points of each plane
-  std::vector<Candidate> pool_;  // a heap, best first
-  std::uint32_t removals_ = 0;   // sets taken out of the remaining points
+  Remaining sample_;             // what candidates are counted on
+  std::size_t stride_ = 0;
+  Pool pool_;
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a plane, per point of that plane
   std::uint64_t draw_count_ = 0;

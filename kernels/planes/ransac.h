@@ -23,11 +23,11 @@ struct RansacPlanes {
 
 // Planes by random sample consensus, the largest first [A5, after Schnabel, Wahl and Klein 2007].
 // A draw is a point and two more out of a window of its neighbours in the order of points (Morton order makes a window
-// a place), kept when the three normals agree with the plane through them. Draws are scored on all remaining points,
-// many at a time. The best is taken once the chance of having overlooked a larger one is below 1 - probability; it is
-// refined [C3]: least squares over its largest connected part, new consensus set by distance and angle, until the set
-// no longer changes (at most 10 rounds; the plane kept is the one that the set was tested against, so that every
-// labelled point lies within epsilon of it).
+// a place), kept when the three normals agree with the plane through them. Draws are scored many at a time, on at most
+// 16,384 of the remaining points (every 2^i-th); counts stay exact as planes are taken out. The best is taken once the
+// chance of having overlooked a larger one is below 1 - probability; it is refined [C3]: least squares over its largest
+// connected part, new consensus set by distance and angle, until the set no longer changes (at most 10 rounds; the plane
+// kept is the one that the set was tested against, so that every labelled point lies within epsilon of it).
 // A set of which more than half lies within epsilon of an earlier plane beside it is a fringe of that plane (normals
 // along an edge are mixtures): its points stay without a label.
 // Points without a normal are never inliers. Draws depend on the key and the points alone. O(draws x points); draws

@@ -144,7 +144,7 @@ class Synthetic(Invariants):
         path = self.district(300000)
         box, out, told = self.check_bounds(path, 0.6, 4)
         outside = sum(1 for (x, y, _), (plane, _) in zip(Las.read(path).points(), self.labelled(out, path.stem).labels())
-                      if plane and not (box[0] <= x <= box[2] and box[1] <= y <= box[3]))
+                      if plane and not (box[0] - 1e-6 <= x <= box[2] + 1e-6 and box[1] - 1e-6 <= y <= box[3] + 1e-6))
         self.assertEqual(outside, 0, "labelled points outside the area")
 
 

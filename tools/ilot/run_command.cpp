@@ -15,7 +15,7 @@ namespace ilot {
 namespace {
 
 constexpr const char* kProducts[] = {"planes"};
-constexpr std::uint64_t kLeastMemory = 32u << 20;
+constexpr std::uint64_t kLeastMemory = 96u << 20;
 
 // The options as they were given.
 struct RunArguments {
@@ -62,7 +62,7 @@ RunOptions options_of(const RunArguments& given) {
     throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
   options.memory_bytes = parse_bytes("--memory", given.memory);
-  if (options.memory_bytes < kLeastMemory) throw Error("--memory: at least 32M is needed", ExitCode::usage);
+  if (options.memory_bytes < kLeastMemory) throw Error("--memory: at least 96M is needed", ExitCode::usage);
   options.threads = given.threads;
   options.store = given.store;
   options.crs = parse_crs("--crs", given.crs);

@@ -79,8 +79,8 @@ TEST(Knn, EqualsBruteForceOnEverySetSizeAndBound) {
 }
 
 TEST(Knn, ManyDuplicatesOverflowTheCandidateBuffer) {
-  const auto set = test::make_set("duplicates", std::vector<Cell3>(3000, Cell3{5, 5, 5}));
-  const std::uint32_t queries[] = {0, 1500, 2999};
+  const auto set = test::make_set("duplicates", std::vector<Cell3>(100000, Cell3{5, 5, 5}));
+  const std::uint32_t queries[] = {0, 50000, 99999};
   const Answer a = run_knn(set.view(), queries, {4, 100});
   const Answer b = brute_force(set.view(), queries, {4, 100});
   EXPECT_EQ(a.neighbours, b.neighbours);
