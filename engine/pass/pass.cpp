@@ -65,14 +65,17 @@ void run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes, const
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return tasks[a].points > tasks[b].points; });
   Budget budget(std::max<std::uint64_t>(budget_bytes, 1));
   std::atomic<std::size_t> next{0};
+  std::atomic<bool> failed{false};
   // One worker per thread takes tasks in order: the scheduler's own order of a parallel loop is not largest first.
   parallel_for(static_cast<std::size_t>(thread_count()), [&](std::size_t) {
     for (std::size_t i = next++; i < order.size(); i = next++) {
       stop_if_asked();
       const Admission admission(budget, tasks[order[i]].bytes);
+      if (failed) return;  // while it waited
       try {
         body(order[i]);
       } catch (...) {
+        failed = true;
         next = order.size();
         throw;
       }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 
 #include "engine/error.h"
 #include "engine/formats/writer.h"
@@ -183,14 +184,19 @@ class Labeller {
 std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   std::map<std::string, int> stems;
   for (const auto& input : inputs) ++stems[input->info().path.stem().string()];
-  std::map<std::string, int> used;
+  std::set<std::string> used;
+  for (const auto& [stem, count] : stems)
+    if (count == 1) used.insert(stem);
   std::vector<std::string> names;
   for (const auto& input : inputs) {
     const fs::path path = fs::absolute(input->info().path);
     std::string name = path.stem().string();
-    if (stems[name] > 1) name = path.parent_path().filename().string() + "_" + name;
-    const int before = used[name]++;
-    names.push_back(before == 0 ? name : name + "_" + std::to_string(before + 1));
+    if (stems[name] > 1) {
+      const std::string base = path.parent_path().filename().string() + "_" + name;
+      name = base;
+      for (int n = 2; !used.insert(name).second; ++n) name = base + "_" + std::to_string(n);
+    }
+    names.push_back(name);
   }
   return names;
 }

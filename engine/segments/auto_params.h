@@ -13,7 +13,7 @@ struct Sampling {
   double noise = 0;  // standard deviation of points about their local surface, from the flat part of the unit
 };
 
-// From at most 512 points, evenly spread in their order, and their 16 nearest neighbours. {0, 0} for fewer than 16.
+// From 512 to 1,023 points (all where there are fewer), evenly spread in their order, and their 16 nearest neighbours. {0, 0} for fewer than 16.
 Sampling measure_sampling(const NeighbourIndex& index);
 
 constexpr int kAutoMinPoints = 30;

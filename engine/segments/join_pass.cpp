@@ -18,8 +18,8 @@ constexpr int kNearest = 24;
 constexpr std::uint32_t kLeastContacts = 2;
 constexpr double kAgreement = 0.5;  // root mean square of each part from the common plane, in epsilons
 
-// Labelled points so near the border of their cell that a point of another cell may be in reach, and all labelled points
-// in reach of those: their nearest are then the same whatever else lies in the block.
+// Labelled points near the border of their cell: all those that points which may reach another cell can see. With fewer,
+// the nearest would depend on the widest reach in the block, and so on the blocks.
 struct BorderPoints {
   std::vector<float> x, y, z;
   std::vector<std::uint32_t> segment;  // cell plane
@@ -40,7 +40,7 @@ BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& l
     const std::int64_t clear = std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y,
                                          p.z - box.min.z, box.max.z - p.z});
     if (clear >= 2 * reach) continue;
-    if (i >= own.begin && i < own.end) border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
+    if (clear < reach && i >= own.begin && i < own.end) border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
     border.x.push_back(view.x[i]);
     border.y.push_back(view.y[i]);
     border.z.push_back(view.z[i]);

@@ -45,7 +45,11 @@ void ColumnWriter::append(std::span<const std::byte> bytes) {
 
 void ColumnWriter::commit() {
   const int closed = ::close(std::exchange(file_, -1));
-  if (closed != 0 || ::rename(temporary_.c_str(), path_.c_str()) != 0) fail(path_, "cannot finish");
+  if (closed == 0 && ::rename(temporary_.c_str(), path_.c_str()) == 0) return;
+  const int code = errno;
+  ::unlink(temporary_.c_str());
+  errno = code;
+  fail(path_, "cannot finish");
 }
 
 ColumnReader::ColumnReader(std::filesystem::path path) : path_(std::move(path)) {

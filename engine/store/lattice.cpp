@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileBits) - 1;
 constexpr double kFarthest = 0x1p51;
+constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps less than a hundredth of one
 
 std::uint32_t low_bits(std::int64_t v) { return static_cast<std::uint32_t>(v & kTileMask); }
 std::int32_t high_bits(std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); }
@@ -57,7 +58,7 @@ LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
     axis = {layout.scale[i], layout.offset[i], unit, 0, 0, false};
     const double factor = std::nearbyint(axis.scale / unit);
     const double shift = std::nearbyint(axis.offset / unit);
-    axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < 1e-9 * factor && factor < 0x1p20 &&
+    axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < kSameScale * factor && factor < 0x1p20 &&
                  std::abs(shift) < kFarthest && std::abs(axis.offset / unit - shift) < 1e-5;
     if (!axis.exact) continue;
     axis.factor = static_cast<std::int64_t>(factor);
@@ -68,7 +69,7 @@ LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
 bool LatticeMap::Axis::map(std::int32_t raw, std::int64_t& out) const {
   if (exact) {
     out = raw * factor + shift;
-    return true;
+    return std::abs(out) < static_cast<std::int64_t>(kFarthest);
   }
   const double v = std::nearbyint((raw * scale + offset) / unit);
   if (!(std::abs(v) < kFarthest)) return false;

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/label_pass.h"
+
+#include <gtest/gtest.h>
+
+#include "kernels/planes/plane_fit.h"
+#include "tests/support/plane_store.h"
+
+namespace ilot {
+namespace {
+
+using test::PlaneStore;
+
+constexpr std::int64_t kRidge = 16000, kStep = 60;
+
+// A gable roof, 27 degrees, the ridge at x = kRidge: the bisector of its faces is that vertical plane.
+std::vector<Index3> gable() {
+  std::vector<Index3> points;
+  test::add_surface(points, {kRidge - 3000, 4000, 5000}, {6000, 6000, 0}, kStep, 6,
+                    [](double x, double) { return -0.5 * std::abs(x - static_cast<double>(kRidge)); });
+  return points;
+}
+
+std::vector<PlaneTally> label(const PlaneStore& s, const PassContext& context = {}) {
+  return label_pass(s.cloud.store(), s.cells, s.found, s.joined, context);
+}
+
+double distance(const JoinedPlane& j, Index3 p) {
+  return signed_distance(j.plane, {static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
+                                   static_cast<double>(p.z - j.anchor.z)});
+}
+
+TEST(LabelPass, TheBisectorPartsTheFacesOfARidge) {
+  const PlaneStore s(gable());
+  ASSERT_EQ(s.joined.planes.size(), 2u);
+  label(s);
+  const auto where = test::positions(s.cloud.store());
+  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  const std::uint32_t left = s.joined.planes[0].plane.n.x < 0 ? 1 : 2;
+  std::size_t wrong = 0, none = 0;
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    none += plane[i] == 0;
+    if (plane[i] == 0 || (plane[i] == left) == (where[i].x < kRidge)) continue;
+    ++wrong;
+    EXPECT_LT(std::abs(where[i].x - kRidge), 2 * kStep) << i;
+  }
+  EXPECT_LT(wrong, 20u) << "of 200 within a step of the ridge";
+  EXPECT_LT(none, where.size() / 200);
+}
+
+TEST(LabelPass, EpsilonMeansEpsilonAndTheTalliesAgree) {
+  const PlaneStore s(gable());
+  const auto tallies = label(s);
+  const Store& store = s.cloud.store();
+  const auto where = test::positions(store);
+  const auto plane = test::whole_column<std::uint32_t>(store, "plane");
+  const auto residual = test::whole_column<float>(store, "residual");
+  std::vector<Moments> wanted(s.joined.planes.size());
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    if (plane[i] == 0) {
+      EXPECT_EQ(residual[i], 0);
+      continue;
+    }
+    const JoinedPlane& j = s.joined.planes[plane[i] - 1];
+    ASSERT_LE(std::abs(distance(j, where[i])), j.epsilon);
+    ASSERT_NEAR(residual[i], distance(j, where[i]) * test::kUnit, 1e-8);
+    wanted[plane[i] - 1].add_point({where[i].x - j.anchor.x, where[i].y - j.anchor.y, where[i].z - j.anchor.z});
+    ASSERT_TRUE(tallies[plane[i] - 1].box.contains(where[i]));
+  }
+  ASSERT_EQ(tallies.size(), wanted.size());
+  for (std::size_t p = 0; p < wanted.size(); ++p) EXPECT_EQ(tallies[p].moments, wanted[p]);
+  const auto again = label(s);  // from what is on disk
+  for (std::size_t p = 0; p < wanted.size(); ++p) EXPECT_EQ(again[p].content_id, tallies[p].content_id);
+}
+
+TEST(LabelPass, DoesNotKnowTheBlocks) {
+  const auto points = gable();
+  const PlaneStore whole(points), cut(points, {500, 2000, 1});
+  const auto a = label(whole), b = label(cut);
+  EXPECT_EQ(test::whole_column<std::uint32_t>(whole.cloud.store(), "plane"),
+            test::whole_column<std::uint32_t>(cut.cloud.store(), "plane"));
+  EXPECT_EQ(test::whole_column<float>(whole.cloud.store(), "residual"),
+            test::whole_column<float>(cut.cloud.store(), "residual"));
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t p = 0; p < a.size(); ++p) EXPECT_EQ(a[p].content_id, b[p].content_id);
+}
+
+TEST(LabelPass, PointsThatAreNotWantedGetNone) {
+  const PlaneStore s(gable());
+  PassContext context;
+  context.wanted = [](Index3 p) { return p.x < kRidge; };
+  const auto tallies = label(s, context);
+  const auto where = test::positions(s.cloud.store());
+  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  std::int64_t labelled = 0;
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    ASSERT_TRUE(where[i].x < kRidge || plane[i] == 0);
+    labelled += plane[i] != 0;
+  }
+  EXPECT_EQ(tallies[0].moments.n + tallies[1].moments.n, labelled);
+}
+
+}  // namespace
+}  // namespace ilot
