@@ -76,12 +76,16 @@ class E57Writer {
     put64(start + 16, physical(start + 32));
     logical_ += body;
     const std::uint64_t records = scan.records ? scan.records : scan.fields[0].stored.size();
-    xml_ += "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[" + scan.name + "]]></name>" + scan.xml +
+    child_ = "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[" + scan.name + "]]></name>" + scan.xml +
             "<points type=\"CompressedVector\" fileOffset=\"" + std::to_string(physical(start)) +
             "\" recordCount=\"" + std::to_string(records) + "\"><prototype type=\"Structure\">";
-    for (const E57Field& field : scan.fields) xml_ += "<" + field.name + " " + field.xml + "/>";
-    xml_ += "</prototype><codecs type=\"Vector\"/></points></vectorChild>";
+    for (const E57Field& field : scan.fields) child_ += "<" + field.name + " " + field.xml + "/>";
+    child_ += "</prototype><codecs type=\"Vector\"/></points></vectorChild>";
+    xml_ += child_;
   }
+
+  // Another scan that claims the points of the last one.
+  void claim_again() { xml_ += child_; }
 
   std::string finish(const std::string& root = "") {
     const std::string xml = "<?xml version=\"1.0\"?>\n<e57Root type=\"Structure\">" + root +
@@ -169,7 +173,7 @@ class E57Writer {
   }
 
   std::size_t page_;
-  std::string logical_, xml_;
+  std::string logical_, xml_, child_;
 };
 
 }  // namespace ilot::test

@@ -97,10 +97,11 @@ TEST(Ptx, MutationsNeverCrash) {
                             "1 2 3 0.5 6 7 8\n";
   const std::string alphabet = "0123456789.-+ \n\texna\"";
   Rng rng(3);
-  for (int round = 0; round < 2000; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     std::string text = sound;
     for (std::uint32_t c = 0; c <= rng.below(4); ++c)
-      text[rng.below(static_cast<std::uint32_t>(text.size()))] = alphabet[rng.below(static_cast<std::uint32_t>(alphabet.size()))];
+      text[rng.below(static_cast<std::uint32_t>(text.size()))] =
+          alphabet[rng.below(static_cast<std::uint32_t>(alphabet.size()))];
     if (rng.below(4) == 0) text.resize(1 + rng.below(static_cast<std::uint32_t>(text.size() - 1)));
     try {
       const Opened o = open_text_of(folder, text);
