@@ -149,7 +149,8 @@ class E57Reader final : public PointReader {
       ScanReader reader(pages_, scans[s]);
       const std::size_t got = reader.next(each, *batch_);
       for (std::size_t i = 0; i < got; ++i)
-        if (rows_.fill(scans[s], s + 1, *batch_, i, values_)) values.insert(values.end(), values_.begin(), values_.end());
+        if (rows_.fill(scans[s], s + 1, *batch_, i, values_))
+          values.insert(values.end(), values_.begin(), values_.end());
     }
     return values;
   }

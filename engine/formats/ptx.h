@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// PTX, the text format of gridded terrestrial scans: blocks of columns, rows, scanner position, axes, a 4 x 4 matrix, and
-// a line per cell of the grid.
+// PTX, the text format of gridded terrestrial scans: blocks of columns, rows, scanner position, axes, a 4 x 4 matrix,
+// and a line per cell of the grid.
 #pragma once
 #include <memory>
 

@@ -69,7 +69,8 @@ std::string read_integer(const pugi::xml_node& node, Field& field, bool scaled) 
     return "field " + field.name + " has limits that are not two ordered integers";
   field.coding = Coding::integer;
   field.minimum = low;
-  field.bits = static_cast<unsigned>(std::bit_width(static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low)));
+  const std::uint64_t span = static_cast<std::uint64_t>(high) - static_cast<std::uint64_t>(low);
+  field.bits = static_cast<unsigned>(std::bit_width(span));
   if (scaled && ((node.attribute("scale") && !to_number(node.attribute("scale").value(), field.scale)) ||
                  !to_number(node.attribute("offset").value(), field.offset) || field.scale == 0))
     return "field " + field.name + " has a scale or offset that is not a usable number";
@@ -123,7 +124,8 @@ std::string read_prototype(const pugi::xml_node& parent, Scan& scan, int depth) 
   return {};
 }
 
-std::optional<Pose> read_pose(const pugi::xml_node& node, const std::string& where, std::vector<std::string>& warnings) {
+std::optional<Pose> read_pose(const pugi::xml_node& node, const std::string& where,
+                              std::vector<std::string>& warnings) {
   if (!node) return std::nullopt;
   Pose pose;
   const pugi::xml_node move = node.child("translation"), turn = node.child("rotation");

@@ -16,6 +16,13 @@ constexpr std::uint8_t kSectionId = 1, kIndexPacket = 0, kDataPacket = 1, kEmpty
 
 bool is_read(const Field& field) { return field.use != kUses && field.bits > 0; }
 
+double value_of(const Field& field, std::uint64_t raw) {
+  if (field.coding == Coding::f32) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
+  if (field.coding == Coding::f64) return std::bit_cast<double>(raw);
+  const auto stored = static_cast<std::int64_t>(static_cast<std::uint64_t>(field.minimum) + raw);
+  return static_cast<double>(stored) * field.scale + field.offset;
+}
+
 }  // namespace
 
 Packets::Packets(Pages& pages, const Scan& scan) : pages_(&pages), fields_(scan.fields.size()) {
@@ -163,10 +170,7 @@ void ScanReader::decode(std::size_t field, std::size_t count, std::array<double,
     const auto shift = static_cast<unsigned>(stream.bit % 8);
     std::uint64_t raw = load<std::uint64_t>(at) >> shift;
     if (shift + f.bits > 64) raw |= std::to_integer<std::uint64_t>(at[8]) << (64 - shift);
-    raw &= mask;
-    if (f.coding == Coding::f32) values[i] = static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
-    else if (f.coding == Coding::f64) values[i] = std::bit_cast<double>(raw);
-    else values[i] = static_cast<double>(static_cast<std::int64_t>(static_cast<std::uint64_t>(f.minimum) + raw)) * f.scale + f.offset;
+    values[i] = value_of(f, raw & mask);
   }
 }
 

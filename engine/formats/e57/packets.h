@@ -42,9 +42,9 @@ struct Extent {
   std::string problem;       // why not all that are declared; empty when all
 };
 
-// Walks the packets of a scan, testing their pages, until its points are complete. Takes the bytes walked from `budget`
-// and stops when it is used up: sections of a sound file do not overlap. Also stops where more than 16 MiB would have to
-// be held because one field runs ahead of another. O(bytes of the scan).
+// Walks the packets of a scan, testing their pages, until its points are complete. Takes the bytes walked from
+// `budget` and stops when it is used up: sections of a sound file do not overlap. Also stops where more than 16 MiB
+// would have to be held because one field runs ahead of another. O(bytes of the scan).
 Extent measure_scan(Pages& pages, const Scan& scan, std::uint64_t& budget);
 
 // Values of up to kBatch points, by use; NaN never stands for absence: ask Scan::has.

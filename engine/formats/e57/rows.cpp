@@ -32,7 +32,9 @@ double stretched(double value, const Range& range) {
   return std::isfinite(share) ? std::round(std::clamp(share, 0.0, 1.0) * 65535) : 0;
 }
 
-bool flagged(const Scan& scan, Use use, const Batch& batch, std::size_t i) { return scan.has(use) && batch[use][i] != 0; }
+bool flagged(const Scan& scan, Use use, const Batch& batch, std::size_t i) {
+  return scan.has(use) && batch[use][i] != 0;
+}
 
 double value_of(const Scan& scan, Use use, const Batch& batch, std::size_t i) {
   if (!scan.has(use)) return 0;
@@ -50,7 +52,8 @@ double value_of(const Scan& scan, Use use, const Batch& batch, std::size_t i) {
 }  // namespace
 
 Rows::Rows(const std::vector<Scan>& scans)
-    : columns_{{"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64}, {"point source id", FieldType::u16}} {
+    : columns_{{"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64},
+               {"point source id", FieldType::u16}} {
   const auto any = [&](std::initializer_list<Use> uses) {
     return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
       return scan.problem.empty() && std::all_of(uses.begin(), uses.end(), [&](Use use) { return scan.has(use); });
