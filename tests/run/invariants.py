@@ -78,6 +78,7 @@ class Invariants(RunTest):
         high = [max(p[i] for p in cloud.points()) for i in (0, 1)]
         middle, half = [(a + b) / 2 for a, b in zip(low, high)], [(b - a) * share / 2 for a, b in zip(low, high)]
         box = [middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1]]
+        box = [(round(b / cloud.scale[0]) + 0.5) * cloud.scale[0] for b in box]  # no point lies on its border
         out, told = self.work(path, "--bounds", ",".join(map(repr, box)))
         found = {p["content_id"]: p for p in planes_of(out)}
         inside = [p for p in every if p["min_x"] > box[0] + margin and p["max_x"] < box[2] - margin and

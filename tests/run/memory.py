@@ -14,6 +14,7 @@ class Memory(RunTest):
         return told["peak_rss_bytes"]
 
     def test_ten_times_the_points(self):
+        """From 400,000 points on all fixed buffers are full: two batches of four stretches are written."""
         small, large = self.peak(500000, "--block-points", "16384"), self.peak(5000000, "--block-points", "16384")
         self.assertLessEqual(large, 1.1 * small, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
         self.assertLessEqual(large, 96 << 20)
