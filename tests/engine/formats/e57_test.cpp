@@ -265,7 +265,7 @@ TEST(E57, LyingCountsAndOverlapsAreBounded) {
   for (int i = 0; i < 1000; ++i) overlapping.claim_again();
   const Opened o = open_bytes(folder, overlapping.finish());
   EXPECT_EQ(o.reader->info().declared_points, 5000u * 1001);
-  EXPECT_LT(o.rows.valid.size(), 15000u);
+  EXPECT_LT(o.rows.valid.size(), 5000u * 1001 / 20) << "as much as the file could hold, not as it claims";
   EXPECT_TRUE(mentions(o.reader->info().warnings, "where those of other scans do"));
   E57Scan constant{"c", "", {integer_field("cartesianX", 4, 4, {4, 4}), integer_field("cartesianY", 4, 4, {4, 4}),
                              integer_field("cartesianZ", 4, 4, {4, 4})}};
