@@ -17,18 +17,18 @@ std::uint32_t plane_of(InputOrder order) { return static_cast<std::uint32_t>((ro
 void write_labels(const Store& store) {
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
     std::vector<std::uint32_t> plane;
-    std::vector<float> residual;
     std::vector<PackedNormal> normal;
     for (const InputOrder order : store.read<InputOrder>(b, "order")) {
       plane.push_back(plane_of(order));
-      residual.push_back(static_cast<float>(row_of(order)));
       normal.push_back({static_cast<std::int16_t>(row_of(order) % 30000), -32767, 0, 0});
     }
     store.write<std::uint32_t>(b, "plane", plane);
-    store.write<float>(b, "residual", residual);
     store.write<PackedNormal>(b, "normals", normal);
   }
 }
+
+// Four times the plane z = 0.
+std::vector<JoinedPlane> level_planes() { return std::vector<JoinedPlane>(4); }
 
 struct Rows {
   std::vector<std::byte> bytes;
@@ -48,7 +48,7 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
   for (const std::uint64_t block_points : {1u << 20, 900u}) {
     const CloudStore cloud(points, {block_points, 2000, 3});
     write_labels(cloud.store());
-    const LabelParams params{{0, 3, 0, 1, 2}, true};  // joined plane 2 was dropped
+    const LabelParams params{{0, 3, 0, 1, 2}, level_planes(), true};  // joined plane 2 was dropped
     rows_pass(cloud.store(), params, {});
     PassContext context;
     context.metres_per_unit = 0.5;
@@ -66,7 +66,8 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
         ASSERT_TRUE(std::equal(before, before + was.length, row)) << "file " << f << " row " << i;
         const std::uint32_t id = params.final_id[plane_of(input_order(f, i))];
         ASSERT_EQ(load<std::uint32_t>(row + was.length), id);
-        ASSERT_EQ(load<float>(row + was.length + 4), id == 0 ? 0.0f : 0.5f * static_cast<float>(i));
+        const double z = 0.5 * test::kUnit * load<std::int32_t>(before + 8);
+        ASSERT_EQ(load<float>(row + was.length + 4), id == 0 ? 0.0f : static_cast<float>(z));
         ASSERT_EQ(load<float>(row + was.length + 8), static_cast<float>(i % 30000) / 32767.0f);
         ASSERT_EQ(load<float>(row + was.length + 12), -1.0f);
         expected += id != 0;
@@ -90,7 +91,7 @@ TEST(LabelledClouds, NoInputOverwritesTheOutputOfAnother) {
   params.unit = test::kUnit;
   const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
   write_labels(store);
-  const LabelParams labels{{0, 1, 2, 3, 4}, false};
+  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
   rows_pass(store, labels, {});
   write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
   std::vector<std::int32_t> found;
@@ -111,7 +112,7 @@ TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
   params.filter.keep = IndexBox{{-200, -200, -200}, {200, 200, 200}};
   const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
   write_labels(store);
-  const LabelParams labels{{0, 1, 2, 3, 4}, false};
+  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
   rows_pass(store, labels, {});
   write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
   const Rows rows = read_rows(*open_cloud(folder.path() / "out" / "c.laz"));

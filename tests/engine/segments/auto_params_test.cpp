@@ -52,17 +52,18 @@ TEST(AutoParams, FewOrCoincidingPointsMeasureNothing) {
   const Sampling s = sampling_of(same.build());
   EXPECT_EQ(s.step, 0);
   EXPECT_EQ(s.noise, 0);
-  const PlaneParams p = choose_plane_params({}, s, 0.001);
+  const PlaneParams p = choose_plane_params({}, s, 0.001, 1000);
   EXPECT_EQ(p.epsilon, 3);
   EXPECT_GE(p.connectivity, 1);
 }
 
-TEST(AutoParams, EpsilonIsTheLargestOfItsThreeBounds) {
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 10}, 0.001).epsilon, 35);
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {400, 10}, 0.001).epsilon, 100);
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {4, 0.1}, 0.001).epsilon, 3);
-  EXPECT_EQ(choose_plane_params({}, {40, 10}, 0.001).connectivity, 120);
-  EXPECT_EQ(choose_plane_params({}, {1e9, 10}, 0.001).connectivity, 1 << 20);
+TEST(AutoParams, EpsilonAndConnectivityStayWithinTheirBounds) {
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 10}, 0.001, 1000).epsilon, 35);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {400, 10}, 0.001, 1000).epsilon, 100);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {4, 0.1}, 0.001, 1000).epsilon, 3);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 1000}, 0.001, 1000).epsilon, 500);
+  EXPECT_EQ(choose_plane_params({}, {40, 10}, 0.001, 1000).connectivity, 120);
+  EXPECT_EQ(choose_plane_params({}, {1e9, 10}, 0.001, 1000).connectivity, 1000);
 }
 
 TEST(AutoParams, SettingsAreTakenAsTheyAre) {
@@ -71,7 +72,7 @@ TEST(AutoParams, SettingsAreTakenAsTheyAre) {
   settings.connectivity = 0.5;
   settings.min_points = 7;
   settings.normal_angle = 60;
-  const PlaneParams p = choose_plane_params(settings, {40, 10}, 0.001);
+  const PlaneParams p = choose_plane_params(settings, {40, 10}, 0.001, 100);
   EXPECT_DOUBLE_EQ(p.epsilon, 20);
   EXPECT_EQ(p.connectivity, 500);
   EXPECT_EQ(p.min_points, 7u);

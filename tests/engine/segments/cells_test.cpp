@@ -59,6 +59,33 @@ TEST(Cells, PartitionThePointsAndDoNotKnowTheBlocks) {
   EXPECT_GT(wanted.size(), 100u);
 }
 
+// A normal that tells which point it belongs to.
+PackedNormal normal_of(std::uint64_t code) {
+  const std::uint64_t h = mix64(code);
+  return {static_cast<std::int16_t>(h), static_cast<std::int16_t>(h >> 16), static_cast<std::int16_t>(h >> 32), 7};
+}
+
+void write_normals(const Store& store) {
+  for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
+    std::vector<PackedNormal> normals;
+    for (const std::uint64_t code : store.read<std::uint64_t>(b, "codes")) normals.push_back(normal_of(code));
+    store.write<PackedNormal>(b, "normals", normals);
+  }
+}
+
+// A margin over a dense surface is thinned: its size is bounded, and what stays is a part of it.
+TEST(Cells, CrowdedMarginsAreThinned) {
+  std::vector<Index3> points{{0, 0, 100000}};
+  for (int i = 0; i < 700; ++i)
+    for (int j = 0; j < 700; ++j) points.push_back({20000 + 50 * i, 20000 + 50 * j, -1});
+  const CloudStore cloud(points);
+  write_normals(cloud.store());
+  for (const Cell& cell : canonical_cells(cloud.store(), 1)) {
+    const CellPoints cp = load_cell(cloud.store(), cell);
+    EXPECT_LE(cp.size, 2 * kCellPoints + 4096);
+  }
+}
+
 TEST(Cells, AreCutUntilTheyHoldFewEnough) {
   std::vector<Index3> points;
   for (int i = 0; i < 600; ++i)
@@ -75,8 +102,8 @@ TEST(Cells, PointsInOnePlaceAreOneCell) {
   const auto cells = canonical_cells(cloud.store(), 1);
   ASSERT_EQ(cells.size(), 1u);
   EXPECT_EQ(cells[0].points, kCellPoints + 5);
-  const View view = cell_view(cloud.store(), cells[0]);
-  EXPECT_EQ(cell_points(view, cells[0]).size, kCellPoints + 5);
+  write_normals(cloud.store());
+  EXPECT_EQ(load_cell(cloud.store(), cells[0]).size, kCellPoints + 5);
 }
 
 // Oracle: the filter of all points by the box of the cell and by the same box a sixteenth of its edge wider.
@@ -84,11 +111,12 @@ TEST(Cells, PointsAreThoseOfTheCellAndItsMargin) {
   const auto points = spread(8000, 2);
   for (const std::uint64_t block_points : {1u << 20, 300u}) {
     const CloudStore cloud(points, {block_points, 1u << 20, 1});
+    write_normals(cloud.store());
     const auto all = test::in_global_order(points);
     const auto cells = canonical_cells(cloud.store(), kMetre);
     for (std::size_t c = 0; c < cells.size(); c += 5) {
       const IndexBox box = cells[c].node.box();
-      const CellPoints cp = cell_points(cell_view(cloud.store(), cells[c]), cells[c]);
+      const CellPoints cp = load_cell(cloud.store(), cells[c]);
       std::size_t at = 0;
       for (const Index3& p : all) {
         if (!box.grown(4).contains(p)) continue;
@@ -96,6 +124,7 @@ TEST(Cells, PointsAreThoseOfTheCellAndItsMargin) {
         ASSERT_EQ((Index3{static_cast<std::int64_t>(cp.x[at]) + box.min.x, static_cast<std::int64_t>(cp.y[at]) + box.min.y,
                           static_cast<std::int64_t>(cp.z[at]) + box.min.z}), p);
         ASSERT_EQ(cp.core[at] != 0, box.contains(p));
+        ASSERT_EQ(cp.normals[at], normal_of(key_of(p).code));
         ++at;
       }
       ASSERT_EQ(at, cp.size);
