@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 160;
 
-// Result of one cell as it is kept on disk: a header, then planes; labels of the cell's own points beside it.
+// Result of one cell as it is kept on disk: this header, then the planes, then the labels of the cell's own points.
 struct StoredCell {
   std::uint64_t planes = 0;
   std::int64_t connectivity = 1;
@@ -23,8 +23,8 @@ struct StoredCell {
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
-std::filesystem::path cell_path(const Store& store, const Cell& cell, const char* suffix) {
-  return store.folder() / "cells" / (cell.node.name() + suffix);
+std::filesystem::path cell_path(const Store& store, const Cell& cell) {
+  return store.folder() / "cells" / cell.node.name();
 }
 
 struct Normals {
@@ -94,16 +94,16 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
 }
 
 void write_cell(const Store& store, const Cell& cell, const CellResult& r) {
-  write_column<std::uint32_t>(cell_path(store, cell, ".labels"), r.labels);
-  ColumnWriter writer(cell_path(store, cell, ".planes"));
+  ColumnWriter writer(cell_path(store, cell));
   writer.append<StoredCell>(std::span(&r.header, 1));
   writer.append<CellPlane>(r.planes);
+  writer.append<std::uint32_t>(r.labels);
   writer.commit();
 }
 
 void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
   StoredCell header;
-  ColumnReader(cell_path(store, cells[cell], ".planes")).read<StoredCell>(0, std::span(&header, 1));
+  ColumnReader(cell_path(store, cells[cell])).read<StoredCell>(0, std::span(&header, 1));
   all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()), static_cast<std::uint32_t>(header.planes),
                      header.connectivity, header.epsilon, header.step, header.noise};
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
@@ -132,7 +132,9 @@ void write_segments(const Store& store, const std::vector<Cell>& cells, const Ce
     std::vector<std::uint32_t> segment(store.blocks()[block].points);
     for (const Piece& p : pieces[block]) {
       const auto part = std::span(segment).subspan(p.slice.first, p.slice.count);
-      ColumnReader(cell_path(store, cells[p.cell], ".labels")).read<std::uint32_t>(p.offset, part);
+      const std::uint64_t labels = sizeof(StoredCell) + all.cells[p.cell].plane_count * sizeof(CellPlane);
+      ColumnReader(cell_path(store, cells[p.cell]))
+          .read_bytes(labels + p.offset * sizeof(std::uint32_t), std::as_writable_bytes(part));
       for (std::uint32_t& label : part) label += label == 0 ? 0 : all.cells[p.cell].first_plane;
     }
     store.write<std::uint32_t>(block, "segment", segment);
@@ -148,7 +150,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * kBytesPerPoint, c.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
-    if (!std::filesystem::exists(cell_path(store, cell, ".planes")))
+    if (!std::filesystem::exists(cell_path(store, cell)))
       write_cell(store, cell, solve(store, cell, settings, context));
     context.advance(cell.points);
   });
@@ -160,7 +162,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
 }
 
 std::vector<CellPlane> read_cell_planes(const Store& store, const Cell& cell) {
-  const ColumnReader reader(cell_path(store, cell, ".planes"));
+  const ColumnReader reader(cell_path(store, cell));
   StoredCell header;
   reader.read<StoredCell>(0, std::span(&header, 1));
   std::vector<CellPlane> planes(header.planes);

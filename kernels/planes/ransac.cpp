@@ -97,6 +97,14 @@ struct Extent {
       max[axis] = std::max(max[axis], static_cast<float>(v[axis]));
     }
   }
+  bool holds(Vec3 p, std::int64_t margin) const {
+    const double v[3]{p.x, p.y, p.z};
+    const auto m = static_cast<double>(margin);
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside = inside && v[axis] >= static_cast<double>(min[axis]) - m && v[axis] <= static_cast<double>(max[axis]) + m;
+    return inside;
+  }
   bool meets(const Extent& o, double margin) const {
     bool meet = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -307,17 +315,21 @@ class Search {
   void take(std::size_t candidate) {
     const PlaneHypothesis h = pool_.planes[candidate];
     Plane plane{{h[0], h[1], h[2]}, h[3]};
-    std::vector<std::uint32_t> members = part_of(consensus(plane), {});
+    const std::vector<std::uint32_t> seed = part_of(consensus(plane), {});
+    std::vector<std::uint32_t> members = seed;
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
       const PlaneFit fit = fit_plane(moments_of(remaining_.view().points, members));
       if (!fit.unique) break;
-      std::vector<std::uint32_t> next = part_of(consensus(fit.plane), members);
+      const Extent around = extent_of(members);
+      std::vector<std::uint32_t> next = consensus(fit.plane);
+      std::erase_if(next, [&](std::uint32_t i) { return !around.holds(remaining_.position(i), params_.connectivity); });
       if (next.size() < params_.min_points) break;
       plane = fit.plane;
       const bool settled = next == members;
       members = std::move(next);
       if (settled) break;
     }
+    members = part_of(members, seed);
     if (members.size() < params_.min_points) {
       pool_.counts[candidate] = 0;
       pool_.prune(least_count(), kPool);
