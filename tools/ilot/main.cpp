@@ -85,7 +85,7 @@ int run_command_line(int argc, char** argv) {
 int main(int argc, char** argv) {
   install_signal_handlers();
   // Blocks go back to the system when they are freed, not into a pool that --memory knows nothing of.
-  mallopt(M_MMAP_THRESHOLD, 1 << 18);
+  mallopt(M_MMAP_THRESHOLD, 1 << 20);
   try {
     return run_command_line(argc, argv);
   } catch (const Error& fault) {
