@@ -34,7 +34,7 @@ struct Vote {
   int count = 0;
 };
 
-// Planes of the neighbours, the point itself left out, in order of first appearance.
+// Planes of the neighbours, the point itself left out, in the order of the neighbours.
 int count_votes(std::span<const std::uint32_t> neighbours, std::uint32_t self, const std::vector<std::uint32_t>& plane,
                 std::array<Vote, kVoters>& votes) {
   int kinds = 0;

@@ -11,7 +11,8 @@ namespace ilot {
 using Int128 = __int128;
 
 // Sums over integer points, exact: the order of adding points, and how they were split among blocks and threads, cannot
-// show. Coordinates are relative to an anchor that the caller keeps; below 2^31 in magnitude, fewer than 2^60 points.
+// show. Coordinates are relative to an anchor that the caller keeps; the number of points times the widest coordinate stays
+// below 2^63 (a billion points over a thousand kilometres at a millimetre).
 struct Moments {
   std::int64_t n = 0;
   Int128 x = 0, y = 0, z = 0;

@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-// count^2 times the covariance: every term an integer below 2^53 while offsets are below 2^20.
+// count^2 times the covariance: every term an integer below 2^53 while count times the widest offset is below 2^26.
 Symmetric3 scaled_covariance(const Points& p, std::uint32_t query, std::span<const std::uint32_t> neighbours) {
   double sx = 0, sy = 0, sz = 0;
   Symmetric3 m;
