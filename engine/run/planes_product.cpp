@@ -87,7 +87,7 @@ PlanesResult make_planes(const Store& store, const Settings& settings, const Pas
   const CellPlanes found = planes_pass(store, cells, settings, context);
   record_choices(found, settings, store.unit() * context.metres_per_unit, record);
 
-  progress.begin_stage("join", 2 * store.points());
+  progress.begin_stage("join", store.points());
   std::vector<Contact> contacts = contact_pass(store, cells, found, context);
   const auto min_points = static_cast<std::uint32_t>(settings.planes.min_points.value_or(kAutoMinPoints));
   const JoinedPlanes joined =

@@ -231,7 +231,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
       labels.decide();
       labels.write();
     }
-    context.advance(store.blocks()[block].points);
+    context.advance(store.blocks()[block].points - store.blocks()[block].points / 2);
   });
   std::vector<PlaneTally> tallies(joined.planes.size());
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
