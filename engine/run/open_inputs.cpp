@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/open_inputs.h"
 
+#include <cmath>
 #include <set>
 
 #include "engine/error.h"
@@ -86,6 +87,11 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic)
     throw Error("the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",
+                ExitCode::usage);
+  constexpr double kSameUnit = 1e-4;  // international and US survey feet are
+  if (std::abs(inputs.crs.metres_per_unit_z - inputs.crs.metres_per_unit) > kSameUnit * inputs.crs.metres_per_unit)
+    throw Error("heights and positions are in different units (" + crs_name(inputs.crs) +
+                    "), which would bend every plane; convert the heights first, or give --crs",
                 ExitCode::usage);
   if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n would tell");
   record.unit_assumed = inputs.crs.unit_assumed;

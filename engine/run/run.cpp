@@ -6,6 +6,7 @@
 
 #include "engine/deliverables/planes_csv.h"
 #include "engine/error.h"
+#include "engine/pass/index.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
@@ -14,12 +15,10 @@
 #include "engine/run/output_folder.h"
 #include "engine/run/planes_product.h"
 #include "engine/segments/cells.h"
-#include "engine/pass/index.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
-
 
 constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
 
