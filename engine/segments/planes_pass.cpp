@@ -24,7 +24,7 @@ struct StoredCell {
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
 std::filesystem::path cell_path(const Store& store, const Cell& cell) {
-  return store.folder() / "cells" / cell.node.name();
+  return store.folder() / "cells" / (cell.node.name() + ".cell");
 }
 
 struct Normals {

@@ -30,7 +30,7 @@ class Resume(RunTest):
 
     def stop_in_stage(self, stage, how, inputs, out, *arguments):
         """Sends the signal as soon as a file of that stage stands in the store."""
-        pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.planes",
+        pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.cell",
                    "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows"}[stage]
         run = self.start(inputs, out, *arguments)
         while run.poll() is None and not any((out / ".store").glob(pattern)):
@@ -92,7 +92,7 @@ class Synthetic(Resume):
         out = self.folder / "out"
         code, _ = self.stop_in_stage("planes", signal.SIGKILL, path, out, *SLOW)
         self.assertEqual(code, -signal.SIGKILL)
-        finished = self.times(out, "blocks/*.codes", "blocks/*.order", "blocks/*.block", "blocks/*.normals", "cells/*.planes",
+        finished = self.times(out, "blocks/*.codes", "blocks/*.order", "blocks/*.block", "blocks/*.normals", "cells/*.cell",
                               "index", "manifest.json")
         self.assertGreater(len(finished), 60)
         _, told = self.work(path, "--resume", "--keep-store", "--threads", "3", "--block-points", "65536", out=out)
