@@ -117,7 +117,7 @@ class Cli(unittest.TestCase):
         everything = json.loads(ilot("--version", "--json").stdout)
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
-        for command in ("run", "info", "convert", "scan", "evaluate", "render"):
+        for command in ("run", "info", "convert", "scan", "evaluate", "render", "validate"):
             told = ilot(command, "--help")
             self.assertEqual(told.returncode, 0)
             self.assertIn(f"Example: ilot {command} ", told.stdout)
@@ -125,6 +125,24 @@ class Cli(unittest.TestCase):
         for line in ilot("run", "--help").stdout.splitlines():
             if line.startswith("  -") and "--help" not in line:
                 self.assertRegex(line, r"\[.+\]$", "every option says its default")
+
+    def test_validate(self):
+        good = ilot("convert", self.cloud, self.folder / "good.laz", "-q")
+        self.assertEqual(good.returncode, 0, good.stderr)
+        good = ilot("validate", self.folder / "good.laz", "-q")
+        self.assertEqual((good.returncode, good.stderr), (0, ""))
+        self.assertTrue(good.stdout.endswith("good.laz: valid\n"), good.stdout)
+        short = las_file(self.folder / "short.las", [(0, 0, 0, 2)], declared=2)
+        both = ilot("validate", short, self.folder / "good.laz", "-q")
+        self.assertEqual(both.returncode, 1, both.stderr)
+        self.assertIn("short.las: invalid: point-count: ", both.stdout)
+        self.assertIn("good.laz: valid\n", both.stdout)
+        (self.folder / "none.laz").write_bytes(b"LASF")
+        self.assertIn("none.laz: invalid: unreadable: ", ilot("validate", self.folder / "none.laz").stdout)
+        text = self.folder / "text.xyz"
+        text.write_text("1 2 3\n")
+        self.refuse(["validate", text], "no header to validate")
+        self.refuse(["validate"], "FILE")
 
     def test_info_measures(self):
         told = ilot("info", self.cloud, "--json")
