@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import struct
 import subprocess
@@ -155,6 +156,16 @@ class Cli(unittest.TestCase):
         self.assertAlmostEqual(one["density_per_m2"]["all_returns"], 1, delta=0.2)
         self.assertTrue(one["suits"]["planes"]["yes"])
         self.assertIn("2,000", ilot("info", self.cloud).stdout)
+
+    def test_widest_records_take_little_memory(self):
+        wide = las_file(self.folder / "wide.las", [(0, 0, 0, 2)])
+        data = bytearray(wide.read_bytes())
+        struct.pack_into("<H", data, 105, 65535)
+        wide.write_bytes(data.ljust(227 + 65535, b"\0"))
+        for arguments in (["info", wide], ["validate", wide], ["convert", wide, self.folder / "copy.las"]):
+            self.assertEqual(ilot(*arguments).returncode, 0, arguments)
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB; sanitizers take their share
+        self.assertLess(peak, 1 << 20)
 
     def test_info_of_good_and_bad(self):
         bad = self.folder / "bad.las"
