@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kRows = 1u << 16;
+constexpr std::size_t kRows = 1u << 16, kRowBytes = std::size_t{4} << 20;  // read at a time, at most
 constexpr std::size_t kGrid = 512;  // cells per side of the density grid, at most
 constexpr double kPointsPerCell = 16;
 constexpr std::size_t kWindows = 32;  // where the sampling step is measured
@@ -26,12 +26,13 @@ using Visit = std::function<void(const std::byte* row)>;
 std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance,
                            const Visit& visit) {
   const std::size_t length = reader.info().layout.record_length;
-  std::vector<std::byte> rows(kRows * length);
-  std::vector<std::uint8_t> valid(kRows);
+  const std::size_t most = std::clamp<std::size_t>(kRowBytes / length, 1, kRows);
+  std::vector<std::byte> rows(most * length);
+  std::vector<std::uint8_t> valid(most);
   std::uint64_t rejected = 0;
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted", ExitCode::interrupted);
-    const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(kRows, reader.info().points - first));
+    const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(most, reader.info().points - first));
     const std::size_t got =
         reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     for (std::size_t i = 0; i < got; ++i) {

@@ -4,6 +4,7 @@
 import json
 import os
 import pathlib
+import resource
 import signal
 import struct
 import subprocess
@@ -117,7 +118,7 @@ class Cli(unittest.TestCase):
         everything = json.loads(ilot("--version", "--json").stdout)
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
-        for command in ("run", "info", "convert", "scan", "evaluate", "render"):
+        for command in ("run", "info", "convert", "scan", "evaluate", "render", "validate"):
             told = ilot(command, "--help")
             self.assertEqual(told.returncode, 0)
             self.assertIn(f"Example: ilot {command} ", told.stdout)
@@ -125,6 +126,24 @@ class Cli(unittest.TestCase):
         for line in ilot("run", "--help").stdout.splitlines():
             if line.startswith("  -") and "--help" not in line:
                 self.assertRegex(line, r"\[.+\]$", "every option says its default")
+
+    def test_validate(self):
+        good = ilot("convert", self.cloud, self.folder / "good.laz", "-q")
+        self.assertEqual(good.returncode, 0, good.stderr)
+        good = ilot("validate", self.folder / "good.laz", "-q")
+        self.assertEqual((good.returncode, good.stderr), (0, ""))
+        self.assertTrue(good.stdout.endswith("good.laz: valid\n"), good.stdout)
+        short = las_file(self.folder / "short.las", [(0, 0, 0, 2)], declared=2)
+        both = ilot("validate", short, self.folder / "good.laz", "-q")
+        self.assertEqual(both.returncode, 1, both.stderr)
+        self.assertIn("short.las: invalid: point-count: ", both.stdout)
+        self.assertIn("good.laz: valid\n", both.stdout)
+        (self.folder / "none.laz").write_bytes(b"LASF")
+        self.assertIn("none.laz: invalid: unreadable: ", ilot("validate", self.folder / "none.laz").stdout)
+        text = self.folder / "text.xyz"
+        text.write_text("1 2 3\n")
+        self.refuse(["validate", text], "no header to validate")
+        self.refuse(["validate"], "FILE")
 
     def test_info_measures(self):
         told = ilot("info", self.cloud, "--json")
@@ -137,6 +156,16 @@ class Cli(unittest.TestCase):
         self.assertAlmostEqual(one["density_per_m2"]["all_returns"], 1, delta=0.2)
         self.assertTrue(one["suits"]["planes"]["yes"])
         self.assertIn("2,000", ilot("info", self.cloud).stdout)
+
+    def test_widest_records_take_little_memory(self):
+        wide = las_file(self.folder / "wide.las", [(0, 0, 0, 2)])
+        data = bytearray(wide.read_bytes())
+        struct.pack_into("<H", data, 105, 65535)
+        wide.write_bytes(data.ljust(227 + 65535, b"\0"))
+        for arguments in (["info", wide], ["validate", wide], ["convert", wide, self.folder / "copy.las"]):
+            self.assertEqual(ilot(*arguments).returncode, 0, arguments)
+        peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss  # KiB; sanitizers take their share
+        self.assertLess(peak, 1 << 20)
 
     def test_info_of_good_and_bad(self):
         bad = self.folder / "bad.las"

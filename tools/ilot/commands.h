@@ -15,5 +15,6 @@ void add_convert_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
+void add_validate_command(CLI::App& app, Action& action);
 
 }  // namespace ilot

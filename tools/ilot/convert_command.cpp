@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kRows = 1u << 16;
+constexpr std::size_t kRows = 1u << 16, kRowBytes = std::size_t{4} << 20;  // read at a time, at most
 
 struct ConvertArguments {
   std::string input, output;
@@ -38,12 +38,13 @@ std::size_t keep_valid(std::span<std::byte> rows, std::span<const std::uint8_t> 
 
 Copied copy_points(PointReader& reader, PointWriter& writer, Progress& progress) {
   const std::size_t length = reader.info().layout.record_length;
-  std::vector<std::byte> rows(kRows * length);
-  std::vector<std::uint8_t> valid(kRows);
+  const std::size_t most = std::clamp<std::size_t>(kRowBytes / length, 1, kRows);
+  std::vector<std::byte> rows(most * length);
+  std::vector<std::uint8_t> valid(most);
   Copied copied;
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
-    const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(kRows, reader.info().points - first));
+    const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(most, reader.info().points - first));
     const std::size_t got =
         reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     const std::size_t kept = keep_valid(rows, std::span(valid).first(got), length);

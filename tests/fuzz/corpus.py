@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""corpus.py OUT: small seeds for every fuzz target, OUT/TARGET/*. ILOT_EXE names the program that scans and converts;
+with ILOT_DATA, its small conformance files serve as well. Same program, same seeds."""
+import os
+import pathlib
+import struct
+import subprocess
+import sys
+import tempfile
+
+EXE = os.environ["ILOT_EXE"]
+DATA = os.environ.get("ILOT_DATA")
+LARGEST = 32768  # bytes; larger seeds only slow the fuzzer down
+TARGET_OF = {".las": "las_file_fuzz", ".laz": "laz_file_fuzz", ".ply": "ply_fuzz", ".pcd": "pcd_fuzz",
+             ".ptx": "ptx_fuzz", ".e57": "e57_fuzz", ".xyz": "text_fuzz", ".csv": "text_fuzz", ".pts": "text_fuzz",
+             ".txt": "text_fuzz"}
+CHOICE = {".csv": b"\1", ".pts": b"\2"}  # first byte of text seeds: the extension, else .xyz
+
+PCD = """# .PCD v0.7
+VERSION 0.7
+FIELDS x y z intensity rgb
+SIZE 4 4 4 4 4
+TYPE F F F F U
+COUNT 1 1 1 1 1
+WIDTH 3
+HEIGHT 1
+VIEWPOINT 0 0 0 1 0 0 0
+POINTS 3
+DATA """
+PTX = """2
+3
+1 2 3
+1 0 0
+0 1 0
+0 0 1
+1 0 0 0
+0 1 0 0
+0 0 1 0
+1 2 3 1
+""" + "".join(f"{i} {i * 0.5} {i - 2} 0.{i} {i} 20 30\n" for i in range(6))
+PTS = "3\n1 2 3 -100 10 20 30\n4 5 6 200 40 50 60\n7 8 9 0 1 2 3\n1\n1 1 1 5 5 5 5\n"
+AREAS = ["POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 3 2, 3 3, 2 2))", "SRID=2154;MULTIPOLYGON (((0 0, 1 0, 1 1, 0 0)))",
+         '{"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":{"type":"MultiPolygon",'
+         '"coordinates":[[[[0,0],[5,0],[5,5],[0,0]]]]}}]}',
+         '{"type":"Polygon","coordinates":[[[0,0,1],[5,0,1],[5,5,1],[0,0,1]]]}', "0,0,10,20.5"]
+
+
+def pcd_seeds():
+    rows = struct.pack("<" + "ffffI" * 3, *(v for i in range(3) for v in (i, 2.5 * i, -i, 7, 0x102030)))
+    turned = b"".join(rows[i * 20 + 4 * c:i * 20 + 4 * c + 4] for c in range(5) for i in range(3))
+    literal = b"".join(bytes([len(part) - 1]) + part for part in (turned[at:at + 32] for at in range(0, 60, 32)))
+    yield PCD.encode() + b"ascii\n" + b"".join(b"%d 2.5 -1 7 1056816\n" % i for i in range(3))
+    yield PCD.encode() + b"binary\n" + rows
+    yield PCD.encode() + b"binary_compressed\n" + struct.pack("<II", len(literal), 60) + literal
+
+
+def e57_seed():
+    """One scan of three points, single precision. The target itself gives the pages their checksums."""
+    points = struct.pack("<3f", 0, 1, 2)
+    packet = struct.pack("<6H", 0, 0, 3, 12, 12, 12)[4:] + 3 * points
+    size = 4 + len(packet) + -(4 + len(packet)) % 4
+    packet = (struct.pack("<BBH", 1, 0, size - 1) + packet).ljust(size, b"\0")
+    section = struct.pack("<B7xQQQ", 1, 32 + size, 80, 0) + packet
+    axes = "".join(f'<cartesian{axis} type="Float" precision="single"/>' for axis in "XYZ")
+    xml = ('<?xml version="1.0"?>\n<e57Root type="Structure"><data3D type="Vector"><vectorChild type="Structure">'
+           '<name type="String"><![CDATA[a]]></name><points type="CompressedVector" fileOffset="48" recordCount="3">'
+           f'<prototype type="Structure">{axes}</prototype><codecs type="Vector"/></points></vectorChild></data3D>'
+           "</e57Root>\n").encode()
+    head = struct.pack("<8sIIQQQQ", b"ASTM-E57", 1, 0, 1024, 48 + len(section), len(xml), 1024)
+    return (head + section + xml).ljust(1020, b"\0") + bytes(4)
+
+
+def scanned():
+    """A few hundred points of the scanner in every format that is written, each whole and cut."""
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        town = folder / "town.laz"
+        subprocess.run([EXE, "scan", "district", "-o", town, "--points", "120", "-q"], check=True)
+        for extension in (".laz", ".las", ".ply", ".csv", ".xyz"):
+            path = folder / f"copy{extension}"
+            subprocess.run([EXE, "convert", town, path, "-q"], check=True)
+            whole = path.read_bytes()
+            for part in (1, 0.95, 0.5, 0.1):
+                yield extension, whole[:int(len(whole) * part)]
+
+
+def written_here():
+    for seed in pcd_seeds():
+        yield ".pcd", seed
+    yield ".ptx", PTX.encode()
+    yield ".pts", PTS.encode()
+    yield ".e57", e57_seed()
+    for extension, seed in ((".ply", b"ply\nformat ascii 1.0\nelement vertex 2\nproperty float x\nproperty float y\n"
+                             b"property float z\nproperty uchar red\nend_header\n1 2 3 4\n5 6 7 8\n"),
+                            (".txt", b'"X";"Y";"Z";"Intensity"\n1;2;3;4\n5;;6;7\n')):
+        yield extension, seed
+
+
+def delivered():
+    for path in sorted(pathlib.Path(DATA, "conformance").rglob("*")) if DATA else []:
+        if path.suffix in TARGET_OF and path.is_file() and path.stat().st_size <= LARGEST:
+            yield path.suffix, path.read_bytes()
+
+
+def settings():
+    printed = subprocess.run([EXE, "run", "--print-config"], check=True, capture_output=True).stdout
+    return [printed, b"planes.epsilon=0.02\n", b"[classes]\nnoise = [7, 18]\n", b'[planes]\nepsilon = "auto"\n']
+
+
+def main():
+    out = pathlib.Path(sys.argv[1])
+    numbers = {}
+
+    def keep(target, content):
+        numbers[target] = numbers.get(target, 0) + 1
+        (out / target).mkdir(parents=True, exist_ok=True)
+        (out / target / f"seed-{numbers[target]:03}").write_bytes(content)
+
+    for source in (scanned, written_here, delivered):
+        for extension, content in source():
+            target = TARGET_OF[extension]
+            keep(target, CHOICE.get(extension, b"\0") + content if target == "text_fuzz" else content)
+    for content in settings():
+        keep("settings_fuzz", content)
+    for area in AREAS:
+        keep("area_fuzz", area.encode())
+    keep("laz_chunk_fuzz", bytes([3, 2, 9, 0, 0]) + bytes(range(200)))
+    for target, number in sorted(numbers.items()):
+        print(f"{target}: {number} seeds")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as an E57 file, read to the end. Its pages are given right checksums, or no change would pass them.
+#include "engine/formats/e57.h"
+#include "tests/fuzz/fuzz_file.h"
+#include "tests/support/e57_writer.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string file = ilot::test::E57Writer::resealed({reinterpret_cast<const char*>(data), size});
+  return ilot::fuzz::read_bytes(reinterpret_cast<const std::uint8_t*>(file.data()), file.size(), ".e57",
+                                [](auto input) { return ilot::open_e57(std::move(input)); });
+}

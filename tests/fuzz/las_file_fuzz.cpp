@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as a file of the LAS family: opened, all points read and held against the header.
+#include "engine/evaluate/validate_las.h"
+#include "engine/formats/las.h"
+#include "tests/fuzz/fuzz_file.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ilot;
+  const std::string path = fuzz::as_file(data, size, ".las");
+  if (path.empty()) return 0;
+  try {
+    auto input = std::make_unique<InputFile>(path);
+    LasContainer container = parse_las(*input);
+    if (!container.compressed) validate_las(*open_las(std::move(input), std::move(container)));
+  } catch (const Error&) {
+  }
+  std::remove(path.c_str());
+  return 0;
+}
