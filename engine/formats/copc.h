@@ -2,25 +2,12 @@
 // COPC 1.0: a LAZ file whose chunks are the nodes of an octree, so that a box needs a few of them only.
 #pragma once
 #include <cstdint>
-#include <vector>
 
-#include "engine/cloud/area.h"
-#include "engine/formats/reader.h"
+#include "engine/formats/rows_in_box.h"
 
 namespace ilot {
 
-struct RowRange {
-  std::uint64_t first = 0, end = 0;  // end is not part of it
-};
-
 // True when the file says that it is COPC; its hierarchy may still be damaged.
 bool is_copc(const CloudInfo& info);
-
-// Rows that may hold points of the area's box (closed; its rings are not looked at): whole chunks, ascending,
-// neighbours merged. That nodes hold the points of their cube only is taken from the file. All rows when it is not
-// COPC, when its hierarchy is damaged or when it does not describe exactly the chunks that are there. Reads the
-// hierarchy from reader.info().path; O(nodes log nodes) time, 64 bytes a node. Throws Error when the file cannot be
-// read any more.
-std::vector<RowRange> rows_in_box(const PointReader& reader, const Area& area);
 
 }  // namespace ilot
