@@ -2,12 +2,29 @@
 // COPC 1.0: a LAZ file whose chunks are the nodes of an octree, so that a box needs a few of them only.
 #pragma once
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 
 #include "engine/formats/rows_in_box.h"
+#include "engine/formats/writer.h"
 
 namespace ilot {
 
 // True when the file says that it is COPC; its hierarchy may still be damaged.
 bool is_copc(const CloudInfo& info);
+
+// True when the name says that the file is to be COPC: something, then .copc.laz in any case of letters.
+bool is_copc_name(const std::filesystem::path& path);
+
+struct CopcOptions {
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30;  // for the rows and 16 bytes beside each
+};
+
+// Takes rows of any point format and writes formats 6 to 8 (modern_record.h) as an octree (copc_octree.h): the order of
+// the rows is lost, the same rows in the same order give the same bytes. All rows stay in memory until finish(), which
+// takes the nodes being compressed besides, one per thread, each compressed by one thread. One hierarchy page. Throws
+// Error as soon as the rows written, or those that spec.like declares, do not fit options.memory_bytes.
+std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec,
+                                         const CopcOptions& options = {});
 
 }  // namespace ilot
