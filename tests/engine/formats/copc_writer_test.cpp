@@ -151,7 +151,8 @@ TEST(CopcWriter, InfoRecordStandsFirstAndSaysWhatIsThere) {
   const Folder folder;
   const CloudSpec spec = spec_of(6, 0);
   auto rows = surface(100, spec.like.layout, 8);
-  for (std::size_t i = 0; i < 100; ++i) store(&rows[i * 30 + 22], i == 50 ? std::nan("") : 1000.0 - static_cast<double>(i));
+  for (std::size_t i = 0; i < 100; ++i)
+    store(&rows[i * 30 + 22], i == 50 ? std::nan("") : 1000.0 - static_cast<double>(i));
   write_copc(folder / "t.copc.laz", spec, rows);
   const std::vector<std::byte> file = slurp(folder / "t.copc.laz");
   EXPECT_EQ(load<std::uint16_t>(&file[94]), 375);
@@ -208,7 +209,8 @@ TEST(CopcWriter, WhatDoesNotFitTheMemoryIsRefusedAndNothingStays) {
 
 TEST(CopcWriter, NamesSayWhatIsWritten) {
   EXPECT_TRUE(is_copc_name("a/b.Copc.LAZ"));
-  for (const char* name : {"a.laz", "copc.laz", ".copc.laz", "a.copc.laz.las", "acopc.laz"}) EXPECT_FALSE(is_copc_name(name));
+  for (const char* name : {"a.laz", "copc.laz", ".copc.laz", "a.copc.laz.las", "acopc.laz"})
+    EXPECT_FALSE(is_copc_name(name));
   EXPECT_EQ(cloud_stem("x/a.b.laz"), "a.b");
   for (const char* name : {"x/a.copc.laz", "a.copc.las", "a.COPC.copc.laz", "a.las"}) EXPECT_EQ(cloud_stem(name), "a");
 }
@@ -240,7 +242,7 @@ TEST(CopcWriter, RealFilesKeepTheirCrsAndAttributes) {
 
 // "nodes points outside declared wkt" as tests/oracles/copc_nodes.mjs finds them; empty when it cannot read the file.
 std::string found_by_npm(const std::filesystem::path& path) {
-  const std::string command = std::string("node '") + ILOT_SOURCE_DIR + "/tests/oracles/copc_nodes.mjs' '" + path.string() + "'";
+  const std::string command = "node '" ILOT_SOURCE_DIR "/tests/oracles/copc_nodes.mjs' '" + path.string() + "'";
   FILE* pipe = popen(command.c_str(), "r");
   if (!pipe) return {};
   char line[200]{};
