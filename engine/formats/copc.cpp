@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 #include <set>
+#include <string_view>
 
 #include "engine/formats/file.h"
 
@@ -108,6 +109,14 @@ bool meets(const Octree& tree, const Key& key, const Area& area, double slack_x,
 }  // namespace
 
 bool is_copc(const CloudInfo& info) { return info_record(info) != nullptr; }
+
+bool is_copc_name(const std::filesystem::path& path) {
+  constexpr std::string_view kEnd = ".copc.laz";
+  const std::string name = path.filename().string();
+  if (name.size() <= kEnd.size()) return false;
+  return std::equal(kEnd.begin(), kEnd.end(), name.end() - static_cast<std::ptrdiff_t>(kEnd.size()),
+                    [](char a, char b) { return a == (b >= 'A' && b <= 'Z' ? b - 'A' + 'a' : b); });
+}
 
 std::vector<RowRange> rows_in_box(const PointReader& reader, const Area& area) {
   const CloudInfo& info = reader.info();

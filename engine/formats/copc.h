@@ -2,25 +2,29 @@
 // COPC 1.0: a LAZ file whose chunks are the nodes of an octree, so that a box needs a few of them only.
 #pragma once
 #include <cstdint>
-#include <vector>
+#include <filesystem>
+#include <memory>
 
-#include "engine/cloud/area.h"
-#include "engine/formats/reader.h"
+#include "engine/formats/rows_in_box.h"
+#include "engine/formats/writer.h"
 
 namespace ilot {
-
-struct RowRange {
-  std::uint64_t first = 0, end = 0;  // end is not part of it
-};
 
 // True when the file says that it is COPC; its hierarchy may still be damaged.
 bool is_copc(const CloudInfo& info);
 
-// Rows that may hold points of the area's box (closed; its rings are not looked at): whole chunks, ascending,
-// neighbours merged. That nodes hold the points of their cube only is taken from the file. All rows when it is not
-// COPC, when its hierarchy is damaged or when it does not describe exactly the chunks that are there. Reads the
-// hierarchy from reader.info().path; O(nodes log nodes) time, 64 bytes a node. Throws Error when the file cannot be
-// read any more.
-std::vector<RowRange> rows_in_box(const PointReader& reader, const Area& area);
+// True when the name says that the file is to be COPC: something, then .copc.laz in any case of letters.
+bool is_copc_name(const std::filesystem::path& path);
+
+struct CopcOptions {
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30;  // for the rows and 16 bytes beside each
+};
+
+// Takes rows of any point format and writes formats 6 to 8 (modern_record.h) as an octree (copc_octree.h): the order of
+// the rows is lost, the same rows in the same order give the same bytes. All rows stay in memory until finish(), which
+// takes the nodes being compressed besides, one per thread, each compressed by one thread. One hierarchy page. Throws
+// Error as soon as the rows written, or those that spec.like declares, do not fit options.memory_bytes.
+std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec,
+                                         const CopcOptions& options = {});
 
 }  // namespace ilot

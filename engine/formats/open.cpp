@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/formats/copc.h"
 #include "engine/formats/e57.h"
 #include "engine/formats/las.h"
 #include "engine/formats/laz.h"
@@ -69,15 +70,24 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec) {
   const std::string extension = lower_extension(path);
   if (extension == ".las") return create_las(path, spec);
+  if (is_copc_name(path)) return create_copc(path, spec);
   if (extension == ".laz") return create_laz(path, spec);
   if (extension == ".ply") return create_ply(path, spec);
   if (is_one_of(extension, {".csv", ".xyz", ".txt"})) return create_csv(path, spec);
-  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .laz, .ply, .csv, .xyz or .txt",
+  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .laz, .copc.laz, .ply, .csv, .xyz or .txt",
               ExitCode::usage);
+}
+
+std::string cloud_stem(const std::filesystem::path& path) {
+  std::filesystem::path stem = path.stem();
+  while (lower_extension(stem) == ".copc") stem = stem.stem();
+  return stem.string();
 }
 
 std::vector<std::string> fields_lost(const std::filesystem::path& path, const RecordLayout& layout) {
   std::vector<std::string> lost;
+  const bool waveforms = layout.point_format == 4 || layout.point_format == 5 || layout.point_format >= 9;
+  if (is_copc_name(path) && waveforms) return {"waveforms"};
   if (is_one_of(lower_extension(path), {".las", ".laz"})) return lost;
   std::size_t described = standard_size(layout.point_format);
   for (const ExtraField& field : layout.extra) {
@@ -85,7 +95,7 @@ std::vector<std::string> fields_lost(const std::filesystem::path& path, const Re
     if (field.type == FieldType::opaque) lost.push_back(field.name.empty() ? "unnamed extra bytes" : field.name);
   }
   if (described < layout.record_length) lost.push_back("undocumented extra bytes");
-  if (layout.point_format == 4 || layout.point_format == 5 || layout.point_format >= 9) lost.push_back("waveforms");
+  if (waveforms) lost.push_back("waveforms");
   return lost;
 }
 

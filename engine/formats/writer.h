@@ -37,8 +37,12 @@ class PointWriter {
 // What labelled clouds are written as.
 constexpr const char* kCloudExtension = ".laz";
 
-// By extension. Throws Error when the format is not one we write, with the list of those we do.
+// By extension; .copc.laz is one, and the only one that does not keep the rows in order. Throws Error when the format
+// is not one we write, with the list of those we do.
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec);
+
+// The name of a cloud without folder and extension; never ends in .copc, so that an extension can follow.
+std::string cloud_stem(const std::filesystem::path& path);
 
 // Names of what rows of this layout hold and a file of that extension cannot (opaque extra bytes, waveforms).
 std::vector<std::string> fields_lost(const std::filesystem::path& path, const RecordLayout& layout);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/formats/rows_in_box.h"
 #include "engine/pass/pass.h"
 
 namespace ilot {
@@ -19,24 +20,47 @@ struct Task {
   std::uint64_t first = 0, count = 0;
 };
 
-std::vector<Task> stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint64_t run_points) {
+// Rows that may lie in the area, whole stretches of the file; the others are not worth reading.
+std::vector<RowRange> rows_to_read(const PointReader& reader, const IndexParams& params) {
+  if (!params.filter.keep || !reader.random_access()) return {{0, reader.info().points}};
+  const auto at = [&](std::int64_t lattice) { return static_cast<double>(lattice) * params.unit; };
+  const IndexBox box = params.filter.keep->grown(1);  // a point may have been rounded into the box
+  return rows_in_box(reader, {at(box.min.x), at(box.min.y), at(box.max.x), at(box.max.y), {}});
+}
+
+// Cuts a range of a random-access file at the boundaries, about run_points apart.
+void cut_range(const std::vector<std::uint64_t>& cuts, const RowRange& range, std::uint32_t file,
+               std::uint64_t run_points, std::vector<Task>& tasks) {
+  std::uint64_t first = range.first;
+  for (auto cut = std::upper_bound(cuts.begin(), cuts.end(), first); first < range.end; ++cut) {
+    const bool last = *cut == range.end;
+    if (!last && *(cut + 1) - first <= run_points) continue;
+    tasks.push_back({file, first, *cut - first});
+    first = *cut;
+  }
+}
+
+struct Stretches {
   std::vector<Task> tasks;
+  std::uint64_t skipped = 0;  // rows that need not be read
+};
+
+Stretches stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
+  Stretches result;
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
     const std::uint64_t points = inputs[f]->info().points;
     if (!inputs[f]->random_access()) {
-      tasks.push_back({f, 0, points});
+      result.tasks.push_back({f, 0, points});
       continue;
     }
-    std::uint64_t first = 0;
+    result.skipped += points;
     const std::vector<std::uint64_t> cuts = inputs[f]->boundaries();
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-      const bool last = i + 1 == cuts.size();
-      if (!last && cuts[i + 1] - first <= run_points) continue;
-      tasks.push_back({f, first, cuts[i] - first});
-      first = cuts[i];
+    for (const RowRange& range : rows_to_read(*inputs[f], params)) {
+      cut_range(cuts, range, f, params.run_points, result.tasks);
+      result.skipped -= range.end - range.first;
     }
   }
-  return tasks;
+  return result;
 }
 
 fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first) {
@@ -62,9 +86,9 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
   return runs;
 }
 
-std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
-                                const fs::path& folder, const PassContext& context) {
-  const std::vector<Task> tasks = stretches(inputs, params.run_points);
+std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs,
+                                const std::vector<Task>& tasks, const IndexParams& params, const fs::path& folder,
+                                const PassContext& context) {
   std::vector<std::vector<SortedRun>> parts(tasks.size());
   std::vector<PassTask> costs;
   for (const Task& t : tasks) costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint, t.count});
@@ -112,7 +136,10 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
   const fs::path rejected_path = folder / "rejected";
   std::array<std::uint64_t, kRejections> rejected{};
   if (!fs::exists(done)) {
-    const std::vector<SortedRun> runs = all_runs(inputs, params, folder, context);
+    const auto [tasks, skipped] = stretches(inputs, params);
+    rejected[static_cast<std::size_t>(Rejection::outside)] = skipped;
+    context.advance(skipped);
+    const std::vector<SortedRun> runs = all_runs(inputs, tasks, params, folder, context);
     for (const SortedRun& run : runs)
       for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
     const std::vector<Block> blocks = all_blocks(runs, params, folder, context);

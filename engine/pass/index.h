@@ -25,8 +25,9 @@ struct IndexResult {
 // One lattice step for all inputs: their finest scale, but not below 0.01 mm. In CRS units.
 double common_unit(const std::vector<std::unique_ptr<PointReader>>& inputs, double metres_per_unit);
 
-// Inputs to blocks, reading each input once. Work that an earlier start finished is found in the folder and kept.
-// Memory: about 64 bytes per point of a run or a block, per thread.
+// Inputs to blocks, reading each input once. With an area to keep, rows that an octree in the file places beyond it are
+// not read: they count as outside it, whatever else may be wrong with them. Work that an earlier start finished is
+// found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 

@@ -183,14 +183,14 @@ class Labeller {
 
 std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   std::map<std::string, int> stems;
-  for (const auto& input : inputs) ++stems[input->info().path.stem().string()];
+  for (const auto& input : inputs) ++stems[cloud_stem(input->info().path)];
   std::set<std::string> used;
   for (const auto& [stem, count] : stems)
     if (count == 1) used.insert(stem);
   std::vector<std::string> names;
   for (const auto& input : inputs) {
     const fs::path path = fs::absolute(input->info().path);
-    std::string name = path.stem().string();
+    std::string name = cloud_stem(path);
     if (stems[name] > 1) {
       const std::string base = path.parent_path().filename().string() + "_" + name;
       name = base;

@@ -68,6 +68,8 @@ std::vector<std::string> lost_attributes(const CloudInfo& from, const CloudInfo&
   missing(gps_time_offset(a).has_value(), gps_time_offset(b).has_value(), "GPS time");
   missing(rgb_offset(a).has_value(), rgb_offset(b).has_value(), "colour");
   missing(nir_offset(a).has_value(), nir_offset(b).has_value(), "near infrared");
+  const auto waveforms = [](std::uint8_t format) { return format == 4 || format == 5 || format >= 9; };
+  missing(waveforms(a), waveforms(b), "waveforms");
   for (const ExtraField& field : from.layout.extra) {
     const bool kept = std::any_of(to.layout.extra.begin(), to.layout.extra.end(),
                                   [&](const ExtraField& other) { return other.name == field.name; });
