@@ -51,7 +51,8 @@ Measured measure(PointReader& reader, const std::function<void(std::uint64_t)>& 
   const RecordLayout& layout = reader.info().layout;
   const auto time = gps_time_offset(layout.point_format);
   const std::size_t length = layout.record_length;
-  const std::uint64_t most = std::max<std::uint64_t>(1, std::min<std::uint64_t>(kRowBytes / length, reader.info().points));
+  const std::uint64_t most =
+      std::max<std::uint64_t>(1, std::min<std::uint64_t>(kRowBytes / length, reader.info().points));
   std::vector<std::byte> rows(most * length);
   std::vector<std::uint8_t> valid(most);
   Measured m;
@@ -138,7 +139,8 @@ void check_returns(Case& c, const std::array<std::uint64_t, N>& said, const char
 }
 
 void check_all_returns(Case& c) {
-  const bool legacy_unused = c.claims.legacy_count == 0 && c.claims.legacy_returns == decltype(c.claims.legacy_returns){};
+  const bool legacy_unused =
+      c.claims.legacy_count == 0 && c.claims.legacy_returns == decltype(c.claims.legacy_returns){};
   const bool legacy_wanted = c.info.layout.point_format < 6 && c.measured.points <= UINT32_MAX;
   if (legacy_wanted || !legacy_unused)
     check_returns(c, c.claims.legacy_returns, c.claims.has_counts ? "legacy header field" : "header");
