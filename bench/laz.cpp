@@ -37,8 +37,7 @@ struct Sample {
 Sample load_sample(const std::filesystem::path& path) {
   const auto reader = open_cloud(path);
   const auto& l = reader->info().layout;
-  Sample sample{
-      {l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, {}, 0};
+  Sample sample{{l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, {}, 0};
   const auto bounds = reader->boundaries();
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i) {
     std::vector<std::byte> records((bounds[i + 1] - bounds[i]) * l.record_length);
@@ -112,8 +111,7 @@ void add_benchmarks(const std::string& name, Sample loaded) {
         [=](benchmark::State& s) { decode(s, *sample, kAllFields, threads); });
   }
   if (sample->layout.layered()) {
-    add(prefix + "/decode_xyz_class",
-        [=](benchmark::State& s) { decode(s, *sample, kFieldZ | kFieldClass, 1); });
+    add(prefix + "/decode_xyz_class", [=](benchmark::State& s) { decode(s, *sample, kFieldZ | kFieldClass, 1); });
   }
   add(prefix + "/encode", [=](benchmark::State& s) { encode(s, *sample); });
 }

@@ -37,13 +37,16 @@ const std::vector<std::uint32_t>& queries() {
 struct Adaptor {
   const Points p = surface().view();
   std::size_t kdtree_get_point_count() const { return p.size; }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const { return axis == 0 ? p.x[i] : axis == 1 ? p.y[i] : p.z[i]; }
+  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
+    return axis == 0 ? p.x[i] : axis == 1 ? p.y[i] : p.z[i];
+  }
   template <class Box>
   bool kdtree_get_bbox(Box&) const {
     return false;
   }
 };
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor, double>, Adaptor, 3, std::uint32_t>;
+using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor, double>, Adaptor, 3,
+                                                 std::uint32_t>;
 
 struct Peer {
   Adaptor adaptor;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane scoring on an airborne town: one and sixteen planes at a time, with and without normals, beside the loop that one
-// writes first (double, array of structures, one plane). The counts must be equal before anything is timed.
+// Plane scoring on an airborne town: one and sixteen planes at a time, with and without normals, beside the loop that
+// one writes first (double, array of structures, one plane). The counts must be equal before anything is timed.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
@@ -34,7 +34,8 @@ const Normals& up() {
 std::vector<PlaneHypothesis> planes(std::size_t count) {
   std::vector<PlaneHypothesis> list;
   for (std::size_t i = 0; i < count; ++i)
-    list.push_back({0.0f, i % 2 == 0 ? 0.0f : 0.5f, i % 2 == 0 ? 1.0f : 0.75f, -9000.5f - 250.0f * static_cast<float>(i)});
+    list.push_back(
+        {0.0f, i % 2 == 0 ? 0.0f : 0.5f, i % 2 == 0 ? 1.0f : 0.75f, -9000.5f - 250.0f * static_cast<float>(i)});
   return list;
 }
 
@@ -74,7 +75,11 @@ void BM_ilot(benchmark::State& state) {
   for (auto _ : state) count_inliers(points, list, {kDistance, 0.9f}, counts);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPoints * list.size()));
 }
-BENCHMARK(BM_ilot)->ArgNames({"planes", "normals"})->ArgsProduct({{1, 16, 64}, {0, 1}})->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ilot)
+    ->ArgNames({"planes", "normals"})
+    ->ArgsProduct({{1, 16, 64}, {0, 1}})
+    ->UseRealTime()
+    ->Unit(benchmark::kMillisecond);
 
 void BM_double_structures(benchmark::State& state) {
   const auto list = planes(1);

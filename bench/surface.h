@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cloud that kernels are timed on: a town seen from the air at 1 mm, gable roofs on ground, 12 points a square metre
-// with 2 cm of noise, Morton sorted. Made from a counter, so it is the same everywhere.
+// The cloud that kernels are timed on: a town seen from the air at 1 mm, gable roofs on ground, 12 points a square
+// metre with 2 cm of noise, Morton sorted. Made from a counter, so it is the same everywhere.
 #pragma once
 #include <algorithm>
 #include <cmath>

@@ -19,19 +19,19 @@ struct Vlr {
   std::uint16_t record_id = 0;
   std::string description;
   std::vector<std::byte> payload;
-  std::uint16_t reserved = 0;     // 0xAABB in old files
-  bool extended = false;  // stood behind the points (EVLR)
+  std::uint16_t reserved = 0;  // 0xAABB in old files
+  bool extended = false;       // stood behind the points (EVLR)
 };
 
 // Coordinate reference system as far as the engine needs it.
 struct Crs {
-  std::string wkt;                // empty when unknown
-  int epsg = 0;                   // 0 when unknown
-  std::string name;               // for people
-  bool geographic = false;        // degrees: no product works on these
-  double metres_per_unit = 1;     // horizontal
+  std::string wkt;             // empty when unknown
+  int epsg = 0;                // 0 when unknown
+  std::string name;            // for people
+  bool geographic = false;     // degrees: no product works on these
+  double metres_per_unit = 1;  // horizontal
   double metres_per_unit_z = 1;
-  bool unit_assumed = true;       // nothing said what the unit is: metres are assumed
+  bool unit_assumed = true;  // nothing said what the unit is: metres are assumed
 };
 
 // Where a scanner stood, in world coordinates.
@@ -50,13 +50,13 @@ struct ScanPart {
 // header and are never trusted: index and info measure them.
 struct CloudInfo {
   std::filesystem::path path;
-  std::string format;                 // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
+  std::string format;  // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
   std::uint8_t version_major = 1, version_minor = 4;
   RecordLayout layout;
   std::uint64_t declared_points = 0;
-  std::uint64_t points = 0;           // that can really be read
+  std::uint64_t points = 0;  // that can really be read
   Vec3 declared_min, declared_max;
-  std::vector<std::byte> header;      // LAS family: the public header block verbatim; else empty
+  std::vector<std::byte> header;  // LAS family: the public header block verbatim; else empty
   std::vector<Vlr> vlrs;
   Crs crs;
   std::vector<Station> stations;

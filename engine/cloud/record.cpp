@@ -15,7 +15,9 @@ std::uint8_t byte_at(std::span<const std::byte> record, std::size_t i) {
   return std::to_integer<std::uint8_t>(record[i]);
 }
 
-std::uint8_t bit(bool value, int position) { return static_cast<std::uint8_t>((value ? 1 : 0) << position); }
+std::uint8_t bit(bool value, int position) {
+  return static_cast<std::uint8_t>((value ? 1 : 0) << position);
+}
 
 template <class T>
 T rounded(double value) {
@@ -61,8 +63,8 @@ void encode_old(const PointFields& f, std::byte* record) {
   const std::uint8_t kind = f.classification > 31 ? 1 : f.classification;
   store<std::uint8_t>(record + 14, static_cast<std::uint8_t>(number | count << 3 | bit(f.scan_direction, 6) |
                                                              bit(f.edge_of_flight_line, 7)));
-  store<std::uint8_t>(record + 15, static_cast<std::uint8_t>(kind | bit(f.synthetic, 5) | bit(f.key_point, 6) |
-                                                             bit(f.withheld, 7)));
+  store<std::uint8_t>(record + 15,
+                      static_cast<std::uint8_t>(kind | bit(f.synthetic, 5) | bit(f.key_point, 6) | bit(f.withheld, 7)));
   store<std::int8_t>(record + 16, rounded<std::int8_t>(f.scan_angle_deg));
   store<std::uint8_t>(record + 17, f.user_data);
   store<std::uint16_t>(record + 18, f.source_id);

@@ -20,14 +20,14 @@ struct ExtraField {
   std::string name;         // at most 32 bytes
   std::string description;  // at most 32 bytes, with the unit
   FieldType type = FieldType::opaque;
-  std::uint16_t offset = 0;  // from the start of the record
-  std::uint16_t size = 0;    // bytes
+  std::uint16_t offset = 0;     // from the start of the record
+  std::uint16_t size = 0;       // bytes
   double scale = 1, shift = 0;  // value = raw * scale + shift
 };
 
 struct RecordLayout {
-  std::uint8_t point_format = 0;   // 0-10
-  std::uint16_t record_length = 20;  // bytes, extra bytes included
+  std::uint8_t point_format = 0;                     // 0-10
+  std::uint16_t record_length = 20;                  // bytes, extra bytes included
   std::array<double, 3> scale{0.001, 0.001, 0.001};  // world = raw * scale + offset, in the units of the CRS
   std::array<double, 3> offset{0, 0, 0};
   std::vector<ExtraField> extra;

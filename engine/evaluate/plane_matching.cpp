@@ -40,8 +40,7 @@ std::vector<PlaneMatch> match_one_to_one(std::span<const LabelPair> pairs, const
                                          const Judged& judged) {
   std::vector<LabelPair> candidates;
   for (const LabelPair& pair : pairs)
-    if (pair.truth != 0 && pair.found != 0 && judged(pair.truth) &&
-        2 * pair.points > found_points.at(pair.found))
+    if (pair.truth != 0 && pair.found != 0 && judged(pair.truth) && 2 * pair.points > found_points.at(pair.found))
       candidates.push_back(pair);
   std::sort(candidates.begin(), candidates.end(), [](const LabelPair& a, const LabelPair& b) {
     return std::tie(b.points, a.truth, a.found) < std::tie(a.points, b.truth, b.found);
@@ -83,9 +82,8 @@ std::vector<LabelPair> LabelPairs::sorted() const {
   pairs.reserve(counts_.size());
   for (const auto& [key, points] : counts_)
     pairs.push_back({static_cast<std::uint32_t>(key >> 32), static_cast<std::uint32_t>(key), points});
-  std::sort(pairs.begin(), pairs.end(), [](const auto& a, const auto& b) {
-    return std::tie(a.truth, a.found) < std::tie(b.truth, b.found);
-  });
+  std::sort(pairs.begin(), pairs.end(),
+            [](const auto& a, const auto& b) { return std::tie(a.truth, a.found) < std::tie(b.truth, b.found); });
   return pairs;
 }
 

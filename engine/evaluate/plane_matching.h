@@ -35,12 +35,9 @@ struct PlaneMatch {
 // A found plane and the true plane that most of its points belong to.
 struct FoundPlane {
   std::uint32_t id = 0, main_truth = 0;
-  std::uint64_t points = 0;  // all that carry it
-  std::uint64_t foreign =
-      0;  // those of true planes other than main_truth (points of no true plane are not foreign)
-  double foreign_share() const {
-    return points == 0 ? 0 : static_cast<double>(foreign) / static_cast<double>(points);
-  }
+  std::uint64_t points = 0;   // all that carry it
+  std::uint64_t foreign = 0;  // those of true planes other than main_truth (points of no true plane are not foreign)
+  double foreign_share() const { return points == 0 ? 0 : static_cast<double>(foreign) / static_cast<double>(points); }
 };
 
 struct PlaneMatching {
@@ -54,9 +51,7 @@ struct PlaneMatching {
   std::uint64_t carrying = 0;       // those that carry their plane's partner
   std::vector<FoundPlane> found;    // by rising id
 
-  double share() const {
-    return points == 0 ? 0 : static_cast<double>(carrying) / static_cast<double>(points);
-  }
+  double share() const { return points == 0 ? 0 : static_cast<double>(carrying) / static_cast<double>(points); }
 };
 
 // Pairs are matched one to one in the order of the points they share (ties: smaller truth, then smaller
@@ -64,8 +59,7 @@ struct PlaneMatching {
 // planes are judged (for instance roofs only; empty = all); found planes are judged when their main truth is,
 // and always with all of their points. Found planes whose points belong to no true plane count as found when
 // all true planes are judged. `pairs` as LabelPairs::sorted() gives them. O(n log n) in the number of pairs.
-PlaneMatching match_planes(std::span<const LabelPair> pairs,
-                           const std::function<bool(std::uint32_t)>& counts = {});
+PlaneMatching match_planes(std::span<const LabelPair> pairs, const std::function<bool(std::uint32_t)>& counts = {});
 
 // The same from labels of points: arrays of equal length, 0 = none.
 PlaneMatching match_planes(std::span<const std::uint32_t> truth, std::span<const std::uint32_t> found);

@@ -84,8 +84,8 @@ void check_header(Case& c) {
 void check_wkt_flag(Case& c) {
   const LasClaims& claims = c.claims;
   if (c.info.layout.point_format >= 6 && !claims.wkt_flag) {
-    const std::string text = fmt::format("point format {} requires the WKT bit of the global encoding",
-                                         c.info.layout.point_format);
+    const std::string text =
+        fmt::format("point format {} requires the WKT bit of the global encoding", c.info.layout.point_format);
     if (claims.has_geotiff || claims.has_wkt)
       c.severe("wkt-flag", text);
     else

@@ -17,17 +17,28 @@ double value_at(const std::byte* p, FieldType type, bool big_endian) {
   std::copy(p, p + size, raw);
   if (big_endian) std::reverse(raw, raw + size);
   switch (type) {
-    case FieldType::u8: return load<std::uint8_t>(raw);
-    case FieldType::i8: return load<std::int8_t>(raw);
-    case FieldType::u16: return load<std::uint16_t>(raw);
-    case FieldType::i16: return load<std::int16_t>(raw);
-    case FieldType::u32: return load<std::uint32_t>(raw);
-    case FieldType::i32: return load<std::int32_t>(raw);
-    case FieldType::u64: return static_cast<double>(load<std::uint64_t>(raw));
-    case FieldType::i64: return static_cast<double>(load<std::int64_t>(raw));
-    case FieldType::f32: return static_cast<double>(load<float>(raw));
-    case FieldType::f64: return load<double>(raw);
-    case FieldType::opaque: break;
+    case FieldType::u8:
+      return load<std::uint8_t>(raw);
+    case FieldType::i8:
+      return load<std::int8_t>(raw);
+    case FieldType::u16:
+      return load<std::uint16_t>(raw);
+    case FieldType::i16:
+      return load<std::int16_t>(raw);
+    case FieldType::u32:
+      return load<std::uint32_t>(raw);
+    case FieldType::i32:
+      return load<std::int32_t>(raw);
+    case FieldType::u64:
+      return static_cast<double>(load<std::uint64_t>(raw));
+    case FieldType::i64:
+      return static_cast<double>(load<std::int64_t>(raw));
+    case FieldType::f32:
+      return static_cast<double>(load<float>(raw));
+    case FieldType::f64:
+      return load<double>(raw);
+    case FieldType::opaque:
+      break;
   }
   return 0;
 }

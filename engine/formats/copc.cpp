@@ -41,10 +41,12 @@ std::optional<Octree> read_octree(const CloudInfo& info) {
   const Vlr* vlr = info_record(info);
   if (!vlr) return std::nullopt;
   const std::byte* p = vlr->payload.data();
-  const Octree tree{{load<double>(p), load<double>(p + 8), load<double>(p + 16)}, load<double>(p + 24),
-                    load<std::uint64_t>(p + 40), load<std::uint64_t>(p + 48)};
-  const bool sound = std::isfinite(tree.center.x) && std::isfinite(tree.center.y) && std::isfinite(tree.halfsize) &&
-                     tree.halfsize > 0;
+  const Octree tree{{load<double>(p), load<double>(p + 8), load<double>(p + 16)},
+                    load<double>(p + 24),
+                    load<std::uint64_t>(p + 40),
+                    load<std::uint64_t>(p + 48)};
+  const bool sound =
+      std::isfinite(tree.center.x) && std::isfinite(tree.center.y) && std::isfinite(tree.halfsize) && tree.halfsize > 0;
   return sound ? std::optional(tree) : std::nullopt;
 }
 
@@ -108,7 +110,9 @@ bool meets(const Octree& tree, const Key& key, const Area& area, double slack_x,
 
 }  // namespace
 
-bool is_copc(const CloudInfo& info) { return info_record(info) != nullptr; }
+bool is_copc(const CloudInfo& info) {
+  return info_record(info) != nullptr;
+}
 
 bool is_copc_name(const std::filesystem::path& path) {
   constexpr std::string_view kEnd = ".copc.laz";

@@ -7,7 +7,9 @@
 namespace ilot {
 namespace {
 
-int shift_of(int level) { return 3 * (kMortonBits - level); }
+int shift_of(int level) {
+  return 3 * (kMortonBits - level);
+}
 
 // Square of twice the distance from the centre of a cell of 2^bits along each edge, in the smallest cells.
 std::uint64_t off_centre(std::uint64_t code, int bits) {
@@ -64,9 +66,8 @@ void add_children(std::span<const CopcPoint> all, CopcNode range, std::vector<Co
 }  // namespace
 
 std::vector<CopcNode> build_copc_octree(std::vector<CopcPoint>& points) {
-  std::sort(points.begin(), points.end(), [](const CopcPoint& a, const CopcPoint& b) {
-    return a.code != b.code ? a.code < b.code : a.row < b.row;
-  });
+  std::sort(points.begin(), points.end(),
+            [](const CopcPoint& a, const CopcPoint& b) { return a.code != b.code ? a.code < b.code : a.row < b.row; });
   std::vector<CopcNode> nodes{{0, {}, 0, points.size()}};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     const CopcNode node = nodes[i];

@@ -8,8 +8,8 @@
 
 namespace ilot {
 
-constexpr int kCopcGridBits = 7;                 // a node that has children keeps a point per cell of 128^3
-constexpr std::uint64_t kCopcLeaf = 1u << 16;    // nodes with at most so many points below them are not split
+constexpr int kCopcGridBits = 7;               // a node that has children keeps a point per cell of 128^3
+constexpr std::uint64_t kCopcLeaf = 1u << 16;  // nodes with at most so many points below them are not split
 
 // A point: the Morton code of its cell among the 2^21 along each edge of the root cube, and its row in the input.
 struct CopcPoint {
@@ -19,8 +19,8 @@ struct CopcPoint {
 
 struct CopcNode {
   int level = 0;
-  Cell3 cell;                          // of the 2^level along each edge of the root cube
-  std::uint64_t first = 0, end = 0;    // its points
+  Cell3 cell;                        // of the 2^level along each edge of the root cube
+  std::uint64_t first = 0, end = 0;  // its points
 };
 
 // Reorders the points so that each node's are consecutive, ascending by row, and returns the nodes: the root first,

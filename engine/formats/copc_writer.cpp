@@ -87,8 +87,7 @@ class CopcWriter final : public PointWriter {
     plan_.header.resize(las::header_size(4));
     store(&plan_.header[las::kHeaderSize], static_cast<std::uint16_t>(plan_.header.size()));
     const auto encoding = load<std::uint16_t>(&plan_.header[las::kGlobalEncoding]);
-    store(&plan_.header[las::kGlobalEncoding],
-          static_cast<std::uint16_t>((encoding & ~kWaveformBits) | las::kWktBit));
+    store(&plan_.header[las::kGlobalEncoding], static_cast<std::uint16_t>((encoding & ~kWaveformBits) | las::kWktBit));
     compression_.layout = {plan_.layout.point_format, plan_.layout.record_length, 3};
     compression_.chunk_size = laz::kVariableChunks;
     plan_.vlrs.insert(plan_.vlrs.begin(), copc_record(kInfoId, "COPC info", kInfoSize));

@@ -105,7 +105,8 @@ std::optional<double> metres_of_unit_code(int code) {
   const Context context = quiet_context();
   double factor = 0;
   const char* category = nullptr;
-  if (!proj_uom_get_info_from_database(context.get(), "EPSG", std::to_string(code).c_str(), nullptr, &factor, &category))
+  if (!proj_uom_get_info_from_database(context.get(), "EPSG", std::to_string(code).c_str(), nullptr, &factor,
+                                       &category))
     return std::nullopt;
   return category && std::string(category) == "linear" && factor > 0 ? std::optional(factor) : std::nullopt;
 }
@@ -220,7 +221,9 @@ Crs crs_from_vlrs(const std::vector<Vlr>& vlrs, bool wkt_flag, std::vector<std::
   return keys.value_or(Crs{});
 }
 
-Crs crs_from_epsg(int code) { return crs_from_text("EPSG:" + std::to_string(code)); }
+Crs crs_from_epsg(int code) {
+  return crs_from_text("EPSG:" + std::to_string(code));
+}
 
 Crs crs_from_text(const std::string& text) {
   const bool number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;

@@ -107,8 +107,7 @@ class E57Reader final : public PointReader {
     while (done < rows) {
       const std::size_t got = next_batch(rows - done);
       if (got == 0) break;
-      for (std::size_t i = 0; i < got; ++i)
-        valid[done + i] = encode(i, records.subspan((done + i) * length, length));
+      for (std::size_t i = 0; i < got; ++i) valid[done + i] = encode(i, records.subspan((done + i) * length, length));
       done += got;
     }
     row_ += done;
@@ -128,8 +127,8 @@ class E57Reader final : public PointReader {
       info_.scans.push_back({scan.name, scan.points});
       if (extent.problem.empty()) continue;
       if (first_problem.empty()) first_problem = extent.problem;
-      info_.warnings.push_back("scan " + std::to_string(number) + " (" + scan.name + "): " +
-                               std::to_string(scan.points) + " of " + std::to_string(scan.declared) +
+      info_.warnings.push_back("scan " + std::to_string(number) + " (" + scan.name +
+                               "): " + std::to_string(scan.points) + " of " + std::to_string(scan.declared) +
                                " points can be read: " + extent.problem);
     }
     if (description_.scans.empty())

@@ -5,8 +5,29 @@ namespace ilot {
 namespace {
 
 enum Source : int {
-  kExtra, kX, kY, kZ, kIntensity, kReturnNumber, kReturnCount, kClassification, kSynthetic, kKeyPoint, kWithheld,
-  kOverlap, kChannel, kDirection, kEdge, kUserData, kAngle, kSourceId, kGpsTime, kRed, kGreen, kBlue, kNir
+  kExtra,
+  kX,
+  kY,
+  kZ,
+  kIntensity,
+  kReturnNumber,
+  kReturnCount,
+  kClassification,
+  kSynthetic,
+  kKeyPoint,
+  kWithheld,
+  kOverlap,
+  kChannel,
+  kDirection,
+  kEdge,
+  kUserData,
+  kAngle,
+  kSourceId,
+  kGpsTime,
+  kRed,
+  kGreen,
+  kBlue,
+  kNir
 };
 
 struct Standard {
@@ -15,17 +36,28 @@ struct Standard {
   FieldType type;
 };
 
-constexpr Standard kStandard[] = {
-    {kX, "x", FieldType::f64}, {kY, "y", FieldType::f64}, {kZ, "z", FieldType::f64},
-    {kIntensity, "intensity", FieldType::u16}, {kReturnNumber, "return_number", FieldType::u8},
-    {kReturnCount, "number_of_returns", FieldType::u8}, {kClassification, "classification", FieldType::u8},
-    {kSynthetic, "synthetic", FieldType::u8}, {kKeyPoint, "key_point", FieldType::u8},
-    {kWithheld, "withheld", FieldType::u8}, {kOverlap, "overlap", FieldType::u8},
-    {kChannel, "scanner_channel", FieldType::u8}, {kDirection, "scan_direction", FieldType::u8},
-    {kEdge, "edge_of_flight_line", FieldType::u8}, {kUserData, "user_data", FieldType::u8},
-    {kAngle, "scan_angle", FieldType::f32}, {kSourceId, "point_source_id", FieldType::u16},
-    {kGpsTime, "gps_time", FieldType::f64}, {kRed, "red", FieldType::u16}, {kGreen, "green", FieldType::u16},
-    {kBlue, "blue", FieldType::u16}, {kNir, "nir", FieldType::u16}};
+constexpr Standard kStandard[] = {{kX, "x", FieldType::f64},
+                                  {kY, "y", FieldType::f64},
+                                  {kZ, "z", FieldType::f64},
+                                  {kIntensity, "intensity", FieldType::u16},
+                                  {kReturnNumber, "return_number", FieldType::u8},
+                                  {kReturnCount, "number_of_returns", FieldType::u8},
+                                  {kClassification, "classification", FieldType::u8},
+                                  {kSynthetic, "synthetic", FieldType::u8},
+                                  {kKeyPoint, "key_point", FieldType::u8},
+                                  {kWithheld, "withheld", FieldType::u8},
+                                  {kOverlap, "overlap", FieldType::u8},
+                                  {kChannel, "scanner_channel", FieldType::u8},
+                                  {kDirection, "scan_direction", FieldType::u8},
+                                  {kEdge, "edge_of_flight_line", FieldType::u8},
+                                  {kUserData, "user_data", FieldType::u8},
+                                  {kAngle, "scan_angle", FieldType::f32},
+                                  {kSourceId, "point_source_id", FieldType::u16},
+                                  {kGpsTime, "gps_time", FieldType::f64},
+                                  {kRed, "red", FieldType::u16},
+                                  {kGreen, "green", FieldType::u16},
+                                  {kBlue, "blue", FieldType::u16},
+                                  {kNir, "nir", FieldType::u16}};
 
 bool has(const RecordLayout& layout, Source source) {
   if (source == kOverlap || source == kChannel) return layout.point_format >= 6;
@@ -36,43 +68,74 @@ bool has(const RecordLayout& layout, Source source) {
 
 double standard_value(const std::byte* record, const PointFields& f, const RecordLayout& layout, int source) {
   switch (source) {
-    case kX: return f.x * layout.scale[0] + layout.offset[0];
-    case kY: return f.y * layout.scale[1] + layout.offset[1];
-    case kZ: return f.z * layout.scale[2] + layout.offset[2];
-    case kIntensity: return f.intensity;
-    case kReturnNumber: return f.return_number;
-    case kReturnCount: return f.return_count;
-    case kClassification: return f.classification;
-    case kSynthetic: return f.synthetic;
-    case kKeyPoint: return f.key_point;
-    case kWithheld: return f.withheld;
-    case kOverlap: return f.overlap;
-    case kChannel: return f.scanner_channel;
-    case kDirection: return f.scan_direction;
-    case kEdge: return f.edge_of_flight_line;
-    case kUserData: return f.user_data;
-    case kAngle: return f.scan_angle_deg;
-    case kSourceId: return f.source_id;
-    case kGpsTime: return load<double>(record + *gps_time_offset(layout.point_format));
-    case kNir: return load<std::uint16_t>(record + *nir_offset(layout.point_format));
-    default: break;
+    case kX:
+      return f.x * layout.scale[0] + layout.offset[0];
+    case kY:
+      return f.y * layout.scale[1] + layout.offset[1];
+    case kZ:
+      return f.z * layout.scale[2] + layout.offset[2];
+    case kIntensity:
+      return f.intensity;
+    case kReturnNumber:
+      return f.return_number;
+    case kReturnCount:
+      return f.return_count;
+    case kClassification:
+      return f.classification;
+    case kSynthetic:
+      return f.synthetic;
+    case kKeyPoint:
+      return f.key_point;
+    case kWithheld:
+      return f.withheld;
+    case kOverlap:
+      return f.overlap;
+    case kChannel:
+      return f.scanner_channel;
+    case kDirection:
+      return f.scan_direction;
+    case kEdge:
+      return f.edge_of_flight_line;
+    case kUserData:
+      return f.user_data;
+    case kAngle:
+      return f.scan_angle_deg;
+    case kSourceId:
+      return f.source_id;
+    case kGpsTime:
+      return load<double>(record + *gps_time_offset(layout.point_format));
+    case kNir:
+      return load<std::uint16_t>(record + *nir_offset(layout.point_format));
+    default:
+      break;
   }
   return load<std::uint16_t>(record + *rgb_offset(layout.point_format) + 2 * (source - kRed));
 }
 
 double extra_value(const std::byte* p, FieldType type) {
   switch (type) {
-    case FieldType::u8: return load<std::uint8_t>(p);
-    case FieldType::i8: return load<std::int8_t>(p);
-    case FieldType::u16: return load<std::uint16_t>(p);
-    case FieldType::i16: return load<std::int16_t>(p);
-    case FieldType::u32: return load<std::uint32_t>(p);
-    case FieldType::i32: return load<std::int32_t>(p);
-    case FieldType::u64: return static_cast<double>(load<std::uint64_t>(p));
-    case FieldType::i64: return static_cast<double>(load<std::int64_t>(p));
-    case FieldType::f32: return static_cast<double>(load<float>(p));
-    case FieldType::f64: return load<double>(p);
-    case FieldType::opaque: break;
+    case FieldType::u8:
+      return load<std::uint8_t>(p);
+    case FieldType::i8:
+      return load<std::int8_t>(p);
+    case FieldType::u16:
+      return load<std::uint16_t>(p);
+    case FieldType::i16:
+      return load<std::int16_t>(p);
+    case FieldType::u32:
+      return load<std::uint32_t>(p);
+    case FieldType::i32:
+      return load<std::int32_t>(p);
+    case FieldType::u64:
+      return static_cast<double>(load<std::uint64_t>(p));
+    case FieldType::i64:
+      return static_cast<double>(load<std::int64_t>(p));
+    case FieldType::f32:
+      return static_cast<double>(load<float>(p));
+    case FieldType::f64:
+      return load<double>(p);
+    case FieldType::opaque:
+      break;
   }
   return 0;
 }

@@ -12,9 +12,9 @@ namespace ilot {
 
 struct ExportColumn {
   std::string name;
-  FieldType type = FieldType::f64;  // smallest that holds every value; scaled extra bytes are f64
-  int source = 0;                   // which standard field
-  std::size_t place = 0;            // extra bytes: offset in the record
+  FieldType type = FieldType::f64;    // smallest that holds every value; scaled extra bytes are f64
+  int source = 0;                     // which standard field
+  std::size_t place = 0;              // extra bytes: offset in the record
   FieldType raw = FieldType::opaque;  // extra bytes: type in the record
   double scale = 1, shift = 0;
 };

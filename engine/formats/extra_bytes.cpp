@@ -45,8 +45,8 @@ void append_descriptor(const ExtraField& field, std::size_t size, std::vector<st
   const bool scaled = field.type != FieldType::opaque && field.scale != 1;
   const bool shifted = field.type != FieldType::opaque && field.shift != 0;
   store<std::uint8_t>(d + 2, static_cast<std::uint8_t>(field.type));
-  store<std::uint8_t>(d + 3, static_cast<std::uint8_t>(field.type == FieldType::opaque ? size
-                                                                                      : (scaled ? 8 : 0) | (shifted ? 16 : 0)));
+  store<std::uint8_t>(
+      d + 3, static_cast<std::uint8_t>(field.type == FieldType::opaque ? size : (scaled ? 8 : 0) | (shifted ? 16 : 0)));
   put_text(d + 4, field.name, 32);
   if (scaled) store(d + 112, field.scale);
   if (shifted) store(d + 136, field.shift);
@@ -62,7 +62,9 @@ ExtraBytes malformed(const std::string& reason) {
 
 }  // namespace
 
-bool is_extra_bytes(const Vlr& vlr) { return vlr.record_id == 4 && vlr.user_id == "LASF_Spec"; }
+bool is_extra_bytes(const Vlr& vlr) {
+  return vlr.record_id == 4 && vlr.user_id == "LASF_Spec";
+}
 
 std::size_t type_size(FieldType type) {
   constexpr std::size_t kSizes[] = {0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8};

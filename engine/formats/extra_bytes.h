@@ -16,8 +16,8 @@ constexpr std::size_t kDescriptorSize = 192;
 bool is_extra_bytes(const Vlr& vlr);
 
 struct ExtraBytes {
-  std::vector<ExtraField> fields;     // in record order; offsets from the start of the record
-  std::vector<std::byte> descriptors; // verbatim, those of `fields`; empty when malformed
+  std::vector<ExtraField> fields;      // in record order; offsets from the start of the record
+  std::vector<std::byte> descriptors;  // verbatim, those of `fields`; empty when malformed
   std::vector<std::string> warnings;
 };
 

@@ -9,8 +9,12 @@
 namespace ilot {
 namespace {
 
-bool is_geotiff(const Vlr& vlr) { return vlr.user_id == "LASF_Projection" && vlr.record_id == 34735; }
-bool is_wkt(const Vlr& vlr) { return vlr.user_id == "LASF_Projection" && vlr.record_id == 2112; }
+bool is_geotiff(const Vlr& vlr) {
+  return vlr.user_id == "LASF_Projection" && vlr.record_id == 34735;
+}
+bool is_wkt(const Vlr& vlr) {
+  return vlr.user_id == "LASF_Projection" && vlr.record_id == 2112;
+}
 
 int minor_that_knows(std::uint8_t point_format) {
   if (point_format >= 6) return 4;
@@ -39,7 +43,9 @@ void claim_extra_bytes(const CloudInfo& info, LasClaims& claims) {
 
 }  // namespace
 
-bool has_las_header(const CloudInfo& info) { return info.header.size() >= las::header_size(0); }
+bool has_las_header(const CloudInfo& info) {
+  return info.header.size() >= las::header_size(0);
+}
 
 LasClaims claims_of(const CloudInfo& info) {
   const std::vector<std::byte>& header = info.header;

@@ -15,14 +15,14 @@ struct LasClaims {
   bool has_counts = false;  // the 64-bit fields of version 1.4 are there
   std::uint64_t count = 0;
   std::array<std::uint64_t, 15> returns{};
-  std::array<double, 3> min{}, max{};  // units of the CRS
+  std::array<double, 3> min{}, max{};                       // units of the CRS
   std::uint64_t header_bytes = 0, needed_header_bytes = 0;  // as it is, as its version requires
-  int needed_minor = 0;              // lowest version 1.x that knows the point format
-  std::uint32_t vlrs = 0;            // records before the points
-  std::uint64_t whole_vlrs = 0;      // of them, those that were read
+  int needed_minor = 0;                                     // lowest version 1.x that knows the point format
+  std::uint32_t vlrs = 0;                                   // records before the points
+  std::uint64_t whole_vlrs = 0;                             // of them, those that were read
   bool wkt_flag = false, has_wkt = false, has_geotiff = false;
-  std::string extra_bytes_fault;         // empty: the descriptors fit the record
-  std::uint64_t undescribed_bytes = 0;   // at the end of each point
+  std::string extra_bytes_fault;        // empty: the descriptors fit the record
+  std::uint64_t undescribed_bytes = 0;  // at the end of each point
 };
 
 // True for clouds of the LAS family: claims_of makes sense.

@@ -51,8 +51,7 @@ HeaderView read_header(const InputFile& file) {
 void read_version(const InputFile& file, const HeaderView& header, CloudInfo& info) {
   info.version_major = header.at<std::uint8_t>(las::kMajor);
   info.version_minor = header.at<std::uint8_t>(las::kMinor);
-  const std::string version =
-      std::to_string(info.version_major) + "." + std::to_string(info.version_minor);
+  const std::string version = std::to_string(info.version_major) + "." + std::to_string(info.version_minor);
   if (info.version_major != 1 || info.version_minor > 5)
     refuse(file, "LAS version " + version + " is not known; versions 1.0 to 1.4 are read");
   if (!header.holds(las::header_size(info.version_minor)))
@@ -140,7 +139,8 @@ void read_vlrs(const InputFile& file, const HeaderView& header, LasContainer& ou
   for (std::uint32_t i = 0; i < count; ++i) {
     if (read_record(file, offset, out.point_offset, out, false)) continue;
     out.info.warnings.push_back("the header declares " + std::to_string(count) + " VLRs, but number " +
-                                std::to_string(i + 1) + " does not fit before the points; it and later ones are ignored");
+                                std::to_string(i + 1) +
+                                " does not fit before the points; it and later ones are ignored");
     return;
   }
 }
@@ -182,7 +182,8 @@ void count_points(LasContainer& out) {
   info.points = std::min(info.declared_points, whole);
   if (info.points < info.declared_points)
     info.warnings.push_back("the header declares " + std::to_string(info.declared_points) +
-                            " points but the file holds " + std::to_string(info.points) + " whole ones; these are kept");
+                            " points but the file holds " + std::to_string(info.points) +
+                            " whole ones; these are kept");
   if (info.declared_points == 0 && whole > 0)
     info.warnings.push_back("the header declares no points although " + std::to_string(whole) +
                             " records would fit behind it; none are read");
@@ -212,8 +213,8 @@ LasContainer parse_las(const InputFile& file) {
   out.info.declared_points = out.info.points = declared_count(header, out.info);
   check_laszip_record(file, out);
   if (!out.compressed) count_points(out);
-  ExtraBytes extra = parse_extra_bytes(out.info.vlrs, standard_size(out.info.layout.point_format),
-                                       out.info.layout.record_length);
+  ExtraBytes extra =
+      parse_extra_bytes(out.info.vlrs, standard_size(out.info.layout.point_format), out.info.layout.record_length);
   out.info.layout.extra = std::move(extra.fields);
   out.info.warnings.insert(out.info.warnings.end(), extra.warnings.begin(), extra.warnings.end());
   const bool wkt_flag = header.at<std::uint16_t>(las::kGlobalEncoding) & las::kWktBit;

@@ -19,7 +19,9 @@ constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kSystem = 2
 constexpr std::size_t kVlrHeader = 54, kEvlrHeader = 60, kLargestVlr = 65535;
 constexpr std::uint16_t kWktBit = 16, kWaveformInternalBit = 2;
 // Size of the header block that a minor version needs.
-constexpr std::size_t header_size(int minor) { return minor >= 4 ? 375 : minor == 3 ? 235 : 227; }
+constexpr std::size_t header_size(int minor) {
+  return minor >= 4 ? 375 : minor == 3 ? 235 : 227;
+}
 }  // namespace las
 
 struct LasContainer {

@@ -110,7 +110,8 @@ void plan_extra_bytes(const CloudSpec& spec, const RecordLayout& layout, int min
   std::vector<ExtraField> known = old.descriptors.empty() ? before.extra : std::vector<ExtraField>{};
   std::size_t begin = standard;
   for (const ExtraField& field : old.fields) begin += field.size;
-  known.insert(known.end(), layout.extra.begin() + static_cast<std::ptrdiff_t>(before.extra.size()), layout.extra.end());
+  known.insert(known.end(), layout.extra.begin() + static_cast<std::ptrdiff_t>(before.extra.size()),
+               layout.extra.end());
   const std::vector<std::byte> added = describe(with_gaps(known, begin, layout.record_length));
   const bool worth = !spec.appended.empty() || !before.extra.empty();
   if (worth && !added.empty()) append_to(vlrs, added, minor);
@@ -126,7 +127,9 @@ void plan_crs(const CloudSpec& spec, std::vector<Vlr>& vlrs, std::vector<std::by
           static_cast<std::uint16_t>(load<std::uint16_t>(&header[las::kGlobalEncoding]) | las::kWktBit));
 }
 
-bool is_waveforms(const Vlr& vlr) { return vlr.user_id == "LASF_Spec" && vlr.record_id == 65535; }
+bool is_waveforms(const Vlr& vlr) {
+  return vlr.user_id == "LASF_Spec" && vlr.record_id == 65535;
+}
 
 void append_record(const Vlr& vlr, std::vector<std::byte>& out) {
   const std::size_t head = vlr.extended ? las::kEvlrHeader : las::kVlrHeader;
@@ -212,7 +215,8 @@ std::vector<std::byte> las_prefix(LasPlan& plan) {
   for (Vlr& vlr : plan.vlrs) {
     vlr.extended = false;
     if (vlr.payload.size() > las::kLargestVlr)
-      throw Error("record " + vlr.user_id + " " + std::to_string(vlr.record_id) + " exceeds 65535 bytes; it needs LAS 1.4");
+      throw Error("record " + vlr.user_id + " " + std::to_string(vlr.record_id) +
+                  " exceeds 65535 bytes; it needs LAS 1.4");
     append_record(vlr, out);
   }
   if (load<std::uint8_t>(&plan.header[las::kMinor]) == 0) out.insert(out.end(), {std::byte{0xDD}, std::byte{0xCC}});

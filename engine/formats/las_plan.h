@@ -26,11 +26,11 @@ struct PointStatistics {
 struct LasPlan {
   std::vector<std::byte> header;  // counts and bounds are zero until finish_header
   std::vector<Vlr> vlrs, evlrs;
-  RecordLayout layout;            // of the rows written, appended fields included
+  RecordLayout layout;  // of the rows written, appended fields included
 };
 
-// Layout of the rows of an output: the input's, the appended fields behind it with their offsets and sizes. Throws Error
-// when the record would exceed 65,535 bytes.
+// Layout of the rows of an output: the input's, the appended fields behind it with their offsets and sizes. Throws
+// Error when the record would exceed 65,535 bytes.
 RecordLayout output_layout(const CloudSpec& spec);
 
 // The plan of an output that keeps the input's version, header fields, VLRs, EVLRs and CRS, and appends our fields

@@ -31,8 +31,7 @@ class LazReader final : public PointReader {
     info_.points = index_.points;
     if (!index_.warning.empty()) {
       info_.warnings.push_back(file_->path().string() + ": " + std::to_string(info_.points) + " of " +
-                               std::to_string(info_.declared_points) +
-                               " points can be read: " + index_.warning);
+                               std::to_string(info_.declared_points) + " points can be read: " + index_.warning);
     }
     if (info_.points == 0 && info_.declared_points > 0) {
       throw Error(file_->path().string() + ": none of its " + std::to_string(info_.declared_points) +
@@ -52,8 +51,7 @@ class LazReader final : public PointReader {
     return result;
   }
 
-  std::size_t read(std::uint64_t first, std::span<std::byte> records,
-                   std::span<std::uint8_t> valid) override {
+  std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) override {
     if (first >= info_.points) return 0;
     const std::size_t length = info_.layout.record_length;
     const std::uint64_t asked = std::min(records.size() / length, valid.size());
@@ -88,9 +86,8 @@ class LazReader final : public PointReader {
 
   bool seek(Cursor& c, std::uint64_t point) {
     c.at = c.end = UINT64_MAX;
-    const auto after =
-        std::upper_bound(index_.chunks.begin(), index_.chunks.end(), point,
-                         [](std::uint64_t p, const laz::ChunkPlace& chunk) { return p < chunk.first; });
+    const auto after = std::upper_bound(index_.chunks.begin(), index_.chunks.end(), point,
+                                        [](std::uint64_t p, const laz::ChunkPlace& chunk) { return p < chunk.first; });
     const laz::ChunkPlace& place = *(after - 1);
     c.chunk.resize(place.bytes);
     if (file_->read_at(place.offset, c.chunk) != place.bytes) return false;
@@ -109,8 +106,7 @@ class LazReader final : public PointReader {
   bool advance(Cursor& c, std::span<std::byte> records) {
     c.at += records.size() / info_.layout.record_length;
     const bool ended = c.at == c.end;
-    const bool whole =
-        c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well());
+    const bool whole = c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well());
     if (ended || !whole) c.at = c.end = UINT64_MAX;
     return whole;
   }
@@ -128,8 +124,7 @@ const Vlr& laszip_vlr(const InputFile& file, const CloudInfo& info) {
   for (const Vlr& vlr : info.vlrs) {
     if (vlr.user_id == laz::kLaszipUserId && vlr.record_id == laz::kLaszipRecordId) return vlr;
   }
-  throw Error(file.path().string() + ": is marked as LAZ but has no LASzip record; " +
-              "fetch the file again");
+  throw Error(file.path().string() + ": is marked as LAZ but has no LASzip record; " + "fetch the file again");
 }
 
 }  // namespace

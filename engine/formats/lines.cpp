@@ -11,8 +11,12 @@ namespace {
 constexpr std::size_t kBuffer = std::size_t{1} << 20;
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
-bool is_comma(char c) { return c == ',' || c == ';'; }
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+bool is_comma(char c) {
+  return c == ',' || c == ';';
+}
 
 }  // namespace
 
@@ -32,7 +36,8 @@ bool LineReader::next(std::string_view& line) {
   std::size_t searched = 0;
   for (;;) {
     const char* from = buffer_.data() + begin_;
-    const void* found = end_ - begin_ > searched ? std::memchr(from + searched, '\n', end_ - begin_ - searched) : nullptr;
+    const void* found =
+        end_ - begin_ > searched ? std::memchr(from + searched, '\n', end_ - begin_ - searched) : nullptr;
     if (found) {
       const auto length = static_cast<std::size_t>(static_cast<const char*>(found) - from);
       line = {from, std::min(length, kLongestLine)};

@@ -17,7 +17,9 @@ bool describes_waveforms(const Vlr& vlr) {
   return vlr.user_id == "LASF_Spec" && ((vlr.record_id >= 100 && vlr.record_id < 355) || vlr.record_id == 65535);
 }
 
-bool is_wkt(const Vlr& vlr) { return is_crs_record(vlr) && (vlr.record_id == 2112 || vlr.record_id == 4224); }
+bool is_wkt(const Vlr& vlr) {
+  return is_crs_record(vlr) && (vlr.record_id == 2112 || vlr.record_id == 4224);
+}
 
 void copy_part(const std::byte* from, std::optional<std::size_t> at, std::byte* to, std::optional<std::size_t> place,
                std::size_t bytes) {

@@ -64,7 +64,9 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
   if (extension == ".ply") throw Error(path.string() + ": is not a PLY file (no ply at byte 0)");
   if (extension == ".ptx") return open_ptx(std::move(file));
   if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file));
-  throw Error(path.string() + ": is not a point cloud that can be read (LAS, LAZ, E57, PLY, PCD, PTX, or text as .xyz .txt .csv .pts .asc)");
+  throw Error(
+      path.string() +
+      ": is not a point cloud that can be read (LAS, LAZ, E57, PLY, PCD, PTX, or text as .xyz .txt .csv .pts .asc)");
 }
 
 std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, const CloudSpec& spec) {
@@ -74,7 +76,8 @@ std::unique_ptr<PointWriter> create_cloud(const std::filesystem::path& path, con
   if (extension == ".laz") return create_laz(path, spec);
   if (extension == ".ply") return create_ply(path, spec);
   if (is_one_of(extension, {".csv", ".xyz", ".txt"})) return create_csv(path, spec);
-  throw Error(path.string() + ": format \"" + extension + "\" is not written; choose .las, .laz, .copc.laz, .ply, .csv, .xyz or .txt",
+  throw Error(path.string() + ": format \"" + extension +
+                  "\" is not written; choose .las, .laz, .copc.laz, .ply, .csv, .xyz or .txt",
               ExitCode::usage);
 }
 

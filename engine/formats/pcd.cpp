@@ -93,7 +93,8 @@ FieldType type_of(const InputFile& file, const std::string& kind, std::uint64_t 
 
 std::vector<Group> groups_of(const InputFile& file, const Header& header) {
   const std::size_t n = header.fields.size();
-  if (n == 0 || header.sizes.size() != n || header.types.size() != n || (!header.counts.empty() && header.counts.size() != n))
+  if (n == 0 || header.sizes.size() != n || header.types.size() != n ||
+      (!header.counts.empty() && header.counts.size() != n))
     refuse(file, "has FIELDS, SIZE, TYPE and COUNT of different lengths");
   std::vector<Group> groups;
   std::uint64_t total = 0;
@@ -101,7 +102,8 @@ std::vector<Group> groups_of(const InputFile& file, const Header& header) {
     const std::uint64_t count = header.counts.empty() ? 1 : header.counts[i];
     total += std::min<std::uint64_t>(count, kMostColumns + 1);
     if (count == 0 || total > kMostColumns) refuse(file, "has a COUNT that is zero or too large");
-    groups.push_back({header.fields[i], type_of(file, header.types[i], header.sizes[i]), static_cast<std::size_t>(count)});
+    groups.push_back(
+        {header.fields[i], type_of(file, header.types[i], header.sizes[i]), static_cast<std::size_t>(count)});
   }
   return groups;
 }

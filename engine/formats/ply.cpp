@@ -52,12 +52,10 @@ struct Header {
 
 FieldType type_named(const InputFile& file, std::uint64_t line, std::string_view name) {
   static const std::map<std::string_view, FieldType> kTypes{
-      {"char", FieldType::i8},     {"int8", FieldType::i8},     {"uchar", FieldType::u8},
-      {"uint8", FieldType::u8},    {"short", FieldType::i16},   {"int16", FieldType::i16},
-      {"ushort", FieldType::u16},  {"uint16", FieldType::u16},  {"int", FieldType::i32},
-      {"int32", FieldType::i32},   {"uint", FieldType::u32},    {"uint32", FieldType::u32},
-      {"float", FieldType::f32},   {"float32", FieldType::f32}, {"double", FieldType::f64},
-      {"float64", FieldType::f64}};
+      {"char", FieldType::i8},   {"int8", FieldType::i8},     {"uchar", FieldType::u8},   {"uint8", FieldType::u8},
+      {"short", FieldType::i16}, {"int16", FieldType::i16},   {"ushort", FieldType::u16}, {"uint16", FieldType::u16},
+      {"int", FieldType::i32},   {"int32", FieldType::i32},   {"uint", FieldType::u32},   {"uint32", FieldType::u32},
+      {"float", FieldType::f32}, {"float32", FieldType::f32}, {"double", FieldType::f64}, {"float64", FieldType::f64}};
   const auto found = kTypes.find(name);
   if (found == kTypes.end()) refuse(file, line, "has the unknown type " + std::string(name));
   return found->second;
@@ -65,8 +63,9 @@ FieldType type_named(const InputFile& file, std::uint64_t line, std::string_view
 
 void take_element(const InputFile& file, const std::vector<std::string_view>& words, Header& header) {
   Element element;
-  const bool number = words.size() == 3 && std::from_chars(words[2].data(), words[2].data() + words[2].size(),
-                                                           element.count).ptr == words[2].data() + words[2].size();
+  const bool number =
+      words.size() == 3 && std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count).ptr ==
+                               words[2].data() + words[2].size();
   if (!number || header.elements.size() >= kMostElements) refuse(file, header.lines, "is not an element with a count");
   element.name = words[1];
   header.elements.push_back(std::move(element));
@@ -137,7 +136,8 @@ class Walker {
 
  private:
   [[noreturn]] void truncated(const Element& element) const {
-    throw Error(file_.path().string() + ": ends inside the element " + element.name + ", which stands before the vertices");
+    throw Error(file_.path().string() + ": ends inside the element " + element.name +
+                ", which stands before the vertices");
   }
 
   void skip(const Element& element, const Property& property) {

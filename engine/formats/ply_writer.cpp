@@ -15,7 +15,8 @@ FieldType ply_type(FieldType type) {
 }
 
 const char* type_name(FieldType type) {
-  constexpr const char* kNames[] = {"", "uchar", "char", "ushort", "short", "uint", "int", "double", "double", "float", "double"};
+  constexpr const char* kNames[] = {"",    "uchar",  "char",   "ushort", "short", "uint",
+                                    "int", "double", "double", "float",  "double"};
   return kNames[static_cast<std::size_t>(type)];
 }
 
@@ -30,14 +31,22 @@ std::string property_name(const std::string& name, std::set<std::string>& taken)
 
 void store_number(FieldType type, double value, std::byte* p) {
   switch (type) {
-    case FieldType::u8: return store(p, static_cast<std::uint8_t>(value));
-    case FieldType::i8: return store(p, static_cast<std::int8_t>(value));
-    case FieldType::u16: return store(p, static_cast<std::uint16_t>(value));
-    case FieldType::i16: return store(p, static_cast<std::int16_t>(value));
-    case FieldType::u32: return store(p, static_cast<std::uint32_t>(value));
-    case FieldType::i32: return store(p, static_cast<std::int32_t>(value));
-    case FieldType::f32: return store(p, static_cast<float>(value));
-    default: return store(p, value);
+    case FieldType::u8:
+      return store(p, static_cast<std::uint8_t>(value));
+    case FieldType::i8:
+      return store(p, static_cast<std::int8_t>(value));
+    case FieldType::u16:
+      return store(p, static_cast<std::uint16_t>(value));
+    case FieldType::i16:
+      return store(p, static_cast<std::int16_t>(value));
+    case FieldType::u32:
+      return store(p, static_cast<std::uint32_t>(value));
+    case FieldType::i32:
+      return store(p, static_cast<std::int32_t>(value));
+    case FieldType::f32:
+      return store(p, static_cast<float>(value));
+    default:
+      return store(p, value);
   }
 }
 

@@ -36,9 +36,13 @@ std::size_t parse_line(std::string_view line, std::vector<std::string_view>& fie
   return fields.size();
 }
 
-bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t") == std::string_view::npos; }
+bool is_blank_line(std::string_view line) {
+  return line.find_first_not_of(" \t") == std::string_view::npos;
+}
 
-bool is_count(double v) { return v >= 0 && v <= 1e9 && v == std::floor(v); }
+bool is_count(double v) {
+  return v >= 0 && v <= 1e9 && v == std::floor(v);
+}
 
 enum class Head { found, end_of_file, malformed };
 

@@ -14,25 +14,78 @@ namespace ilot {
 namespace {
 
 enum Role : int {
-  kExtra, kX, kY, kZ, kIntensity, kReturnNumber, kReturnCount, kClassification, kSynthetic, kKeyPoint, kWithheld,
-  kOverlap, kChannel, kDirection, kEdge, kUserData, kAngle, kSource, kGpsTime, kRed, kGreen, kBlue, kNir, kPackedRgb
+  kExtra,
+  kX,
+  kY,
+  kZ,
+  kIntensity,
+  kReturnNumber,
+  kReturnCount,
+  kClassification,
+  kSynthetic,
+  kKeyPoint,
+  kWithheld,
+  kOverlap,
+  kChannel,
+  kDirection,
+  kEdge,
+  kUserData,
+  kAngle,
+  kSource,
+  kGpsTime,
+  kRed,
+  kGreen,
+  kBlue,
+  kNir,
+  kPackedRgb
 };
 
 constexpr std::size_t kMostColumns = 1000;
 
 const std::map<std::string, Role>& names() {
-  static const std::map<std::string, Role> kNames{
-      {"x", kX}, {"easting", kX}, {"y", kY}, {"northing", kY}, {"z", kZ}, {"elevation", kZ}, {"i", kIntensity},
-      {"intensity", kIntensity}, {"scalarintensity", kIntensity}, {"returnnumber", kReturnNumber},
-      {"numberofreturns", kReturnCount}, {"returncount", kReturnCount}, {"classification", kClassification},
-      {"class", kClassification}, {"scalarclassification", kClassification}, {"synthetic", kSynthetic},
-      {"keypoint", kKeyPoint}, {"withheld", kWithheld}, {"overlap", kOverlap}, {"scannerchannel", kChannel},
-      {"scanchannel", kChannel}, {"scandirection", kDirection}, {"scandirectionflag", kDirection},
-      {"edgeofflightline", kEdge}, {"userdata", kUserData}, {"scanangle", kAngle}, {"scananglerank", kAngle},
-      {"sourceid", kSource}, {"pointsourceid", kSource}, {"gpstime", kGpsTime}, {"r", kRed}, {"red", kRed},
-      {"diffusered", kRed}, {"g", kGreen}, {"green", kGreen}, {"diffusegreen", kGreen}, {"b", kBlue},
-      {"blue", kBlue}, {"diffuseblue", kBlue}, {"nir", kNir}, {"infrared", kNir}, {"rgb", kPackedRgb},
-      {"rgba", kPackedRgb}};
+  static const std::map<std::string, Role> kNames{{"x", kX},
+                                                  {"easting", kX},
+                                                  {"y", kY},
+                                                  {"northing", kY},
+                                                  {"z", kZ},
+                                                  {"elevation", kZ},
+                                                  {"i", kIntensity},
+                                                  {"intensity", kIntensity},
+                                                  {"scalarintensity", kIntensity},
+                                                  {"returnnumber", kReturnNumber},
+                                                  {"numberofreturns", kReturnCount},
+                                                  {"returncount", kReturnCount},
+                                                  {"classification", kClassification},
+                                                  {"class", kClassification},
+                                                  {"scalarclassification", kClassification},
+                                                  {"synthetic", kSynthetic},
+                                                  {"keypoint", kKeyPoint},
+                                                  {"withheld", kWithheld},
+                                                  {"overlap", kOverlap},
+                                                  {"scannerchannel", kChannel},
+                                                  {"scanchannel", kChannel},
+                                                  {"scandirection", kDirection},
+                                                  {"scandirectionflag", kDirection},
+                                                  {"edgeofflightline", kEdge},
+                                                  {"userdata", kUserData},
+                                                  {"scanangle", kAngle},
+                                                  {"scananglerank", kAngle},
+                                                  {"sourceid", kSource},
+                                                  {"pointsourceid", kSource},
+                                                  {"gpstime", kGpsTime},
+                                                  {"r", kRed},
+                                                  {"red", kRed},
+                                                  {"diffusered", kRed},
+                                                  {"g", kGreen},
+                                                  {"green", kGreen},
+                                                  {"diffusegreen", kGreen},
+                                                  {"b", kBlue},
+                                                  {"blue", kBlue},
+                                                  {"diffuseblue", kBlue},
+                                                  {"nir", kNir},
+                                                  {"infrared", kNir},
+                                                  {"rgb", kPackedRgb},
+                                                  {"rgba", kPackedRgb}};
   return kNames;
 }
 
@@ -45,7 +98,9 @@ Role role_of(const std::string& name) {
   return found == names().end() ? kExtra : found->second;
 }
 
-bool is_colour(int role) { return role >= kRed && role <= kNir; }
+bool is_colour(int role) {
+  return role >= kRed && role <= kNir;
+}
 
 template <class T>
 T saturated(double value) {
@@ -59,17 +114,28 @@ T saturated(double value) {
 
 void store_as(FieldType type, double value, std::byte* p) {
   switch (type) {
-    case FieldType::u8: return store(p, saturated<std::uint8_t>(value));
-    case FieldType::i8: return store(p, saturated<std::int8_t>(value));
-    case FieldType::u16: return store(p, saturated<std::uint16_t>(value));
-    case FieldType::i16: return store(p, saturated<std::int16_t>(value));
-    case FieldType::u32: return store(p, saturated<std::uint32_t>(value));
-    case FieldType::i32: return store(p, saturated<std::int32_t>(value));
-    case FieldType::u64: return store(p, saturated<std::uint64_t>(value));
-    case FieldType::i64: return store(p, saturated<std::int64_t>(value));
-    case FieldType::f32: return store(p, static_cast<float>(value));
-    case FieldType::f64: return store(p, value);
-    case FieldType::opaque: return;
+    case FieldType::u8:
+      return store(p, saturated<std::uint8_t>(value));
+    case FieldType::i8:
+      return store(p, saturated<std::int8_t>(value));
+    case FieldType::u16:
+      return store(p, saturated<std::uint16_t>(value));
+    case FieldType::i16:
+      return store(p, saturated<std::int16_t>(value));
+    case FieldType::u32:
+      return store(p, saturated<std::uint32_t>(value));
+    case FieldType::i32:
+      return store(p, saturated<std::int32_t>(value));
+    case FieldType::u64:
+      return store(p, saturated<std::uint64_t>(value));
+    case FieldType::i64:
+      return store(p, saturated<std::int64_t>(value));
+    case FieldType::f32:
+      return store(p, static_cast<float>(value));
+    case FieldType::f64:
+      return store(p, value);
+    case FieldType::opaque:
+      return;
   }
 }
 
@@ -84,21 +150,50 @@ std::uint32_t packed_bits(double value, bool as_float) {
 
 void set_field(PointFields& f, int role, double value) {
   switch (role) {
-    case kIntensity: f.intensity = saturated<std::uint16_t>(value); return;
-    case kReturnNumber: f.return_number = saturated<std::uint8_t>(value); return;
-    case kReturnCount: f.return_count = saturated<std::uint8_t>(value); return;
-    case kClassification: f.classification = saturated<std::uint8_t>(value); return;
-    case kSynthetic: f.synthetic = value != 0; return;
-    case kKeyPoint: f.key_point = value != 0; return;
-    case kWithheld: f.withheld = value != 0; return;
-    case kOverlap: f.overlap = value != 0; return;
-    case kChannel: f.scanner_channel = saturated<std::uint8_t>(value) & 3; return;
-    case kDirection: f.scan_direction = value != 0; return;
-    case kEdge: f.edge_of_flight_line = value != 0; return;
-    case kUserData: f.user_data = saturated<std::uint8_t>(value); return;
-    case kAngle: f.scan_angle_deg = value; return;
-    case kSource: f.source_id = saturated<std::uint16_t>(value); return;
-    default: return;
+    case kIntensity:
+      f.intensity = saturated<std::uint16_t>(value);
+      return;
+    case kReturnNumber:
+      f.return_number = saturated<std::uint8_t>(value);
+      return;
+    case kReturnCount:
+      f.return_count = saturated<std::uint8_t>(value);
+      return;
+    case kClassification:
+      f.classification = saturated<std::uint8_t>(value);
+      return;
+    case kSynthetic:
+      f.synthetic = value != 0;
+      return;
+    case kKeyPoint:
+      f.key_point = value != 0;
+      return;
+    case kWithheld:
+      f.withheld = value != 0;
+      return;
+    case kOverlap:
+      f.overlap = value != 0;
+      return;
+    case kChannel:
+      f.scanner_channel = saturated<std::uint8_t>(value) & 3;
+      return;
+    case kDirection:
+      f.scan_direction = value != 0;
+      return;
+    case kEdge:
+      f.edge_of_flight_line = value != 0;
+      return;
+    case kUserData:
+      f.user_data = saturated<std::uint8_t>(value);
+      return;
+    case kAngle:
+      f.scan_angle_deg = value;
+      return;
+    case kSource:
+      f.source_id = saturated<std::uint16_t>(value);
+      return;
+    default:
+      return;
   }
 }
 

@@ -72,10 +72,10 @@ std::unique_ptr<PointReader> open_binary_table(CloudInfo info, std::vector<Colum
 // Lines of numbers, separated by blanks, tabs, commas or semicolons. Read front to back by one thread. Lines that are
 // not numbers are rejected rows; when the last row is read, one warning counts them and names the first.
 struct TextBody {
-  std::uint64_t offset = 0;             // of the first line of data
-  std::uint64_t first_line = 1;         // its number, for warnings
+  std::uint64_t offset = 0;              // of the first line of data
+  std::uint64_t first_line = 1;          // its number, for warnings
   std::uint64_t most_rows = UINT64_MAX;  // lines behind these are not points
-  bool counts_between = false;          // a line of one count begins another block, and adds to declared_points
+  bool counts_between = false;           // a line of one count begins another block, and adds to declared_points
   std::function<void(std::span<double>)> convert;  // applied to the values of each row; may be empty
 };
 std::unique_ptr<PointReader> open_text_table(std::unique_ptr<InputFile> file, CloudInfo info,

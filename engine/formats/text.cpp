@@ -60,7 +60,8 @@ Preamble read_preamble(const InputFile& file) {
     if (fields.empty()) continue;
     const bool numbers = all_numbers(fields, preamble.first);
     if (numbers && fields.size() == 1 && preamble.declared == 0) {
-      preamble.declared = preamble.first[0] >= 1 && preamble.first[0] < 1e15 ? static_cast<std::uint64_t>(preamble.first[0]) : 0;
+      preamble.declared =
+          preamble.first[0] >= 1 && preamble.first[0] < 1e15 ? static_cast<std::uint64_t>(preamble.first[0]) : 0;
       continue;
     }
     if (numbers && text.data() == line.data() + line.find_first_not_of(" \t")) return preamble;
@@ -76,8 +77,8 @@ Preamble read_preamble(const InputFile& file) {
 }
 
 std::vector<Column> guessed_columns(const std::vector<double>& first) {
-  const bool normals = first.size() >= 6 && std::all_of(first.begin() + 3, first.begin() + 6,
-                                                        [](double v) { return std::abs(v) <= 1; }) &&
+  const bool normals = first.size() >= 6 &&
+                       std::all_of(first.begin() + 3, first.begin() + 6, [](double v) { return std::abs(v) <= 1; }) &&
                        std::any_of(first.begin() + 3, first.begin() + 6, [](double v) { return v != std::round(v); });
   std::vector<std::string> names{"x", "y", "z"};
   if (first.size() == 4) names.insert(names.end(), {"intensity"});

@@ -14,7 +14,9 @@ namespace {
 constexpr std::size_t kSample = 1000;
 constexpr std::uint64_t kMostDeclared = 1'000'000'000'000'000;
 
-bool is_blank_line(std::string_view line) { return line.find_first_not_of(" \t\r") == std::string_view::npos; }
+bool is_blank_line(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
 
 // The number of a line that holds one natural number and nothing else.
 std::optional<std::uint64_t> lone_count(std::string_view line) {

@@ -15,9 +15,9 @@ namespace ilot {
 
 // What a file is to hold. Start from the input's CloudInfo to keep its header fields, VLRs and extra bytes.
 struct CloudSpec {
-  CloudInfo like;                      // header fields, VLRs, CRS and layout of the rows as given to write()
-  std::vector<ExtraField> appended;    // ours: behind the input's extra bytes; offsets are filled in by the writer
-  std::string software;                // "generating software" of LAS
+  CloudInfo like;                    // header fields, VLRs, CRS and layout of the rows as given to write()
+  std::vector<ExtraField> appended;  // ours: behind the input's extra bytes; offsets are filled in by the writer
+  std::string software;              // "generating software" of LAS
 };
 
 class PointWriter {

@@ -13,9 +13,9 @@ struct Segment {
   Plane plane;                   // world coordinates and CRS units; unit normal, pointing up
   std::uint64_t points = 0;
   Vec3 centroid;
-  Vec3 min, max;                 // of the points
-  double rms_m = 0;              // distance of the points from the plane
-  double epsilon_m = 0;          // none is farther
+  Vec3 min, max;         // of the points
+  double rms_m = 0;      // distance of the points from the plane
+  double epsilon_m = 0;  // none is farther
 };
 
 }  // namespace ilot

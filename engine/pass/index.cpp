@@ -86,9 +86,8 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
   return runs;
 }
 
-std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs,
-                                const std::vector<Task>& tasks, const IndexParams& params, const fs::path& folder,
-                                const PassContext& context) {
+std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs, const std::vector<Task>& tasks,
+                                const IndexParams& params, const fs::path& folder, const PassContext& context) {
   std::vector<std::vector<SortedRun>> parts(tasks.size());
   std::vector<PassTask> costs;
   for (const Task& t : tasks) costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint, t.count});

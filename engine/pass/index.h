@@ -11,7 +11,7 @@
 namespace ilot {
 
 struct IndexParams {
-  double unit = 0.001;                // CRS units per lattice step
+  double unit = 0.001;  // CRS units per lattice step
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // of one sorted run

@@ -59,7 +59,8 @@ void stop_if_asked() {
   if (stop_requested()) throw Error("interrupted; the same command with --resume goes on", ExitCode::interrupted);
 }
 
-void run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes, const std::function<void(std::size_t)>& body) {
+void run_pass(std::span<const PassTask> tasks, std::uint64_t budget_bytes,
+              const std::function<void(std::size_t)>& body) {
   std::vector<std::size_t> order(tasks.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return tasks[a].points > tasks[b].points; });

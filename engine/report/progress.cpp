@@ -70,10 +70,9 @@ std::string Progress::stage_text() const {
   const std::uint64_t done = done_.load(std::memory_order_relaxed);
   const Rate r = rate();
   std::string text = options_.colour ? fmt::format("\x1b[1m{}\x1b[0m", stage_) : stage_;
-  if (total_ > 0)
-    text += fmt::format(" {:5.1f} %", 100.0 * static_cast<double>(std::min(done, total_)) / total_);
-  text += fmt::format(", {} points, {} points/s", grouped(done),
-                      grouped(static_cast<std::uint64_t>(r.points_per_second)));
+  if (total_ > 0) text += fmt::format(" {:5.1f} %", 100.0 * static_cast<double>(std::min(done, total_)) / total_);
+  text +=
+      fmt::format(", {} points, {} points/s", grouped(done), grouped(static_cast<std::uint64_t>(r.points_per_second)));
   if (r.eta_seconds >= 0) text += ", " + duration(r.eta_seconds) + " left";
   return text;
 }
@@ -146,8 +145,7 @@ void Progress::end_stage_locked() {
   stage_.clear();
 }
 
-void Progress::unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done,
-                         std::uint64_t total) {
+void Progress::unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total) {
   const std::lock_guard lock(mutex_);
   unit_ = unit;
   event("unit_done", {{"stage", json_quote(stage_)},
@@ -159,8 +157,7 @@ void Progress::unit_done(std::string_view unit, std::uint64_t points, std::uint6
 
 void Progress::unit_skipped(std::string_view unit, std::string_view reason) {
   const std::lock_guard lock(mutex_);
-  event("unit_skipped",
-        {{"stage", json_quote(stage_)}, {"unit", json_quote(unit)}, {"msg", json_quote(reason)}});
+  event("unit_skipped", {{"stage", json_quote(stage_)}, {"unit", json_quote(unit)}, {"msg", json_quote(reason)}});
   line(fmt::format("ilot: {}: skipped: {}", unit, reason), Verbosity::quiet);
 }
 

@@ -17,8 +17,8 @@ enum class Verbosity { quiet, normal, verbose };
 
 struct ProgressOptions {
   Verbosity verbosity = Verbosity::normal;
-  bool live = false;    // a terminal: one line rewritten in place; else a line every 10 s
-  bool colour = false;  // the stage's name in bold
+  bool live = false;                              // a terminal: one line rewritten in place; else a line every 10 s
+  bool colour = false;                            // the stage's name in bold
   std::function<void(std::string_view)> console;  // text for people, newlines included; empty = silent
   std::function<void(std::string_view)> events;   // one JSON object and a newline; empty = none
   std::function<double()> clock;                  // monotonic seconds; empty = the steady clock

@@ -59,8 +59,7 @@ Json skipped_json(const RunRecord& record) {
 
 Json chosen_json(const RunRecord& record) {
   Json list = Json::array();
-  for (const ChosenRecord& c : record.chosen)
-    list.push_back({{"key", c.key}, {"value", c.value}, {"why", c.why}});
+  for (const ChosenRecord& c : record.chosen) list.push_back({{"key", c.key}, {"value", c.value}, {"why", c.why}});
   return list;
 }
 

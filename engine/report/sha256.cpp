@@ -64,8 +64,7 @@ void add_file(Sha256& sum, const fs::path& folder, const std::string& name, std:
 
 }  // namespace
 
-Sha256::Sha256()
-    : context_(EVP_MD_CTX_new(), [](void* held) { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(held)); }) {
+Sha256::Sha256() : context_(EVP_MD_CTX_new(), [](void* held) { EVP_MD_CTX_free(static_cast<EVP_MD_CTX*>(held)); }) {
   if (!context_ || EVP_DigestInit_ex(context_of(context_), EVP_sha256(), nullptr) != 1) {
     throw Error("SHA-256 is not available: check the installation of OpenSSL");
   }
@@ -78,8 +77,7 @@ void Sha256::update(std::span<const std::byte> bytes) {
 std::string Sha256::hex() {
   unsigned char digest[32];
   unsigned int size = 0;
-  if (EVP_DigestFinal_ex(context_of(context_), digest, &size) != 1 || size != 32)
-    throw Error("SHA-256 failed");
+  if (EVP_DigestFinal_ex(context_of(context_), digest, &size) != 1 || size != 32) throw Error("SHA-256 failed");
   std::string text;
   for (unsigned char byte : digest) {
     text += "0123456789abcdef"[byte >> 4];

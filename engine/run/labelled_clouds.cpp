@@ -78,7 +78,8 @@ void collect_labels(const Store& store, const std::vector<BlockRows>& blocks, In
     if (block.samples.front() >= end || block.last < first) continue;
     const auto lower = std::upper_bound(block.samples.begin(), block.samples.end(), first);
     const auto upper = std::lower_bound(block.samples.begin(), block.samples.end(), end);
-    const auto from = static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
+    const auto from =
+        static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
     const auto to = std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample);
     orders.resize(to - from);
     rows.resize(to - from);

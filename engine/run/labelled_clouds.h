@@ -24,8 +24,8 @@ struct LabelParams {
 // Sorts the labels of each block by input order ("rows"), so that a stretch of an input finds its own in a few reads.
 void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
 
-// Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the number of
-// points with a label.
+// Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the
+// number of points with a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);

@@ -23,8 +23,7 @@ constexpr std::size_t kMostPerWindow = 8192;
 using Visit = std::function<void(const std::byte* row)>;
 
 // Calls visit for each valid row; returns the number of the others.
-std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance,
-                           const Visit& visit) {
+std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance, const Visit& visit) {
   const std::size_t length = reader.info().layout.record_length;
   const std::size_t most = std::clamp<std::size_t>(kRowBytes / length, 1, kRows);
   std::vector<std::byte> rows(most * length);
@@ -33,8 +32,7 @@ std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::ui
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted", ExitCode::interrupted);
     const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(most, reader.info().points - first));
-    const std::size_t got =
-        reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
+    const std::size_t got = reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     for (std::size_t i = 0; i < got; ++i) {
       if (valid[i] != 0) visit(&rows[i * length]);
       if (valid[i] == 0) ++rejected;
@@ -47,9 +45,7 @@ std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::ui
 }
 
 Vec3 world(const RecordLayout& layout, const std::byte* row) {
-  const auto axis = [&](std::size_t i) {
-    return load<std::int32_t>(row + 4 * i) * layout.scale[i] + layout.offset[i];
-  };
+  const auto axis = [&](std::size_t i) { return load<std::int32_t>(row + 4 * i) * layout.scale[i] + layout.offset[i]; };
   return {axis(0), axis(1), axis(2)};
 }
 
@@ -165,8 +161,7 @@ CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::ui
   for_each_row(reader, advance, [&](const std::byte* row) {
     const Vec3 p = world(info.layout, row);
     occupied[cells.cell(p)] = true;
-    chosen.add(windows.cell(p),
-               {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
+    chosen.add(windows.cell(p), {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
   });
   const auto full = static_cast<double>(std::count(occupied.begin(), occupied.end(), true));
   m.occupied_area = full * cells.side * cells.side * metres * metres;

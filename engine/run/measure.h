@@ -10,12 +10,11 @@
 namespace ilot {
 
 struct CloudMeasure {
-  std::uint64_t points = 0;    // valid ones; 0: the rest is zero
-  std::uint64_t rejected = 0;  // coordinates not finite or out of range
-  std::uint64_t last_returns =
-      0;                          // points that are the last echo of their pulse, or say nothing about echoes
-  std::uint64_t with_colour = 0;  // points with any colour channel above 0
-  Vec3 min, max;                  // of the valid points, in the units of the CRS
+  std::uint64_t points = 0;        // valid ones; 0: the rest is zero
+  std::uint64_t rejected = 0;      // coordinates not finite or out of range
+  std::uint64_t last_returns = 0;  // points that are the last echo of their pulse, or say nothing about echoes
+  std::uint64_t with_colour = 0;   // points with any colour channel above 0
+  Vec3 min, max;                   // of the valid points, in the units of the CRS
   std::array<std::uint64_t, 256> classes{};  // points per class code
 
   // Horizontal, over the cells (16 points each on average, at most 512 x 512) that hold any point.

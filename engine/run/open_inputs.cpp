@@ -45,8 +45,10 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
     record.warnings.push_back(warning);
   }
   if (info.declared_points > info.points) {
-    skip(info.path, info.path.string() + ": " + std::to_string(info.points) + " of " + std::to_string(info.declared_points) +
-                        " points can be read; these are used", options, progress, record);
+    skip(info.path,
+         info.path.string() + ": " + std::to_string(info.points) + " of " + std::to_string(info.declared_points) +
+             " points can be read; these are used",
+         options, progress, record);
   }
   std::error_code ignored;
   record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points,
@@ -86,8 +88,9 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic)
-    throw Error("the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",
-                ExitCode::usage);
+    throw Error(
+        "the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",
+        ExitCode::usage);
   constexpr double kSameUnit = 1e-4;  // international and US survey feet are
   if (std::abs(inputs.crs.metres_per_unit_z - inputs.crs.metres_per_unit) > kSameUnit * inputs.crs.metres_per_unit)
     throw Error("heights and positions are in different units (" + crs_name(inputs.crs) +

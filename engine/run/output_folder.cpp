@@ -29,8 +29,8 @@ json inputs_json(const RunInputs& inputs) {
     const CloudInfo& info = reader->info();
     std::error_code ignored;
     const auto changed = fs::last_write_time(info.path, ignored).time_since_epoch().count();
-    list.push_back({fs::absolute(info.path).lexically_normal().string(), info.points,
-                    fs::file_size(info.path, ignored), changed});
+    list.push_back(
+        {fs::absolute(info.path).lexically_normal().string(), info.points, fs::file_size(info.path, ignored), changed});
   }
   return list;
 }
@@ -44,9 +44,14 @@ json area_json(const std::optional<Area>& area) {
 json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points) {
   Settings settings = options.settings;
   settings.index.block_points = 0;
-  return {{"version", version()},       {"git_hash", git_hash()},      {"inputs", inputs_json(inputs)},
-          {"settings", json::parse(settings_json(settings))},          {"area", area_json(options.area)},
-          {"products", options.products}, {"crs", options.crs},        {"block_points", block_points}};
+  return {{"version", version()},
+          {"git_hash", git_hash()},
+          {"inputs", inputs_json(inputs)},
+          {"settings", json::parse(settings_json(settings))},
+          {"area", area_json(options.area)},
+          {"products", options.products},
+          {"crs", options.crs},
+          {"block_points", block_points}};
 }
 
 std::string differences(const json& before, const json& now) {
@@ -115,7 +120,8 @@ void check_existing(const fs::path& folder, const RunOptions& options, const Run
     throw Error(folder.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
   for (const auto& reader : inputs.readers)
     if (lies_in(reader->info().path, folder))
-      throw Error(reader->info().path.string() + ": lies in the output folder, whose content would be replaced; give another -o",
+      throw Error(reader->info().path.string() +
+                      ": lies in the output folder, whose content would be replaced; give another -o",
                   ExitCode::usage);
 }
 
@@ -129,7 +135,9 @@ std::optional<json> read_manifest(const fs::path& path) {
   return value;
 }
 
-std::string mebibytes(std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; }
+std::string mebibytes(std::uint64_t bytes) {
+  return std::to_string((bytes >> 20) + 1) + " MiB";
+}
 
 }  // namespace
 
@@ -176,7 +184,8 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
   if (before) {
     if (const std::string names = differences(*before, now); !names.empty())
       throw Error("--resume: not the run that was interrupted; different: " + names +
-                      " (the same command as then goes on, --overwrite starts afresh)", ExitCode::usage);
+                      " (the same command as then goes on, --overwrite starts afresh)",
+                  ExitCode::usage);
     block_points_ = before->value("block_points", block_points_);
   } else {
     clear_store(store_);
@@ -208,7 +217,8 @@ void OutputFolder::check_space(std::uint64_t points, std::uint64_t output_bytes)
   if (written == 0) discard();
   throw Error((one_disk ? path_ : store_).string() + ": the run needs about " + mebibytes(needed) +
               " for its store, of which " + mebibytes(free_store) + " are free, and " + mebibytes(output_bytes) +
-              " for the results, of which " + mebibytes(free_out) + " are free; free some or give --store DIR on another disk");
+              " for the results, of which " + mebibytes(free_out) +
+              " are free; free some or give --store DIR on another disk");
 }
 
 void OutputFolder::publish() const {

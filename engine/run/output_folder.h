@@ -11,8 +11,8 @@ namespace ilot {
 class OutputFolder {
  public:
   // Applies the policy for an existing folder. Starting afresh removes what an earlier run left; resuming checks that
-  // the manifest tells of the same inputs, settings and area, and throws a usage Error that names what differs. So does a
-  // folder, of results or of the store, that holds something else, and an input that lies in the output folder.
+  // the manifest tells of the same inputs, settings and area, and throws a usage Error that names what differs. So does
+  // a folder, of results or of the store, that holds something else, and an input that lies in the output folder.
   OutputFolder(const RunOptions& options, const RunInputs& inputs);
 
   const std::filesystem::path& path() const { return path_; }

@@ -68,10 +68,13 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                std::to_string(median(step)) + " m, noise " + std::to_string(median(noise)) + " m";
   if (!settings.planes.epsilon)
     record.chosen.push_back({"planes.epsilon", median(epsilon),
-                             "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each plane's own stands in "
-                             "planes.csv; " + measured});
+                             "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each "
+                             "plane's own stands in "
+                             "planes.csv; " +
+                                 measured});
   if (!settings.planes.connectivity)
-    record.chosen.push_back({"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
+    record.chosen.push_back(
+        {"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
   if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", kAutoMinPoints, "fixed"});
 }
 

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "engine/model/segment.h"
+#include "engine/pass/context.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
 #include "engine/segments/join_pass.h"
-#include "engine/pass/context.h"
 #include "engine/store/store.h"
 
 namespace ilot {

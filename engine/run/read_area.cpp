@@ -95,8 +95,7 @@ class WktParser {
   Area parse() {
     std::string word = take_word();
     if (word.starts_with("SRID")) {
-      text_.remove_prefix(
-          std::min(text_.size(), text_.find(';') == text_.npos ? text_.size() : text_.find(';') + 1));
+      text_.remove_prefix(std::min(text_.size(), text_.find(';') == text_.npos ? text_.size() : text_.find(';') + 1));
       word = take_word();
     }
     if (word != "POLYGON" && word != "MULTIPOLYGON") {
@@ -170,8 +169,7 @@ Area parse_bounds(std::string_view text) {
     const auto number = take_number(rest);
     if (!number) throw fault(name, "four numbers X0,Y0,X1,Y1 expected, in the units of the CRS");
     v[i] = *number;
-    if (i < 3 && (rest.empty() || rest.front() != ','))
-      throw fault(name, "four numbers X0,Y0,X1,Y1 expected");
+    if (i < 3 && (rest.empty() || rest.front() != ',')) throw fault(name, "four numbers X0,Y0,X1,Y1 expected");
     if (i < 3) rest.remove_prefix(1);
   }
   if (!rest.empty()) throw fault(name, "four numbers X0,Y0,X1,Y1 expected, and nothing after them");

@@ -114,7 +114,8 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
   record.planes = planes.segments.size();
   count_points(index, inputs, labelled, record);
   if (planes.segments.empty())
-    record.skipped.push_back({"product", "planes", "no plane has enough points; see planes.min_points and planes.epsilon"});
+    record.skipped.push_back(
+        {"product", "planes", "no plane has enough points; see planes.min_points and planes.epsilon"});
 }
 
 std::string summary(const RunRecord& record) {
@@ -127,9 +128,9 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, Progress& progre
   const std::uint64_t block_points = affordable_block_points(options, thread_count());
   progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
                 " files into blocks of at most " + grouped(block_points));
-  progress.note("would need about " + std::to_string((inputs.points * 72 >> 20) + 1) + " MiB of disk for the store and " +
-                std::to_string((output_bytes(inputs) >> 20) + 1) + " MiB for the results; free: " +
-                std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
+  progress.note("would need about " + std::to_string((inputs.points * 72 >> 20) + 1) +
+                " MiB of disk for the store and " + std::to_string((output_bytes(inputs) >> 20) + 1) +
+                " MiB for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
   return 0;
 }
 

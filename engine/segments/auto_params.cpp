@@ -55,8 +55,9 @@ PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& 
   p.epsilon = settings.epsilon ? *settings.epsilon / unit_metres
                                : std::max(kLeastUnits, std::min(surface, kMostMetres / unit_metres));
   p.min_cos = cos_degrees(settings.normal_angle);
-  const double connectivity = settings.connectivity ? *settings.connectivity / unit_metres
-                                                    : std::min(kConnectedSteps * sampling.step, static_cast<double>(reach));
+  const double connectivity = settings.connectivity
+                                  ? *settings.connectivity / unit_metres
+                                  : std::min(kConnectedSteps * sampling.step, static_cast<double>(reach));
   p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(connectivity), kLeastReach, kMostReach));
   p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kAutoMinPoints));
   return p;

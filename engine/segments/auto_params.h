@@ -13,7 +13,8 @@ struct Sampling {
   double noise = 0;  // standard deviation of points about their local surface, from the flat part of the unit
 };
 
-// From 512 to 1,023 points (all where there are fewer), evenly spread in their order, and their 16 nearest neighbours. {0, 0} for fewer than 16.
+// From 512 to 1,023 points (all where there are fewer), evenly spread in their order, and their 16 nearest neighbours.
+// {0, 0} for fewer than 16.
 Sampling measure_sampling(const NeighbourIndex& index);
 
 constexpr int kAutoMinPoints = 30;
@@ -21,7 +22,7 @@ constexpr int kAutoMinPoints = 30;
 // Parameters of plane extraction in units of the points.
 struct PlaneParams {
   double epsilon = 0;
-  double min_cos = 0;             // of normal_angle
+  double min_cos = 0;  // of normal_angle
   std::int64_t connectivity = 1;
   std::uint32_t min_points = 3;
 };

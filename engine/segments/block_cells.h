@@ -13,8 +13,8 @@ struct BlockCells {
     std::uint32_t first = 0, count = 0;  // points of the block
     std::uint32_t cell = 0;
   };
-  std::vector<Range> ranges;            // ascending, covering the block
-  std::int64_t widest_connectivity = 1; // of its cells, units
+  std::vector<Range> ranges;             // ascending, covering the block
+  std::int64_t widest_connectivity = 1;  // of its cells, units
 };
 
 inline std::vector<BlockCells> cells_of_blocks(const Store& store, const std::vector<Cell>& cells,

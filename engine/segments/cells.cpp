@@ -14,7 +14,8 @@ constexpr int kMarginShift = 4;  // margin = edge / 16
 
 constexpr std::uint32_t kBatch = 1 << 14;
 
-// Calls visit(position, code, slice, point of the block) for the points of the plan that lie in the box, in global order.
+// Calls visit(position, code, slice, point of the block) for the points of the plan that lie in the box, in global
+// order.
 template <class Visit>
 void for_each_in(const Store& store, const View& plan, const IndexBox& box, const Visit& visit) {
   std::vector<std::uint64_t> codes;
@@ -40,7 +41,8 @@ class NormalsCursor {
     if (slice.block != block_ || point < first_ || point >= first_ + batch_.size()) {
       block_ = slice.block;
       first_ = point;
-      batch_ = store_.read<PackedNormal>(block_, "normals", first_, std::min(kBatch, slice.first + slice.count - point));
+      batch_ =
+          store_.read<PackedNormal>(block_, "normals", first_, std::min(kBatch, slice.first + slice.count - point));
     }
     return batch_[point - first_];
   }
@@ -85,7 +87,8 @@ class Cutter {
       return;
     }
     std::vector<Cell> children(8);
-    for (int octant = 0; octant < 8; ++octant) children[static_cast<std::size_t>(octant)].node = cell.node.child(octant);
+    for (int octant = 0; octant < 8; ++octant)
+      children[static_cast<std::size_t>(octant)].node = cell.node.child(octant);
     for (const CellSlice& s : cell.slices) deal(s, children);
     for (Cell& child : children) cut(std::move(child), cells);
   }
@@ -101,8 +104,7 @@ class Cutter {
     CellSlice rest = s;
     for (std::size_t octant = 0; octant < 8 && rest.count > 0; ++octant) {
       const std::uint32_t end = rest.first + rest.count;
-      const std::uint32_t cut_at =
-          octant == 7 ? end : lower_bound(codes, rest, children[octant + 1].node.first_code);
+      const std::uint32_t cut_at = octant == 7 ? end : lower_bound(codes, rest, children[octant + 1].node.first_code);
       if (cut_at > rest.first) give(children[octant], {s.block, rest.first, cut_at - rest.first});
       rest = {s.block, cut_at, end - cut_at};
     }
@@ -144,15 +146,16 @@ std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit) {
   return cells;
 }
 
-std::int64_t margin_of(const Cell& cell) { return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift); }
+std::int64_t margin_of(const Cell& cell) {
+  return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift);
+}
 
 CellPoints load_cell(const Store& store, const Cell& cell) {
   const IndexBox around = cell.node.box().grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
   std::uint64_t in_margin = 0;
-  for_each_in(store, plan, around, [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) {
-    in_margin += !cell.node.box().contains(p);
-  });
+  for_each_in(store, plan, around,
+              [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) { in_margin += !cell.node.box().contains(p); });
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;

@@ -22,7 +22,7 @@ struct Cell {
   std::vector<CellSlice> slices;  // its points, in global order
 };
 
-constexpr double kCellMetres = 64;                      // largest edge: the power of two of units not above it
+constexpr double kCellMetres = 64;  // largest edge: the power of two of units not above it
 constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 
 // All cells that hold points, in global order.
@@ -35,9 +35,9 @@ std::int64_t margin_of(const Cell& cell);
 // than kCellPoints points is thinned to about that many by a hash of their codes, so a cell never holds more than twice
 // kCellPoints (unless more coincide). Reads in small batches.
 struct CellPoints {
-  std::vector<float> x, y, z;           // padded as Points asks
+  std::vector<float> x, y, z;  // padded as Points asks
   std::vector<PackedNormal> normals;
-  std::vector<std::uint8_t> core;       // 1 = in the cell itself
+  std::vector<std::uint8_t> core;  // 1 = in the cell itself
   std::size_t size = 0;
   Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };

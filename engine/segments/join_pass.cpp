@@ -18,8 +18,8 @@ constexpr int kNearest = 24;
 constexpr std::uint32_t kLeastContacts = 2;
 constexpr double kAgreement = 0.5;  // root mean square of each part from the common plane, in epsilons
 
-// Labelled points near the border of their cell: all those that points which may reach another cell can see. With fewer,
-// the nearest would depend on the widest reach in the block, and so on the blocks.
+// Labelled points near the border of their cell: all those that points which may reach another cell can see. With
+// fewer, the nearest would depend on the widest reach in the block, and so on the blocks.
 struct BorderPoints {
   std::vector<float> x, y, z;
   std::vector<std::uint32_t> segment;  // cell plane
@@ -37,10 +37,11 @@ BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& l
     const Index3 p{static_cast<std::int64_t>(view.x[i]) + view.anchor.x,
                    static_cast<std::int64_t>(view.y[i]) + view.anchor.y,
                    static_cast<std::int64_t>(view.z[i]) + view.anchor.z};
-    const std::int64_t clear = std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y,
-                                         p.z - box.min.z, box.max.z - p.z});
+    const std::int64_t clear = std::min(
+        {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
     if (clear >= 2 * reach) continue;
-    if (clear < reach && i >= own.begin && i < own.end) border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
+    if (clear < reach && i >= own.begin && i < own.end)
+      border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
     border.x.push_back(view.x[i]);
     border.y.push_back(view.y[i]);
     border.z.push_back(view.z[i]);
@@ -109,7 +110,9 @@ struct Group {
   double epsilon = 0;
 };
 
-Index3 minus(Index3 a, Index3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+Index3 minus(Index3 a, Index3 b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
 
 class Joiner {
  public:
@@ -147,7 +150,8 @@ class Joiner {
       if (root == i) {
         const PlaneFit fit = fit_plane(groups_[i].moments);
         if (!fit.unique || groups_[i].moments.n < params_.min_points) continue;
-        r.planes.push_back({anchor(i), fit.plane, groups_[i].epsilon, static_cast<std::uint64_t>(groups_[i].moments.n)});
+        r.planes.push_back(
+            {anchor(i), fit.plane, groups_[i].epsilon, static_cast<std::uint64_t>(groups_[i].moments.n)});
         r.of_segment[i] = static_cast<std::uint32_t>(r.planes.size());
       } else {
         r.of_segment[i] = r.of_segment[root];  // a root stands before its members
@@ -189,7 +193,8 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
     const auto part = read_column<Contact>(store.path(block, "contacts"));
     all.insert(all.end(), part.begin(), part.end());
   }
-  std::sort(all.begin(), all.end(), [](const Contact& a, const Contact& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
+  std::sort(all.begin(), all.end(),
+            [](const Contact& a, const Contact& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
   std::vector<Contact> merged;
   for (const Contact& c : all) {
     const bool same = !merged.empty() && merged.back().a == c.a && merged.back().b == c.b;
@@ -201,7 +206,8 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
 
 JoinedPlanes join_planes(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
                          std::vector<Contact> contacts, const JoinParams& params) {
-  std::stable_sort(contacts.begin(), contacts.end(), [](const Contact& a, const Contact& b) { return a.count > b.count; });
+  std::stable_sort(contacts.begin(), contacts.end(),
+                   [](const Contact& a, const Contact& b) { return a.count > b.count; });
   Joiner joiner(store, cells, planes, params);
   for (const Contact& c : contacts)
     if (c.count >= kLeastContacts) joiner.try_join(c);

@@ -27,13 +27,13 @@ struct JoinedPlane {
 };
 
 struct JoinedPlanes {
-  std::vector<JoinedPlane> planes;       // by their first cell plane, so in global order
-  std::vector<std::uint32_t> of_segment; // per cell plane: 0 = dropped (too small), else 1 + index into planes
+  std::vector<JoinedPlane> planes;        // by their first cell plane, so in global order
+  std::vector<std::uint32_t> of_segment;  // per cell plane: 0 = dropped (too small), else 1 + index into planes
 };
 
 struct JoinParams {
-  double min_cos = 0;              // of the angle between two planes that join
-  std::uint32_t min_points = 3;    // of a joined plane
+  double min_cos = 0;            // of the angle between two planes that join
+  std::uint32_t min_points = 3;  // of a joined plane
 };
 
 // Joins greedily, most contacts first (ties by index): two groups become one when the angle between them is small and

@@ -16,13 +16,13 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 72;
-constexpr int kVoters = 13;            // the point itself and its 12 nearest
-constexpr int kLeastVotes = 2;         // for a plane to be a candidate
-constexpr int kIslandOwnVotes = 2;     // at most so many neighbours share the label of an island
-constexpr int kIslandOtherVotes = 8;   // and at least so many agree on another
-constexpr double kFlat = 1.6;          // curvature of pure noise with twice its deviation, over (noise / step)^2
+constexpr int kVoters = 13;                 // the point itself and its 12 nearest
+constexpr int kLeastVotes = 2;              // for a plane to be a candidate
+constexpr int kIslandOwnVotes = 2;          // at most so many neighbours share the label of an island
+constexpr int kIslandOtherVotes = 8;        // and at least so many agree on another
+constexpr double kFlat = 1.6;               // curvature of pure noise with twice its deviation, over (noise / step)^2
 constexpr double kPartedByNormals = 0.996;  // cosine of 5 degrees: planes that normals can tell apart
-constexpr double kStrictly = 1 - 1e-6; // rounding of coordinates and of float32 stays within epsilon
+constexpr double kStrictly = 1 - 1e-6;      // rounding of coordinates and of float32 stays within epsilon
 
 struct StoredTally {
   std::uint32_t plane = 0;
@@ -109,7 +109,8 @@ class BlockLabels {
 
  private:
   Index3 position(std::uint32_t i) const {
-    return {static_cast<std::int64_t>(view_.x[i]) + view_.anchor.x, static_cast<std::int64_t>(view_.y[i]) + view_.anchor.y,
+    return {static_cast<std::int64_t>(view_.x[i]) + view_.anchor.x,
+            static_cast<std::int64_t>(view_.y[i]) + view_.anchor.y,
             static_cast<std::int64_t>(view_.z[i]) + view_.anchor.z};
   }
 
@@ -142,9 +143,9 @@ class BlockLabels {
   }
 
   // Of two planes that a point is within epsilon of, does it belong to b rather than a? Away from edges (all is flat
-  // around the point: the planes cross inside one of the faces) its normal decides. At an edge normals are mixtures, and
-  // the bisector of the planes decides that parts the neighbours: a ridge, a valley or a step. The nearer plane would not
-  // do: a point that noise lifts above a ridge is nearer to the face on the other side.
+  // around the point: the planes cross inside one of the faces) its normal decides. At an edge normals are mixtures,
+  // and the bisector of the planes decides that parts the neighbours: a ridge, a valley or a step. The nearer plane
+  // would not do: a point that noise lifts above a ridge is nearer to the face on the other side.
   bool beyond(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> neighbours) const {
     if (is_flat(i) && std::abs(dot(joined_.planes[a - 1].plane.n, joined_.planes[b - 1].plane.n)) < kPartedByNormals)
       return agreement(i, b) > agreement(i, a);
@@ -203,8 +204,8 @@ class BlockLabels {
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
   std::vector<PackedNormal> normals_;
-  double flat_ = 0;                    // curvature up to which a neighbourhood of the cell at hand is flat
-  std::vector<std::uint32_t> plane_;   // of the block's own points
+  double flat_ = 0;                   // curvature up to which a neighbourhood of the cell at hand is flat
+  std::vector<std::uint32_t> plane_;  // of the block's own points
 };
 
 void add(PlaneTally& sum, const PlaneTally& t) {

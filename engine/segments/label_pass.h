@@ -15,8 +15,8 @@ struct PlaneTally {
   IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
 };
 
-// Writes "plane" (u32: 0 = none, else 1 + index into the joined planes) of every block, and returns what each plane got.
-// A point's candidates are its own plane and those of at least two of its 12 nearest neighbours within the
+// Writes "plane" (u32: 0 = none, else 1 + index into the joined planes) of every block, and returns what each plane
+// got. A point's candidates are its own plane and those of at least two of its 12 nearest neighbours within the
 // connectivity, all within epsilon of it; between two of them decides the bisector that parts their points. A point
 // alone among points of one other plane goes to that plane if it lies within epsilon. Points of dropped planes and
 // points without one take part like all others. Points that are not wanted get none.

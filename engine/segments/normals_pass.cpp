@@ -60,8 +60,8 @@ std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& 
   for (const Chunk& chunk : chunks) {
     if (nearest.size() == k && chunk.d2 > nearest.front()) break;
     const Block& b = store.blocks()[chunk.block];
-    const auto codes = store.read<std::uint64_t>(chunk.block, "codes", chunk.first,
-                                                 std::min(kChunkPoints, b.points - chunk.first));
+    const auto codes =
+        store.read<std::uint64_t>(chunk.block, "codes", chunk.first, std::min(kChunkPoints, b.points - chunk.first));
     for (const std::uint64_t code : codes) {
       const Index3 q = index_of({b.node.tile, code});
       const std::int64_t dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z;
@@ -175,8 +175,8 @@ class BlockNormals {
   static std::int64_t clearance(const IndexBox& box, const View& v, std::uint32_t i) {
     const Index3 p{static_cast<std::int64_t>(v.x[i]) + v.anchor.x, static_cast<std::int64_t>(v.y[i]) + v.anchor.y,
                    static_cast<std::int64_t>(v.z[i]) + v.anchor.z};
-    return std::min({p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z,
-                     box.max.z - p.z});
+    return std::min(
+        {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
   }
 
   // Where points of the block stand in the view; both lists ascend.

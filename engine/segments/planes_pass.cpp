@@ -84,10 +84,9 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
   const Sampling sampling = measure_sampling(build_neighbour_index(cp.points()));
   const PlaneParams params =
       choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit, margin_of(cell));
-  const RansacPlanes found = ransac_planes(
-      {cp.points(), n.x.data(), n.y.data(), n.z.data()},
-      {params.epsilon, params.min_cos, params.connectivity, params.min_points, settings.planes.probability,
-       content_key(cp, settings.seed)});
+  const RansacPlanes found = ransac_planes({cp.points(), n.x.data(), n.y.data(), n.z.data()},
+                                           {params.epsilon, params.min_cos, params.connectivity, params.min_points,
+                                            settings.planes.probability, content_key(cp, settings.seed)});
   CellResult r = own_part(cp, found);
   r.header = {r.planes.size(), params.connectivity, params.epsilon, sampling.step, sampling.noise, 0};
   return r;
@@ -104,8 +103,12 @@ void write_cell(const Store& store, const Cell& cell, const CellResult& r) {
 void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
   StoredCell header;
   ColumnReader(cell_path(store, cells[cell])).read<StoredCell>(0, std::span(&header, 1));
-  all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()), static_cast<std::uint32_t>(header.planes),
-                     header.connectivity, header.epsilon, header.step, header.noise};
+  all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()),
+                     static_cast<std::uint32_t>(header.planes),
+                     header.connectivity,
+                     header.epsilon,
+                     header.step,
+                     header.noise};
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 

@@ -19,8 +19,8 @@ struct CellSummary {
 };
 
 struct CellPlanes {
-  std::vector<CellSummary> cells;       // as the canonical cells
-  std::vector<std::uint32_t> cell_of;   // per cell plane: its cell
+  std::vector<CellSummary> cells;      // as the canonical cells
+  std::vector<std::uint32_t> cell_of;  // per cell plane: its cell
 };
 
 // Finds the planes of each cell and writes the column "segment" (u32 per point: 0 = none, else 1 + number of the cell

@@ -37,8 +37,7 @@ std::string describe(const toml::node& node) {
 
 // The node as a Value; nullopt when no setting could hold it.
 std::optional<Value> read_value(const toml::node& node) {
-  if (const auto* text = node.as_string())
-    return text->get() == "auto" ? std::optional<Value>(Auto{}) : std::nullopt;
+  if (const auto* text = node.as_string()) return text->get() == "auto" ? std::optional<Value>(Auto{}) : std::nullopt;
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* whole = node.as_integer()) return whole->get();
   if (const auto* number = node.as_floating_point()) return number->get();
@@ -122,8 +121,7 @@ void load_config_text(Settings& settings, std::string_view text, const std::stri
 void load_config(Settings& settings, const std::filesystem::path& path) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (code)
-    throw Error(path.string() + ": cannot read the configuration: " + code.message(), ExitCode::usage);
+  if (code) throw Error(path.string() + ": cannot read the configuration: " + code.message(), ExitCode::usage);
   if (size > kMaxConfigBytes) {
     throw Error(path.string() + ": larger than 1 MiB, so not a configuration of ilot", ExitCode::usage);
   }
@@ -165,8 +163,7 @@ std::string print_config(const Settings& settings) {
     if (group != section) out << "\n[" << group << "]\n";
     section = group;
     out << "# " << comment_of(p, p.get(standard)) << "\n"
-        << (dot == std::string::npos ? p.key : p.key.substr(dot + 1)) << " = " << to_text(p.get(settings))
-        << "\n";
+        << (dot == std::string::npos ? p.key : p.key.substr(dot + 1)) << " = " << to_text(p.get(settings)) << "\n";
   }
   return out.str();
 }
@@ -183,8 +180,7 @@ std::string parameters_markdown() {
   for (const Parameter& p : parameters()) {
     std::string range = p.kind == ValueKind::boolean ? "true or false" : range_text(p);
     if (p.optional) range += ", or `auto`";
-    out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help
-        << " |\n";
+    out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help << " |\n";
   }
   return out.str();
 }

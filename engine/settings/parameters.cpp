@@ -43,9 +43,7 @@ template <>
 struct Field<std::vector<int>> {
   static constexpr bool kOptional = false;
   static constexpr ValueKind kKind = ValueKind::integers;
-  static Value get(const std::vector<int>& field) {
-    return std::vector<std::int64_t>(field.begin(), field.end());
-  }
+  static Value get(const std::vector<int>& field) { return std::vector<std::int64_t>(field.begin(), field.end()); }
   static void set(std::vector<int>& field, const Value& value) {
     const auto& list = std::get<std::vector<std::int64_t>>(value);
     field.clear();
@@ -73,22 +71,19 @@ Parameter make(const char* key, Access access, ValueRange range, const char* uni
 
 std::vector<Parameter> make_table() {
   return {
-      make("seed", ILOT_FIELD(seed), {0, 0x1p53 - 1}, "",
-           "varies the random draws; any value is reproducible"),
+      make("seed", ILOT_FIELD(seed), {0, 0x1p53 - 1}, "", "varies the random draws; any value is reproducible"),
       make("index.block_points", ILOT_FIELD(index.block_points), {256, 0x1p26}, "points",
            "most points in one block of the store; results do not depend on it"),
       make("normals.neighbours", ILOT_FIELD(normals.neighbours), {3, 64}, "points",
            "nearest points that a normal is fitted to"),
       make("normals.max_radius", ILOT_FIELD(normals.max_radius), {0.001, 1000}, "m",
            "neighbours farther away than this are not used"),
-      make("normals.write", ILOT_FIELD(normals.write), {}, "",
-           "write NormalX, NormalY and NormalZ with the points"),
+      make("normals.write", ILOT_FIELD(normals.write), {}, "", "write NormalX, NormalY and NormalZ with the points"),
       make("planes.epsilon", ILOT_FIELD(planes.epsilon), {0.0001, 10}, "m",
            "greatest distance of a labelled point from its plane"),
       make("planes.normal_angle", ILOT_FIELD(planes.normal_angle), {0.1, 90}, "deg",
            "greatest angle between a point's normal and that of its plane"),
-      make("planes.min_points", ILOT_FIELD(planes.min_points), {3, 1e9}, "points",
-           "fewest points of a plane"),
+      make("planes.min_points", ILOT_FIELD(planes.min_points), {3, 1e9}, "points", "fewest points of a plane"),
       make("planes.connectivity", ILOT_FIELD(planes.connectivity), {0.001, 100}, "m",
            "parts of a plane farther apart than this are two planes"),
       make("planes.join_angle", ILOT_FIELD(planes.join_angle), {0, 45}, "deg",
@@ -97,8 +92,7 @@ std::vector<Parameter> make_table() {
            "that the best plane was among those tried"),
       make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
       make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
-      make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "",
-           "class codes of points that no product uses"),
+      make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),
   };
 }
 
@@ -138,8 +132,7 @@ bool in_range(const ValueRange& range, const Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return inside(static_cast<double>(*whole));
   if (const auto* number = std::get_if<double>(&value)) return inside(*number);
   if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) {
-    return std::all_of(list->begin(), list->end(),
-                       [&](std::int64_t v) { return inside(static_cast<double>(v)); });
+    return std::all_of(list->begin(), list->end(), [&](std::int64_t v) { return inside(static_cast<double>(v)); });
   }
   return true;
 }

@@ -11,14 +11,17 @@ constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileBits) - 1;
 constexpr double kFarthest = 0x1p51;
 constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps less than a hundredth of one
 
-std::uint32_t low_bits(std::int64_t v) { return static_cast<std::uint32_t>(v & kTileMask); }
-std::int32_t high_bits(std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); }
+std::uint32_t low_bits(std::int64_t v) {
+  return static_cast<std::uint32_t>(v & kTileMask);
+}
+std::int32_t high_bits(std::int64_t v) {
+  return static_cast<std::int32_t>(v >> kTileBits);
+}
 
 }  // namespace
 
 PointKey key_of(Index3 p) {
-  return {{high_bits(p.x), high_bits(p.y), high_bits(p.z)},
-          morton_code({low_bits(p.x), low_bits(p.y), low_bits(p.z)})};
+  return {{high_bits(p.x), high_bits(p.y), high_bits(p.z)}, morton_code({low_bits(p.x), low_bits(p.y), low_bits(p.z)})};
 }
 
 Index3 corner(Tile tile) {
@@ -37,7 +40,9 @@ Node Node::ancestor(int at_level) const {
   return {tile, at_level, first_code >> shift << shift};
 }
 
-Index3 Node::min_corner() const { return index_of({tile, first_code}); }
+Index3 Node::min_corner() const {
+  return index_of({tile, first_code});
+}
 
 IndexBox Node::box() const {
   const Index3 c = min_corner();

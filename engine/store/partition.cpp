@@ -9,7 +9,9 @@
 namespace ilot {
 namespace {
 
-std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) { return stem += suffix; }
+std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
+  return stem += suffix;
+}
 
 // First position in [range.first, range.end) whose code is not below `code`.
 std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const RunRange& range, std::uint64_t code) {
@@ -38,15 +40,15 @@ class Planner {
       return;
     }
     std::array<PlannedBlock, 8> children;
-    for (int octant = 0; octant < 8; ++octant) children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
+    for (int octant = 0; octant < 8; ++octant)
+      children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
     for (const RunRange& range : block.ranges) {
       const ColumnReader codes(with_suffix(runs_[range.run].stem, ".codes"));
       std::uint64_t first = range.first;
       for (std::size_t octant = 0; octant < 8; ++octant) {
-        const std::uint64_t end =
-            octant == 7 ? range.end
-                        : lower_bound(runs_[range.run], codes, {range.run, first, range.end},
-                                      children[octant + 1].node.first_code);
+        const std::uint64_t end = octant == 7 ? range.end
+                                              : lower_bound(runs_[range.run], codes, {range.run, first, range.end},
+                                                            children[octant + 1].node.first_code);
         if (end > first) {
           children[octant].ranges.push_back({range.run, first, end});
           children[octant].points += end - first;
@@ -99,7 +101,8 @@ IndexBox bounds(std::span<const ChunkBox> chunks, Tile tile) {
       all.min[axis] = std::min(all.min[axis], b.min[axis]);
       all.max[axis] = std::max(all.max[axis], b.max[axis]);
     }
-  return {{c.x + all.min[0], c.y + all.min[1], c.z + all.min[2]}, {c.x + all.max[0], c.y + all.max[1], c.z + all.max[2]}};
+  return {{c.x + all.min[0], c.y + all.min[1], c.z + all.min[2]},
+          {c.x + all.max[0], c.y + all.max[1], c.z + all.max[2]}};
 }
 
 }  // namespace

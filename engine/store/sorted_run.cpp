@@ -35,7 +35,9 @@ class Gatherer {
   Tile last_tile_;
 };
 
-std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) { return stem += suffix; }
+std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
+  return stem += suffix;
+}
 
 template <class T>
 std::vector<T> permuted(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
@@ -101,8 +103,8 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
   std::vector<std::uint8_t> valid(kBatch);
   for (std::uint64_t done = 0; done < source.count;) {
     const std::uint64_t want = std::min(kBatch, source.count - done);
-    const std::size_t got = source.reader.read(source.first + done, std::span(records).first(want * length),
-                                               std::span(valid).first(want));
+    const std::size_t got =
+        source.reader.read(source.first + done, std::span(records).first(want * length), std::span(valid).first(want));
     if (got < want)
       throw Error(info.path.string() + ": point " + std::to_string(source.first + done + got) +
                   " can no longer be read; the file changed during the run");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// First half of the index: each stretch of the inputs becomes a file of points sorted by key. Which stretch a point fell
-// into never shows: blocks merge what all runs hold of an octree node.
+// First half of the index: each stretch of the inputs becomes a file of points sorted by key. Which stretch a point
+// fell into never shows: blocks merge what all runs hold of an octree node.
 #pragma once
 #include <array>
 #include <bitset>
@@ -22,8 +22,8 @@ constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordina
                                                                "outside the area and its surroundings"};
 
 struct IndexFilter {
-  std::bitset<256> noise;         // classes that are left out
-  std::optional<IndexBox> keep;   // lattice box beyond which points are left out
+  std::bitset<256> noise;        // classes that are left out
+  std::optional<IndexBox> keep;  // lattice box beyond which points are left out
 };
 
 // The points of one tile in a run: positions [first, end) of the run's columns.
@@ -43,8 +43,8 @@ struct SortedRun {
 
 struct RunSource {
   PointReader& reader;
-  std::uint32_t file = 0;                // number of the input
-  std::uint64_t first = 0, count = 0;    // rows
+  std::uint32_t file = 0;              // number of the input
+  std::uint64_t first = 0, count = 0;  // rows
 };
 
 // Reads rows and writes stem.*; 64 bytes of memory a row. `read_rows` is told how many rows were read.

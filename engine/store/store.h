@@ -70,8 +70,14 @@ struct ChunkBox {
 // Where a point stood in the inputs: file in the upper 20 bits, row in the lower 44.
 using InputOrder = std::uint64_t;
 constexpr int kRowBits = 44;
-constexpr InputOrder input_order(std::uint64_t file, std::uint64_t row) { return file << kRowBits | row; }
-constexpr std::uint64_t file_of(InputOrder order) { return order >> kRowBits; }
-constexpr std::uint64_t row_of(InputOrder order) { return order & ((InputOrder{1} << kRowBits) - 1); }
+constexpr InputOrder input_order(std::uint64_t file, std::uint64_t row) {
+  return file << kRowBits | row;
+}
+constexpr std::uint64_t file_of(InputOrder order) {
+  return order >> kRowBits;
+}
+constexpr std::uint64_t row_of(InputOrder order) {
+  return order & ((InputOrder{1} << kRowBits) - 1);
+}
 
 }  // namespace ilot

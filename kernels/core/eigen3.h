@@ -13,8 +13,8 @@ struct Symmetric3 {
 };
 
 struct Eigen3 {
-  std::array<double, 3> values{};   // ascending
-  std::array<Vec3, 3> vectors{};    // unit, right-handed up to sign
+  std::array<double, 3> values{};  // ascending
+  std::array<Vec3, 3> vectors{};   // unit, right-handed up to sign
 };
 
 // Cyclic Jacobi rotations to full double precision; about 0.5 microseconds.
@@ -22,8 +22,8 @@ Eigen3 eigen_symmetric(const Symmetric3& m);
 
 struct SmallestEigen {
   double value = 0;
-  Vec3 vector;           // unit
-  bool unique = false;   // false: the direction is undefined (two smallest values equal, or the zero matrix)
+  Vec3 vector;          // unit
+  bool unique = false;  // false: the direction is undefined (two smallest values equal, or the zero matrix)
 };
 
 // The smallest eigenpair of a positive semi-definite matrix: Newton's iteration on the characteristic polynomial from

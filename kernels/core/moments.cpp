@@ -6,7 +6,9 @@
 namespace ilot {
 namespace {
 
-double ratio(Int128 numerator, double denominator) { return static_cast<double>(numerator) / denominator; }
+double ratio(Int128 numerator, double denominator) {
+  return static_cast<double>(numerator) / denominator;
+}
 
 }  // namespace
 

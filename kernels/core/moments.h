@@ -11,8 +11,8 @@ namespace ilot {
 using Int128 = __int128;
 
 // Sums over integer points, exact: the order of adding points, and how they were split among blocks and threads, cannot
-// show. Coordinates are relative to an anchor that the caller keeps; the number of points times the widest coordinate stays
-// below 2^63 (a billion points over a thousand kilometres at a millimetre).
+// show. Coordinates are relative to an anchor that the caller keeps; the number of points times the widest coordinate
+// stays below 2^63 (a billion points over a thousand kilometres at a millimetre).
 struct Moments {
   std::int64_t n = 0;
   Int128 x = 0, y = 0, z = 0;
@@ -30,7 +30,7 @@ Moments moments_of(Points points, std::span<const std::uint32_t> indices);
 // The same points seen from another anchor: every coordinate grows by `by`.
 Moments shifted(const Moments& m, Index3 by);
 
-Vec3 centroid(const Moments& m);        // n > 0
+Vec3 centroid(const Moments& m);          // n > 0
 Symmetric3 covariance(const Moments& m);  // n > 0; about the centroid, divided by n
 
 }  // namespace ilot

@@ -24,8 +24,12 @@ void with_threads(int threads, const std::function<void()>& body) {
   arena.execute(body);
 }
 
-int thread_count() { return tbb::this_task_arena::max_concurrency(); }
+int thread_count() {
+  return tbb::this_task_arena::max_concurrency();
+}
 
-int hardware_threads() { return tbb::info::default_concurrency(); }
+int hardware_threads() {
+  return tbb::info::default_concurrency();
+}
 
 }  // namespace ilot

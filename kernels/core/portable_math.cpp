@@ -40,10 +40,14 @@ double cos_degrees(double degrees) {
   const double rest = (within - 90 * turns) * kRadian;
   const auto quadrant = static_cast<std::int64_t>(turns) & 3;
   switch (quadrant) {
-    case 0: return cos_series(rest);
-    case 1: return -sin_series(rest);
-    case 2: return -cos_series(rest);
-    default: return sin_series(rest);
+    case 0:
+      return cos_series(rest);
+    case 1:
+      return -sin_series(rest);
+    case 2:
+      return -cos_series(rest);
+    default:
+      return sin_series(rest);
   }
 }
 

@@ -21,7 +21,9 @@ struct Binned {
   std::vector<Bin> bins;               // ascending by key
 };
 
-constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) { return z << 42 | y << 21 | x; }
+constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
+  return z << 42 | y << 21 | x;
+}
 
 // The largest cell of which any two integer points lie within the radius: 3 (edge - 1)^2 <= radius^2.
 std::int64_t bin_edge(std::int64_t radius) {
@@ -91,9 +93,8 @@ std::vector<std::int64_t> forward_offsets(std::int64_t edge, std::int64_t radius
         const std::int64_t gap2 = gap(dx) * gap(dx) + gap(dy) * gap(dy) + gap(dz) * gap(dz);
         if (delta > 0 && gap2 <= radius * radius) offsets.push_back({gap2, delta});
       }
-  std::sort(offsets.begin(), offsets.end(), [](const Offset& a, const Offset& b) {
-    return a.gap2 != b.gap2 ? a.gap2 < b.gap2 : a.delta < b.delta;
-  });
+  std::sort(offsets.begin(), offsets.end(),
+            [](const Offset& a, const Offset& b) { return a.gap2 != b.gap2 ? a.gap2 < b.gap2 : a.delta < b.delta; });
   std::vector<std::int64_t> deltas;
   for (const Offset& o : offsets) deltas.push_back(o.delta);
   return deltas;
@@ -102,9 +103,7 @@ std::vector<std::int64_t> forward_offsets(std::int64_t edge, std::int64_t radius
 void join_bins(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned, std::int64_t edge,
                std::int64_t radius, UnionFind& sets) {
   const auto& bins = binned.bins;
-  const auto members = [&](const Bin& b) {
-    return std::span(binned.members).subspan(b.begin, b.end - b.begin);
-  };
+  const auto members = [&](const Bin& b) { return std::span(binned.members).subspan(b.begin, b.end - b.begin); };
   for (const std::int64_t delta : forward_offsets(edge, radius)) {
     // Both sides ascend, so one sweep finds every pair of bins `delta` apart.
     std::size_t j = 0;

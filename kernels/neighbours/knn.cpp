@@ -17,8 +17,8 @@ void knn(const NeighbourIndex& index, std::span<const std::uint32_t> queries, co
   const int levels = static_cast<int>(index.boxes.size());
   assert(levels <= kMaxLevels);
   for (int i = 0; i < levels; ++i) boxes[i] = index.boxes[static_cast<std::size_t>(i)].data();
-  simd::table().knn({index.points.x, index.points.y, index.points.z, static_cast<std::uint32_t>(index.points.size), boxes,
-                     levels, queries.data(), static_cast<std::uint32_t>(queries.size()), params.k, params.max_d2,
+  simd::table().knn({index.points.x, index.points.y, index.points.z, static_cast<std::uint32_t>(index.points.size),
+                     boxes, levels, queries.data(), static_cast<std::uint32_t>(queries.size()), params.k, params.max_d2,
                      neighbours.data(), reach2.data()});
 }
 

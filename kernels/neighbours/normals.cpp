@@ -40,7 +40,9 @@ Vec3 pointing_up(Vec3 v) {
   return down ? -1.0 * v : v;
 }
 
-std::int16_t pack_component(double v) { return static_cast<std::int16_t>(std::nearbyint(v * 32767)); }
+std::int16_t pack_component(double v) {
+  return static_cast<std::int16_t>(std::nearbyint(v * 32767));
+}
 
 PackedNormal normal_of(const Points& p, std::uint32_t query, std::span<const std::uint32_t> neighbours) {
   if (neighbours.size() < 3) return {};
@@ -69,8 +71,8 @@ void normals(const NeighbourIndex& index, std::span<const std::uint32_t> queries
     for (std::size_t i = 0; i < count; ++i) {
       const auto list = batch.subspan(i * k, k);
       const auto end = std::find(list.begin(), list.end(), kNoNeighbour);
-      out[begin + i] = normal_of(index.points, queries[begin + i],
-                                 list.first(static_cast<std::size_t>(end - list.begin())));
+      out[begin + i] =
+          normal_of(index.points, queries[begin + i], list.first(static_cast<std::size_t>(end - list.begin())));
     }
   }
 }

@@ -13,8 +13,8 @@ struct NormalsParams {
 };
 
 // A normal and the flatness of its neighbourhood, 8 bytes. Unit vector scaled to 32767 and rounded (0.002 degrees),
-// pointing up (z > 0, or z = 0 and y > 0, or x > 0); all zero = none. curvature = l0 / (l0 + l1 + l2) scaled so that its
-// greatest value, 1/3, is 65535.
+// pointing up (z > 0, or z = 0 and y > 0, or x > 0); all zero = none. curvature = l0 / (l0 + l1 + l2) scaled so that
+// its greatest value, 1/3, is 65535.
 struct PackedNormal {
   std::int16_t x = 0, y = 0, z = 0;
   std::uint16_t curvature = 0;

@@ -25,6 +25,8 @@ double rms_to_plane(const Moments& m, const Plane& plane) {
   return std::sqrt(std::max(0.0, spread) + offset * offset);
 }
 
-Plane shifted(const Plane& plane, Vec3 by) { return {plane.n, plane.d - dot(plane.n, by)}; }
+Plane shifted(const Plane& plane, Vec3 by) {
+  return {plane.n, plane.d - dot(plane.n, by)};
+}
 
 }  // namespace ilot

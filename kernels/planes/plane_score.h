@@ -24,9 +24,9 @@ struct PlaneScoreParams {
   float min_cos = 0;       // |normal . plane normal| at least this; ignored without normals
 };
 
-// counts[i] = points within max_distance of hypotheses[i] whose normal agrees, judged in float32. counts has the size of
-// hypotheses. Many hypotheses at once are several times faster per plane than one: the points are read once per block.
-// O(points x planes), no allocation. Same counts for every instruction set.
+// counts[i] = points within max_distance of hypotheses[i] whose normal agrees, judged in float32. counts has the size
+// of hypotheses. Many hypotheses at once are several times faster per plane than one: the points are read once per
+// block. O(points x planes), no allocation. Same counts for every instruction set.
 void count_inliers(const OrientedPoints& points, std::span<const PlaneHypothesis> hypotheses,
                    const PlaneScoreParams& params, std::span<std::uint32_t> counts);
 

@@ -14,15 +14,15 @@
 namespace ilot {
 namespace {
 
-constexpr int kFirstWindow = 16;     // points; doubled for each of the levels
-constexpr int kLevels = 7;           // windows of 16 to 1,024 points
-constexpr double kLocality = 4;      // a window around a point of a plane is half that plane's: (1/2)^2 for two more
-constexpr std::size_t kBatch = 64;   // hypotheses scored together
+constexpr int kFirstWindow = 16;    // points; doubled for each of the levels
+constexpr int kLevels = 7;          // windows of 16 to 1,024 points
+constexpr double kLocality = 4;     // a window around a point of a plane is half that plane's: (1/2)^2 for two more
+constexpr std::size_t kBatch = 64;  // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
-constexpr std::size_t kPool = 512;   // candidates kept between planes
-constexpr std::size_t kSample = 1 << 14;  // points that candidates are scored on while more remain
+constexpr std::size_t kPool = 512;           // candidates kept between planes
+constexpr std::size_t kSample = 1 << 14;     // points that candidates are scored on while more remain
 constexpr int kRefinements = 10;
-constexpr double kExplained = 0.5;   // share of a set within epsilon of an earlier plane that makes it a fringe
+constexpr double kExplained = 0.5;  // share of a set within epsilon of an earlier plane that makes it a fringe
 
 // The points still without a plane, compact and in their given order.
 struct Remaining {
@@ -44,9 +44,7 @@ struct Remaining {
     constexpr std::size_t kPadding = 16;
     for (auto* v : {&x, &y, &z, &nx, &ny, &nz}) v->resize(size + kPadding, 0.0f);
   }
-  OrientedPoints view() const {
-    return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()};
-  }
+  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
   Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
 };
@@ -215,7 +213,8 @@ class Search {
       }
     }
     draw_count_ += made;
-    expected_hits_per_point_ += static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
+    expected_hits_per_point_ +=
+        static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
     pool_.counts.resize(pool_.planes.size());
     count_inliers(sample_.view(), std::span(pool_.planes).subspan(before), score_params(),
                   std::span(pool_.counts).subspan(before));

@@ -10,14 +10,30 @@ namespace ilot::simd::avx2 {
 struct F8 {
   __m256 v;
 };
-inline F8 load8(const float* p) { return {_mm256_loadu_ps(p)}; }
-inline void store8(float* p, F8 a) { _mm256_storeu_ps(p, a.v); }
-inline F8 splat(float v) { return {_mm256_set1_ps(v)}; }
-inline F8 operator+(F8 a, F8 b) { return {_mm256_add_ps(a.v, b.v)}; }
-inline F8 operator-(F8 a, F8 b) { return {_mm256_sub_ps(a.v, b.v)}; }
-inline F8 operator*(F8 a, F8 b) { return {_mm256_mul_ps(a.v, b.v)}; }
-inline F8 max8(F8 a, F8 b) { return {_mm256_max_ps(a.v, b.v)}; }
-inline F8 abs8(F8 a) { return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)}; }
+inline F8 load8(const float* p) {
+  return {_mm256_loadu_ps(p)};
+}
+inline void store8(float* p, F8 a) {
+  _mm256_storeu_ps(p, a.v);
+}
+inline F8 splat(float v) {
+  return {_mm256_set1_ps(v)};
+}
+inline F8 operator+(F8 a, F8 b) {
+  return {_mm256_add_ps(a.v, b.v)};
+}
+inline F8 operator-(F8 a, F8 b) {
+  return {_mm256_sub_ps(a.v, b.v)};
+}
+inline F8 operator*(F8 a, F8 b) {
+  return {_mm256_mul_ps(a.v, b.v)};
+}
+inline F8 max8(F8 a, F8 b) {
+  return {_mm256_max_ps(a.v, b.v)};
+}
+inline F8 abs8(F8 a) {
+  return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
+}
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
@@ -48,7 +64,9 @@ inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::u
 struct Count8 {
   __m256i v;
 };
-inline Count8 zero_count() { return {_mm256_setzero_si256()}; }
+inline Count8 zero_count() {
+  return {_mm256_setzero_si256()};
+}
 inline void count_le(Count8& c, F8 a, F8 b) {
   c.v = _mm256_sub_epi32(c.v, _mm256_castps_si256(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }

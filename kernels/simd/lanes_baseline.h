@@ -11,16 +11,28 @@ namespace ilot::simd::baseline {
 struct F8 {
   __m128 lo, hi;
 };
-inline F8 load8(const float* p) { return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)}; }
+inline F8 load8(const float* p) {
+  return {_mm_loadu_ps(p), _mm_loadu_ps(p + 4)};
+}
 inline void store8(float* p, F8 a) {
   _mm_storeu_ps(p, a.lo);
   _mm_storeu_ps(p + 4, a.hi);
 }
-inline F8 splat(float v) { return {_mm_set1_ps(v), _mm_set1_ps(v)}; }
-inline F8 operator+(F8 a, F8 b) { return {_mm_add_ps(a.lo, b.lo), _mm_add_ps(a.hi, b.hi)}; }
-inline F8 operator-(F8 a, F8 b) { return {_mm_sub_ps(a.lo, b.lo), _mm_sub_ps(a.hi, b.hi)}; }
-inline F8 operator*(F8 a, F8 b) { return {_mm_mul_ps(a.lo, b.lo), _mm_mul_ps(a.hi, b.hi)}; }
-inline F8 max8(F8 a, F8 b) { return {_mm_max_ps(a.lo, b.lo), _mm_max_ps(a.hi, b.hi)}; }
+inline F8 splat(float v) {
+  return {_mm_set1_ps(v), _mm_set1_ps(v)};
+}
+inline F8 operator+(F8 a, F8 b) {
+  return {_mm_add_ps(a.lo, b.lo), _mm_add_ps(a.hi, b.hi)};
+}
+inline F8 operator-(F8 a, F8 b) {
+  return {_mm_sub_ps(a.lo, b.lo), _mm_sub_ps(a.hi, b.hi)};
+}
+inline F8 operator*(F8 a, F8 b) {
+  return {_mm_mul_ps(a.lo, b.lo), _mm_mul_ps(a.hi, b.hi)};
+}
+inline F8 max8(F8 a, F8 b) {
+  return {_mm_max_ps(a.lo, b.lo), _mm_max_ps(a.hi, b.hi)};
+}
 inline F8 abs8(F8 a) {
   const __m128 sign = _mm_set1_ps(-0.0f);
   return {_mm_andnot_ps(sign, a.lo), _mm_andnot_ps(sign, a.hi)};
@@ -49,7 +61,9 @@ inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::u
 struct Count8 {
   __m128i lo, hi;
 };
-inline Count8 zero_count() { return {_mm_setzero_si128(), _mm_setzero_si128()}; }
+inline Count8 zero_count() {
+  return {_mm_setzero_si128(), _mm_setzero_si128()};
+}
 inline void count_le(Count8& c, F8 a, F8 b) {
   c.lo = _mm_sub_epi32(c.lo, _mm_castps_si128(_mm_cmple_ps(a.lo, b.lo)));
   c.hi = _mm_sub_epi32(c.hi, _mm_castps_si128(_mm_cmple_ps(a.hi, b.hi)));
@@ -128,14 +142,18 @@ inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::u
 struct Count8 {
   std::uint32_t n;
 };
-inline Count8 zero_count() { return {0}; }
+inline Count8 zero_count() {
+  return {0};
+}
 inline void count_le(Count8& c, F8 a, F8 b) {
   for (int i = 0; i < 8; ++i) c.n += a.v[i] <= b.v[i];
 }
 inline void count_both_le(Count8& c, F8 a, F8 b, F8 e, F8 f) {
   for (int i = 0; i < 8; ++i) c.n += (a.v[i] <= b.v[i]) & (e.v[i] <= f.v[i]);
 }
-inline std::uint32_t total(Count8 c) { return c.n; }
+inline std::uint32_t total(Count8 c) {
+  return c.n;
+}
 
 }  // namespace ilot::simd::baseline
 #endif

@@ -24,8 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const auto reader = open_laz(std::move(input), std::move(container));
     std::vector<std::byte> records(100 * std::size_t{reader->info().layout.record_length});
     std::vector<std::uint8_t> valid(100);
-    for (std::uint64_t first = 0; first < reader->info().points; first += 90)
-      reader->read(first, records, valid);
+    for (std::uint64_t first = 0; first < reader->info().points; first += 90) reader->read(first, records, valid);
   } catch (const Error&) {
   }
   return 0;

@@ -45,7 +45,9 @@ class CloudStore {
  public:
   explicit CloudStore(const std::vector<Index3>& points, const StoreOptions& options = {}) {
     for (std::size_t f = 0; f < options.files; ++f) {
-      const auto at = [&](std::size_t n) { return points.begin() + static_cast<std::ptrdiff_t>(points.size() * n / options.files); };
+      const auto at = [&](std::size_t n) {
+        return points.begin() + static_cast<std::ptrdiff_t>(points.size() * n / options.files);
+      };
       const auto path = folder_.path() / ("cloud" + std::to_string(f) + ".las");
       write_cloud(path, {at(f), at(f + 1)});
       inputs_.push_back(open_cloud(path));
@@ -100,10 +102,18 @@ inline std::vector<Index3> points_over_tiles(std::size_t n, std::uint64_t key) {
   std::vector<Index3> points;
   for (std::size_t i = 0; i < n; ++i) {
     switch (rng.below(4)) {
-      case 0: points.push_back({within(3000000), within(3000000), within(50000)}); break;
-      case 1: points.push_back({within(150), within(150), within(150)}); break;
-      case 2: points.push_back({2500000 + within(20000), -40000 + within(20000), within(10)}); break;
-      default: points.push_back({-1234567, 7654, -1}); break;
+      case 0:
+        points.push_back({within(3000000), within(3000000), within(50000)});
+        break;
+      case 1:
+        points.push_back({within(150), within(150), within(150)});
+        break;
+      case 2:
+        points.push_back({2500000 + within(20000), -40000 + within(20000), within(10)});
+        break;
+      default:
+        points.push_back({-1234567, 7654, -1});
+        break;
     }
   }
   return points;

@@ -20,10 +20,10 @@ struct E57Field {
 struct E57Scan {
   std::string name, xml;  // xml: pose, limits
   std::vector<E57Field> fields;
-  std::size_t piece = 600;    // bytes of each stream in a packet
-  bool uneven = false;        // pieces of different lengths, so that streams run ahead of each other
-  bool other_packets = false; // index and empty packets in between
-  std::uint64_t records = 0;  // 0: as many as stored
+  std::size_t piece = 600;     // bytes of each stream in a packet
+  bool uneven = false;         // pieces of different lengths, so that streams run ahead of each other
+  bool other_packets = false;  // index and empty packets in between
+  std::uint64_t records = 0;   // 0: as many as stored
 };
 
 inline E57Field single_field(const std::string& name, const std::vector<double>& values) {
@@ -77,8 +77,8 @@ class E57Writer {
     logical_ += body;
     const std::uint64_t records = scan.records ? scan.records : scan.fields[0].stored.size();
     child_ = "<vectorChild type=\"Structure\"><name type=\"String\"><![CDATA[" + scan.name + "]]></name>" + scan.xml +
-            "<points type=\"CompressedVector\" fileOffset=\"" + std::to_string(physical(start)) +
-            "\" recordCount=\"" + std::to_string(records) + "\"><prototype type=\"Structure\">";
+             "<points type=\"CompressedVector\" fileOffset=\"" + std::to_string(physical(start)) + "\" recordCount=\"" +
+             std::to_string(records) + "\"><prototype type=\"Structure\">";
     for (const E57Field& field : scan.fields) child_ += "<" + field.name + " " + field.xml + "/>";
     child_ += "</prototype><codecs type=\"Vector\"/></points></vectorChild>";
     xml_ += child_;

@@ -36,9 +36,7 @@ class OrientedSetBuilder {
  public:
   explicit OrientedSetBuilder(std::uint64_t key) : rng_(key) {}
 
-  void add(Vec3 p, Vec3 n) {
-    points_.push_back({p, n});
-  }
+  void add(Vec3 p, Vec3 n) { points_.push_back({p, n}); }
   // Normals lean by up to `lean` (tangent of an angle) in either direction.
   void add(const Patch& patch, double lean = 0) {
     for (int i = 0; i < patch.columns; ++i)

@@ -10,7 +10,8 @@
 namespace ilot::test {
 
 struct PlaneStore {
-  explicit PlaneStore(const std::vector<Index3>& points, const StoreOptions& options = {}, const Settings& settings = {})
+  explicit PlaneStore(const std::vector<Index3>& points, const StoreOptions& options = {},
+                      const Settings& settings = {})
       : cloud(points, options) {
     const Store& s = cloud.store();
     normals_pass(s, settings.normals, {});
@@ -28,7 +29,8 @@ struct PlaneStore {
 
 // Height above the origin of a surface over columns x rows points, `step` apart from (x, y) on, with noise.
 template <class Height>
-void add_surface(std::vector<Index3>& points, Index3 from, Index3 size, std::int64_t step, double noise, Height height) {
+void add_surface(std::vector<Index3>& points, Index3 from, Index3 size, std::int64_t step, double noise,
+                 Height height) {
   Rng rng(static_cast<std::uint64_t>(from.x * 31 + from.y));
   for (std::int64_t x = from.x; x < from.x + size.x; x += step)
     for (std::int64_t y = from.y; y < from.y + size.y; y += step) {

@@ -45,8 +45,7 @@ Copied copy_points(PointReader& reader, PointWriter& writer, Progress& progress)
   for (std::uint64_t first = 0; first < reader.info().points;) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
     const auto asked = static_cast<std::size_t>(std::min<std::uint64_t>(most, reader.info().points - first));
-    const std::size_t got =
-        reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
+    const std::size_t got = reader.read(first, std::span(rows).first(asked * length), std::span(valid).first(asked));
     const std::size_t kept = keep_valid(rows, std::span(valid).first(got), length);
     writer.write(std::span(rows).first(kept * length));
     copied.written += kept;
@@ -113,8 +112,8 @@ int convert_command(const ConvertArguments& given) {
   }
   const std::uint64_t missing = std::max(info.declared_points, info.points) - copied.written;
   if (missing == 0) return static_cast<int>(ExitCode::ok);
-  progress.warn(fmt::format("{}: {} of {} points left out, {} of them for unusable coordinates", given.input,
-                            missing, missing + copied.written, copied.rejected));
+  progress.warn(fmt::format("{}: {} of {} points left out, {} of them for unusable coordinates", given.input, missing,
+                            missing + copied.written, copied.rejected));
   return static_cast<int>(ExitCode::incomplete);
 }
 
@@ -124,8 +123,7 @@ void add_convert_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("convert", "Copies a point cloud into another format, by extension");
   auto given = std::make_shared<ConvertArguments>();
   command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
-  command->add_option("OUTPUT", given->output, "the file to write; its extension names the format")
-      ->option_text(" ");
+  command->add_option("OUTPUT", given->output, "the file to write; its extension names the format")->option_text(" ");
   command->add_flag("--overwrite", given->overwrite, "replace OUTPUT [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot convert district.las district.ply");

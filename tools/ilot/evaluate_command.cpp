@@ -39,8 +39,8 @@ struct Labels {
 const ExtraField& require_field(const CloudInfo& info, const std::string& name, FieldType type) {
   for (const ExtraField& field : info.layout.extra)
     if (field.name == name && field.type == type) return field;
-  throw Error(fmt::format("{}: no extra bytes '{}' of the type {}; give a cloud that carries them",
-                          info.path.string(), name, type == FieldType::u8 ? "u8" : "u32"));
+  throw Error(fmt::format("{}: no extra bytes '{}' of the type {}; give a cloud that carries them", info.path.string(),
+                          name, type == FieldType::u8 ? "u8" : "u32"));
 }
 
 Labels read_labels(const EvaluateArguments& options) {
@@ -75,12 +75,10 @@ Labels read_labels(const EvaluateArguments& options) {
 std::string report_text(const PlaneMatching& m, const FoundPlane* worst, std::uint64_t impure) {
   std::string text = fmt::format("planes   true {}  found {}  matched {}  over {}  under {}  missed {}\n",
                                  m.true_planes, m.found_planes, m.matches.size(), m.over, m.under, m.missed);
-  text += fmt::format("points   {:.3f} % of {} points of true planes carry their plane\n", 100 * m.share(),
-                      m.points);
+  text += fmt::format("points   {:.3f} % of {} points of true planes carry their plane\n", 100 * m.share(), m.points);
   if (worst)
-    text +=
-        fmt::format("foreign  at most {:.3f} % (plane {} with {} points); {} found planes above {:.0f} %\n",
-                    100 * worst->foreign_share(), worst->id, worst->points, impure, 100 * kForeignLimit);
+    text += fmt::format("foreign  at most {:.3f} % (plane {} with {} points); {} found planes above {:.0f} %\n",
+                        100 * worst->foreign_share(), worst->id, worst->points, impure, 100 * kForeignLimit);
   return text;
 }
 
@@ -109,9 +107,9 @@ int evaluate_command(const EvaluateArguments& options) {
              labels.points_of.at(plane) >= options.min_points;
     };
   const PlaneMatching matching = match_planes(labels.pairs.sorted(), judged);
-  const auto worst =
-      std::max_element(matching.found.begin(), matching.found.end(),
-                       [](const auto& a, const auto& b) { return a.foreign_share() < b.foreign_share(); });
+  const auto worst = std::max_element(matching.found.begin(), matching.found.end(), [](const auto& a, const auto& b) {
+    return a.foreign_share() < b.foreign_share();
+  });
   const FoundPlane* worst_plane = worst == matching.found.end() ? nullptr : &*worst;
   const auto impure = static_cast<std::uint64_t>(
       std::count_if(matching.found.begin(), matching.found.end(),

@@ -79,8 +79,7 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
          {"crs", crs_json(info.crs)}};
   j["extra_bytes"] = Json::array();
   for (const ExtraField& field : info.layout.extra) {
-    j["extra_bytes"].push_back(
-        {{"name", field.name}, {"description", field.description}, {"bytes", field.size}});
+    j["extra_bytes"].push_back({{"name", field.name}, {"description", field.description}, {"bytes", field.size}});
   }
   j["points"] = {{"declared", info.declared_points}, {"read", m.points}, {"rejected", m.rejected}};
   j["bounds"] = {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}};
@@ -120,13 +119,13 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   };
   const bool las = !info.header.empty();
   const std::string version = las ? fmt::format(" {}.{}", info.version_major, info.version_minor) : "";
-  row("format", fmt::format("{}{}, point format {}, {} bytes per point", info.format, version,
-                            info.layout.point_format, info.layout.record_length));
+  row("format", fmt::format("{}{}, point format {}, {} bytes per point", info.format, version, info.layout.point_format,
+                            info.layout.record_length));
   for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
   row("CRS", crs_text(info.crs));
   row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
-  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z,
-                            m.max.x, m.max.y, m.max.z));
+  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z, m.max.x, m.max.y,
+                            m.max.z));
   for (std::size_t code = 0; code < m.classes.size(); ++code) {
     if (m.classes[code] == 0) continue;
     const double share = 100.0 * static_cast<double>(m.classes[code]) / static_cast<double>(m.points);

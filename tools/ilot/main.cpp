@@ -34,9 +34,11 @@ void install_signal_handlers() {
 
 std::string version_text(bool json) {
   if (!json) return "ilot " + version() + " (" + git_hash() + ")\n";
-  nlohmann::ordered_json all{
-      {"version", version()}, {"git_hash", git_hash()}, {"compiler", compiler()}, {"build_type", build_type()},
-      {"isa", simd::table().name}};
+  nlohmann::ordered_json all{{"version", version()},
+                             {"git_hash", git_hash()},
+                             {"compiler", compiler()},
+                             {"build_type", build_type()},
+                             {"isa", simd::table().name}};
   for (const auto& [name, number] : library_versions()) all["libraries"][name] = number;
   return all.dump(2) + "\n";
 }
@@ -54,8 +56,9 @@ int run_command_line(int argc, char** argv) {
   auto* version_flag = app.add_flag("--version", show_version, "show version and git hash");
   app.add_flag("--json", json, "with --version: all of the build as JSON")->needs(version_flag);
   app.require_subcommand(0, 1);
-  app.footer("Exit codes: 0 done, 1 failed, 2 usage, 3 done but something was skipped, 130 interrupted.\n"
-             "Example: ilot run city.las -o out\n");
+  app.footer(
+      "Exit codes: 0 done, 1 failed, 2 usage, 3 done but something was skipped, 130 interrupted.\n"
+      "Example: ilot run city.las -o out\n");
   Action action;
   add_run_command(app, action);
   add_info_command(app, action);

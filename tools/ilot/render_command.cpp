@@ -38,8 +38,7 @@ void add_render_command(CLI::App& app, Action& action) {
   auto given = std::make_shared<RenderArguments>();
   command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
   command->add_option("-o,--output", given->output, "picture to write (PNG) [none]")->option_text("FILE");
-  command
-      ->add_option("--by", given->options.by, "class, height, intensity, rgb or an extra-byte field [class]")
+  command->add_option("--by", given->options.by, "class, height, intensity, rgb or an extra-byte field [class]")
       ->option_text("WHAT");
   command->add_option("--view", given->view, "top, oblique or side [top]")
       ->option_text("VIEW")

@@ -34,8 +34,7 @@ Settings settings_of(const RunArguments& given) {
   if (given.block_points > 0) {
     const Parameter& parameter = *find_parameter("index.block_points");
     const Value value = static_cast<std::int64_t>(std::min(given.block_points, std::uint64_t{1} << 62));
-    if (auto problem = check_value(parameter, value))
-      throw Error("--block-points: " + *problem, ExitCode::usage);
+    if (auto problem = check_value(parameter, value)) throw Error("--block-points: " + *problem, ExitCode::usage);
     parameter.set(settings, value);
   }
   return settings;
@@ -58,8 +57,7 @@ RunOptions options_of(const RunArguments& given) {
   options.settings = settings_of(given);
   options.products = products_of(given);
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
-  if (given.output.empty())
-    throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
+  if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
   options.memory_bytes = parse_bytes("--memory", given.memory);
   if (options.memory_bytes < kLeastMemory) throw Error("--memory: at least 96M is needed", ExitCode::usage);
@@ -83,16 +81,14 @@ int run_command(const RunArguments& given) {
     return 0;
   }
   const RunOptions options = options_of(given);
-  const Verbosity verbosity =
-      given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
+  const Verbosity verbosity = given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
   ConsoleProgress progress(verbosity, given.log);
   return run(options, progress.get());
 }
 
 void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
-  command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")
-      ->option_text("OUT");
+  command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")->option_text("OUT");
   command.add_option("--products", given.products, "what to make, comma separated: planes [planes]")
       ->delimiter(',')
       ->allow_extra_args(false)
@@ -102,11 +98,10 @@ void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("--set", given.assignments, "one setting, after --config; repeatable [none]")
       ->allow_extra_args(false)
       ->option_text("KEY=VALUE");
-  auto* bounds = command.add_option("--bounds", given.bounds,
-                                    "products in this box only, units of the CRS [everything]");
+  auto* bounds =
+      command.add_option("--bounds", given.bounds, "products in this box only, units of the CRS [everything]");
   bounds->option_text("X0,Y0,X1,Y1");
-  command
-      .add_option("--within", given.within, "products in these polygons only, GeoJSON or WKT [everything]")
+  command.add_option("--within", given.within, "products in these polygons only, GeoJSON or WKT [everything]")
       ->excludes(bounds)
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
@@ -118,9 +113,7 @@ void add_machine_options(CLI::App& command, RunArguments& given) {
   command.add_option("--threads", given.threads, "1 to 1024 threads [all]")
       ->check(CLI::Range(1, 1024))
       ->option_text("N");
-  command
-      .add_option("--block-points", given.block_points,
-                  "256 to 67108864 points per block of the store [1048576]")
+  command.add_option("--block-points", given.block_points, "256 to 67108864 points per block of the store [1048576]")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 62))
       ->option_text("N");
   command.add_option("--store", given.store, "folder for the block store [OUT/.store]")->option_text("DIR");
@@ -135,12 +128,9 @@ void add_manner_options(CLI::App& command, RunArguments& given) {
   command.add_flag("--dry-run", given.dry_run, "say what would be done and needed, write nothing [off]");
   command.add_flag("--print-config", given.print_config, "print all settings as TOML and stop [off]");
   auto* verbose = command.add_flag("-v,--verbose", given.verbose, "say more [off]");
-  command.add_flag("-q,--quiet", given.quiet, "say only what is wrong [off]")
-      ->excludes(verbose)
-      ->option_text(" ");
+  command.add_flag("-q,--quiet", given.quiet, "say only what is wrong [off]")->excludes(verbose)->option_text(" ");
   verbose->option_text(" ");
-  command
-      .add_option("--log-json", given.log, "events as JSON lines to FILE, - (standard error) or fd:N [none]")
+  command.add_option("--log-json", given.log, "events as JSON lines to FILE, - (standard error) or fd:N [none]")
       ->option_text("LOG");
 }
 

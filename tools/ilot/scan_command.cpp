@@ -62,12 +62,11 @@ int scan_command(const ScanArguments& given) {
   progress.begin_stage("scan", plan.points.value_or(0));
   scan::ScanSummary summary;
   with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] {
-    summary =
-        scan::write_district(plan, given.output, [&](std::uint64_t points) { progress.advance(points); });
+    summary = scan::write_district(plan, given.output, [&](std::uint64_t points) { progress.advance(points); });
   });
   progress.end_stage();
-  progress.note(fmt::format("{}: {} points, {} buildings, {} planes", given.output, summary.points,
-                            summary.buildings, summary.planes));
+  progress.note(fmt::format("{}: {} points, {} buildings, {} planes", given.output, summary.points, summary.buildings,
+                            summary.planes));
   return static_cast<int>(ExitCode::ok);
 }
 
@@ -77,13 +76,9 @@ void add_scan_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("scan", "Makes a point cloud with exact truth: a virtual scanner");
   auto given = std::make_shared<ScanArguments>();
   command->add_option("SCENE", given->scene, "district")->option_text(" ");
-  command
-      ->add_option("-o,--output", given->output,
-                   "point cloud to write; NAME.truth.json goes beside it [none]")
+  command->add_option("-o,--output", given->output, "point cloud to write; NAME.truth.json goes beside it [none]")
       ->option_text("FILE");
-  command
-      ->add_option("--points", given->points,
-                   "stop after so many; the area follows from the density [by area]")
+  command->add_option("--points", given->points, "stop after so many; the area follows from the density [by area]")
       ->option_text("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
   command->add_option("--seed", given->seed, "another seed, another town [0]")->option_text("S");

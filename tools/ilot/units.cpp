@@ -20,8 +20,7 @@ std::string upper(std::string text) {
 
 std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
   double number = 0;
-  const auto [end, code] =
-      std::from_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
+  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), number, std::chars_format::fixed);
   std::string suffix = upper(std::string(end, text.data() + text.size()));
   suffix.erase(std::remove(suffix.begin(), suffix.end(), ' '), suffix.end());
   constexpr std::string_view kPrefixes = "KMGT";
@@ -29,8 +28,7 @@ std::uint64_t parse_bytes(const std::string& option, const std::string& text) {
   const double factor =
       power == std::string_view::npos ? 1 : static_cast<double>(std::uint64_t{1} << (10 * (power + 1)));
   const std::string rest = power == std::string_view::npos ? suffix : suffix.substr(1);
-  const bool known =
-      rest.empty() || rest == "B" || (rest == "IB" && factor > 1) || (rest == "I" && factor > 1);
+  const bool known = rest.empty() || rest == "B" || (rest == "IB" && factor > 1) || (rest == "I" && factor > 1);
   if (code != std::errc() || !known || !(number >= 0) || number * factor > 0x1p60) {
     throw Error(option + " " + text + ": a number of bytes is expected, as in 512M or 2G", ExitCode::usage);
   }

@@ -41,8 +41,8 @@ std::string one_line(std::string text) {
 bool print_findings(const std::filesystem::path& file, const std::vector<Finding>& findings) {
   bool valid = true;
   for (const Finding& finding : findings) {
-    print(one_line(fmt::format("{}: {}: {}: {}", file.string(), finding.severe ? "invalid" : "note", finding.rule,
-                               finding.text)));
+    print(one_line(
+        fmt::format("{}: {}: {}: {}", file.string(), finding.severe ? "invalid" : "note", finding.rule, finding.text)));
     valid = valid && !finding.severe;
   }
   if (valid) print(one_line(file.string() + ": valid"));

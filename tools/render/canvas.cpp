@@ -48,8 +48,7 @@ float Canvas::nearer_by(int column, int row, float limit) const {
   const auto at = [&](int x, int y) {
     x = std::clamp(x, 0, width_ - 1);
     y = std::clamp(y, 0, height_ - 1);
-    return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                  static_cast<std::size_t>(x)];
+    return depth_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x)];
   };
   const float here = at(column, row);
   float sum = 0;

@@ -20,8 +20,7 @@ void write_png(const Image& image, const std::filesystem::path& path) {
   std::error_code error;
   if (!png_image_write_to_file(&png, temporary.c_str(), 0, image.pixels.data(), 0, nullptr)) {
     std::filesystem::remove(temporary, error);
-    throw Error(path.string() + " cannot be written (" + png.message +
-                "); check the folder and the free space");
+    throw Error(path.string() + " cannot be written (" + png.message + "); check the folder and the free space");
   }
   std::filesystem::rename(temporary, path, error);
   if (error) throw Error(path.string() + " cannot be written: " + error.message());

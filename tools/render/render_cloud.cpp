@@ -27,8 +27,7 @@ void for_each_point(const std::filesystem::path& path, const RenderOptions& opti
   std::vector<std::byte> records(kChunk * length);
   std::vector<std::uint8_t> valid(kChunk);
   for (std::uint64_t first = 0; first < reader->info().points;) {
-    const auto wanted =
-        static_cast<std::size_t>(std::min<std::uint64_t>(kChunk, reader->info().points - first));
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kChunk, reader->info().points - first));
     const std::size_t got =
         reader->read(first, std::span(records).first(wanted * length), std::span(valid).first(wanted));
     for (std::size_t i = 0; i < got; ++i) {
@@ -37,8 +36,7 @@ void for_each_point(const std::filesystem::path& path, const RenderOptions& opti
       const PointFields f = decode_fields(record, layout.point_format);
       const Vec3 p{f.x * layout.scale[0] + layout.offset[0], f.y * layout.scale[1] + layout.offset[1],
                    f.z * layout.scale[2] + layout.offset[2]};
-      if (const auto& b = options.bounds;
-          b && (p.x < (*b)[0] || p.y < (*b)[1] || p.x > (*b)[2] || p.y > (*b)[3]))
+      if (const auto& b = options.bounds; b && (p.x < (*b)[0] || p.y < (*b)[1] || p.x > (*b)[2] || p.y > (*b)[3]))
         continue;
       visit(record, p);
     }

@@ -29,8 +29,7 @@ FlightPlan::FlightPlan(const AirborneParams& params, const Ground& ground, std::
   along_ = 1 / (line_density * across_);
 }
 
-Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t column, double x,
-                             double y) const {
+Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t column, double x, double y) const {
   Pulse pulse;
   const std::uint64_t in_line =
       (static_cast<std::uint64_t>(row) << 24) ^ static_cast<std::uint64_t>(column + (1 << 23));
@@ -44,10 +43,9 @@ Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t c
   pulse.ray.origin = {line_x, sensor_y, ground_.height(line_x, sensor_y) + params_.height};
   const Vec3 way = Vec3{aim_x, aim_y, ground_.height(aim_x, aim_y)} - pulse.ray.origin;
   pulse.ray.direction = (1 / norm(way)) * way;
-  pulse.gps_time =
-      kFirstSecond +
-      kLineSeconds * static_cast<double>((line % kLinesPerWeek + kLinesPerWeek) % kLinesPerWeek) +
-      flight * y / kSpeed;
+  pulse.gps_time = kFirstSecond +
+                   kLineSeconds * static_cast<double>((line % kLinesPerWeek + kLinesPerWeek) % kLinesPerWeek) +
+                   flight * y / kSpeed;
   pulse.scan_angle_deg = atan_deg(flight * tangent);
   pulse.line = static_cast<std::uint16_t>(1 + static_cast<std::uint64_t>(line) % 65535);
   return pulse;
@@ -56,8 +54,7 @@ Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t c
 void FlightPlan::for_each_pulse(const Rect& area, const std::function<void(const Pulse&)>& visit) const {
   // Within a row the aircraft moves on by one row spacing: column c aims (c + 1/2) / columns of it further.
   const double columns = 2 * static_cast<double>(half_columns_);
-  const std::int64_t first_line = floor_of(area.x0 / half_swath_) - 1,
-                     last_line = floor_of(area.x1 / half_swath_) + 2;
+  const std::int64_t first_line = floor_of(area.x0 / half_swath_) - 1, last_line = floor_of(area.x1 / half_swath_) + 2;
   const std::int64_t first_row = floor_of(area.y0 / along_) - 2, last_row = floor_of(area.y1 / along_) + 2;
   for (std::int64_t row = first_row; row <= last_row; ++row) {
     for (std::int64_t line = first_line; line <= last_line; ++line) {

@@ -28,8 +28,7 @@ std::uint8_t las_class(Surface surface) {
 
 std::uint16_t intensity_of(Surface surface, double cosine) {
   constexpr std::array<double, 5> kReflectance{0, 0.25, 0.35, 0.5, 0.4};
-  return static_cast<std::uint16_t>(65535 * kReflectance[static_cast<std::size_t>(surface)] *
-                                    (0.3 + 0.7 * cosine));
+  return static_cast<std::uint16_t>(65535 * kReflectance[static_cast<std::size_t>(surface)] * (0.3 + 0.7 * cosine));
 }
 
 std::int32_t to_units(double metres) {
@@ -101,11 +100,9 @@ void CellTracer::trace(const Ray& ray, Rng& rng, std::vector<Return>& returns) {
     if (share > 0.25 && share < 0.6) passes = false;
   }
   std::erase_if(returns, [&](const Return& r) { return r.range > last.range - kMinSeparation; });
-  std::sort(returns.begin(), returns.end(),
-            [](const Return& a, const Return& b) { return a.range < b.range; });
-  const auto merged = std::unique(returns.begin(), returns.end(), [](const Return& a, const Return& b) {
-    return b.range - a.range < kMinSeparation;
-  });
+  std::sort(returns.begin(), returns.end(), [](const Return& a, const Return& b) { return a.range < b.range; });
+  const auto merged = std::unique(returns.begin(), returns.end(),
+                                  [](const Return& a, const Return& b) { return b.range - a.range < kMinSeparation; });
   returns.erase(merged, returns.end());
   if (returns.size() > kMaxReturns - 1) returns.resize(kMaxReturns - 1);
   if (passes || returns.empty()) returns.push_back(last);

@@ -230,8 +230,7 @@ District::District(const DistrictParams& params) : params_(params) {
 
 Cell District::build_cell(std::uint64_t index) const {
   const auto n = static_cast<double>(cells_per_side_);
-  const auto column = static_cast<double>(index % cells_per_side_),
-             row = static_cast<double>(index / cells_per_side_);
+  const auto column = static_cast<double>(index % cells_per_side_), row = static_cast<double>(index / cells_per_side_);
   const Rect area{params_.side * column / n, params_.side * row / n, params_.side * (column + 1) / n,
                   params_.side * (row + 1) / n};
   return CellBuilder(params_, ground_, area, index + 1).build();

@@ -17,8 +17,7 @@ struct DistrictParams {
   double adjoining = 0.4;    // share of groups of houses that are terraces
   double flat = 0.25;        // shares of roof shapes; the rest are gables
   double hip = 0.25;
-  double clearance =
-      8;  // metres without anything at a cell's border, so that no ray of one cell meets another
+  double clearance = 8;  // metres without anything at a cell's border, so that no ray of one cell meets another
   std::uint64_t seed = 0;
 };
 
@@ -35,7 +34,7 @@ struct Cell {
   std::vector<HouseForm> houses;
   std::vector<Face> faces;                   // of all houses
   std::vector<std::uint32_t> face_building;  // index into houses
-  std::vector<std::uint32_t> face_plane;  // 0-based: connected coplanar faces share one; dense, by first face
+  std::vector<std::uint32_t> face_plane;     // 0-based: connected coplanar faces share one; dense, by first face
   std::uint32_t plane_count = 0;
   std::vector<ConvexSolid> solids;  // one per house
   std::vector<Crown> crowns;

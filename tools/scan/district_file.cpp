@@ -40,8 +40,8 @@ std::string settings_text(const DistrictScan& scan) {
   return fmt::format(
       R"("scene":"district","seed":{},"side_m":{},"slope_percent":{},"trees_per_hectare":{},"adjoining":{},"flat":{},)"
       R"("hip":{},"density":{},"height_m":{},"scan_angle_deg":{},"jitter":{},"range_noise_m":{},"grid_m":0.001)",
-      d.seed, d.side, d.slope_percent, d.trees, d.adjoining, d.flat, d.hip, f.density, f.height, f.angle_deg,
-      f.jitter, scan.noise);
+      d.seed, d.side, d.slope_percent, d.trees, d.adjoining, d.flat, d.hip, f.density, f.height, f.angle_deg, f.jitter,
+      scan.noise);
 }
 
 }  // namespace
@@ -72,8 +72,7 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
     summary.buildings += item.cell.houses.size();
     summary.planes += item.cell.plane_count;
   });
-  truth.add_ground(District(scan.district).ground(), {0, 0, scan.district.side, scan.district.side},
-                   ground_points);
+  truth.add_ground(District(scan.district).ground(), {0, 0, scan.district.side, scan.district.side}, ground_points);
   writer->finish();
   truth.finish(summary.points, summary.buildings);
   return summary;

@@ -18,8 +18,7 @@ constexpr double kBatchBytes = 160e6;  // of records in memory at a time
 
 // Cells per batch: from the scene alone, never from the number of threads.
 std::size_t batch_size(const DistrictScan& scan, const District& district) {
-  const double cell_area =
-      scan.district.side * scan.district.side / static_cast<double>(district.cell_count());
+  const double cell_area = scan.district.side * scan.district.side / static_cast<double>(district.cell_count());
   const double cell_bytes = cell_area * scan.flight.density * 36;
   return static_cast<std::size_t>(std::clamp(kBatchBytes / cell_bytes, 1.0, 64.0));
 }
@@ -34,18 +33,15 @@ double points_margin(double points, double area, double trees) {
 
 }  // namespace
 
-DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
-                           std::optional<std::uint64_t> points) {
+DistrictScan plan_district(const SceneValues& values, std::uint64_t seed, std::optional<std::uint64_t> points) {
   DistrictScan scan;
   double area = values.get("scene.area_km2") * 1e6, density = values.get("scene.density");
   if (points) {
     const bool area_set = values.is_set("scene.area_km2");
     if (area_set && values.is_set("scene.density"))
-      throw Error("--points, scene.area_km2 and scene.density contradict each other; leave out one",
-                  ExitCode::usage);
+      throw Error("--points, scene.area_km2 and scene.density contradict each other; leave out one", ExitCode::usage);
     const auto wanted = static_cast<double>(*points);
-    const double margin =
-        points_margin(wanted, area_set ? area : wanted / density, values.get("scene.trees"));
+    const double margin = points_margin(wanted, area_set ? area : wanted / density, values.get("scene.trees"));
     if (area_set)
       density = margin * wanted / area;
     else
@@ -89,8 +85,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
         throw Error("This district has more planes than true_plane can number (2^32); choose a smaller area");
     }
     parallel_for(batch.size(), [&](std::size_t i) {
-      batch[i].records =
-          scan_cell(batch[i].cell, flight, district.ground(), batch[i].first_plane, scan.noise);
+      batch[i].records = scan_cell(batch[i].cell, flight, district.ground(), batch[i].first_plane, scan.noise);
     });
     for (ScannedCell& item : batch) {
       if (left == 0) break;

@@ -22,8 +22,7 @@ struct DistrictScan {
 
 // From options. With `points`, the area is chosen to hold them at the density; where the area is set as well,
 // the density is. Throws Error (usage) when all three are given.
-DistrictScan plan_district(const SceneValues& values, std::uint64_t seed,
-                           std::optional<std::uint64_t> points);
+DistrictScan plan_district(const SceneValues& values, std::uint64_t seed, std::optional<std::uint64_t> points);
 
 // One scanned cell, ready to be written.
 struct ScannedCell {

@@ -15,8 +15,8 @@ struct Frame {
   double half_length, half_span;
 
   Vec3 place(double along, double across, double z) const {
-    return {form.x + along * heading.cos - across * heading.sin,
-            form.y + along * heading.sin + across * heading.cos, z};
+    return {form.x + along * heading.cos - across * heading.sin, form.y + along * heading.sin + across * heading.cos,
+            z};
   }
 };
 
@@ -33,8 +33,7 @@ Frame ridge_frame(const HouseForm& form) {
 // Newell's normal about the first vertex: exact enough far from the origin.
 Plane plane_of(const std::vector<Vec3>& ring) {
   Vec3 normal{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i)
-    normal = normal + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  for (std::size_t i = 1; i + 1 < ring.size(); ++i) normal = normal + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   const Vec3 unit = (1 / norm(normal)) * normal;
   return {unit, -dot(unit, ring[0])};
 }

@@ -20,10 +20,7 @@ struct Ground {
 };
 
 enum class RoofShape : std::uint8_t { flat, gable, hip };
-enum class Ridge : std::uint8_t {
-  along_street,
-  across_street
-};  // gable only; a hip's runs along the longer side
+enum class Ridge : std::uint8_t { along_street, across_street };  // gable only; a hip's runs along the longer side
 
 struct HouseForm {
   double x = 0, y = 0;           // centre of the footprint

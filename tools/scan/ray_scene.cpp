@@ -101,9 +101,8 @@ RayScene::RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> c
   rtcCommitScene(state_->scene);
   const RTCError error = rtcGetDeviceError(device());
   if (error != RTC_ERROR_NONE)
-    throw Error("Embree could not build a scene of " + std::to_string(solids.size()) +
-                " solids (its error code " + std::to_string(static_cast<int>(error)) +
-                "); free memory and try again");
+    throw Error("Embree could not build a scene of " + std::to_string(solids.size()) + " solids (its error code " +
+                std::to_string(static_cast<int>(error)) + "); free memory and try again");
 }
 
 RayScene::~RayScene() {

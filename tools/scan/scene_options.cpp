@@ -16,8 +16,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::array<SceneOption, 11> kDistrict{{
-    {"scene.area_km2", 0.05, "km2", 0.0001, 10000,
-     "area of the square; --points chooses it where it is not set"},
+    {"scene.area_km2", 0.05, "km2", 0.0001, 10000, "area of the square; --points chooses it where it is not set"},
     {"scene.density", 12, "pulses/m2", 0.1, 200, "pulses per area, all flight lines together"},
     {"scene.noise", 0.02, "m", 0, 1, "standard deviation of the range"},
     {"scene.jitter", 0.2, "spacings", 0, 0.5, "largest shift of a pulse's aim"},
@@ -56,28 +55,25 @@ void SceneValues::set(std::string_view assignment) {
   if (equals == std::string_view::npos)
     throw Error(fmt::format("--set {}: write it as scene.key=value", assignment), ExitCode::usage);
   const std::string_view key = assignment.substr(0, equals), text = assignment.substr(equals + 1);
-  const auto option =
-      std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
+  const auto option = std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
   if (option == options_.end()) {
-    const auto nearest = std::min_element(
-        options_.begin(), options_.end(),
-        [&](const auto& a, const auto& b) { return edit_distance(a.key, key) < edit_distance(b.key, key); });
+    const auto nearest = std::min_element(options_.begin(), options_.end(), [&](const auto& a, const auto& b) {
+      return edit_distance(a.key, key) < edit_distance(b.key, key);
+    });
     throw Error(fmt::format("--set {}: no such key; the nearest is {}", key, nearest->key), ExitCode::usage);
   }
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() ||
-      !(value >= option->low && value <= option->high))
-    throw Error(fmt::format("--set {}: \"{}\" is not a number from {} to {} ({})", key, text, option->low,
-                            option->high, option->unit),
+  if (error != std::errc() || end != text.data() + text.size() || !(value >= option->low && value <= option->high))
+    throw Error(fmt::format("--set {}: \"{}\" is not a number from {} to {} ({})", key, text, option->low, option->high,
+                            option->unit),
                 ExitCode::usage);
   values_.insert_or_assign(std::string(key), value);
 }
 
 double SceneValues::get(std::string_view key) const {
   if (const auto found = values_.find(key); found != values_.end()) return found->second;
-  const auto option =
-      std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
+  const auto option = std::find_if(options_.begin(), options_.end(), [&](const auto& o) { return o.key == key; });
   if (option == options_.end()) throw Error(fmt::format("{} is not an option of this scene", key));
   return option->standard;
 }

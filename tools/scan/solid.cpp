@@ -27,9 +27,7 @@ std::optional<FaceHit> enter(const Ray& ray, const ConvexSolid& solid) {
 }
 
 std::optional<Chord> cross(const Ray& ray, const Crown& crown) {
-  const auto scaled = [&](Vec3 v) {
-    return Vec3{v.x / crown.radii.x, v.y / crown.radii.y, v.z / crown.radii.z};
-  };
+  const auto scaled = [&](Vec3 v) { return Vec3{v.x / crown.radii.x, v.y / crown.radii.y, v.z / crown.radii.z}; };
   const Vec3 origin = scaled(ray.origin - crown.centre);
   const Vec3 direction = scaled(ray.direction);
   const double a = dot(direction, direction);

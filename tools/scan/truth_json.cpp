@@ -27,8 +27,8 @@ const char* name_of(Surface surface) {
 
 std::string plane_text(std::uint32_t id, Surface surface, const Plane& plane, std::uint64_t points) {
   const double d = plane.d - dot(plane.n, kOrigin);
-  return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id,
-                     name_of(surface), plane.n.x, plane.n.y, plane.n.z, d, points);
+  return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id, name_of(surface),
+                     plane.n.x, plane.n.y, plane.n.z, d, points);
 }
 
 std::string ring_text(std::span<const Vec3> ring) {

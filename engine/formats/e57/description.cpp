@@ -20,11 +20,29 @@ constexpr std::size_t kMostFields = 1000;
 constexpr int kDeepest = 8;
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 44;
 
-constexpr std::array<std::string_view, kUses> kNames{
-    "cartesianX", "cartesianY", "cartesianZ", "sphericalRange", "sphericalAzimuth", "sphericalElevation",
-    "cartesianInvalidState", "sphericalInvalidState", "intensity", "isIntensityInvalid", "colorRed", "colorGreen",
-    "colorBlue", "isColorInvalid", "rowIndex", "columnIndex", "returnIndex", "returnCount", "timeStamp",
-    "isTimeStampInvalid", "normalX", "normalY", "normalZ"};
+constexpr std::array<std::string_view, kUses> kNames{"cartesianX",
+                                                     "cartesianY",
+                                                     "cartesianZ",
+                                                     "sphericalRange",
+                                                     "sphericalAzimuth",
+                                                     "sphericalElevation",
+                                                     "cartesianInvalidState",
+                                                     "sphericalInvalidState",
+                                                     "intensity",
+                                                     "isIntensityInvalid",
+                                                     "colorRed",
+                                                     "colorGreen",
+                                                     "colorBlue",
+                                                     "isColorInvalid",
+                                                     "rowIndex",
+                                                     "columnIndex",
+                                                     "returnIndex",
+                                                     "returnCount",
+                                                     "timeStamp",
+                                                     "isTimeStampInvalid",
+                                                     "normalX",
+                                                     "normalY",
+                                                     "normalZ"};
 
 std::string_view trimmed(std::string_view text) {
   const std::size_t begin = text.find_first_not_of(" \t\r\n");
@@ -52,7 +70,9 @@ double number_of(const pugi::xml_node& node, double otherwise) {
   return node && to_number(node.text().get(), value) ? value : otherwise;
 }
 
-std::string_view local_name(std::string_view name) { return name.substr(name.find(':') + 1); }
+std::string_view local_name(std::string_view name) {
+  return name.substr(name.find(':') + 1);
+}
 
 // Minimum and maximum of an element such as intensityLimits; `otherwise` when they are absent or leave no room.
 Range limits_of(const pugi::xml_node& node, const std::string& name, const Range& otherwise) {
@@ -96,10 +116,14 @@ std::string read_field(const pugi::xml_node& node, Scan& scan) {
   field.name = node.name();
   if (scan.fields.size() == kMostFields) return "it has more than 1000 fields";
   std::string problem;
-  if (type == "Float") read_float(node, field);
-  else if (type == "Integer" || type == "ScaledInteger") problem = read_integer(node, field, type == "ScaledInteger");
-  else if (type == "String") field.coding = Coding::text;
-  else return "field " + field.name + " has the unknown type " + std::string(type.substr(0, 40));
+  if (type == "Float")
+    read_float(node, field);
+  else if (type == "Integer" || type == "ScaledInteger")
+    problem = read_integer(node, field, type == "ScaledInteger");
+  else if (type == "String")
+    field.coding = Coding::text;
+  else
+    return "field " + field.name + " has the unknown type " + std::string(type.substr(0, 40));
   if (!problem.empty()) return problem;
   const auto found = std::find(kNames.begin(), kNames.end(), local_name(field.name));
   const auto use = static_cast<std::size_t>(found - kNames.begin());

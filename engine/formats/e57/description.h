@@ -15,9 +15,30 @@ namespace ilot::e57 {
 
 // Fields of a point that are looked at.
 enum Use : std::size_t {
-  kX, kY, kZ, kRange, kAzimuth, kElevation, kCartesianState, kSphericalState, kIntensity, kIntensityState, kRed,
-  kGreen, kBlue, kColourState, kRow, kColumn, kReturnIndex, kReturnCount, kTime, kTimeState, kNormalX, kNormalY,
-  kNormalZ, kUses
+  kX,
+  kY,
+  kZ,
+  kRange,
+  kAzimuth,
+  kElevation,
+  kCartesianState,
+  kSphericalState,
+  kIntensity,
+  kIntensityState,
+  kRed,
+  kGreen,
+  kBlue,
+  kColourState,
+  kRow,
+  kColumn,
+  kReturnIndex,
+  kReturnCount,
+  kTime,
+  kTimeState,
+  kNormalX,
+  kNormalY,
+  kNormalZ,
+  kUses
 };
 
 enum class Coding : std::uint8_t { f32, f64, integer, text };

@@ -14,7 +14,9 @@ constexpr std::uint64_t kMostHeld = 16u << 20;
 constexpr std::uint64_t kMostConstant = 1024;  // points without a single bit
 constexpr std::uint8_t kSectionId = 1, kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
 
-bool is_read(const Field& field) { return field.use != kUses && field.bits > 0; }
+bool is_read(const Field& field) {
+  return field.use != kUses && field.bits > 0;
+}
 
 double value_of(const Field& field, std::uint64_t raw) {
   if (field.coding == Coding::f32) return static_cast<double>(std::bit_cast<float>(static_cast<std::uint32_t>(raw)));
@@ -92,8 +94,10 @@ Extent measure_scan(Pages& pages, const Scan& scan, std::uint64_t& budget) {
   Extent extent{0, scan.problem};
   if (scan.declared == 0 || !scan.problem.empty()) return extent;
   if (std::none_of(scan.fields.begin(), scan.fields.end(), is_read)) {
-    if (scan.declared > kMostConstant) extent.problem = "all its points are the same, which is hardly meant";
-    else extent.points = scan.declared;
+    if (scan.declared > kMostConstant)
+      extent.problem = "all its points are the same, which is hardly meant";
+    else
+      extent.points = scan.declared;
     return extent;
   }
   Packets packets(pages, scan);
@@ -114,8 +118,9 @@ Extent measure_scan(Pages& pages, const Scan& scan, std::uint64_t& budget) {
     }
   }
   if (extent.points < scan.declared && extent.problem.empty()) {
-    extent.problem = packets.walked() > budget ? "its points lie where those of other scans do"
-                     : packets.problem().empty() ? "its section ends before its points do" : packets.problem();
+    extent.problem = packets.walked() > budget   ? "its points lie where those of other scans do"
+                     : packets.problem().empty() ? "its section ends before its points do"
+                                                 : packets.problem();
   }
   budget -= std::min(budget, packets.walked());
   return extent;

@@ -52,8 +52,8 @@ double value_of(const Scan& scan, Use use, const Batch& batch, std::size_t i) {
 }  // namespace
 
 Rows::Rows(const std::vector<Scan>& scans)
-    : columns_{{"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64},
-               {"point source id", FieldType::u16}} {
+    : columns_{
+          {"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64}, {"point source id", FieldType::u16}} {
   const auto any = [&](std::initializer_list<Use> uses) {
     return std::any_of(scans.begin(), scans.end(), [&](const Scan& scan) {
       return scan.problem.empty() && std::all_of(uses.begin(), uses.end(), [&](Use use) { return scan.has(use); });

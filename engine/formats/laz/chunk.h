@@ -61,8 +61,7 @@ struct LayeredExtent {
   std::uint64_t points = 0;
   std::uint64_t bytes = 0;
 };
-LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head,
-                             std::uint64_t available);
+LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head, std::uint64_t available);
 // Bytes of the raw point and the sizes of the streams.
 std::size_t layered_head(const ChunkLayout& layout);
 

@@ -10,9 +10,8 @@ namespace ilot::laz {
 namespace {
 
 std::uint32_t layer_field(const LayeredPlan& plan, std::uint32_t layer) {
-  constexpr std::uint32_t kCore[kCoreLayers] = {~0u,         kFieldZ,         kFieldClass,
-                                                kFieldFlags, kFieldIntensity, kFieldAngle,
-                                                kFieldUser,  kFieldSource,    kFieldGpsTime};
+  constexpr std::uint32_t kCore[kCoreLayers] = {~0u,         kFieldZ,    kFieldClass,  kFieldFlags,  kFieldIntensity,
+                                                kFieldAngle, kFieldUser, kFieldSource, kFieldGpsTime};
   if (layer < kCoreLayers) return kCore[layer];
   if (layer >= plan.extra_layer) return kFieldExtra;
   if (layer == plan.rgb_layer) return kFieldRgb;
@@ -155,16 +154,14 @@ bool ChunkDecoder::ended_well() const {
 
 bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::span<std::byte> records,
                   std::uint16_t record_length, std::uint32_t fields) {
-  return decoder.begin(chunk, records.size() / record_length, fields) && decoder.next(records) &&
-         decoder.ended_well();
+  return decoder.begin(chunk, records.size() / record_length, fields) && decoder.next(records) && decoder.ended_well();
 }
 
 std::size_t layered_head(const ChunkLayout& layout) {
   return LayeredPlan(layout).fixed_bytes();
 }
 
-LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head,
-                             std::uint64_t available) {
+LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head, std::uint64_t available) {
   const LayeredPlan plan(layout);
   if (head.size() < plan.fixed_bytes()) return {};
   const std::byte* sizes = head.data() + plan.record_length + 4;

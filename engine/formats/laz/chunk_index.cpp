@@ -15,11 +15,7 @@ constexpr std::uint64_t kScanBlock = 1024;  // points decoded between two looks 
 class Indexer {
  public:
   Indexer(const InputFile& file, std::uint64_t begin, std::uint64_t declared, const Compression& compression)
-      : file_(file),
-        begin_(begin),
-        declared_(declared),
-        compression_(compression),
-        layout_(compression.layout) {}
+      : file_(file), begin_(begin), declared_(declared), compression_(compression), layout_(compression.layout) {}
 
   ChunkIndex run() {
     if (declared_ == 0) return {};
@@ -61,8 +57,7 @@ class Indexer {
     std::uint64_t offset = begin_ + 8;
     for (const ChunkEntry& chunk : table.chunks) {
       const std::uint64_t left = declared_ - std::min(index_.points, declared_);
-      const std::uint64_t points =
-          variable() ? chunk.points : std::min<std::uint64_t>(left, compression_.chunk_size);
+      const std::uint64_t points = variable() ? chunk.points : std::min<std::uint64_t>(left, compression_.chunk_size);
       if (left == 0) {
         index_.warning = "it has more chunks than its header has points; the rest is left out";
         break;
@@ -77,8 +72,7 @@ class Indexer {
     std::uint64_t end = begin_ + 8;
     for (const ChunkEntry& chunk : table.chunks) {
       end += chunk.bytes;
-      if (chunk.bytes < layout_.record_length + 4u || end > place || (variable() && chunk.points == 0))
-        return false;
+      if (chunk.bytes < layout_.record_length + 4u || end > place || (variable() && chunk.points == 0)) return false;
     }
     return !table.chunks.empty();
   }
@@ -97,14 +91,12 @@ class Indexer {
     if (layout_.layered()) {
       scan_layers();
     } else if (variable()) {
-      throw Error(file_.path().string() +
-                  ": the table of its chunks of variable size is missing (the file is cut off" +
+      throw Error(file_.path().string() + ": the table of its chunks of variable size is missing (the file is cut off" +
                   " or was not finished) and nothing else tells where they are; fetch the file again");
     } else {
       scan_streams(begin_ + 8, compression_.chunk_size, false);
     }
-    index_.warning =
-        "its table of chunks is missing (cut off or not finished); whole chunks were searched for";
+    index_.warning = "its table of chunks is missing (cut off or not finished); whole chunks were searched for";
   }
 
   void scan_layers() {
@@ -144,8 +136,7 @@ class Indexer {
   }
 
   // Points before the stream runs out, to a multiple of kScanBlock.
-  std::uint64_t count_whole(ChunkDecoder& decoder, std::span<const std::byte> bytes,
-                            std::uint64_t points) const {
+  std::uint64_t count_whole(ChunkDecoder& decoder, std::span<const std::byte> bytes, std::uint64_t points) const {
     if (!decoder.begin(bytes, points)) return 0;
     std::vector<std::byte> records(std::min(points, kScanBlock) * layout_.record_length);
     for (std::uint64_t done = 0; done < points; done += kScanBlock) {

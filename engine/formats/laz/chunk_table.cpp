@@ -52,15 +52,13 @@ std::vector<Item> items_of(const ChunkLayout& layout) {
 
 std::string check_item(const Item& found, const Item& expected, bool layered) {
   const std::string name = "item type " + std::to_string(found.type);
-  if (found.type > kByte14 || (found.type > kByte && found.type < kPoint10))
-    return "names the unknown " + name;
+  if (found.type > kByte14 || (found.type > kByte && found.type < kPoint10)) return "names the unknown " + name;
   if (found.type != expected.type || found.size != expected.size) {
     return "has " + name + " of " + std::to_string(found.size) + " bytes where the point format wants type " +
            std::to_string(expected.type) + " of " + std::to_string(expected.size);
   }
   const bool wave = found.type == kWave13;
-  if (found.version == 1 && !wave)
-    return "uses items of version 1 (before 2011); rewrite the file with a newer LASzip";
+  if (found.version == 1 && !wave) return "uses items of version 1 (before 2011); rewrite the file with a newer LASzip";
   const bool known = layered ? found.version >= 2 && found.version <= 4 : found.version == expected.version;
   return known ? "" : "has unknown version " + std::to_string(found.version) + " of " + name;
 }
@@ -92,9 +90,8 @@ using SizeEncoder = IntegerCodec<Encoder, 32, 2>;
 template <class Codec, class Coder>
 std::uint32_t code_size(Codec& codec, Coder& coder, std::uint64_t predicted, std::uint64_t real,
                         std::uint32_t context) {
-  return static_cast<std::uint32_t>(
-      codec.code(coder, static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted)),
-                 static_cast<std::int32_t>(static_cast<std::uint32_t>(real)), context));
+  return static_cast<std::uint32_t>(codec.code(coder, static_cast<std::int32_t>(static_cast<std::uint32_t>(predicted)),
+                                               static_cast<std::int32_t>(static_cast<std::uint32_t>(real)), context));
 }
 
 }  // namespace
@@ -111,13 +108,12 @@ ParsedCompression parse_laszip_record(std::span<const std::byte> payload, std::u
   for (std::size_t i = 0; i < count && out.problem.empty(); ++i) {
     const Item found = item_at(payload, i);
     out.problem = check_item(found, i < expected.size() ? expected[i] : Item{0, 0, 0}, layout.layered());
-    if (layout.layered() && found.version != item_at(payload, 0).version)
-      out.problem = "mixes versions of items";
+    if (layout.layered() && found.version != item_at(payload, 0).version) out.problem = "mixes versions of items";
     if (layout.layered() && found.version == 4) layout.item_version = 4;
   }
   if (out.problem.empty() && count != expected.size()) {
-    out.problem = "lists " + std::to_string(count) + " items where the point format has " +
-                  std::to_string(expected.size());
+    out.problem =
+        "lists " + std::to_string(count) + " items where the point format has " + std::to_string(expected.size());
   }
   out.compression.one_stream = load<std::uint16_t>(payload.data()) == kOneStream;
   out.compression.chunk_size = load<std::uint32_t>(payload.data() + 12);

@@ -41,9 +41,7 @@ class RgbCodec {
     std::int32_t r[2], g[2], b[2];  // low, high
   };
 
-  static std::uint16_t join(const std::int32_t (&v)[2]) {
-    return static_cast<std::uint16_t>(v[0] | v[1] << 8);
-  }
+  static std::uint16_t join(const std::int32_t (&v)[2]) { return static_cast<std::uint16_t>(v[0] | v[1] << 8); }
 
   static std::uint32_t changes(const Rgb& last, const Rgb& v) {
     const auto halves = [](std::uint32_t a, std::uint32_t b) {

@@ -89,9 +89,9 @@ class GpsTimeCodec {
   }
 
   void code_multiple(Coder& coder, Sequence& s, std::uint32_t symbol, std::uint64_t value) {
-    const std::int32_t factor =
-        symbol <= kManySteps ? static_cast<std::int32_t>(symbol)
-                             : static_cast<std::int32_t>(kManySteps) - static_cast<std::int32_t>(symbol);
+    const std::int32_t factor = symbol <= kManySteps
+                                    ? static_cast<std::int32_t>(symbol)
+                                    : static_cast<std::int32_t>(kManySteps) - static_cast<std::int32_t>(symbol);
     const auto predicted =
         static_cast<std::int32_t>(static_cast<std::uint32_t>(factor) * static_cast<std::uint32_t>(s.step));
     const auto real = static_cast<std::int32_t>(value - s.time);

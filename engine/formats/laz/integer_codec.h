@@ -39,8 +39,7 @@ class IntegerCodec {
     return static_cast<std::uint32_t>(std::bit_width(positive ? corrector - 1 : 0u - corrector));
   }
 
-  [[gnu::always_inline]] std::uint32_t code_corrector(Coder& coder, std::uint32_t corrector,
-                                                      std::uint32_t context) {
+  [[gnu::always_inline]] std::uint32_t code_corrector(Coder& coder, std::uint32_t corrector, std::uint32_t context) {
     k_ = coder.symbol(lengths_[context], bits_of(corrector));
     if (k_ == 0) return coder.bit(zero_or_one_, corrector);
     if (k_ == 32) return 0x80000000u;

@@ -58,14 +58,7 @@ class Point10Codec {
   const Point10& last() const { return last_; }
 
  private:
-  enum Change : std::uint32_t {
-    kSource = 1,
-    kUser = 2,
-    kAngle = 4,
-    kClass = 8,
-    kIntensity = 16,
-    kReturns = 32
-  };
+  enum Change : std::uint32_t { kSource = 1, kUser = 2, kAngle = 4, kClass = 8, kIntensity = 16, kReturns = 32 };
   using ByteModel = typename Coder::template Model<256>;
 
   static std::uint8_t byte(Coder& coder, ByteModel& model, std::uint32_t value) {
@@ -74,8 +67,7 @@ class Point10Codec {
 
   std::uint32_t changes(const Point10& p) const {
     const std::uint32_t m = kReturnMap8[(p.returns >> 3) & 7u][p.returns & 7u];
-    return (p.returns != last_.returns ? kReturns : 0u) |
-           (p.intensity != last_intensity_[m] ? kIntensity : 0u) |
+    return (p.returns != last_.returns ? kReturns : 0u) | (p.intensity != last_intensity_[m] ? kIntensity : 0u) |
            (p.classification != last_.classification ? kClass : 0u) | (p.angle != last_.angle ? kAngle : 0u) |
            (p.user != last_.user ? kUser : 0u) | (p.source != last_.source ? kSource : 0u);
   }
@@ -108,8 +100,7 @@ class Point10Codec {
       p.angle = static_cast<std::uint8_t>(last_.angle + step);
     }
     if (changed & kUser) p.user = byte(coder, user_[last_.user], p.user);
-    if (changed & kSource)
-      p.source = static_cast<std::uint16_t>(source_.code(coder, last_.source, p.source, 0));
+    if (changed & kSource) p.source = static_cast<std::uint16_t>(source_.code(coder, last_.source, p.source, 0));
   }
 
   void code_coordinates(Coder& coder, Point10& p, std::uint32_t m, std::uint32_t n, std::uint32_t r) {

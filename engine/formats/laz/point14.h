@@ -55,14 +55,7 @@ class Point14Codec {
 
  private:
   static constexpr bool kEncodes = Coder::kEncodes;
-  enum Change : std::uint32_t {
-    kReturnMask = 3,
-    kReturnCount = 4,
-    kAngle = 8,
-    kGps = 16,
-    kSource = 32,
-    kChannel = 64
-  };
+  enum Change : std::uint32_t { kReturnMask = 3, kReturnCount = 4, kAngle = 8, kGps = 16, kSource = 32, kChannel = 64 };
   using ByteModel = typename Coder::template Model<256>;
   template <std::uint32_t kSymbols>
   using Model = typename Coder::template Model<kSymbols>;
@@ -193,8 +186,7 @@ class Point14Codec {
   }
 
   // What every point has a symbol for.
-  static void code_attributes(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t cpr,
-                              bool new_time) {
+  static void code_attributes(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t cpr, bool new_time) {
     const Point14& last = c.last;
     layer(streams[kLayerClass], last.classification, p.classification, [&](Coder& coder) {
       return coder.symbol(c.classification[(last.classification & 31u) << 1 | (cpr == 3)], p.classification);
@@ -224,8 +216,7 @@ class Point14Codec {
             [&](Coder& coder) { return c.source.code(coder, last.source, p.source, 0); });
     }
     if (change & kGps) {
-      layer(streams[kLayerGps], last.gps_time, p.gps_time,
-            [&](Coder& coder) { return c.gps.code(coder, p.gps_time); });
+      layer(streams[kLayerGps], last.gps_time, p.gps_time, [&](Coder& coder) { return c.gps.code(coder, p.gps_time); });
     }
   }
 

@@ -12,8 +12,8 @@ namespace ilot {
 namespace {
 
 // Appends `count` points that carry both labels.
-void put(std::vector<std::uint32_t>& truth, std::vector<std::uint32_t>& found, std::uint32_t t,
-         std::uint32_t f, int count) {
+void put(std::vector<std::uint32_t>& truth, std::vector<std::uint32_t>& found, std::uint32_t t, std::uint32_t f,
+         int count) {
   truth.insert(truth.end(), static_cast<std::size_t>(count), t);
   found.insert(found.end(), static_cast<std::size_t>(count), f);
 }

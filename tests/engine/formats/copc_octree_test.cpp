@@ -14,7 +14,9 @@ namespace {
 
 using Key = std::tuple<int, std::uint32_t, std::uint32_t, std::uint32_t>;
 
-Key key_of(const CopcNode& node) { return {node.level, node.cell.x, node.cell.y, node.cell.z}; }
+Key key_of(const CopcNode& node) {
+  return {node.level, node.cell.x, node.cell.y, node.cell.z};
+}
 
 Key parent_of(const CopcNode& node) {
   return {node.level - 1, node.cell.x / 2, node.cell.y / 2, node.cell.z / 2};

@@ -42,8 +42,11 @@ TEST(Copc, RangesHoldEveryPointOfTheBox) {
       const Vec3 a = world(rows, layout, rng.below(static_cast<std::uint32_t>(count)));
       const double reach = round % 3 == 0 ? 0 : round % 3 == 1 ? 5 : 1e9;
       const Vec3 b = world(rows, layout, rng.below(static_cast<std::uint32_t>(count)));
-      const Area area{std::max(std::min(a.x, b.x), a.x - reach), std::max(std::min(a.y, b.y), a.y - reach),
-                      std::min(std::max(a.x, b.x), a.x + reach), std::min(std::max(a.y, b.y), a.y + reach), {}};
+      const Area area{std::max(std::min(a.x, b.x), a.x - reach),
+                      std::max(std::min(a.y, b.y), a.y - reach),
+                      std::min(std::max(a.x, b.x), a.x + reach),
+                      std::min(std::max(a.y, b.y), a.y + reach),
+                      {}};
       const std::vector<RowRange> ranges = rows_in_box(*reader, area);
       std::vector<bool> covered(count);
       for (std::size_t i = 0; i < ranges.size(); ++i) {

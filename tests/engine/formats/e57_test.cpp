@@ -54,8 +54,10 @@ bool mentions(const std::vector<std::string>& warnings, const std::string& text)
 }
 
 E57Scan small_scan(const std::string& name, double x) {
-  return {name, "", {double_field("cartesianX", {x, x + 1}), double_field("cartesianY", {2, 20}),
-                     double_field("cartesianZ", {3, 30})}};
+  return {name,
+          "",
+          {double_field("cartesianX", {x, x + 1}), double_field("cartesianY", {2, 20}),
+           double_field("cartesianZ", {3, 30})}};
 }
 
 // Scaled integers of 17 bits, colours and a state of 2 bits, over many packets.
@@ -69,12 +71,13 @@ E57Scan large_scan(std::size_t points) {
     time.push_back(static_cast<std::int64_t>(i) * 1000003);
   }
   const std::string scale = "scale=\"0.001\" offset=\"10\"";
-  return {"large", "",
-          {integer_field("cartesianX", -50000, 50000, x, scale), integer_field("colorRed", 0, 255, red),
-           integer_field("cartesianInvalidState", 0, 2, state), integer_field("cartesianY", -50000, 50000, y, scale),
-           integer_field("colorGreen", 7, 7, std::vector<std::int64_t>(points, 7)),
-           integer_field("colorBlue", 0, 255, red), integer_field("timeStamp", INT64_MIN, INT64_MAX, time),
-           integer_field("cartesianZ", -50000, 50000, z, scale)}};
+  return {
+      "large",
+      "",
+      {integer_field("cartesianX", -50000, 50000, x, scale), integer_field("colorRed", 0, 255, red),
+       integer_field("cartesianInvalidState", 0, 2, state), integer_field("cartesianY", -50000, 50000, y, scale),
+       integer_field("colorGreen", 7, 7, std::vector<std::int64_t>(points, 7)), integer_field("colorBlue", 0, 255, red),
+       integer_field("timeStamp", INT64_MIN, INT64_MAX, time), integer_field("cartesianZ", -50000, 50000, z, scale)}};
 }
 
 void expect_large(const Opened& o, const E57Scan& scan, std::size_t points) {
@@ -117,10 +120,11 @@ TEST(E57, ScansFollowEachOtherAndCarryTheirNumber) {
 
 TEST(E57, PosesTurnAndMovePointsAndNormals) {
   const Folder folder;
-  E57Scan scan{"s", e57_pose("0.70710678118654752", "0", "0", "0.70710678118654752", "1000", "2000", "50"),
-               {double_field("cartesianX", {1, 0}), double_field("cartesianY", {0, 1}),
-                double_field("cartesianZ", {0, 5}), single_field("nor:normalX", {1, 0}),
-                single_field("nor:normalY", {0, 1}), single_field("nor:normalZ", {0, 0})}};
+  E57Scan scan{
+      "s",
+      e57_pose("0.70710678118654752", "0", "0", "0.70710678118654752", "1000", "2000", "50"),
+      {double_field("cartesianX", {1, 0}), double_field("cartesianY", {0, 1}), double_field("cartesianZ", {0, 5}),
+       single_field("nor:normalX", {1, 0}), single_field("nor:normalY", {0, 1}), single_field("nor:normalZ", {0, 0})}};
   E57Writer writer;
   writer.add(scan);
   const Opened o = open_bytes(folder, writer.finish());
@@ -139,9 +143,11 @@ TEST(E57, PosesTurnAndMovePointsAndNormals) {
 TEST(E57, SphericalCoordinatesBecomeCartesian) {
   const Folder folder;
   const std::vector<double> range{10, 20, 5, 1}, azimuth{0, 0.7, -2.5, NAN}, elevation{0, 0.3, -1.1, 0};
-  E57Scan scan{"s", "", {double_field("sphericalRange", range), double_field("sphericalAzimuth", azimuth),
-                         double_field("sphericalElevation", elevation),
-                         integer_field("sphericalInvalidState", 0, 2, {0, 0, 0, 0})}};
+  E57Scan scan{
+      "s",
+      "",
+      {double_field("sphericalRange", range), double_field("sphericalAzimuth", azimuth),
+       double_field("sphericalElevation", elevation), integer_field("sphericalInvalidState", 0, 2, {0, 0, 0, 0})}};
   E57Writer writer;
   writer.add(scan);
   const Opened o = open_bytes(folder, writer.finish());
@@ -172,10 +178,11 @@ TEST(E57, PackedIntegersContinueOverPacketsWhateverTheirCut) {
 TEST(E57, LimitsStretchIntensityAndColourToSixteenBits) {
   const Folder folder;
   E57Scan scan = small_scan("s", 1);
-  scan.xml = "<intensityLimits type=\"Structure\"><intensityMinimum type=\"Float\">-10</intensityMinimum>"
-             "<intensityMaximum type=\"Float\">30</intensityMaximum></intensityLimits>"
-             "<colorLimits type=\"Structure\"><colorRedMinimum type=\"Integer\"/>"
-             "<colorRedMaximum type=\"Integer\">1023</colorRedMaximum></colorLimits>";
+  scan.xml =
+      "<intensityLimits type=\"Structure\"><intensityMinimum type=\"Float\">-10</intensityMinimum>"
+      "<intensityMaximum type=\"Float\">30</intensityMaximum></intensityLimits>"
+      "<colorLimits type=\"Structure\"><colorRedMinimum type=\"Integer\"/>"
+      "<colorRedMaximum type=\"Integer\">1023</colorRedMaximum></colorLimits>";
   scan.fields.push_back(single_field("intensity", {0, 99}));
   scan.fields.push_back(integer_field("colorRed", 0, 4095, {1023, 0}));
   scan.fields.push_back(integer_field("colorGreen", 0, 255, {255, 1}));
@@ -267,8 +274,10 @@ TEST(E57, LyingCountsAndOverlapsAreBounded) {
   EXPECT_EQ(o.reader->info().declared_points, 5000u * 1001);
   EXPECT_LT(o.rows.valid.size(), 5000u * 1001 / 20) << "as much as the file could hold, not as it claims";
   EXPECT_TRUE(mentions(o.reader->info().warnings, "where those of other scans do"));
-  E57Scan constant{"c", "", {integer_field("cartesianX", 4, 4, {4, 4}), integer_field("cartesianY", 4, 4, {4, 4}),
-                             integer_field("cartesianZ", 4, 4, {4, 4})}};
+  E57Scan constant{"c",
+                   "",
+                   {integer_field("cartesianX", 4, 4, {4, 4}), integer_field("cartesianY", 4, 4, {4, 4}),
+                    integer_field("cartesianZ", 4, 4, {4, 4})}};
   E57Writer few;
   few.add(constant);
   EXPECT_EQ(open_bytes(folder, few.finish()).rows.valid.size(), 2u);

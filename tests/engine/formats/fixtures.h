@@ -45,8 +45,8 @@ inline std::vector<std::byte> slurp(const std::filesystem::path& path) {
 }
 
 inline void spill(const std::filesystem::path& path, const std::vector<std::byte>& bytes) {
-  std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(bytes.data()),
-                                              static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
 inline void spill_text(const std::filesystem::path& path, const std::string& text) {
@@ -89,8 +89,8 @@ inline std::vector<std::byte> random_bytes(std::size_t count, std::uint64_t key)
 }
 
 // The folder of real data, or a loud skip.
-#define ILOT_DATA_OR_SKIP(folder)                                                              \
-  const char* folder##_env = std::getenv("ILOT_DATA");                                         \
+#define ILOT_DATA_OR_SKIP(folder)                                                                  \
+  const char* folder##_env = std::getenv("ILOT_DATA");                                             \
   if (!folder##_env) GTEST_SKIP() << "ILOT_DATA is not set: real data is absent, nothing checked"; \
   const std::filesystem::path folder = folder##_env
 

@@ -50,9 +50,9 @@ TEST(LazChunk, RoundTripOfEveryFormat) {
     ChunkEncoder encoder(layout);
     ChunkDecoder decoder(layout);
     for (const std::size_t count : {1, 2, 3, 100, 3000}) {
-      SCOPED_TRACE(testing::Message()
-                   << "format " << int(layout.point_format) << " version " << int(layout.item_version)
-                   << " length " << layout.record_length << " n " << count);
+      SCOPED_TRACE(testing::Message() << "format " << int(layout.point_format) << " version "
+                                      << int(layout.item_version) << " length " << layout.record_length << " n "
+                                      << count);
       const auto records = PointMaker(layout, ++key).make(count);
       std::vector<std::byte> chunk, decoded(records.size());
       encoder.encode(records, chunk);
@@ -131,8 +131,7 @@ TEST(LazChunk, DamageIsToldOrHarmless) {
         decode_chunk(decoder, damaged, decoded, layout.record_length);
       }
     }
-    ASSERT_TRUE(decode_chunk(decoder, chunk, decoded, layout.record_length))
-        << "damage must not outlive its chunk";
+    ASSERT_TRUE(decode_chunk(decoder, chunk, decoded, layout.record_length)) << "damage must not outlive its chunk";
     EXPECT_TRUE(decoded == records);
   }
 }
@@ -151,8 +150,7 @@ TEST(LazChunk, ChunkTablesRoundTrip) {
         EXPECT_EQ(table.chunks[i].points, chunks[i].points);
         EXPECT_EQ(table.chunks[i].bytes, chunks[i].bytes);
       }
-      EXPECT_EQ(count == 0 || !decode_chunk_table(bytes, variable, count - 1).ok, true)
-          << "count out of bounds";
+      EXPECT_EQ(count == 0 || !decode_chunk_table(bytes, variable, count - 1).ok, true) << "count out of bounds";
       if (count < 2) continue;
       EXPECT_FALSE(decode_chunk_table(std::span(bytes).first(bytes.size() - 3), variable, count).ok);
     }

@@ -80,8 +80,7 @@ class PointMaker {
       if (one_in(i == 14 ? 2 : 9)) record_[i] = static_cast<std::byte>(rng_.below(one_in(3) ? 256 : 40));
     }
     if (const auto gps = gps_time_offset(layout_.point_format)) advance_time(*gps);
-    for (std::size_t i = layout_.layered() ? 30 : standard_size(layout_.point_format); i < record_.size();
-         ++i) {
+    for (std::size_t i = layout_.layered() ? 30 : standard_size(layout_.point_format); i < record_.size(); ++i) {
       if (one_in(5)) record_[i] = static_cast<std::byte>(rng_.below(256));
     }
     if (!layout_.layered()) {

@@ -29,8 +29,7 @@ CloudSpec spec_of(std::uint8_t format, std::uint16_t extra = 0) {
 
 std::vector<std::byte> points_of(const CloudSpec& spec, std::size_t count, std::uint64_t key = 1) {
   const auto& l = spec.like.layout;
-  return PointMaker({l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)},
-                    key)
+  return PointMaker({l.point_format, l.record_length, static_cast<std::uint8_t>(l.point_format < 6 ? 2 : 3)}, key)
       .make(count);
 }
 
@@ -95,8 +94,7 @@ TEST(Laz, ReadsAnyRangeFromAnyThread) {
         std::vector<std::uint8_t> valid(count);
         const std::size_t got = reader->read(first, out, valid);
         const std::uint64_t expected = first >= 9000 ? 0 : std::min(count, 9000 - first);
-        if (got != expected || std::memcmp(out.data(), rows.data() + first * 34 * (got > 0), got * 34) != 0)
-          ++wrong;
+        if (got != expected || std::memcmp(out.data(), rows.data() + first * 34 * (got > 0), got * 34) != 0) ++wrong;
       }
     });
   }
@@ -209,15 +207,14 @@ TEST(Laz, BrokenConformanceFilesAreRefusedWithAReason) {
 
 TEST(Laz, UncompressedTwinsHoldTheSamePoints) {
   ILOT_DATA_OR_SKIP(data);
-  const std::pair<const char*, const char*> twins[] = {
-      {"laz-rs/point10.laz", "laz-rs/point10.las"},
-      {"laz-rs/point-time.laz", "laz-rs/point-time.las"},
-      {"laz-rs/point-color.laz", "laz-rs/point-color.las"},
-      {"laz-rs/point-time-color.laz", "laz-rs/point-time-color.las"},
-      {"laz-rs/extra-bytes.laz", "laz-rs/extra-bytes.las"},
-      {"pdal/laszip/laszip-generated.laz", "pdal/laszip/basefile.las"},
-      {"pdal/laszip/liblas-generated.laz", "pdal/laszip/basefile.las"},
-      {"pdal/laz/simple.laz", "pdal/las/simple.las"}};
+  const std::pair<const char*, const char*> twins[] = {{"laz-rs/point10.laz", "laz-rs/point10.las"},
+                                                       {"laz-rs/point-time.laz", "laz-rs/point-time.las"},
+                                                       {"laz-rs/point-color.laz", "laz-rs/point-color.las"},
+                                                       {"laz-rs/point-time-color.laz", "laz-rs/point-time-color.las"},
+                                                       {"laz-rs/extra-bytes.laz", "laz-rs/extra-bytes.las"},
+                                                       {"pdal/laszip/laszip-generated.laz", "pdal/laszip/basefile.las"},
+                                                       {"pdal/laszip/liblas-generated.laz", "pdal/laszip/basefile.las"},
+                                                       {"pdal/laz/simple.laz", "pdal/las/simple.las"}};
   for (const auto& [laz, las] : twins) {
     SCOPED_TRACE(laz);
     const auto a = open_cloud(data / "conformance" / laz), b = open_cloud(data / "conformance" / las);

@@ -20,8 +20,8 @@ std::vector<std::byte> bytes_of(std::initializer_list<int> values) {
 std::string header(const std::string& data, int points) {
   const std::string n = std::to_string(points);
   return "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS x y z rgb _ curvature\nSIZE 4 4 4 4 1 8\n"
-         "TYPE F F F U U F\nCOUNT 1 1 1 1 3 2\nWIDTH " + n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n +
-         "\nDATA " + data + "\n";
+         "TYPE F F F U U F\nCOUNT 1 1 1 1 3 2\nWIDTH " +
+         n + "\nHEIGHT 1\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + n + "\nDATA " + data + "\n";
 }
 
 template <class T>
@@ -70,8 +70,9 @@ TEST(Pcd, LzfCopiesOverlapAndStayInside) {
   out.resize(4);
   EXPECT_TRUE(expand_lzf(bytes_of({0, 'x', 0x20, 0}), out));
   EXPECT_EQ(out, bytes_of({'x', 'x', 'x', 'x'}));
-  for (const auto& bad : {bytes_of({5, 'a'}), bytes_of({0x20, 0}), bytes_of({0, 'x', 0x20, 1}), bytes_of({0, 'x', 0xE0}),
-                          bytes_of({0, 'x', 0x20}), bytes_of({0, 'x', 0xE0, 255, 0}), bytes_of({0, 'x'})})
+  for (const auto& bad :
+       {bytes_of({5, 'a'}), bytes_of({0x20, 0}), bytes_of({0, 'x', 0x20, 1}), bytes_of({0, 'x', 0xE0}),
+        bytes_of({0, 'x', 0x20}), bytes_of({0, 'x', 0xE0, 255, 0}), bytes_of({0, 'x'})})
     EXPECT_FALSE(expand_lzf(bad, out));
 }
 
@@ -93,8 +94,9 @@ TEST(Pcd, AllCodingsGiveTheSameRows) {
   EXPECT_EQ(layout.extra[1].name, "curvature_1");
   EXPECT_EQ(load<double>(&rows.bytes[layout.extra[1].offset]), 0.75);
 
-  spill_text(folder / "a.pcd",
-             "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3 4.2108e+06\n");
+  spill_text(
+      folder / "a.pcd",
+      "VERSION .7\nFIELDS x y z rgb\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 1\nHEIGHT 1\nDATA ascii\n1 2 3 4.2108e+06\n");
   const auto ascii = open_cloud(folder / "a.pcd");
   const Rows text = read_all(*ascii);
   EXPECT_EQ(text.valid, std::vector<std::uint8_t>{1});
@@ -118,7 +120,8 @@ TEST(Pcd, AnyByteMayBeAnything) {
   Rng rng(4);
   for (int round = 0; round < 1000; ++round) {
     std::string text = files[round % 2];
-    for (std::uint64_t n = 1 + rng.below(4); n > 0; --n) text[rng.below(text.size())] = static_cast<char>(rng.below(256));
+    for (std::uint64_t n = 1 + rng.below(4); n > 0; --n)
+      text[rng.below(text.size())] = static_cast<char>(rng.below(256));
     text.resize(text.size() - (rng.below(3) ? 0 : rng.below(text.size())));
     spill_text(folder / "bad.pcd", text);
     try {

@@ -135,9 +135,11 @@ TEST(Ply, RefusesWithASentence) {
       "ply\nformat ascii 1.0\nelement vertex 1\nproperty list uchar int l\n" + xyz + "end_header\n1\n",
       "ply\nformat binary_little_endian 1.0\nelement vertex 1\nend_header\n",
       "ply\nformat binary_little_endian 1.0\nelement face 9999999999999999\nproperty list uint double l\n"
-      "element vertex 1\n" + xyz + "end_header\n\xFF\xFF\xFF\xFF",
+      "element vertex 1\n" +
+          xyz + "end_header\n\xFF\xFF\xFF\xFF",
       "ply\nformat binary_little_endian 1.0\nelement e 9999999999999999999\nproperty double d\n"
-      "element vertex 1\n" + xyz + "end_header\n",
+      "element vertex 1\n" +
+          xyz + "end_header\n",
   };
   for (const std::string& text : texts) {
     spill_text(folder / "bad.ply", text);
@@ -151,7 +153,8 @@ TEST(Ply, AnyByteMayBeAnything) {
   Rng rng(3);
   for (int round = 0; round < 1000; ++round) {
     std::string text = good;
-    for (std::uint64_t n = 1 + rng.below(4); n > 0; --n) text[rng.below(text.size())] = static_cast<char>(rng.below(256));
+    for (std::uint64_t n = 1 + rng.below(4); n > 0; --n)
+      text[rng.below(text.size())] = static_cast<char>(rng.below(256));
     text.resize(text.size() - (rng.below(3) ? 0 : rng.below(text.size())));
     spill_text(folder / "bad.ply", text);
     try {

@@ -35,8 +35,8 @@ constexpr const char* kPlain = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 
 
 TEST(Ptx, MatrixMovesRowVectorsAndEmptyCellsAreRejected) {
   const Folder folder;
-  const Opened o = open_text_of(folder, std::string("3\n1\n") + kTurned +
-                                            "0 0 0 0.5 0 0 0\n1 0 0 1 255 0 128\n0 2 5 0.25 1 2 3\n");
+  const Opened o =
+      open_text_of(folder, std::string("3\n1\n") + kTurned + "0 0 0 0.5 0 0 0\n1 0 0 1 255 0 128\n0 2 5 0.25 1 2 3\n");
   EXPECT_EQ(o.reader->info().format, "ptx");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{0, 1, 1}));
   EXPECT_NEAR(o.point(1).x, 10, 1e-9);
@@ -93,8 +93,8 @@ TEST(Ptx, RefusesWhatIsNoPtx) {
 
 TEST(Ptx, MutationsNeverCrash) {
   const Folder folder;
-  const std::string sound = std::string("2\n2\n") + kTurned + "1 2 3 0.5\n0 0 0 0\n4 5 6 1\n7 8 9 0\n1\n1\n" + kPlain +
-                            "1 2 3 0.5 6 7 8\n";
+  const std::string sound =
+      std::string("2\n2\n") + kTurned + "1 2 3 0.5\n0 0 0 0\n4 5 6 1\n7 8 9 0\n1\n1\n" + kPlain + "1 2 3 0.5 6 7 8\n";
   const std::string alphabet = "0123456789.-+ \n\texna\"";
   Rng rng(3);
   for (int round = 0; round < 1000; ++round) {

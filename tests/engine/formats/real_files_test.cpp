@@ -11,7 +11,8 @@ using namespace test;
 
 bool is_candidate(const std::filesystem::path& path) {
   const std::string extension = path.extension().string();
-  return is_cloud_extension(path) || extension == ".txt" || extension == ".csv" || extension == ".ptx" || extension == ".e57";
+  return is_cloud_extension(path) || extension == ".txt" || extension == ".csv" || extension == ".ptx" ||
+         extension == ".e57";
 }
 
 TEST(RealFiles, EachIsReadOrRefused) {
@@ -37,7 +38,7 @@ TEST(RealFiles, EachIsReadOrRefused) {
 TEST(RealFiles, KnownCounts) {
   ILOT_DATA_OR_SKIP(data);
   const std::map<std::string, std::uint64_t> counts{
-      {"ign/77050_627755_pf6.las", 21172},   {"ign/870000_6618000.las", 70840},
+      {"ign/77050_627755_pf6.las", 21172},           {"ign/870000_6618000.las", 70840},
       {"autzen/autzen_north_buildings.las", 549462}, {"roofs/city3d/district_east.las", 1917939},
       {"conformance/pdal/las/extrabytes.las", 1065}, {"conformance/pdal/las/no-points.las", 0},
       {"conformance/pdal/pcd/autzen-utm.pcd", 1065}, {"conformance/pdal/ply/simple_binary.ply", 3},

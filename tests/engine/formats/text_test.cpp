@@ -34,7 +34,8 @@ Opened open_text_of(const Folder& folder, const std::string& name, const std::st
 
 TEST(Text, NationalCoordinatesKeepTheirDigits) {
   const Folder folder;
-  const Opened o = open_text_of(folder, "a.xyz", "701362.56 4485513.72 836.41983944702\n836419.83944702 4485513.72 1\n");
+  const Opened o =
+      open_text_of(folder, "a.xyz", "701362.56 4485513.72 836.41983944702\n836419.83944702 4485513.72 1\n");
   EXPECT_EQ(o.reader->info().points, 2u);
   EXPECT_NEAR(o.point(0).x, 701362.56, 1e-9);
   EXPECT_NEAR(o.point(0).y, 4485513.72, 1e-9);
@@ -96,7 +97,8 @@ TEST(Text, ScalesOfColourAndIntensityFollowTheValues) {
 
 TEST(Text, MalformedAndImpossibleRowsAreRejectedAndTheFirstIsNamed) {
   const Folder folder;
-  const Opened o = open_text_of(folder, "t.xyz", "x y z\n1 2 3\n1 2\n\nnan 2 3\n1 2 inf\n1 2 1e300\n1,,2\n1 2 3x\n7 8 9\n");
+  const Opened o =
+      open_text_of(folder, "t.xyz", "x y z\n1 2 3\n1 2\n\nnan 2 3\n1 2 inf\n1 2 1e300\n1,,2\n1 2 3x\n7 8 9\n");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 0, 1}));
   ASSERT_EQ(o.reader->info().warnings.size(), 1u);
   EXPECT_EQ(o.reader->info().warnings[0], "3 lines are not 3 numbers and are rejected, the first is line 3");

@@ -19,7 +19,9 @@
 namespace ilot {
 namespace {
 
-void nap() { std::this_thread::sleep_for(std::chrono::microseconds(200)); }
+void nap() {
+  std::this_thread::sleep_for(std::chrono::microseconds(200));
+}
 
 // Bytes and tasks that run at once, and the most there ever were.
 struct Watch {
@@ -118,9 +120,7 @@ TEST(Pass, AnExceptionIsRethrownAndNothingMoreStarts) {
 TEST(Pass, TasksMayUseAllThreadsThemselves) {
   const std::vector<PassTask> tasks(40, PassTask{60, 1});
   std::atomic<int> sum{0};
-  with_threads(4, [&] {
-    run_pass(tasks, 100, [&](std::size_t) { parallel_for(100, [&](std::size_t) { ++sum; }); });
-  });
+  with_threads(4, [&] { run_pass(tasks, 100, [&](std::size_t) { parallel_for(100, [&](std::size_t) { ++sum; }); }); });
   EXPECT_EQ(sum, 4000);
 }
 

@@ -48,9 +48,9 @@ TEST(Progress, EventsOfARun) {
   p.advance(750);
   p.begin_stage("normals", 0);
   p.run_done("done");
-  EXPECT_EQ(r.names(), (std::vector<std::string>{"run_start", "input_ok", "input_skipped", "stage_start",
-                                                 "heartbeat", "unit_done", "unit_skipped", "stage_done",
-                                                 "stage_start", "stage_done", "run_done"}));
+  EXPECT_EQ(r.names(),
+            (std::vector<std::string>{"run_start", "input_ok", "input_skipped", "stage_start", "heartbeat", "unit_done",
+                                      "unit_skipped", "stage_done", "stage_start", "stage_done", "run_done"}));
   const nlohmann::json& beat = r.events[4];
   EXPECT_EQ(beat["stage"], "index");
   EXPECT_EQ(beat["done"], 250);

@@ -9,13 +9,14 @@ namespace {
 using namespace test;
 using Paths = std::vector<std::filesystem::path>;
 
-Paths expand(const std::vector<std::string>& arguments) { return expand_inputs(arguments); }
+Paths expand(const std::vector<std::string>& arguments) {
+  return expand_inputs(arguments);
+}
 
 TEST(Inputs, FilesGlobsAndFoldersAreSortedAndUnique) {
   const Folder folder;
   std::filesystem::create_directories(folder / "in" / "deep");
-  for (const char* name :
-       {"in/b.las", "in/a č.LAZ", "in/deep/c.ply", "in/notes.txt", "in/x[1].las", "in/d.json"})
+  for (const char* name : {"in/b.las", "in/a č.LAZ", "in/deep/c.ply", "in/notes.txt", "in/x[1].las", "in/d.json"})
     spill_text(folder / name, "x");
   const std::string in = (folder / "in").string();
   const Paths all{in + "/a č.LAZ", in + "/b.las", in + "/deep/c.ply", in + "/x[1].las"};

@@ -11,7 +11,9 @@ namespace {
 
 using test::CloudStore;
 
-std::uint32_t plane_of(InputOrder order) { return static_cast<std::uint32_t>((row_of(order) * 7 + file_of(order)) % 5); }
+std::uint32_t plane_of(InputOrder order) {
+  return static_cast<std::uint32_t>((row_of(order) * 7 + file_of(order)) % 5);
+}
 
 // Labels that are a function of the input row, as if passes had found them.
 void write_labels(const Store& store) {
@@ -28,7 +30,9 @@ void write_labels(const Store& store) {
 }
 
 // Four times the plane z = 0.
-std::vector<JoinedPlane> level_planes() { return std::vector<JoinedPlane>(4); }
+std::vector<JoinedPlane> level_planes() {
+  return std::vector<JoinedPlane>(4);
+}
 
 struct Rows {
   std::vector<std::byte> bytes;

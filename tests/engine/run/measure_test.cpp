@@ -20,16 +20,14 @@ struct TestPoint {
 // A cloud in memory, millimetres.
 class MemoryReader : public PointReader {
  public:
-  explicit MemoryReader(std::vector<TestPoint> points, double metres_per_unit = 1)
-      : points_(std::move(points)) {
+  explicit MemoryReader(std::vector<TestPoint> points, double metres_per_unit = 1) : points_(std::move(points)) {
     info_.points = info_.declared_points = points_.size();
     info_.crs.metres_per_unit = info_.crs.metres_per_unit_z = metres_per_unit;
   }
   const CloudInfo& info() const override { return info_; }
   bool random_access() const override { return true; }
   std::vector<std::uint64_t> boundaries() const override { return {0, points_.size()}; }
-  std::size_t read(std::uint64_t first, std::span<std::byte> records,
-                   std::span<std::uint8_t> valid) override {
+  std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) override {
     const std::size_t length = info_.layout.record_length;
     std::size_t i = 0;
     for (; i < valid.size() && first + i < points_.size(); ++i) {
@@ -92,8 +90,7 @@ TEST(Measure, StepIgnoresRepeatedPointsAndMatchesBruteForce) {
   Rng rng(3);
   std::vector<TestPoint> points;
   for (int i = 0; i < 1500; ++i) {
-    points.push_back({static_cast<std::int32_t>(rng.below(40000)),
-                      static_cast<std::int32_t>(rng.below(40000)),
+    points.push_back({static_cast<std::int32_t>(rng.below(40000)), static_cast<std::int32_t>(rng.below(40000)),
                       static_cast<std::int32_t>(rng.below(3000))});
   }
   std::vector<double> steps;

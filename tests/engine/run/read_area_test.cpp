@@ -35,8 +35,7 @@ TEST(Bounds, CornersInAnyOrderAndClosed) {
 }
 
 TEST(Bounds, Faults) {
-  for (const char* text :
-       {"", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1;2;3;4", "1,2,inf,4", "nan,0,1,1", "1,2,1,4"}) {
+  for (const char* text : {"", "1,2,3", "1,2,3,4,5", "1,2,3,x", "1;2;3;4", "1,2,inf,4", "nan,0,1,1", "1,2,1,4"}) {
     EXPECT_EQ(fault_of([&] { parse_bounds(text); }).substr(0, 9), "--bounds ") << text;
   }
 }
@@ -53,8 +52,8 @@ TEST(ReadArea, GeoJsonWithAHole) {
 TEST(ReadArea, WktEqualsGeoJson) {
   const Area a = parse_area(kSquareWithHole, "a.json");
   const Area b = parse_area("POLYGON((0 0,10 0,10 10,0 10,0 0),(4 4,6 4,6 6,4 6,4 4))", "b.wkt");
-  const Area c = parse_area(
-      " SRID=2154;MultiPolygon Z (((0 0 1, 10 0 1,10 10 1,0 10 1,0 0 1),(4 4 1,6 4 1,6 6 1,4 6 1)))\n", "c");
+  const Area c =
+      parse_area(" SRID=2154;MultiPolygon Z (((0 0 1, 10 0 1,10 10 1,0 10 1,0 0 1),(4 4 1,6 4 1,6 6 1,4 6 1)))\n", "c");
   EXPECT_EQ(a.rings, b.rings);
   EXPECT_EQ(a.rings, c.rings);
   EXPECT_EQ(c.max_x, 10);
@@ -63,8 +62,7 @@ TEST(ReadArea, WktEqualsGeoJson) {
 TEST(ReadArea, FeaturesAreJoined) {
   const std::string one =
       R"({"type":"Feature","properties":null,"geometry":{"type":"MultiPolygon","coordinates":[[[[0,0],[1,0],[0,1]]]]}})";
-  const std::string two =
-      R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[5,5],[9,5],[5,9]]]}})";
+  const std::string two = R"({"type":"Feature","geometry":{"type":"Polygon","coordinates":[[[5,5],[9,5],[5,9]]]}})";
   const Area a = parse_area(R"({"type":"FeatureCollection","features":[)" + one + "," + two + "]}", "t");
   EXPECT_TRUE(a.contains(0.25, 0.25));
   EXPECT_TRUE(a.contains(6, 6));

@@ -10,7 +10,9 @@
 namespace ilot {
 namespace {
 
-Sampling sampling_of(const test::OrientedSet& set) { return measure_sampling(build_neighbour_index(set.view().points)); }
+Sampling sampling_of(const test::OrientedSet& set) {
+  return measure_sampling(build_neighbour_index(set.view().points));
+}
 
 // Points scattered without order, one on average per step^2, on a plane that leans by a third.
 test::OrientedSet scattered(double step, double noise, std::uint64_t key) {
@@ -21,7 +23,8 @@ test::OrientedSet scattered(double step, double noise, std::uint64_t key) {
   constexpr int kCount = 10000;
   const double edge = step * std::sqrt(static_cast<double>(kCount));
   for (int i = 0; i < kCount; ++i)
-    b.add(Vec3{1000, 1000, 1000} + edge * rng.uniform() * u + edge * rng.uniform() * v + noise * test::bell(rng) * n, n);
+    b.add(Vec3{1000, 1000, 1000} + edge * rng.uniform() * u + edge * rng.uniform() * v + noise * test::bell(rng) * n,
+          n);
   return b.build();
 }
 

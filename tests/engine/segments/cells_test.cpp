@@ -121,8 +121,10 @@ TEST(Cells, PointsAreThoseOfTheCellAndItsMargin) {
       for (const Index3& p : all) {
         if (!box.grown(4).contains(p)) continue;
         ASSERT_LT(at, cp.size);
-        ASSERT_EQ((Index3{static_cast<std::int64_t>(cp.x[at]) + box.min.x, static_cast<std::int64_t>(cp.y[at]) + box.min.y,
-                          static_cast<std::int64_t>(cp.z[at]) + box.min.z}), p);
+        ASSERT_EQ(
+            (Index3{static_cast<std::int64_t>(cp.x[at]) + box.min.x, static_cast<std::int64_t>(cp.y[at]) + box.min.y,
+                    static_cast<std::int64_t>(cp.z[at]) + box.min.z}),
+            p);
         ASSERT_EQ(cp.core[at] != 0, box.contains(p));
         ASSERT_EQ(cp.normals[at], normal_of(key_of(p).code));
         ++at;

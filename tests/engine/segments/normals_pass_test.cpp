@@ -17,7 +17,9 @@ using test::CloudStore;
 // the maximum radius, across tile borders.
 std::vector<Index3> clustered_cloud(std::uint64_t key) {
   Rng rng(key);
-  const auto draw = [&](std::int64_t bound) { return static_cast<std::int64_t>(rng.below(static_cast<std::uint64_t>(bound))); };
+  const auto draw = [&](std::int64_t bound) {
+    return static_cast<std::int64_t>(rng.below(static_cast<std::uint64_t>(bound)));
+  };
   std::vector<Index3> points;
   for (int patch = 0; patch < 6; ++patch) {
     const Index3 at{draw(40000) - 20000, draw(40000) - 20000, draw(3000) - 1500};
@@ -94,10 +96,12 @@ TEST(NormalsPass, KeepsWhatAnEarlierRunWroteAndCountsEveryPoint) {
 }
 
 TEST(NormalsPass, ThePointsOfTwoAndOfOne) {
-  for (const std::vector<Index3>& points : {std::vector<Index3>{{5, 5, 5}}, std::vector<Index3>{{0, 0, 0}, {-1, -1, -1}}}) {
+  for (const std::vector<Index3>& points :
+       {std::vector<Index3>{{5, 5, 5}}, std::vector<Index3>{{0, 0, 0}, {-1, -1, -1}}}) {
     const CloudStore cloud(points);
     normals_pass(cloud.store(), {}, {});
-    for (const PackedNormal& n : test::whole_column<PackedNormal>(cloud.store(), "normals")) EXPECT_EQ(n, PackedNormal{});
+    for (const PackedNormal& n : test::whole_column<PackedNormal>(cloud.store(), "normals"))
+      EXPECT_EQ(n, PackedNormal{});
   }
 }
 

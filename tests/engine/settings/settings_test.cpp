@@ -85,14 +85,12 @@ TEST(Config, NamesTheType) {
             "ilot.toml:2:11: planes.epsilon must be a number (m) or \"auto\", not a string");
   EXPECT_EQ(load_fault("[normals]\nneighbours = 8.5\n"),
             "ilot.toml:2:14: normals.neighbours must be a whole number (points), not 8.5");
-  EXPECT_EQ(load_fault("[normals]\nwrite = 1\n"),
-            "ilot.toml:2:9: normals.write must be true or false, not 1");
+  EXPECT_EQ(load_fault("[normals]\nwrite = 1\n"), "ilot.toml:2:9: normals.write must be true or false, not 1");
   EXPECT_EQ(load_fault("[normals]\nneighbours = \"auto\"\n"),
             "ilot.toml:2:14: normals.neighbours cannot be \"auto\": it must be a whole number (points)");
   EXPECT_EQ(load_fault("[classes]\nnoise = [7, \"x\"]\n"),
             "ilot.toml:2:9: classes.noise must be a list of whole numbers, not a list of other things");
-  EXPECT_EQ(load_fault("seed = 1979-05-27\n"),
-            "ilot.toml:1:8: seed must be a whole number, not a date or time");
+  EXPECT_EQ(load_fault("seed = 1979-05-27\n"), "ilot.toml:1:8: seed must be a whole number, not a date or time");
   EXPECT_EQ(load_fault("[seed]\nx = 1\n"), "ilot.toml:1:2: seed must be a whole number, not a table");
 }
 
@@ -139,8 +137,7 @@ TEST(Assignment, OverridesTheFile) {
 }
 
 TEST(Assignment, NamesTheFault) {
-  EXPECT_EQ(set_fault("planes.epsilon"),
-            "--set planes.epsilon: expected KEY=VALUE, as in planes.epsilon=0.02");
+  EXPECT_EQ(set_fault("planes.epsilon"), "--set planes.epsilon: expected KEY=VALUE, as in planes.epsilon=0.02");
   EXPECT_EQ(set_fault("plane.epsilon=1"),
             "--set plane.epsilon=1: unknown setting 'plane.epsilon'; the nearest is 'planes.epsilon'");
   EXPECT_EQ(set_fault("planes.epsilon=-1"),
@@ -166,9 +163,8 @@ TEST(PrintConfig, LoadsBackToTheSameSettings) {
     EXPECT_TRUE(differing_keys(settings, back).empty());
     EXPECT_EQ(settings_json(settings), settings_json(back));
   }
-  EXPECT_EQ(differing_keys(Settings{}, s),
-            (std::vector<std::string>{"seed", "normals.write", "planes.epsilon", "planes.min_points",
-                                      "classes.noise"}));
+  EXPECT_EQ(differing_keys(Settings{}, s), (std::vector<std::string>{"seed", "normals.write", "planes.epsilon",
+                                                                     "planes.min_points", "classes.noise"}));
 }
 
 TEST(SettingsHash, ChangesWithEveryParameter) {

@@ -13,7 +13,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::ptrdiff_t entries(const fs::path& folder) { return std::distance(fs::directory_iterator(folder), {}); }
+std::ptrdiff_t entries(const fs::path& folder) {
+  return std::distance(fs::directory_iterator(folder), {});
+}
 
 TEST(ColumnFile, WhatIsWrittenIsRead) {
   const TemporaryFolder folder;

@@ -57,7 +57,8 @@ TEST(Lattice, AShiftByWholeTilesKeepsTheCode) {
 TEST(Lattice, NodesHoldWhatTheirBoxHolds) {
   Rng rng(2);
   for (int level = 0; level <= kTileBits; ++level) {
-    const Index3 p{-5 - static_cast<std::int64_t>(rng.below(1u << 21)), static_cast<std::int64_t>(rng.below(1u << 21)), 77};
+    const Index3 p{-5 - static_cast<std::int64_t>(rng.below(1u << 21)), static_cast<std::int64_t>(rng.below(1u << 21)),
+                   77};
     const PointKey key = key_of(p);
     const Node node = Node{key.tile, kTileBits, key.code}.ancestor(level);
     EXPECT_TRUE(node.box().contains(p));

@@ -32,7 +32,8 @@ void expect_chunk_boxes(const Store& store, std::uint32_t b, std::span<const Ind
     const std::size_t first = i * kChunkPoints;
     const IndexBox wanted = bounds(points.subspan(first, std::min<std::size_t>(kChunkPoints, points.size() - first)));
     const auto& [min, max] = chunks[i];
-    EXPECT_EQ((IndexBox{{c.x + min[0], c.y + min[1], c.z + min[2]}, {c.x + max[0], c.y + max[1], c.z + max[2]}}), wanted);
+    EXPECT_EQ((IndexBox{{c.x + min[0], c.y + min[1], c.z + min[2]}, {c.x + max[0], c.y + max[1], c.z + max[2]}}),
+              wanted);
   }
 }
 
@@ -80,7 +81,8 @@ TEST_P(PartitionOf, EveryInputPointOnceInGlobalOrderWhateverTheBlocks) {
 
 INSTANTIATE_TEST_SUITE_P(AnyCut, PartitionOf,
                          testing::Values(std::tuple{1u << 20, 1u << 20, 1}, std::tuple{1u << 20, 700, 3},
-                                         std::tuple{4096, 2000, 1}, std::tuple{700, 1u << 20, 4}, std::tuple{150, 3000, 2}));
+                                         std::tuple{4096, 2000, 1}, std::tuple{700, 1u << 20, 4},
+                                         std::tuple{150, 3000, 2}));
 
 TEST(Partition, PlansLeavesOfExactCountsDownToOnePoint) {
   const TemporaryFolder folder;

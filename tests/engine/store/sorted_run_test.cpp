@@ -11,7 +11,9 @@ namespace {
 
 using test::kUnit;
 
-std::filesystem::path with(std::filesystem::path stem, const char* suffix) { return stem += suffix; }
+std::filesystem::path with(std::filesystem::path stem, const char* suffix) {
+  return stem += suffix;
+}
 
 SortedRun sort_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const IndexFilter& filter,
                      std::uint64_t first, std::uint64_t count) {

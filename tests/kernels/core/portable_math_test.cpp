@@ -64,8 +64,7 @@ TEST(PortableMath, LogarithmStaysWithinItsRelativeError) {
     const auto wanted = static_cast<double>(std::log(static_cast<long double>(v)));
     ASSERT_NEAR(natural_log(v), wanted, 1e-14 * std::abs(wanted)) << v;
   };
-  for (int i = 0; i < 50000; ++i)
-    check(std::ldexp(1 + rng.uniform(), static_cast<int>(rng.below(2045)) - 1022));
+  for (int i = 0; i < 50000; ++i) check(std::ldexp(1 + rng.uniform(), static_cast<int>(rng.below(2045)) - 1022));
   for (int bits = 1; bits <= 52; ++bits) {  // around 1, where the result vanishes
     check(1 + std::ldexp(1.0, -bits));
     check(1 - std::ldexp(1.0, -bits));

@@ -100,7 +100,8 @@ TEST(Knn, PointsAsFarApartAsOffsetsAllow) {
     }
   set.size = set.x.size();
   for (auto* v : {&set.x, &set.y, &set.z}) v->resize(set.size + 16, 0.0f);
-  for (const KnnParams params : {KnnParams{2, kMaxSquaredReach}, KnnParams{5, kMaxSquaredReach}, KnnParams{6, kMaxSquaredReach}}) {
+  for (const KnnParams params :
+       {KnnParams{2, kMaxSquaredReach}, KnnParams{5, kMaxSquaredReach}, KnnParams{6, kMaxSquaredReach}}) {
     const Answer got = run_knn(set.view(), all_of(set.size), params);
     const Answer want = brute_force(set.view(), all_of(set.size), params);
     EXPECT_EQ(got.neighbours, want.neighbours) << params.k;
@@ -129,8 +130,18 @@ TEST(Knn, EveryInstructionSetGivesTheSameBits) {
     const auto queries = all_of(3000);
     std::vector<std::uint32_t> a(3000 * 12), b(3000 * 12);
     std::vector<std::int64_t> ra(3000), rb(3000);
-    simd::KnnArgs args{set.x.data(), set.y.data(), set.z.data(), 3000, boxes.data(), static_cast<int>(boxes.size()),
-                       queries.data(), 3000, 12, kMaxSquaredReach, a.data(), ra.data()};
+    simd::KnnArgs args{set.x.data(),
+                       set.y.data(),
+                       set.z.data(),
+                       3000,
+                       boxes.data(),
+                       static_cast<int>(boxes.size()),
+                       queries.data(),
+                       3000,
+                       12,
+                       kMaxSquaredReach,
+                       a.data(),
+                       ra.data()};
     simd::find_table("baseline")->knn(args);
     args.neighbours = b.data();
     args.reach2 = rb.data();

@@ -14,7 +14,9 @@ float box_value(const NeighbourIndex& index, std::size_t level, std::size_t chil
   return index.boxes[level][child / 8 * 48 + row * 8 + child % 8];
 }
 
-std::size_t ceil_div(std::size_t a, std::size_t b) { return (a + b - 1) / b; }
+std::size_t ceil_div(std::size_t a, std::size_t b) {
+  return (a + b - 1) / b;
+}
 
 TEST(NeighbourIndex, NineByHand) {
   std::vector<Cell3> cells;

@@ -44,7 +44,8 @@ TEST(RmsToPlane, EqualsTheSumOverPoints) {
   const Plane plane{{0.36, 0.48, 0.8}, -500};
   double sum = 0;
   for (const Index3& p : points) {
-    const double d = signed_distance(plane, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
+    const double d =
+        signed_distance(plane, {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)});
     sum += d * d;
   }
   EXPECT_NEAR(rms_to_plane(m, plane), std::sqrt(sum / 500), 1e-9);

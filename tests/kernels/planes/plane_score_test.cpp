@@ -36,8 +36,8 @@ Case make_case(std::uint32_t n, std::size_t planes) {
     const Vec3 v = unit();
     const std::size_t at = rng.below(n);
     const Vec3 p{c.set.x[at], c.set.y[at], c.set.z[at]};
-    c.planes.push_back({static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z),
-                        static_cast<float>(-dot(v, p))});
+    c.planes.push_back(
+        {static_cast<float>(v.x), static_cast<float>(v.y), static_cast<float>(v.z), static_cast<float>(-dot(v, p))});
   }
   return c;
 }
@@ -82,8 +82,9 @@ TEST(CountInliers, EveryInstructionSetGivesTheSameCounts) {
   if (avx2 == nullptr) GTEST_SKIP() << "this machine has no AVX2";
   const Case c = make_case(10007, 37);
   std::vector<std::uint32_t> a(37), b(37);
-  simd::CountArgs args{c.set.x.data(), c.set.y.data(), c.set.z.data(), c.nx.data(), c.ny.data(), c.nz.data(),
-                       c.set.size, c.planes.data()->data(), 37, 300, 0.8f, a.data()};
+  simd::CountArgs args{c.set.x.data(), c.set.y.data(), c.set.z.data(),          c.nx.data(), c.ny.data(),
+                       c.nz.data(),    c.set.size,     c.planes.data()->data(), 37,          300,
+                       0.8f,           a.data()};
   simd::find_table("baseline")->count_inliers(args);
   args.counts = b.data();
   avx2->count_inliers(args);

@@ -18,7 +18,8 @@ using test::Patch;
 constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 constexpr double kCos25 = 0.9063077870366499;
 
-RansacParams params_of(double epsilon, std::int64_t connectivity, std::uint32_t min_points = 30, std::uint64_t key = 1) {
+RansacParams params_of(double epsilon, std::int64_t connectivity, std::uint32_t min_points = 30,
+                       std::uint64_t key = 1) {
   return {epsilon, kCos25, connectivity, min_points, 0.99, key};
 }
 

@@ -24,9 +24,7 @@ class DistrictFile : public ::testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  static DistrictScan plan(std::uint64_t points) {
-    return plan_district(SceneValues(district_options()), 4, points);
-  }
+  static DistrictScan plan(std::uint64_t points) { return plan_district(SceneValues(district_options()), 4, points); }
 
   std::filesystem::path folder_;
 };
@@ -73,9 +71,8 @@ TEST_F(DistrictFile, CloudAndTruthAgree) {
     if (id == 0) continue;
     ++counted[id];
     const PointFields f = decode_fields({record, 30}, 6);
-    const double distance = planes[id][0] * (f.x * 0.001 + kEastOrigin) +
-                            planes[id][1] * (f.y * 0.001 + kNorthOrigin) + planes[id][2] * f.z * 0.001 +
-                            planes[id][3];
+    const double distance = planes[id][0] * (f.x * 0.001 + kEastOrigin) + planes[id][1] * (f.y * 0.001 + kNorthOrigin) +
+                            planes[id][2] * f.z * 0.001 + planes[id][3];
     ASSERT_LT(std::abs(distance), 6 * 0.02 + 0.001);
   }
   EXPECT_EQ(counted, declared);

@@ -27,9 +27,8 @@ DistrictScan plan(std::initializer_list<const char*> settings, std::uint64_t see
 std::vector<std::byte> records_of(const DistrictScan& scan, int threads) {
   std::vector<std::byte> all;
   with_threads(threads, [&] {
-    scan_district(scan, [&](const ScannedCell& item) {
-      all.insert(all.end(), item.records.begin(), item.records.end());
-    });
+    scan_district(scan,
+                  [&](const ScannedCell& item) { all.insert(all.end(), item.records.begin(), item.records.end()); });
   });
   return all;
 }
@@ -86,8 +85,8 @@ TEST(DistrictScan, PointsLieOnTheirTruePlanes) {
         ASSERT_GE(id, item.first_plane);
         ASSERT_LT(id - item.first_plane, item.cell.plane_count);
         const auto& planes = item.cell.face_plane;
-        const auto face = static_cast<std::size_t>(
-            std::find(planes.begin(), planes.end(), id - item.first_plane) - planes.begin());
+        const auto face =
+            static_cast<std::size_t>(std::find(planes.begin(), planes.end(), id - item.first_plane) - planes.begin());
         plane = item.cell.faces[face].plane;
         ASSERT_EQ(item.cell.faces[face].surface, surface);
       }
@@ -167,8 +166,7 @@ TEST(DistrictScan, EchoesOfAPulseAreCountedInOrder) {
   EXPECT_GT(several, 5000u);
 }
 
-std::string message_of(std::initializer_list<const char*> settings,
-                       std::optional<std::uint64_t> points = {}) {
+std::string message_of(std::initializer_list<const char*> settings, std::optional<std::uint64_t> points = {}) {
   try {
     plan(settings, 0, points);
   } catch (const Error& error) {
