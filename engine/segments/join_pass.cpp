@@ -34,9 +34,7 @@ BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& l
     if (labels[i] == 0) continue;
     const std::uint32_t segment = labels[i] - 1;
     const IndexBox box = cells[planes.cell_of[segment]].node.box();
-    const Index3 p{static_cast<std::int64_t>(view.x[i]) + view.anchor.x,
-                   static_cast<std::int64_t>(view.y[i]) + view.anchor.y,
-                   static_cast<std::int64_t>(view.z[i]) + view.anchor.z};
+    const Index3 p = view.position(i);
     const std::int64_t clear = std::min(
         {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
     if (clear >= 2 * reach) continue;

@@ -90,7 +90,7 @@ class BlockLabels {
     for (std::uint32_t i = 0; i < plane_.size(); ++i) {
       if (plane_[i] == 0) continue;
       PlaneTally& t = by_plane[plane_[i]];
-      const Index3 p = position(own_.begin + i);
+      const Index3 p = view_.position(own_.begin + i);
       const Index3 anchor = joined_.planes[plane_[i] - 1].anchor;
       t.moments.add_point({p.x - anchor.x, p.y - anchor.y, p.z - anchor.z});
       t.content_id += mix64(codes[i]);
@@ -108,15 +108,9 @@ class BlockLabels {
   }
 
  private:
-  Index3 position(std::uint32_t i) const {
-    return {static_cast<std::int64_t>(view_.x[i]) + view_.anchor.x,
-            static_cast<std::int64_t>(view_.y[i]) + view_.anchor.y,
-            static_cast<std::int64_t>(view_.z[i]) + view_.anchor.z};
-  }
-
   double distance(std::uint32_t i, std::uint32_t plane) const {
     const JoinedPlane& j = joined_.planes[plane - 1];
-    const Index3 p = position(i);
+    const Index3 p = view_.position(i);
     return signed_distance(j.plane, {static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
                                      static_cast<double>(p.z - j.anchor.z)});
   }
@@ -190,7 +184,7 @@ class BlockLabels {
   }
 
   void set(std::uint32_t point, std::uint32_t plane) {
-    const bool wanted = !context_.wanted || context_.wanted(position(own_.begin + point));
+    const bool wanted = !context_.wanted || context_.wanted(view_.position(own_.begin + point));
     plane_[point] = wanted ? plane : 0;
   }
 

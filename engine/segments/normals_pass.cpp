@@ -173,8 +173,7 @@ class BlockNormals {
   }
 
   static std::int64_t clearance(const IndexBox& box, const View& v, std::uint32_t i) {
-    const Index3 p{static_cast<std::int64_t>(v.x[i]) + v.anchor.x, static_cast<std::int64_t>(v.y[i]) + v.anchor.y,
-                   static_cast<std::int64_t>(v.z[i]) + v.anchor.z};
+    const Index3 p = v.position(i);
     return std::min(
         {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
   }

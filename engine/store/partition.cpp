@@ -9,10 +9,6 @@
 namespace ilot {
 namespace {
 
-std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
-  return stem += suffix;
-}
-
 // First position in [range.first, range.end) whose code is not below `code`.
 std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const RunRange& range, std::uint64_t code) {
   std::uint64_t lo = range.first, hi = range.end;

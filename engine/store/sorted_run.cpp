@@ -35,10 +35,6 @@ class Gatherer {
   Tile last_tile_;
 };
 
-std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
-  return stem += suffix;
-}
-
 template <class T>
 std::vector<T> permuted(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
   std::vector<T> result(values.size());

@@ -54,4 +54,9 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
 // The table of a run that an earlier start finished; nullopt when there is none.
 std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem);
 
+// stem.codes and its siblings.
+inline std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
+  return stem += suffix;
+}
+
 }  // namespace ilot

@@ -21,6 +21,11 @@ struct View {
   std::vector<float> x, y, z;  // padded as Points asks
   std::size_t size = 0;
 
+  // Where a point lies on the lattice.
+  Index3 position(std::uint32_t i) const {
+    return {static_cast<std::int64_t>(x[i]) + anchor.x, static_cast<std::int64_t>(y[i]) + anchor.y,
+            static_cast<std::int64_t>(z[i]) + anchor.z};
+  }
   Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };
 

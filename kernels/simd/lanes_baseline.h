@@ -43,20 +43,6 @@ inline std::uint32_t mask_le(F8 a, F8 b) {
          static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.hi, b.hi))) << 4;
 }
 
-// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
-// end. Returns how many lanes there were.
-inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
-  float lanes[8];
-  store8(lanes, v);
-  std::uint32_t n = 0;
-  for (std::uint32_t lane = 0; lane < 8; ++lane) {
-    values[n] = lanes[lane];
-    indices[n] = first + lane;
-    n += mask >> lane & 1;
-  }
-  return n;
-}
-
 // Per-lane counters of how often a condition held.
 struct Count8 {
   __m128i lo, hi;
@@ -125,20 +111,6 @@ inline std::uint32_t mask_le(F8 a, F8 b) {
   for (int i = 0; i < 8; ++i) m |= static_cast<std::uint32_t>(a.v[i] <= b.v[i]) << i;
   return m;
 }
-// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
-// end. Returns how many lanes there were.
-inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
-  float lanes[8];
-  store8(lanes, v);
-  std::uint32_t n = 0;
-  for (std::uint32_t lane = 0; lane < 8; ++lane) {
-    values[n] = lanes[lane];
-    indices[n] = first + lane;
-    n += mask >> lane & 1;
-  }
-  return n;
-}
-
 struct Count8 {
   std::uint32_t n;
 };
@@ -157,3 +129,21 @@ inline std::uint32_t total(Count8 c) {
 
 }  // namespace ilot::simd::baseline
 #endif
+
+namespace ilot::simd::baseline {
+
+// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
+// end. Returns how many lanes there were.
+inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
+  float lanes[8];
+  store8(lanes, v);
+  std::uint32_t n = 0;
+  for (std::uint32_t lane = 0; lane < 8; ++lane) {
+    values[n] = lanes[lane];
+    indices[n] = first + lane;
+    n += mask >> lane & 1;
+  }
+  return n;
+}
+
+}  // namespace ilot::simd::baseline
