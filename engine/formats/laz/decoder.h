@@ -46,7 +46,8 @@ class Decoder {
     const std::uint32_t unit = length_ >> kSymbolShift;
     const std::uint32_t s = model.find(value_ / unit);
     const std::uint32_t low = model.below(s) * unit;
-    const std::uint32_t high = s == model.last_symbol() ? length_ : model.below(s + 1) * unit;
+    const std::uint32_t last = s == model.last_symbol(), mask = 0u - last;  // no branch on the data
+    const std::uint32_t high = (length_ & mask) | (model.below(s + 1) * unit & ~mask);
     value_ -= low;
     length_ = high - low;
     renormalise();
@@ -58,8 +59,9 @@ class Decoder {
     model.prepare(epoch_);
     const std::uint32_t split = model.zero_share() * (length_ >> kBitShift);
     const std::uint32_t b = value_ >= split;
-    value_ -= b ? split : 0;
-    length_ = b ? length_ - split : split;
+    const std::uint32_t mask = 0u - b;
+    value_ -= split & mask;
+    length_ = split + ((length_ - 2 * split) & mask);
     renormalise();
     model.count(b);
     return b;

@@ -45,7 +45,9 @@ class IntegerCodec {
     if (k_ == 32) return 0x80000000u;
     const bool negative = static_cast<std::int32_t>(corrector) < 0;
     const std::uint32_t mapped = code_mapped(coder, negative ? corrector + (1u << k_) - 1 : corrector - 1);
-    return mapped >= 1u << (k_ - 1) ? mapped + 1 : mapped - ((1u << k_) - 1);
+    // The lower half is negative. Which half it is is anyone's guess: no branch.
+    const std::uint32_t lower_half = mapped < 1u << (k_ - 1);
+    return mapped + 1 - (lower_half << k_);
   }
 
   [[gnu::always_inline]] std::uint32_t code_mapped(Coder& coder, std::uint32_t c) {

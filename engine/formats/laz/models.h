@@ -58,7 +58,9 @@ class SymbolModel {
  private:
   using Entry = std::conditional_t<(kCapacity > 256), std::uint16_t, std::uint8_t>;
   struct NoTable {};
-  using Table = std::conditional_t<kLookup, Entry[(1u << kTableBits) + 1], NoTable>;
+  static constexpr std::uint32_t kBuckets = (1u << kTableBits) + 1;
+  static constexpr std::uint32_t kStride = sizeof(std::uint64_t) / sizeof(Entry);
+  using Table = std::conditional_t<kLookup, Entry[kBuckets + kStride], NoTable>;
   static constexpr std::uint16_t kGuard = 0xFFFF;
 
   [[gnu::noinline]] void restart(std::uint32_t epoch, std::uint32_t symbols) {
@@ -95,15 +97,26 @@ class SymbolModel {
     }
   }
 
-  // table_[b] = the symbol that holds the first target of bucket b.
+  // table_[b] = the symbol that holds the first target of bucket b. Most symbols have a few buckets only: each
+  // fills kStride of them at once, and the next one overwrites what is too many.
   void fill_table() {
-    constexpr std::uint32_t kBuckets = (1u << kTableBits) + 1;
     std::uint32_t bucket = 0;
     for (std::uint32_t s = 0; s < last_; ++s) {
       const std::uint32_t end = (cumulated_[s + 1] + (1u << kTableShift) - 1) >> kTableShift;
-      while (bucket < end) table_[bucket++] = static_cast<Entry>(s);
+      fill(bucket, end, s);
+      bucket = std::max(bucket, end);
     }
-    while (bucket < kBuckets) table_[bucket++] = static_cast<Entry>(last_);
+    fill(bucket, kBuckets, last_);
+  }
+
+  // [bucket, end) and up to kStride - 1 entries behind.
+  void fill(std::uint32_t bucket, std::uint32_t end, std::uint32_t s) {
+    const std::uint64_t every =
+        static_cast<std::uint64_t>(s) * (sizeof(Entry) == 1 ? 0x0101010101010101u : 0x0001000100010001u);
+    do {
+      std::memcpy(table_ + bucket, &every, sizeof every);
+      bucket += kStride;
+    } while (bucket < end);
   }
 
   std::uint32_t epoch_;

@@ -134,21 +134,14 @@ class Point14Codec {
     const std::uint32_t last_n = c.last.n(), last_r = c.last.r();
     std::uint32_t n = last_n, r = last_r;
     if (change & kReturnCount) n = coder.symbol(c.return_count[last_n], p.n());
-    switch (change & kReturnMask) {
-      case 0:
-        break;
-      case 1:
-        r = (r + 1) & 15u;
-        break;
-      case 2:
-        r = (r + 15) & 15u;
-        break;
-      default:
-        if (change & kGps) {
-          r = coder.symbol(c.return_number[last_r], p.r());
-        } else {
-          r = (last_r + 2 + coder.symbol(c.return_number_same_time, (p.r() - last_r - 2) & 15u)) & 15u;
-        }
+    // 0: as before, 1: the next, 2: the one before, without a branch on which; 3: any other.
+    r = (r + (0xF10u >> 4 * (change & kReturnMask))) & 15u;
+    if ((change & kReturnMask) == 3) {
+      if (change & kGps) {
+        r = coder.symbol(c.return_number[last_r], p.r());
+      } else {
+        r = (last_r + 2 + coder.symbol(c.return_number_same_time, (p.r() - last_r - 2) & 15u)) & 15u;
+      }
     }
     p.returns = static_cast<std::uint8_t>(n << 4 | r);
   }

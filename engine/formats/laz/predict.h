@@ -15,16 +15,20 @@ class Median5 {
   void add(std::int32_t x) {
     const std::int32_t* kept = v_ + low_;
     const std::int32_t a = kept[0], b = kept[1], c = kept[2], d = kept[3];
-    const bool below = x < v_[2], above = v_[2] < x;
-    low_ = low_ ? above : !below;
-    v_[0] = std::min(a, x);
-    v_[1] = std::max(a, std::min(b, x));
-    v_[2] = std::max(b, std::min(c, x));
-    v_[3] = std::max(c, std::min(d, x));
-    v_[4] = std::max(d, x);
+    const std::uint32_t below = x < v_[2], above = v_[2] < x;
+    low_ = (low_ & above) | (~low_ & ~below & 1u);
+    v_[0] = smaller(a, x);
+    v_[1] = larger(a, smaller(b, x));
+    v_[2] = larger(b, smaller(c, x));
+    v_[3] = larger(c, smaller(d, x));
+    v_[4] = larger(d, x);
   }
 
  private:
+  // As std::min and std::max, of which compilers make branches.
+  static std::int32_t smaller(std::int32_t a, std::int32_t b) { return b ^ ((a ^ b) & -(a < b)); }
+  static std::int32_t larger(std::int32_t a, std::int32_t b) { return a ^ ((a ^ b) & -(a < b)); }
+
   std::int32_t v_[5] = {};
   std::uint32_t low_ = 0;  // 1: the next value drives out the smallest
 };
