@@ -41,7 +41,10 @@ class LazReader final : public PointReader {
 
   const CloudInfo& info() const override { return info_; }
   bool random_access() const override { return !compression_.one_stream; }
-  void limit_to(std::uint32_t fields) override { fields_ = fields; }
+  void limit_to(std::uint32_t fields) override {
+    fields_ = fields;
+    idle_.clear();  // they stand in chunks begun with other fields
+  }
 
   std::vector<std::uint64_t> boundaries() const override {
     std::vector<std::uint64_t> result;

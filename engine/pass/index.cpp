@@ -86,6 +86,11 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
   return runs;
 }
 
+// Runs need places, class and flags only; who reads on needs all again.
+void limit_inputs(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint32_t fields) {
+  for (const auto& input : inputs) input->limit_to(fields);
+}
+
 std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>& inputs, const std::vector<Task>& tasks,
                                 const IndexParams& params, const fs::path& folder, const PassContext& context) {
   std::vector<std::vector<SortedRun>> parts(tasks.size());
@@ -138,7 +143,9 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
     const auto [tasks, skipped] = stretches(inputs, params);
     rejected[static_cast<std::size_t>(Rejection::outside)] = skipped;
     context.advance(skipped);
+    limit_inputs(inputs, kFieldZ | kFieldClass | kFieldFlags);
     const std::vector<SortedRun> runs = all_runs(inputs, tasks, params, folder, context);
+    limit_inputs(inputs, kAllFields);
     for (const SortedRun& run : runs)
       for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
     const std::vector<Block> blocks = all_blocks(runs, params, folder, context);

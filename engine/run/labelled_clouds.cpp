@@ -10,7 +10,7 @@
 #include "engine/pass/pass.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
-#include "kernels/neighbours/morton.h"
+#include "kernels/core/radix_sort.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {

@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "engine/error.h"
+#include "kernels/core/radix_sort.h"
 
 namespace ilot {
 namespace {
 
 // First position in [range.first, range.end) whose code is not below `code`.
-std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const RunRange& range, std::uint64_t code) {
+std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& points, const RunRange& range, std::uint64_t code) {
   std::uint64_t lo = range.first, hi = range.end;
   const std::uint64_t first_sample = (lo + kRunSample - 1) / kRunSample;
   const std::uint64_t last_sample = (hi + kRunSample - 1) / kRunSample;
@@ -20,9 +22,10 @@ std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& codes, const
   if (it != begin) lo = std::max(lo, static_cast<std::uint64_t>(it - run.samples.begin() - 1) * kRunSample);
   if (it != end) hi = std::min(hi, static_cast<std::uint64_t>(it - run.samples.begin()) * kRunSample);
   if (lo == hi) return lo;
-  std::vector<std::uint64_t> page(hi - lo);
-  codes.read<std::uint64_t>(lo, page);
-  return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code) - page.begin());
+  std::vector<KeyValue> page(hi - lo);
+  points.read<KeyValue>(lo, page);
+  const auto below = [](const KeyValue& point, std::uint64_t c) { return point.key < c; };
+  return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code, below) - page.begin());
 }
 
 class Planner {
@@ -39,11 +42,11 @@ class Planner {
     for (int octant = 0; octant < 8; ++octant)
       children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
     for (const RunRange& range : block.ranges) {
-      const ColumnReader codes(with_suffix(runs_[range.run].stem, ".codes"));
+      const ColumnReader points(with_suffix(runs_[range.run].stem, ".points"));
       std::uint64_t first = range.first;
       for (std::size_t octant = 0; octant < 8; ++octant) {
         const std::uint64_t end = octant == 7 ? range.end
-                                              : lower_bound(runs_[range.run], codes, {range.run, first, range.end},
+                                              : lower_bound(runs_[range.run], points, {range.run, first, range.end},
                                                             children[octant + 1].node.first_code);
         if (end > first) {
           children[octant].ranges.push_back({range.run, first, end});
@@ -60,24 +63,25 @@ class Planner {
   std::uint64_t block_points_;
 };
 
-template <class T>
-std::vector<T> gather(const PlannedBlock& plan, std::span<const SortedRun> runs, const char* suffix) {
-  std::vector<T> values(plan.points);
+// The points of all ranges, sorted.
+std::span<KeyValue> merge(const PlannedBlock& plan, std::span<const SortedRun> runs, std::span<KeyValue> memory) {
+  const std::span<KeyValue> points = memory.first(plan.points);
   std::uint64_t at = 0;
   for (const RunRange& range : plan.ranges) {
     const std::uint64_t n = range.end - range.first;
-    ColumnReader(with_suffix(runs[range.run].stem, suffix)).read<T>(range.first, std::span(values).subspan(at, n));
+    ColumnReader(with_suffix(runs[range.run].stem, ".points")).read<KeyValue>(range.first, points.subspan(at, n));
     at += n;
   }
-  return values;
+  if (plan.ranges.size() > 1) sort_pairs(points, memory.subspan(plan.points));
+  return points;
 }
 
-std::vector<ChunkBox> chunk_boxes(std::span<const std::uint64_t> codes) {
+std::vector<ChunkBox> chunk_boxes(std::span<const KeyValue> points) {
   std::vector<ChunkBox> boxes;
-  for (std::size_t first = 0; first < codes.size(); first += kChunkPoints) {
+  for (std::size_t first = 0; first < points.size(); first += kChunkPoints) {
     ChunkBox box{{UINT32_MAX, UINT32_MAX, UINT32_MAX}, {0, 0, 0}};
-    for (std::size_t i = first; i < std::min(codes.size(), first + kChunkPoints); ++i) {
-      const Cell3 c = morton_cell(codes[i]);
+    for (std::size_t i = first; i < std::min(points.size(), first + kChunkPoints); ++i) {
+      const Cell3 c = morton_cell(points[i].key);
       const std::uint32_t v[3]{c.x, c.y, c.z};
       for (int axis = 0; axis < 3; ++axis) {
         box.min[axis] = std::min(box.min[axis], v[axis]);
@@ -87,6 +91,20 @@ std::vector<ChunkBox> chunk_boxes(std::span<const std::uint64_t> codes) {
     boxes.push_back(box);
   }
   return boxes;
+}
+
+// Writes one member of the points as a column, through a small buffer.
+void write_member(const std::filesystem::path& path, std::span<const KeyValue> points,
+                  std::uint64_t KeyValue::*member) {
+  constexpr std::size_t kBuffer = 1 << 13;
+  ColumnWriter file(path);
+  std::vector<std::uint64_t> buffer(kBuffer);
+  for (std::size_t first = 0; first < points.size(); first += kBuffer) {
+    const std::size_t n = std::min(kBuffer, points.size() - first);
+    for (std::size_t i = 0; i < n; ++i) buffer[i] = points[first + i].*member;
+    file.append<std::uint64_t>(std::span(buffer).first(n));
+  }
+  file.commit();
 }
 
 IndexBox bounds(std::span<const ChunkBox> chunks, Tile tile) {
@@ -122,25 +140,13 @@ std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint
 Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, const std::filesystem::path& folder) {
   if (plan.points > UINT32_MAX)
     throw Error("more than 4 billion points coincide at one place; remove duplicates from the input first");
-  auto codes = gather<std::uint64_t>(plan, runs, ".codes");
-  // Runs are sorted and their ranges come in input order, so a stable sort leaves ties in input order.
-  const std::vector<std::uint32_t> sorted = sorted_order(codes);
-  const auto write = [&](const char* column, const auto& values) {
-    using T = typename std::decay_t<decltype(values)>::value_type;
-    write_column<T>(folder / (plan.node.name() + "." + column), values);
-  };
-  const auto permute = [&](auto& values) {
-    auto copy = values;
-    for (std::size_t i = 0; i < sorted.size(); ++i) values[i] = copy[sorted[i]];
-  };
-  permute(codes);
-  write("codes", codes);
-  const auto chunks = chunk_boxes(codes);
-  codes = {};
-  auto order = gather<InputOrder>(plan, runs, ".order");
-  permute(order);
-  write("order", order);
-  write("chunks", chunks);
+  const auto memory = std::make_unique_for_overwrite<KeyValue[]>(2 * plan.points);
+  const std::span<const KeyValue> points = merge(plan, runs, {memory.get(), 2 * plan.points});
+  const std::vector<ChunkBox> chunks = chunk_boxes(points);
+  const std::string stem = folder / (plan.node.name() + ".");
+  write_member(stem + "codes", points, &KeyValue::key);
+  write_member(stem + "order", points, &KeyValue::value);
+  write_column<ChunkBox>(stem + "chunks", chunks);
   return {plan.node, static_cast<std::uint32_t>(plan.points), bounds(chunks, plan.node.tile)};
 }
 

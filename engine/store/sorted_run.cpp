@@ -3,65 +3,54 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
 
 #include "engine/error.h"
 #include "engine/store/column_file.h"
 #include "engine/store/store.h"
+#include "kernels/core/radix_sort.h"
 
 namespace ilot {
 namespace {
 
-struct TilePoints {
-  std::vector<std::uint64_t> codes;
-  std::vector<InputOrder> order;
-};
-
-// Points of one run gathered by tile. Neighbours in a file mostly share a tile, so the last one is remembered.
+// Points of one run gathered by tile: code and input order. Neighbours in a file mostly share a tile, so the last one
+// is remembered.
 class Gatherer {
  public:
+  explicit Gatherer(std::uint64_t points) : points_(points) {}
+
   void add(const PointKey& key, InputOrder order) {
     if (last_ == nullptr || key.tile != last_tile_) {
       last_ = &tiles_[key.tile];
       last_tile_ = key.tile;
+      if (tiles_.size() == 1) last_->reserve(points_);  // mostly the only one
     }
-    last_->codes.push_back(key.code);
-    last_->order.push_back(order);
+    last_->push_back({key.code, order});
   }
-  std::map<Tile, TilePoints>& tiles() { return tiles_; }
+  std::map<Tile, std::vector<KeyValue>>& tiles() { return tiles_; }
 
  private:
-  std::map<Tile, TilePoints> tiles_;
-  TilePoints* last_ = nullptr;
+  std::uint64_t points_;
+  std::map<Tile, std::vector<KeyValue>> tiles_;
+  std::vector<KeyValue>* last_ = nullptr;
   Tile last_tile_;
 };
 
-template <class T>
-std::vector<T> permuted(const std::vector<T>& values, const std::vector<std::uint32_t>& order) {
-  std::vector<T> result(values.size());
-  for (std::size_t i = 0; i < order.size(); ++i) result[i] = values[order[i]];
-  return result;
-}
-
 // Sorts tile by tile and frees each as soon as it is written.
-void write_columns(std::map<Tile, TilePoints>& tiles, SortedRun& run) {
-  ColumnWriter codes(with_suffix(run.stem, ".codes"));
-  ColumnWriter orders(with_suffix(run.stem, ".order"));
+void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) {
+  ColumnWriter file(with_suffix(run.stem, ".points"));
   std::uint64_t written = 0;
   for (auto& [tile, points] : tiles) {
-    const std::vector<std::uint32_t> order = sorted_order(points.codes);
-    points.codes = permuted(points.codes, order);
-    points.order = permuted(points.order, order);
-    const std::uint64_t n = points.codes.size();
+    const std::uint64_t n = points.size();
+    sort_pairs(points, {std::make_unique_for_overwrite<KeyValue[]>(n).get(), n});
     run.tiles.push_back({tile, written, written + n});
     const std::uint64_t to_sample = (kRunSample - written % kRunSample) % kRunSample;
-    for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points.codes[i]);
-    codes.append<std::uint64_t>(points.codes);
-    orders.append<InputOrder>(points.order);
+    for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points[i].key);
+    file.append<KeyValue>(points);
     written += n;
     points = {};
   }
-  codes.commit();
-  orders.commit();
+  file.commit();
 }
 
 void write_table(const SortedRun& run) {
@@ -94,7 +83,7 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
   const std::size_t length = info.layout.record_length;
   const LatticeMap lattice(info.layout, unit);
   SortedRun run{stem, {}, {}, {}};
-  Gatherer gatherer;
+  Gatherer gatherer(source.count);
   std::vector<std::byte> records(kBatch * length);
   std::vector<std::uint8_t> valid(kBatch);
   for (std::uint64_t done = 0; done < source.count;) {
@@ -117,7 +106,7 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
     done += got;
     read_rows(got);
   }
-  write_columns(gatherer.tiles(), run);
+  write_points(gatherer.tiles(), run);
   write_table(run);
   return run;
 }

@@ -35,7 +35,7 @@ struct RunTile {
 constexpr std::uint64_t kRunSample = 1024;  // every 1,024th code of the run is kept in memory
 
 struct SortedRun {
-  std::filesystem::path stem;  // stem.codes, stem.order; stem.table is written last
+  std::filesystem::path stem;  // stem.points: KeyValue of code and input order; stem.table is written last
   std::array<std::uint64_t, kRejections> rejected{};
   std::vector<RunTile> tiles;          // ascending
   std::vector<std::uint64_t> samples;  // code at position i * kRunSample
@@ -54,7 +54,7 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
 // The table of a run that an earlier start finished; nullopt when there is none.
 std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem);
 
-// stem.codes and its siblings.
+// stem.points and its siblings.
 inline std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
   return stem += suffix;
 }

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <numeric>
 
+#include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/neighbours/morton.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
-#include <span>
-#include <vector>
 
 namespace ilot {
 
@@ -39,9 +37,5 @@ constexpr std::uint64_t morton_code(Cell3 c) {
 constexpr Cell3 morton_cell(std::uint64_t code) {
   return {detail::gather3(code), detail::gather3(code >> 1), detail::gather3(code >> 2)};
 }
-
-// Permutation that sorts the keys, equal keys in their given order. Radix sort, O(n) passes over the bytes in which
-// keys differ; 32 bytes of working memory a key.
-std::vector<std::uint32_t> sorted_order(std::span<const std::uint64_t> keys);
 
 }  // namespace ilot

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/radix_sort.h"
 #include "kernels/planes/plane_score.h"
 #include "tests/support/point_sets.h"
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/error.h"
+#include "kernels/core/radix_sort.h"
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -35,13 +36,11 @@ TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
   std::vector<std::uint64_t> rows(count);
   for (std::uint64_t i = 0; i < count; ++i) rows[i] = first + i;
   std::stable_sort(rows.begin(), rows.end(), [&](auto a, auto b) { return key_of(points[a]) < key_of(points[b]); });
-  const auto codes = read_column<std::uint64_t>(with(run.stem, ".codes"));
-  const auto order = read_column<InputOrder>(with(run.stem, ".order"));
-  ASSERT_EQ(codes.size(), count);
-  ASSERT_EQ(order.size(), count);
+  const auto stored = read_column<KeyValue>(with(run.stem, ".points"));
+  ASSERT_EQ(stored.size(), count);
   for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(order[i], input_order(3, rows[i]));
-    ASSERT_EQ(codes[i], key_of(points[rows[i]]).code);
+    ASSERT_EQ(stored[i].value, input_order(3, rows[i]));
+    ASSERT_EQ(stored[i].key, key_of(points[rows[i]]).code);
   }
   std::uint64_t at = 0;
   for (const RunTile& t : run.tiles) {
@@ -52,7 +51,7 @@ TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
   }
   EXPECT_EQ(at, count);
   ASSERT_EQ(run.samples.size(), (count + kRunSample - 1) / kRunSample);
-  for (std::size_t s = 0; s < run.samples.size(); ++s) EXPECT_EQ(run.samples[s], codes[s * kRunSample]);
+  for (std::size_t s = 0; s < run.samples.size(); ++s) EXPECT_EQ(run.samples[s], stored[s * kRunSample].key);
 }
 
 TEST(SortedRun, IsFoundAgainAsItWas) {
@@ -79,7 +78,7 @@ TEST(SortedRun, EveryRowIsStoredOrRejectedWithAReason) {
   filter.keep = IndexBox{{-100, -100, -100}, {3000000, 100, 100}};
   const SortedRun run = sort_cloud(folder, points, filter, 0, points.size());
   const auto kept = std::count_if(points.begin(), points.end(), [&](Index3 p) { return filter.keep->contains(p); });
-  EXPECT_EQ(read_column<std::uint64_t>(with(run.stem, ".codes")).size(), static_cast<std::size_t>(kept));
+  EXPECT_EQ(read_column<KeyValue>(with(run.stem, ".points")).size(), static_cast<std::size_t>(kept));
   EXPECT_EQ(run.rejected[static_cast<std::size_t>(Rejection::outside)], points.size() - static_cast<std::size_t>(kept));
   filter = {};
   filter.noise[0] = true;  // the class of all of them
