@@ -7,22 +7,9 @@
 namespace ilot {
 namespace {
 
-constexpr std::int64_t kTileMask = (std::int64_t{1} << kTileBits) - 1;
-constexpr double kFarthest = 0x1p51;
 constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps less than a hundredth of one
 
-std::uint32_t low_bits(std::int64_t v) {
-  return static_cast<std::uint32_t>(v & kTileMask);
-}
-std::int32_t high_bits(std::int64_t v) {
-  return static_cast<std::int32_t>(v >> kTileBits);
-}
-
 }  // namespace
-
-PointKey key_of(Index3 p) {
-  return {{high_bits(p.x), high_bits(p.y), high_bits(p.z)}, morton_code({low_bits(p.x), low_bits(p.y), low_bits(p.z)})};
-}
 
 Index3 corner(Tile tile) {
   constexpr std::int64_t edge = std::int64_t{1} << kTileBits;
@@ -64,20 +51,16 @@ LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
     const double factor = std::nearbyint(axis.scale / unit);
     const double shift = std::nearbyint(axis.offset / unit);
     axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < kSameScale * factor && factor < 0x1p20 &&
-                 std::abs(shift) < kFarthest && std::abs(axis.offset / unit - shift) < 1e-5;
+                 std::abs(shift) < static_cast<double>(kFarthest) && std::abs(axis.offset / unit - shift) < 1e-5;
     if (!axis.exact) continue;
     axis.factor = static_cast<std::int64_t>(factor);
     axis.shift = static_cast<std::int64_t>(shift);
   }
 }
 
-bool LatticeMap::Axis::map(std::int32_t raw, std::int64_t& out) const {
-  if (exact) {
-    out = raw * factor + shift;
-    return std::abs(out) < static_cast<std::int64_t>(kFarthest);
-  }
+bool LatticeMap::Axis::round(std::int32_t raw, std::int64_t& out) const {
   const double v = std::nearbyint((raw * scale + offset) / unit);
-  if (!(std::abs(v) < kFarthest)) return false;
+  if (!(std::abs(v) < static_cast<double>(kFarthest))) return false;
   out = static_cast<std::int64_t>(v);
   return true;
 }
@@ -89,10 +72,6 @@ double LatticeMap::Axis::offset_from(std::int64_t anchor, std::int32_t raw) cons
 
 Vec3 LatticeMap::offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const {
   return {axes_[0].offset_from(anchor.x, x), axes_[1].offset_from(anchor.y, y), axes_[2].offset_from(anchor.z, z)};
-}
-
-bool LatticeMap::map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {
-  return axes_[0].map(x, out.x) && axes_[1].map(y, out.y) && axes_[2].map(z, out.z);
 }
 
 }  // namespace ilot

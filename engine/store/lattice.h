@@ -26,7 +26,13 @@ struct PointKey {
   friend auto operator<=>(const PointKey&, const PointKey&) = default;
 };
 
-PointKey key_of(Index3 p);
+// Inline: each point of every input passes here.
+inline PointKey key_of(Index3 p) {
+  constexpr std::int64_t kMask = (std::int64_t{1} << kTileBits) - 1;
+  const auto high = [](std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); };
+  const auto low = [](std::int64_t v) { return static_cast<std::uint32_t>(v & kMask); };
+  return {{high(p.x), high(p.y), high(p.z)}, morton_code({low(p.x), low(p.y), low(p.z)})};
+}
 Index3 index_of(const PointKey& key);
 Index3 corner(Tile tile);
 
@@ -62,17 +68,25 @@ class LatticeMap {
  public:
   LatticeMap(const RecordLayout& layout, double unit);
   // False when the point is too far out (beyond 2^51 units) to be handled.
-  bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const;
+  bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {
+    return axes_[0].map(x, out.x) && axes_[1].map(y, out.y) && axes_[2].map(z, out.z);
+  }
   // Where the point lies from an anchor, in units: whole numbers when exact(), else without rounding to the lattice.
   Vec3 offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool exact() const { return axes_[0].exact && axes_[1].exact && axes_[2].exact; }
 
  private:
+  static constexpr std::int64_t kFarthest = std::int64_t{1} << 51;
   struct Axis {
     double scale, offset, unit;
     std::int64_t factor, shift;
     bool exact;
-    bool map(std::int32_t raw, std::int64_t& out) const;
+    bool map(std::int32_t raw, std::int64_t& out) const {
+      if (!exact) return round(raw, out);
+      out = raw * factor + shift;
+      return out > -kFarthest && out < kFarthest;
+    }
+    bool round(std::int32_t raw, std::int64_t& out) const;  // to the nearest lattice point
     double offset_from(std::int64_t anchor, std::int32_t raw) const;
   };
   std::array<Axis, 3> axes_;
