@@ -27,7 +27,7 @@ struct ScanArguments {
 
 scan::ScanRequest make_request(const ScanArguments& given, const scan::Scene& scene) {
   if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
-  scan::ScanRequest request{scan::SceneValues(scene.options), given.seed, given.points, given.output};
+  scan::ScanRequest request{scene.name, scan::SceneValues(scene.options), given.seed, given.points, given.output};
   for (const std::string& setting : given.settings) request.values.set(setting);
   return request;
 }

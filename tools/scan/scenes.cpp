@@ -8,11 +8,20 @@
 
 #include "engine/error.h"
 #include "tools/scan/district_file.h"
+#include "tools/scan/stones.h"
 
 namespace ilot::scan {
 
+namespace {
+
+constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+
+}  // namespace
+
 std::span<const Scene> scenes() {
   static const std::array kScenes{
+      Scene{"stones", "four facing stones, their joints and two side walls, one station", kScaled, stones_options(),
+            scan_planned<plan_stones>},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };

@@ -16,6 +16,7 @@
 namespace ilot::scan {
 
 struct ScanRequest {
+  std::string_view scene;
   SceneValues values;  // of the scene's options
   std::uint64_t seed = 0;
   std::optional<std::uint64_t> points;                                // how many, or as near as the scene says
