@@ -10,8 +10,8 @@
 #include "kernels/core/parallel.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
-#include "tools/scan/district_file.h"
-#include "tools/scan/district_scan.h"
+#include "tools/scan/scenes.h"
+#include "tools/scan/truth_writer.h"
 
 namespace ilot {
 namespace {
@@ -25,22 +25,18 @@ struct ScanArguments {
   bool list = false, overwrite = false, quiet = false;
 };
 
-std::string list_scenes() {
-  std::string text = "district   a town of houses under flat, gable and hip roofs, seen from the air\n";
-  for (const scan::SceneOption& option : scan::district_options())
-    text += fmt::format("  {:<17} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
-                        option.standard, option.unit);
-  return text;
+scan::ScanRequest make_request(const ScanArguments& given, const scan::Scene& scene) {
+  if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
+  scan::ScanRequest request{scene.name, scan::SceneValues(scene.options), given.seed, given.points, given.output};
+  for (const std::string& setting : given.settings) request.values.set(setting);
+  return request;
 }
 
-scan::DistrictScan plan_scan(const ScanArguments& given) {
-  if (given.scene.empty()) throw Error("scan: SCENE is needed (ilot scan --list)", ExitCode::usage);
-  if (given.scene != "district")
-    throw Error("scan: no scene '" + given.scene + "' (ilot scan --list)", ExitCode::usage);
-  if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
-  scan::SceneValues values(scan::district_options());
-  for (const std::string& setting : given.settings) values.set(setting);
-  return scan::plan_district(values, given.seed, given.points);
+std::string summary_text(const std::string& output, const scan::ScanCounts& counts) {
+  std::string text = output + ":";
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    text += fmt::format("{} {} {}", i ? "," : "", counts[i].second, counts[i].first);
+  return text;
 }
 
 void check_output(const ScanArguments& given) {
@@ -52,21 +48,21 @@ void check_output(const ScanArguments& given) {
 
 int scan_command(const ScanArguments& given) {
   if (given.list) {
-    print(list_scenes());
+    print(scan::list_scenes());
     return static_cast<int>(ExitCode::ok);
   }
-  const scan::DistrictScan plan = plan_scan(given);
+  if (given.scene.empty()) throw Error("scan: SCENE is needed (ilot scan --list)", ExitCode::usage);
+  const scan::Scene& scene = scan::find_scene(given.scene);
+  scan::ScanRequest request = make_request(given, scene);
   check_output(given);
   ConsoleProgress console(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   Progress& progress = console.get();
-  progress.begin_stage("scan", plan.points.value_or(0));
-  scan::ScanSummary summary;
-  with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] {
-    summary = scan::write_district(plan, given.output, [&](std::uint64_t points) { progress.advance(points); });
-  });
+  progress.begin_stage("scan", given.points.value_or(0));
+  request.written = [&](std::uint64_t points) { progress.advance(points); };
+  scan::ScanCounts counts;
+  with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] { counts = scene.scan(request); });
   progress.end_stage();
-  progress.note(fmt::format("{}: {} points, {} buildings, {} planes", given.output, summary.points, summary.buildings,
-                            summary.planes));
+  progress.note(summary_text(given.output, counts));
   return static_cast<int>(ExitCode::ok);
 }
 
@@ -75,13 +71,13 @@ int scan_command(const ScanArguments& given) {
 void add_scan_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("scan", "Makes a point cloud with exact truth: a virtual scanner");
   auto given = std::make_shared<ScanArguments>();
-  command->add_option("SCENE", given->scene, "district")->option_text(" ");
+  command->add_option("SCENE", given->scene, "one of --list")->option_text(" ");
   command->add_option("-o,--output", given->output, "point cloud to write; NAME.truth.json goes beside it [none]")
       ->option_text("FILE");
-  command->add_option("--points", given->points, "stop after so many; the area follows from the density [by area]")
+  command->add_option("--points", given->points, "how many; --list tells how each scene meets it [by the scene]")
       ->option_text("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
-  command->add_option("--seed", given->seed, "another seed, another town [0]")->option_text("S");
+  command->add_option("--seed", given->seed, "another seed, another scan [0]")->option_text("S");
   command->add_option("--threads", given->threads, "no result depends on it [all]")
       ->option_text("N")
       ->check(CLI::Range(1, 1024));

@@ -9,11 +9,9 @@
 #include "engine/cloud/record.h"
 #include "tools/scan/airborne.h"
 #include "tools/scan/district.h"
+#include "tools/scan/scan_record.h"
 
 namespace ilot::scan {
-
-// World coordinates of a district's lower left corner, on the French national grid (EPSG:2154).
-constexpr double kEastOrigin = 651000, kNorthOrigin = 6861000;
 
 // Point format 6 with the extra bytes true_class u8 and true_plane u32.
 RecordLayout scan_layout();

@@ -7,32 +7,12 @@
 
 #include "engine/formats/writer.h"
 #include "tools/scan/cell_scan.h"
+#include "tools/scan/scan_record.h"
 #include "tools/scan/truth_json.h"
+#include "tools/scan/truth_writer.h"
 
 namespace ilot::scan {
 namespace {
-
-// EPSG:2154 as WKT 1, the form LAS 1.4 asks for. A constant: PROJ's own text changes with its version.
-constexpr const char* kLambert93 =
-    R"(PROJCS["RGF93 v1 / Lambert-93",GEOGCS["RGF93 v1",DATUM["Reseau_Geodesique_Francais_1993_v1",)"
-    R"(SPHEROID["GRS 1980",6378137,298.257222101,AUTHORITY["EPSG","7019"]],AUTHORITY["EPSG","6171"]],)"
-    R"(PRIMEM["Greenwich",0,AUTHORITY["EPSG","8901"]],UNIT["degree",0.0174532925199433,AUTHORITY["EPSG","9122"]],)"
-    R"(AUTHORITY["EPSG","4171"]],PROJECTION["Lambert_Conformal_Conic_2SP"],PARAMETER["latitude_of_origin",46.5],)"
-    R"(PARAMETER["central_meridian",3],PARAMETER["standard_parallel_1",49],PARAMETER["standard_parallel_2",44],)"
-    R"(PARAMETER["false_easting",700000],PARAMETER["false_northing",6600000],)"
-    R"(UNIT["metre",1,AUTHORITY["EPSG","9001"]],AXIS["Easting",EAST],AXIS["Northing",NORTH],)"
-    R"(AUTHORITY["EPSG","2154"]])";
-
-CloudSpec cloud_spec() {
-  CloudSpec spec;
-  spec.like.format = "las";
-  spec.like.layout = scan_layout();
-  spec.like.crs.wkt = kLambert93;
-  spec.like.crs.epsg = 2154;
-  spec.like.crs.unit_assumed = false;
-  spec.software = "ilot scan";
-  return spec;
-}
 
 std::string settings_text(const DistrictScan& scan) {
   const DistrictParams& d = scan.district;
@@ -46,14 +26,9 @@ std::string settings_text(const DistrictScan& scan) {
 
 }  // namespace
 
-std::filesystem::path truth_path(const std::filesystem::path& cloud) {
-  std::filesystem::path path = cloud;
-  return path.replace_extension(".truth.json");
-}
-
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written) {
-  const std::unique_ptr<PointWriter> writer = create_cloud(path, cloud_spec());
+  const std::unique_ptr<PointWriter> writer = create_cloud(path, cloud_spec(scan_layout()));
   TruthJson truth(truth_path(path), settings_text(scan));
   const std::size_t record_length = writer->record_length();
   ScanSummary summary{0, 0, 1};
@@ -76,6 +51,12 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
   writer->finish();
   truth.finish(summary.points, summary.buildings);
   return summary;
+}
+
+ScanCounts scan_district_scene(const ScanRequest& request) {
+  const DistrictScan plan = plan_district(request.values, request.seed, request.points);
+  const ScanSummary made = write_district(plan, request.output, request.written);
+  return {{"points", made.points}, {"buildings", made.buildings}, {"planes", made.planes}};
 }
 
 }  // namespace ilot::scan

@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "tools/scan/district_scan.h"
+#include "tools/scan/scenes.h"
 
 namespace ilot::scan {
 
@@ -18,7 +19,7 @@ struct ScanSummary {
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written = {});
 
-// NAME.truth.json of NAME.las.
-std::filesystem::path truth_path(const std::filesystem::path& cloud);
+// The same from options: the entry of the table of scenes.
+ScanCounts scan_district_scene(const ScanRequest& request);
 
 }  // namespace ilot::scan

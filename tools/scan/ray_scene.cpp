@@ -1,26 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/scan/ray_scene.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
-#include <limits>
-#include <string>
 
-#include "engine/error.h"
+#include "tools/scan/embree_device.h"
 
 namespace ilot::scan {
 namespace {
 
 // Rays and boxes are floats within 4 km of the anchor: rounding stays below 0.5 mm at each end.
-constexpr float kMargin = 0.05f;
-
-// One device serves the whole process, as Embree advises; it lives until the end.
-RTCDevice device() {
-  static const RTCDevice shared = rtcNewDevice(nullptr);
-  if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
-  return shared;
-}
+constexpr double kMargin = 0.05;
 
 // What one cast carries through Embree's callbacks: the context must come first.
 struct CastContext {
@@ -28,16 +17,6 @@ struct CastContext {
   const Ray* ray;
   CastResult* result;
 };
-
-void set_bounds(const Bounds3& box, Vec3 anchor, RTCBounds& out) {
-  const Vec3 low = box.min - anchor, high = box.max - anchor;
-  out.lower_x = static_cast<float>(low.x) - kMargin;
-  out.lower_y = static_cast<float>(low.y) - kMargin;
-  out.lower_z = static_cast<float>(low.z) - kMargin;
-  out.upper_x = static_cast<float>(high.x) + kMargin;
-  out.upper_y = static_cast<float>(high.y) + kMargin;
-  out.upper_z = static_cast<float>(high.z) + kMargin;
-}
 
 }  // namespace
 
@@ -49,13 +28,13 @@ struct RayScene::State {
 
   static void solid_bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
-    set_bounds(self.solids[args->primID].bounds, self.anchor, *args->bounds_o);
+    set_embree_bounds(self.solids[args->primID].bounds, self.anchor, kMargin, *args->bounds_o);
   }
 
   static void crown_bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
     const Crown& crown = self.crowns[args->primID];
-    set_bounds({crown.centre - crown.radii, crown.centre + crown.radii}, self.anchor, *args->bounds_o);
+    set_embree_bounds({crown.centre - crown.radii, crown.centre + crown.radii}, self.anchor, kMargin, *args->bounds_o);
   }
 
   static void hit_solid(const RTCIntersectFunctionNArguments* args) {
@@ -81,7 +60,7 @@ struct RayScene::State {
 
   void attach(std::size_t count, RTCBoundsFunction bounds, RTCIntersectFunctionN intersect) {
     if (count == 0) return;
-    RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_USER);
+    RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_USER);
     rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(count));
     rtcSetGeometryUserData(geometry, this);
     rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
@@ -94,15 +73,12 @@ struct RayScene::State {
 
 RayScene::RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> crowns, Vec3 anchor)
     : state_(std::make_unique<State>(State{solids, crowns, anchor})) {
-  state_->scene = rtcNewScene(device());
+  state_->scene = rtcNewScene(embree_device());
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   state_->attach(solids.size(), State::solid_bounds, State::hit_solid);
   state_->attach(crowns.size(), State::crown_bounds, State::hit_crown);
   rtcCommitScene(state_->scene);
-  const RTCError error = rtcGetDeviceError(device());
-  if (error != RTC_ERROR_NONE)
-    throw Error("Embree could not build a scene of " + std::to_string(solids.size()) + " solids (its error code " +
-                std::to_string(static_cast<int>(error)) + "); free memory and try again");
+  check_embree("solids", solids.size());
 }
 
 RayScene::~RayScene() {
@@ -114,17 +90,7 @@ void RayScene::cast(const Ray& ray, CastResult& result) const {
   result.crowns.clear();
   CastContext context{{}, &ray, &result};
   rtcInitIntersectContext(&context.embree);
-  const Vec3 origin = ray.origin - state_->anchor;
-  RTCRayHit query{};
-  query.ray.org_x = static_cast<float>(origin.x);
-  query.ray.org_y = static_cast<float>(origin.y);
-  query.ray.org_z = static_cast<float>(origin.z);
-  query.ray.dir_x = static_cast<float>(ray.direction.x);
-  query.ray.dir_y = static_cast<float>(ray.direction.y);
-  query.ray.dir_z = static_cast<float>(ray.direction.z);
-  query.ray.tfar = std::numeric_limits<float>::infinity();
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCRayHit query = embree_query(ray, state_->anchor);
   // The callbacks never shorten the ray: every box it pierces is tested, in whatever order, and the nearest
   // hit wins.
   rtcIntersect1(state_->scene, &context.embree, &query);

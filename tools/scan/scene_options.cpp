@@ -78,6 +78,13 @@ double SceneValues::get(std::string_view key) const {
   return option->standard;
 }
 
+std::string SceneValues::json() const {
+  std::string text;
+  for (const SceneOption& option : options_)
+    text += fmt::format(",\"{}\":{}", option.key.substr(option.key.find('.') + 1), get(option.key));
+  return text;
+}
+
 bool SceneValues::is_set(std::string_view key) const {
   return values_.find(key) != values_.end();
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What can be set about a scene: each key declared once with its default, unit, range and meaning.
 #pragma once
+#include <array>
+#include <cstddef>
 #include <map>
 #include <span>
 #include <string>
@@ -16,6 +18,20 @@ struct SceneOption {
   std::string_view help;
 };
 
+// Options that all terrestrial scenes share, before their own.
+template <std::size_t N>
+constexpr std::array<SceneOption, N + 5> with_beam_options(const std::array<SceneOption, N>& own) {
+  std::array<SceneOption, N + 5> all{{
+      {"scene.noise", 0.002, "m", 0, 0.1, "standard deviation of the range"},
+      {"scene.angle_noise", 0.0015, "deg", 0, 0.1, "standard deviation of the beam's direction about each axis"},
+      {"scene.divergence", 0.2, "mrad", 0, 5, "full angle of the beam"},
+      {"scene.diameter", 0.0045, "m", 0, 0.05, "of the beam at the scanner"},
+      {"scene.separation", 0.3, "m", 0, 5, "echoes closer than that mix into one"},
+  }};
+  for (std::size_t i = 0; i < N; ++i) all[5 + i] = own[i];
+  return all;
+}
+
 // Options of the scene `district`.
 std::span<const SceneOption> district_options();
 
@@ -29,6 +45,9 @@ class SceneValues {
 
   double get(std::string_view key) const;  // the default where nothing was set; the key must exist
   bool is_set(std::string_view key) const;
+
+  // All values as members of a JSON object, each with a comma before it: ,"density":12
+  std::string json() const;
 
  private:
   std::span<const SceneOption> options_;

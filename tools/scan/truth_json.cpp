@@ -6,11 +6,10 @@
 #include <vector>
 
 #include "tools/scan/cell_scan.h"
+#include "tools/scan/scan_record.h"
 
 namespace ilot::scan {
 namespace {
-
-constexpr Vec3 kOrigin{kEastOrigin, kNorthOrigin, 0};
 
 const char* name_of(Surface surface) {
   switch (surface) {
@@ -26,7 +25,7 @@ const char* name_of(Surface surface) {
 }
 
 std::string plane_text(std::uint32_t id, Surface surface, const Plane& plane, std::uint64_t points) {
-  const double d = plane.d - dot(plane.n, kOrigin);
+  const double d = plane.d - dot(plane.n, kSceneOrigin);
   return fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"polygons":[)", id, name_of(surface),
                      plane.n.x, plane.n.y, plane.n.z, d, points);
 }
@@ -34,7 +33,7 @@ std::string plane_text(std::uint32_t id, Surface surface, const Plane& plane, st
 std::string ring_text(std::span<const Vec3> ring) {
   std::string text = "[";
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 p = ring[i] + kOrigin;
+    const Vec3 p = ring[i] + kSceneOrigin;
     text += fmt::format("{}[{:.4f},{:.4f},{:.4f}]", i ? "," : "", p.x, p.y, p.z);
   }
   return text + "]";

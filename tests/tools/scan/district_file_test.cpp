@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/formats/reader.h"
 #include "tools/scan/cell_scan.h"
+#include "tools/scan/truth_writer.h"
 
 namespace ilot::scan {
 namespace {

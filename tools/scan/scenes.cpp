@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/scan/scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/error.h"
+#include "tools/scan/district_file.h"
+#include "tools/scan/stones.h"
+
+namespace ilot::scan {
+
+namespace {
+
+constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+
+}  // namespace
+
+std::span<const Scene> scenes() {
+  static const std::array kScenes{
+      Scene{"stones", "four facing stones, their joints and two side walls, one station", kScaled, stones_options(),
+            scan_planned<plan_stones>},
+      Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
+            "exactly; the area follows from the density", district_options(), scan_district_scene},
+  };
+  return kScenes;
+}
+
+const Scene& find_scene(std::string_view name) {
+  const std::span<const Scene> all = scenes();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Scene& s) { return s.name == name; });
+  if (found == all.end()) throw Error(fmt::format("scan: no scene '{}' (ilot scan --list)", name), ExitCode::usage);
+  return *found;
+}
+
+std::string list_scenes() {
+  std::string text;
+  for (const Scene& scene : scenes()) {
+    text += fmt::format("{:<20} {}\n", scene.name, scene.help);
+    text += fmt::format("  {:<18} {}\n", "--points", scene.points);
+    for (const SceneOption& option : scene.options)
+      text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                          option.standard, option.unit);
+  }
+  return text;
+}
+
+}  // namespace ilot::scan

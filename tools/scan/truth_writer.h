@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// NAME.truth.json: what a scene really holds, one item a line. docs/scenes.md tells the schema.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/formats/file.h"
+#include "kernels/core/types.h"
+
+namespace ilot::scan {
+
+// All places are metres in the scene; the file holds world coordinates.
+
+struct TruePolygon {
+  std::uint32_t building = 0;  // 0 = none
+  std::vector<Vec3> ring;      // counter-clockwise seen from outside, not closed
+  std::vector<std::vector<Vec3>> holes;
+};
+
+struct TruePlane {
+  std::uint32_t id = 0;
+  std::string surface_class;
+  Plane plane;  // outward
+  std::uint64_t points = 0;
+  std::uint32_t element = 0;
+  std::vector<TruePolygon> polygons;
+};
+
+struct TrueShape {
+  std::uint32_t id = 0;  // in the numbering of the planes
+  std::string kind;      // cylinder, sphere, cone
+  Vec3 point, axis{0, 0, 1};
+  double radius = 0, half_angle_deg = 0, length = 0;  // 0 = has none
+  std::uint64_t points = 0;
+};
+
+struct TrueArc {
+  Vec3 centre;
+  double radius = 0, from_deg = 0, to_deg = 0;  // counter-clockwise seen from outside, 0 = to the right
+};
+
+struct TrueElement {
+  std::uint32_t id = 0;
+  std::string kind;
+  std::uint32_t facade = 0, row = 0, column = 0;  // from 1; 0 = none
+  std::vector<Vec3> ring;
+  std::vector<TrueArc> arcs;
+  double width = 0, height = 0, depth = 0;  // depth: projection positive, recess negative
+  std::uint64_t points = 0;
+};
+
+struct TrueOpening {
+  std::uint32_t id = 0, element = 0, facade = 0;
+  std::vector<Vec3> ring;
+};
+
+struct TrueControlPoint {
+  std::string group;
+  std::uint32_t element = 0;
+  Vec3 position;
+};
+
+struct TrueBuilding {
+  std::uint32_t id = 0;
+  std::string roof;
+  std::vector<Vec3> footprint;
+  std::vector<std::uint32_t> faces;  // plane ids
+  double eave = 0, ridge = 0, ground = 0;
+};
+
+struct TrueObject {
+  std::uint32_t id = 0;
+  std::string object_class, variant;
+  Vec3 base, box_centre, box_size;
+  double heading_deg = 0;
+  std::vector<std::uint32_t> touches;
+  std::uint64_t points = 0;
+};
+
+struct TrueBlock {
+  std::uint32_t id = 0;
+  std::string side;
+  Vec3 from, to;
+};
+
+struct TrueStation {
+  std::uint32_t id = 0;
+  Vec3 position;
+  double step_horizontal_deg = 0, step_vertical_deg = 0;
+};
+
+struct TrueNoise {
+  double range = 0, angle_deg = 0, divergence_mrad = 0, beam_diameter = 0;
+};
+
+// Items may come in any order and number: each kind goes to a file of its own until finish() joins them, so that memory
+// does not grow. Kinds stand in the order in which they first came. The file appears under its name at finish() or not
+// at all. Throws Error.
+class TruthWriter {
+ public:
+  // settings: the body of a JSON object that tells how the scan was made.
+  TruthWriter(const std::filesystem::path& path, const std::string& settings);
+  ~TruthWriter();
+
+  void noise(const TrueNoise& noise);
+  void classes(const std::map<int, std::string>& names);  // of the values of true_class
+
+  void add(const TrueStation& station);
+  void add(const TruePlane& plane);
+  void add(const TrueShape& shape);
+  void add(const TrueElement& element);
+  void add(const TrueOpening& opening);
+  void add(const TrueControlPoint& point);
+  void add(const TrueBuilding& building);
+  void add(const TrueObject& object);
+  void add(const TrueBlock& block);
+
+  void finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts);
+
+ private:
+  struct Spool;
+  void append(const std::string& text);
+  void add_line(std::string_view kind, const std::string& text);
+
+  OutputFile file_;
+  std::vector<std::unique_ptr<Spool>> spools_;
+};
+
+// NAME.truth.json of NAME.las.
+std::filesystem::path truth_path(const std::filesystem::path& cloud);
+
+}  // namespace ilot::scan
