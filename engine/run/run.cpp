@@ -89,6 +89,13 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
   record.blocks = index.store.blocks().size();
 }
 
+constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
+
+void skip_product(const std::string& product, const std::string& reason, Progress& progress, RunRecord& record) {
+  progress.unit_skipped(product, reason);
+  record.skipped.push_back({"product", product, reason});
+}
+
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, const OutputFolder& out, Progress& progress,
                    RunRecord& record) {
@@ -113,9 +120,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
 
   record.planes = planes.segments.size();
   count_points(index, inputs, labelled, record);
-  if (planes.segments.empty())
-    record.skipped.push_back(
-        {"product", "planes", "no plane has enough points; see planes.min_points and planes.epsilon"});
+  if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
 }
 
 std::string summary(const RunRecord& record) {

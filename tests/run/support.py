@@ -121,7 +121,10 @@ class RunTest(unittest.TestCase):
         inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
         done = ilot("run", *inputs, "-o", out, "-q", *arguments, env={**os.environ, **(env or {})}, **options)
         self.assertEqual(done.returncode, code, done.stderr)
-        return out, json.loads((out / "run.json").read_text())
+        told = json.loads((out / "run.json").read_text())
+        for skipped in told["skipped"]:
+            self.assertIn(skipped["where"], done.stderr, "what is skipped is told")
+        return out, told
 
     def labelled(self, out, name):
         path = self.folder / f"{out.name}-{name}.las"
