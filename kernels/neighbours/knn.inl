@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of knn. A query starts from an upper bound of its answer's radius, taken from the query before it or from the
-// points around it in index order; every point within the bound is a candidate, and the k nearest are selected.
-// Near path: up to eight queries of one leaf share one sweep of the box hierarchy. Squared distances up to 2^24 are
-// integers that float32 holds exactly (a rounded sum is never below 2^24), so no second measurement is needed.
-// Far path, for wider bounds, crowds of coincident points and ties at the k-th: one sweep a query, float32 only culls
-// with a bound inflated by more than the rounding, and what passes is measured in integers.
+// Body of knn.
+// Near path: up to eight queries of one leaf share one sweep of the box hierarchy, which collects the points within a
+// guessed radius, somewhat more than the answers before reached. A query that finds k points within it is answered,
+// since every point within it was collected; else the guess grows. Squared distances up to 2^24 are integers that
+// float32 holds exactly (a rounded sum is never below 2^24), so no second measurement is needed.
+// Far path, for wider bounds, crowds of coincident points and ties at the k-th: one sweep a query within a proven bound,
+// float32 only culls with a bound inflated by more than the rounding, and what passes is measured in integers.
 
 namespace {
 
@@ -106,14 +107,6 @@ inline std::int64_t window_bound(const KnnArgs& a, std::uint32_t i) {
   return bound < a.max_d2 ? bound : a.max_d2;
 }
 
-// The previous answer reaches r; a query d away reaches at most r + d.
-inline std::int64_t bound_from_previous(std::int64_t reach2, std::int64_t d2) {
-  const double r = __builtin_sqrt(static_cast<double>(reach2)) + __builtin_sqrt(static_cast<double>(d2));
-  return static_cast<std::int64_t>(r * r * 1.000000001) + 1;
-}
-
-inline float inflate(std::int64_t d2) { return d2 < 0 ? -1.0f : static_cast<float>(d2) * 1.000002f + 1.0f; }
-
 inline void scan_leaf(const KnnArgs& a, std::uint32_t query, std::uint32_t leaf, std::int64_t& bound, Candidates& c) {
   const std::uint32_t begin = leaf * 8;
   const F8 dx = load8(a.x + begin) - splat(a.x[query]);
@@ -138,39 +131,15 @@ inline void scan_leaf(const KnnArgs& a, std::uint32_t query, std::uint32_t leaf,
   }
 }
 
-inline std::uint32_t near_children(const float* node, F8 qx, F8 qy, F8 qz, F8 bound) {
-  const F8 zero = splat(0.0f);
-  const F8 dx = max8(max8(load8(node) - qx, qx - load8(node + 24)), zero);
-  const F8 dy = max8(max8(load8(node + 8) - qy, qy - load8(node + 32)), zero);
-  const F8 dz = max8(max8(load8(node + 16) - qz, qz - load8(node + 40)), zero);
-  return mask_le(dx * dx + dy * dy + dz * dz, bound);
-}
+inline Cloud cloud_of(const KnnArgs& a) { return {a.x, a.y, a.z, a.size, a.boxes, a.levels}; }
 
-// Every point within `bound` of the query, in index order.
+// Every point within `bound` of the query, in index order; the bound shrinks when there are many.
 inline void collect(const KnnArgs& a, std::uint32_t query, std::int64_t bound, Candidates& c) {
-  struct Pending {
-    std::uint32_t node;
-    std::uint32_t children;  // mask still to visit
-  };
-  Pending stack[16];
-  const F8 qx = splat(a.x[query]), qy = splat(a.y[query]), qz = splat(a.z[query]);
-  int level = a.levels - 1;
-  stack[level] = {0, near_children(a.boxes[level], qx, qy, qz, splat(inflate(bound)))};
-  while (level < a.levels) {
-    Pending& top = stack[level];
-    if (top.children == 0) {
-      ++level;
-      continue;
-    }
-    const std::uint32_t child = top.node * 8 + static_cast<std::uint32_t>(__builtin_ctz(top.children));
-    top.children &= top.children - 1;
-    if (level == 0) {
-      scan_leaf(a, query, child, bound, c);
-    } else {
-      --level;
-      stack[level] = {child, near_children(a.boxes[level] + std::size_t{48} * child, qx, qy, qz, splat(inflate(bound)))};
-    }
-  }
+  const Cloud cloud = cloud_of(a);
+  visit_leaves(cloud, box_around(cloud, &query, 1), inflate(bound), [&](std::uint32_t leaf) {
+    scan_leaf(a, query, leaf, bound, c);
+    return inflate(bound);
+  });
 }
 
 // The far path: any bound, any number of candidates, any ties.
@@ -187,102 +156,30 @@ inline std::int64_t far_query(const KnnArgs& a, std::uint32_t query, std::int64_
   return static_cast<std::int64_t>(largest >> kSlotBits);
 }
 
-constexpr std::int64_t kExactInFloat = std::int64_t{1} << 24;
-constexpr std::uint32_t kNearCapacity = 256;
-constexpr std::uint32_t kLeafCapacity = 192;
-
-struct Leaves {
-  std::uint32_t leaf[kLeafCapacity];
-  std::uint32_t size;
-};
-
-struct NearCandidates {
-  float d2[kNearCapacity + 16];
-  std::uint32_t index[kNearCapacity + 16];
-  std::uint32_t size;
-};
-
-inline std::uint32_t near_boxes(const float* node, const F8 (&low)[3], const F8 (&high)[3], F8 bound) {
-  const F8 zero = splat(0.0f);
-  const F8 dx = max8(max8(load8(node) - high[0], low[0] - load8(node + 24)), zero);
-  const F8 dy = max8(max8(load8(node + 8) - high[1], low[1] - load8(node + 32)), zero);
-  const F8 dz = max8(max8(load8(node + 16) - high[2], low[2] - load8(node + 40)), zero);
-  return mask_le(dx * dx + dy * dy + dz * dz, bound);
+inline std::uint32_t count_within(const float* d2, std::uint32_t size, float limit) {
+  WideCount counts = zero_wide_count();
+  const Wide l = splat_wide(limit);
+  for (std::uint32_t i = 0; i < size; i += kWide) count_le(counts, load_wide(d2 + i), l);
+  return total(counts);
 }
 
-// Leaves that may hold a point within the bound of any of the queries, ascending. False when there are too many.
-inline bool collect_leaves(const KnnArgs& a, const std::uint32_t* queries, std::uint32_t count, float bound, Leaves& out) {
-  float box[6] = {a.x[queries[0]], a.y[queries[0]], a.z[queries[0]], a.x[queries[0]], a.y[queries[0]], a.z[queries[0]]};
-  for (std::uint32_t i = 1; i < count; ++i) {
-    const float v[3] = {a.x[queries[i]], a.y[queries[i]], a.z[queries[i]]};
-    for (int axis = 0; axis < 3; ++axis) {
-      box[axis] = v[axis] < box[axis] ? v[axis] : box[axis];
-      box[axis + 3] = v[axis] > box[axis + 3] ? v[axis] : box[axis + 3];
-    }
-  }
-  const F8 low[3] = {splat(box[0]), splat(box[1]), splat(box[2])};
-  const F8 high[3] = {splat(box[3]), splat(box[4]), splat(box[5])};
-  const F8 limit = splat(bound);
-  struct Pending {
-    std::uint32_t node, children;
-  };
-  Pending stack[16];
-  int level = a.levels - 1;
-  out.size = 0;
-  stack[level] = {0, near_boxes(a.boxes[level], low, high, limit)};
-  while (level < a.levels) {
-    Pending& top = stack[level];
-    if (top.children == 0) {
-      ++level;
-      continue;
-    }
-    const std::uint32_t child = top.node * 8 + static_cast<std::uint32_t>(__builtin_ctz(top.children));
-    top.children &= top.children - 1;
-    if (level == 0) {
-      if (out.size == kLeafCapacity) return false;
-      out.leaf[out.size++] = child;
-    } else {
-      --level;
-      stack[level] = {child, near_boxes(a.boxes[level] + std::size_t{48} * child, low, high, limit)};
-    }
-  }
-  return true;
+// Where between two limits the k-th distance should end, from how many distances do not exceed either.
+inline float interpolate(float low, std::uint32_t at_low, float high, std::uint32_t at_high, std::uint32_t k) {
+  const float share = (static_cast<float>(k - at_low) + 0.5f) / static_cast<float>(at_high - at_low);
+  return low + (high - low) * share;
 }
 
-// Points of the leaves within the bound, ascending. False when there are too many.
-inline bool scan_leaves(const KnnArgs& a, std::uint32_t query, const Leaves& leaves, float bound, NearCandidates& c) {
-  const F8 qx = splat(a.x[query]), qy = splat(a.y[query]), qz = splat(a.z[query]), limit = splat(bound);
-  c.size = 0;
-  for (std::uint32_t l = 0; l < leaves.size; ++l) {
-    const std::uint32_t begin = leaves.leaf[l] * 8;
-    const F8 dx = load8(a.x + begin) - qx, dy = load8(a.y + begin) - qy, dz = load8(a.z + begin) - qz;
-    const F8 d2 = dx * dx + dy * dy + dz * dz;
-    std::uint32_t hits = mask_le(d2, limit);
-    if (a.size - begin < 8) hits &= (1u << (a.size - begin)) - 1;
-    c.size += append8(c.d2 + c.size, c.index + c.size, d2, begin, hits);
-    if (c.size > kNearCapacity) return false;
-  }
-  return true;
-}
-
-// A value that exactly k of the candidates do not exceed, by interpolation between counts; false when there is none
-// (a tie at the k-th) or it was not found soon.
-inline bool find_limit(NearCandidates& c, std::uint32_t k, float bound, float& limit) {
-  if (c.size == k) {
-    limit = bound;
-    return true;
-  }
-  for (std::uint32_t i = c.size; i < c.size + 8; ++i) c.d2[i] = 3e38f;
+// A value that exactly k of the distances do not exceed, `within` (at least k) of which do not exceed the bound; the
+// search starts at a first guess. False when there is none (a tie at the k-th) or it was not found soon.
+inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std::uint32_t within, float bound, float guess,
+                       float& limit) {
   float low = -1.0f, high = bound;
-  std::uint32_t at_low = 0, at_high = c.size;
-  for (int round = 0; round < 16; ++round) {
-    const float share = static_cast<float>(k - at_low) / static_cast<float>(at_high - at_low);
-    const float guess = low + (high - low) * share;
-    if (!(guess > low && guess < high)) return false;
-    Count8 counts = zero_count();
-    const F8 g = splat(guess);
-    for (std::uint32_t i = 0; i < c.size; i += 8) count_le(counts, load8(c.d2 + i), g);
-    const std::uint32_t n = total(counts);
+  std::uint32_t at_low = 0, at_high = within;
+  limit = bound;
+  if (within == k) return true;
+  if (!(guess > low && guess < high)) guess = interpolate(low, at_low, high, at_high, k);
+  for (int round = 0; round < 16 && guess > low && guess < high; ++round) {
+    const std::uint32_t n = count_within(d2, size, guess);
     if (n == k) {
       limit = guess;
       return true;
@@ -294,74 +191,93 @@ inline bool find_limit(NearCandidates& c, std::uint32_t k, float bound, float& l
       high = guess;
       at_high = n;
     }
+    guess = interpolate(low, at_low, high, at_high, k);
   }
   return false;
 }
 
-// The near path of one query; false = take the far path.
-inline bool near_query(const KnnArgs& a, std::uint32_t query, const Leaves& leaves, std::int64_t bound,
-                       std::uint32_t* out, std::int64_t& reach2) {
-  NearCandidates c;
-  const std::uint32_t k = static_cast<std::uint32_t>(a.k);
-  const float limit = static_cast<float>(bound);
-  if (!scan_leaves(a, query, leaves, limit, c)) return false;
-  float kept = limit;
-  if (c.size > k && !find_limit(c, k, limit, kept)) return false;
+// Writes the nearby points whose squared distance does not exceed the limit, at most k; returns the largest distance.
+inline float write_answer(const Nearby& near, const float* d2, float limit, std::uint32_t count, std::uint32_t k,
+                          std::uint32_t* out) {
+  std::uint32_t chosen[64 + 16];
   std::uint32_t n = 0;
-  float largest = 0;
-  for (std::uint32_t i = 0; i < c.size && n < k; ++i) {
-    const bool take = c.d2[i] <= kept;
-    out[n] = c.index[i];
-    const float d2 = take ? c.d2[i] : 0.0f;
-    largest = d2 > largest ? d2 : largest;
-    n += take;
+  const Wide l = splat_wide(limit);
+  Wide largest = splat_wide(0.0f);
+  for (std::uint32_t i = 0; i < near.size; i += kWide) {
+    n += append_le(chosen + n, near.index + i, d2 + i, l);
+    largest = max8(largest, where_le(load_wide(d2 + i), l));
   }
-  reach2 = n < k ? -1 : static_cast<std::int64_t>(largest);
-  for (; n < k; ++n) out[n] = 0xffffffffu;
-  return true;
+  for (std::uint32_t i = 0; i < k; ++i) out[i] = i < count ? chosen[i] : 0xffffffffu;
+  return greatest(largest);
 }
 
-struct Previous {
-  std::uint32_t query;
-  std::int64_t reach2;  // -1: unknown
-};
+enum class Answer { kFound, kTooFew, kHard };
 
-inline std::int64_t bound_of(const KnnArgs& a, std::uint32_t query, const Previous& previous) {
-  if (previous.reach2 < 0) return window_bound(a, query);
-  const std::int64_t step2 = exact_d2(a, query, previous.query);
-  if (step2 > previous.reach2) return window_bound(a, query);
-  const std::int64_t bound = bound_from_previous(previous.reach2, step2);
-  return bound < a.max_d2 ? bound : a.max_d2;
+// One query by the near path. kTooFew: fewer than k points within a bound that could grow. kHard: take the far path.
+inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& near, std::int64_t bound, std::int64_t hint,
+                         std::uint32_t* out, std::int64_t& reach2) {
+  float d2[kNearCapacity + 16];
+  const std::uint32_t k = static_cast<std::uint32_t>(a.k);
+  const float wide = static_cast<float>(bound);
+  const std::uint32_t within = measure(near, a.x[query], a.y[query], a.z[query], wide, d2);
+  float limit = wide;
+  if (within < k) {
+    if (bound < a.max_d2) return Answer::kTooFew;
+    write_answer(near, d2, limit, within, k, out);
+    reach2 = -1;
+    return Answer::kFound;
+  }
+  if (!find_limit(d2, near.size, k, within, wide, static_cast<float>(hint), limit)) return Answer::kHard;
+  reach2 = static_cast<std::int64_t>(write_answer(near, d2, limit, k, k, out));
+  return Answer::kFound;
+}
+
+// The bound to try on a group of queries: a quarter more than the answers before reached; unknown = the points around.
+inline std::int64_t first_guess(const KnnArgs& a, std::uint32_t query, std::int64_t reach2) {
+  const std::int64_t guess = reach2 < 0 ? window_bound(a, query) : reach2 + reach2 / 4 + 1;
+  return guess < a.max_d2 ? guess : a.max_d2;
+}
+
+// Answers queries of one leaf as far as the near path goes; returns how many.
+inline std::uint32_t near_group(const KnnArgs& a, std::uint32_t begin, std::uint32_t end, Nearby& near,
+                                std::int64_t& reach2) {
+  const std::uint32_t k = static_cast<std::uint32_t>(a.k);
+  const Cloud cloud = cloud_of(a);
+  const QueryBox box = box_around(cloud, a.queries + begin, end - begin);
+  std::int64_t bound = first_guess(a, a.queries[begin], reach2);
+  std::int64_t farthest = -1, hint = reach2;
+  std::uint32_t q = begin;
+  for (int attempt = 0; attempt < 4 && q < end && bound < kExactInFloat; ++attempt) {
+    if (!collect_nearby(cloud, box, static_cast<float>(bound), near)) break;
+    Answer answer = Answer::kFound;
+    while (q < end) {
+      answer = near_query(a, a.queries[q], near, bound, hint, a.neighbours + std::size_t{q} * k, a.reach2[q]);
+      if (answer != Answer::kFound) break;
+      hint = a.reach2[q];
+      farthest = hint > farthest ? hint : farthest;
+      ++q;
+    }
+    if (answer == Answer::kHard) break;
+    bound = 2 * bound < a.max_d2 ? 2 * bound : a.max_d2;
+  }
+  reach2 = farthest;
+  return q - begin;
 }
 
 }  // namespace
 
 void knn(const KnnArgs& a) {
-  Leaves leaves;
-  leaves.size = 0;
-  Previous previous{0, -1};
+  Nearby near;
   const std::uint32_t k = static_cast<std::uint32_t>(a.k);
+  std::int64_t reach2 = -1;
   for (std::uint32_t begin = 0; begin < a.query_count;) {
-    std::uint32_t end = begin + 1;
-    while (end < a.query_count && end - begin < 8 && a.queries[end] / 8 == a.queries[begin] / 8) ++end;
-    std::int64_t bounds[8], widest = 0;
-    for (std::uint32_t q = begin; q < end; ++q) {
-      bounds[q - begin] = bound_of(a, a.queries[q], previous);
-      widest = bounds[q - begin] > widest ? bounds[q - begin] : widest;
+    const std::uint32_t end = end_of_group(a.queries, begin, a.query_count);
+    begin += near_group(a, begin, end, near, reach2);
+    if (begin < end) {  // the query at which the near path gave up
+      const std::uint32_t query = a.queries[begin];
+      a.reach2[begin] = far_query(a, query, window_bound(a, query), a.neighbours + std::size_t{begin} * k);
+      reach2 = a.reach2[begin] > reach2 ? a.reach2[begin] : reach2;
+      ++begin;
     }
-    const bool near = widest < kExactInFloat &&
-                      collect_leaves(a, a.queries + begin, end - begin, static_cast<float>(widest) * 1.000001f, leaves);
-    for (std::uint32_t q = begin; q < end; ++q) {
-      std::uint32_t* out = a.neighbours + std::size_t{q} * k;
-      std::int64_t bound = bounds[q - begin];
-      if (q > begin) {  // the neighbour just answered may know better
-        const std::int64_t closer = bound_of(a, a.queries[q], previous);
-        bound = closer < bound ? closer : bound;
-      }
-      if (!near || !near_query(a, a.queries[q], leaves, bound, out, a.reach2[q]))
-        a.reach2[q] = far_query(a, a.queries[q], bound, out);
-      previous = {a.queries[q], a.reach2[q]};
-    }
-    begin = end;
   }
 }

@@ -8,6 +8,7 @@
 
 #include "kernels/core/eigen3.h"
 #include "kernels/neighbours/knn.h"
+#include "kernels/simd/dispatch.h"
 
 namespace ilot {
 namespace {
@@ -49,31 +50,54 @@ PackedNormal normal_of(const Points& p, std::uint32_t query, std::span<const std
   const Symmetric3 covariance = scaled_covariance(p, query, neighbours);
   const SmallestEigen e = smallest_eigen(covariance);
   if (!e.unique) return {};
-  const Vec3 n = pointing_up(e.vector);
   const double trace = covariance.xx + covariance.yy + covariance.zz;
-  const double curvature = std::clamp(3 * e.value / trace, 0.0, 1.0);
+  return pack_normal(e.vector, std::clamp(3 * e.value / trace, 0.0, 1.0));
+}
+
+// Near enough for the vector body: all there, and squared offsets below 2^24.
+bool is_near(std::int64_t reach2) {
+  return reach2 >= 0 && reach2 < (std::int64_t{1} << 24);
+}
+
+}  // namespace
+
+PackedNormal pack_normal(Vec3 unit, double curvature) {
+  const Vec3 n = pointing_up(unit);
   return {pack_component(n.x), pack_component(n.y), pack_component(n.z),
           static_cast<std::uint16_t>(std::nearbyint(curvature * 65535))};
 }
 
-}  // namespace
+void normals_of_neighbours(Points points, std::span<const std::uint32_t> queries, int k,
+                           std::span<const std::uint32_t> neighbours, std::span<const std::int64_t> reach2,
+                           std::span<PackedNormal> out) {
+  static_assert(sizeof(PackedNormal) == 4 * sizeof(std::int16_t));
+  const std::size_t stride = static_cast<std::size_t>(k);
+  assert(neighbours.size() == queries.size() * stride && reach2.size() == queries.size());
+  for (std::size_t i = 0; i < queries.size();) {
+    std::size_t far = i;
+    while (far < queries.size() && is_near(reach2[far])) ++far;
+    simd::table().neighbour_normals({points.x, points.y, points.z, &queries[i], static_cast<std::uint32_t>(far - i),
+                                     &neighbours[i * stride], k, &out[i].x});
+    for (i = far; i < queries.size() && !is_near(reach2[i]); ++i) {
+      const auto list = neighbours.subspan(i * stride, stride);
+      const auto end = std::find(list.begin(), list.end(), kNoNeighbour);
+      out[i] = normal_of(points, queries[i], list.first(static_cast<std::size_t>(end - list.begin())));
+    }
+  }
+}
 
 void normals(const NeighbourIndex& index, std::span<const std::uint32_t> queries, const NormalsParams& params,
              std::span<PackedNormal> out, std::span<std::int64_t> reach2) {
   assert(out.size() == queries.size() && reach2.size() == queries.size());
   constexpr std::size_t kBatch = 256;  // neighbour lists of a batch stay in the cache
-  const std::size_t k = static_cast<std::size_t>(params.k);
-  std::vector<std::uint32_t> neighbours(kBatch * k);
+  std::vector<std::uint32_t> neighbours(kBatch * static_cast<std::size_t>(params.k));
   for (std::size_t begin = 0; begin < queries.size(); begin += kBatch) {
     const std::size_t count = std::min(kBatch, queries.size() - begin);
-    const std::span batch(neighbours.data(), count * k);
-    knn(index, queries.subspan(begin, count), {params.k, params.max_d2}, batch, reach2.subspan(begin, count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const auto list = batch.subspan(i * k, k);
-      const auto end = std::find(list.begin(), list.end(), kNoNeighbour);
-      out[begin + i] =
-          normal_of(index.points, queries[begin + i], list.first(static_cast<std::size_t>(end - list.begin())));
-    }
+    const auto batch = queries.subspan(begin, count);
+    const auto lists = std::span(neighbours).first(count * static_cast<std::size_t>(params.k));
+    knn(index, batch, {params.k, params.max_d2}, lists, reach2.subspan(begin, count));
+    normals_of_neighbours(index.points, batch, params.k, lists, reach2.subspan(begin, count),
+                          out.subspan(begin, count));
   }
 }
 

@@ -21,11 +21,19 @@ struct PackedNormal {
   friend bool operator==(const PackedNormal&, const PackedNormal&) = default;
 };
 
+// The normal of a unit vector, turned to point up, and a curvature in [0, 1].
+PackedNormal pack_normal(Vec3 unit, double curvature);
+
 // Principal component analysis of the k nearest neighbours of each query (an index into the points). None where fewer
 // than three neighbours lie within max_d2 or they lie on a line. reach2 as in knn(): the caller decides whether the
 // points it gave were enough. Sums are exact integers relative to the query, so the bits depend on nothing but the
 // neighbours' positions.
 void normals(const NeighbourIndex& index, std::span<const std::uint32_t> queries, const NormalsParams& params,
              std::span<PackedNormal> out, std::span<std::int64_t> reach2);
+
+// The same from neighbours and reach2 that knn() found for these queries, k a query.
+void normals_of_neighbours(Points points, std::span<const std::uint32_t> queries, int k,
+                           std::span<const std::uint32_t> neighbours, std::span<const std::int64_t> reach2,
+                           std::span<PackedNormal> out);
 
 }  // namespace ilot

@@ -7,36 +7,36 @@ namespace {
 constexpr std::size_t kBlock = 1024;  // 24 KiB with normals: half of a first-level cache
 
 struct PlaneLanes {
-  F8 a, b, c, d;
+  Wide a, b, c, d;
 };
 
-inline PlaneLanes load_plane(const float* p) { return {splat(p[0]), splat(p[1]), splat(p[2]), splat(p[3])}; }
+inline PlaneLanes load_plane(const float* p) { return {splat_wide(p[0]), splat_wide(p[1]), splat_wide(p[2]), splat_wide(p[3])}; }
 
-inline F8 distance8(const PlaneLanes& p, F8 x, F8 y, F8 z) { return abs8(p.a * x + p.b * y + p.c * z + p.d); }
+inline Wide distance(const PlaneLanes& p, Wide x, Wide y, Wide z) { return magnitude(p.a * x + p.b * y + p.c * z + p.d); }
 
 template <int kPlanes>
 inline void count_sweep(const CountArgs& args, std::size_t begin, std::size_t end, std::size_t plane) {
   PlaneLanes planes[kPlanes];
-  Count8 counts[kPlanes];
+  WideCount counts[kPlanes];
   for (int i = 0; i < kPlanes; ++i) {
     planes[i] = load_plane(args.planes + 4 * (plane + i));
-    counts[i] = zero_count();
+    counts[i] = zero_wide_count();
   }
-  const F8 epsilon = splat(args.max_distance);
-  const F8 cosine = splat(args.min_cos);
+  const Wide epsilon = splat_wide(args.max_distance);
+  const Wide cosine = splat_wide(args.min_cos);
   if (args.nx != nullptr) {
-    for (std::size_t j = begin; j < end; j += 8) {
-      const F8 x = load8(args.x + j), y = load8(args.y + j), z = load8(args.z + j);
-      const F8 nx = load8(args.nx + j), ny = load8(args.ny + j), nz = load8(args.nz + j);
+    for (std::size_t j = begin; j < end; j += kWide) {
+      const Wide x = load_wide(args.x + j), y = load_wide(args.y + j), z = load_wide(args.z + j);
+      const Wide nx = load_wide(args.nx + j), ny = load_wide(args.ny + j), nz = load_wide(args.nz + j);
       for (int i = 0; i < kPlanes; ++i) {
-        const F8 agreement = abs8(planes[i].a * nx + planes[i].b * ny + planes[i].c * nz);
-        count_both_le(counts[i], distance8(planes[i], x, y, z), epsilon, cosine, agreement);
+        const Wide agreement = magnitude(planes[i].a * nx + planes[i].b * ny + planes[i].c * nz);
+        count_both_le(counts[i], distance(planes[i], x, y, z), epsilon, cosine, agreement);
       }
     }
   } else {
-    for (std::size_t j = begin; j < end; j += 8) {
-      const F8 x = load8(args.x + j), y = load8(args.y + j), z = load8(args.z + j);
-      for (int i = 0; i < kPlanes; ++i) count_le(counts[i], distance8(planes[i], x, y, z), epsilon);
+    for (std::size_t j = begin; j < end; j += kWide) {
+      const Wide x = load_wide(args.x + j), y = load_wide(args.y + j), z = load_wide(args.z + j);
+      for (int i = 0; i < kPlanes; ++i) count_le(counts[i], distance(planes[i], x, y, z), epsilon);
     }
   }
   for (int i = 0; i < kPlanes; ++i) args.counts[plane + i] += total(counts[i]);
@@ -62,7 +62,7 @@ inline void count_tail(const CountArgs& args, std::size_t begin) {
 
 void count_inliers(const CountArgs& args) {
   for (std::size_t p = 0; p < args.plane_count; ++p) args.counts[p] = 0;
-  const std::size_t whole = args.size & ~std::size_t{7};
+  const std::size_t whole = args.size & ~std::size_t{kWide - 1};
   for (std::size_t begin = 0; begin < whole; begin += kBlock) {
     const std::size_t end = begin + kBlock < whole ? begin + kBlock : whole;
     std::size_t plane = 0;

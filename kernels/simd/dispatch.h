@@ -30,14 +30,53 @@ struct KnnArgs {
   std::int64_t* reach2;       // one per query
 };
 
+struct RadiusArgs {
+  const float *x, *y, *z;
+  std::uint32_t size;
+  const float* const* boxes;  // as in KnnArgs
+  int levels;
+  const std::uint32_t* queries;
+  std::uint32_t query_count;
+  std::int64_t radius2;
+  std::uint32_t* counts;      // one per query answered
+  std::uint32_t* neighbours;  // query after query
+  std::uint32_t capacity;     // of neighbours, at least 32
+};
+
+struct NormalArgs {
+  const float *x, *y, *z;
+  const std::uint32_t* queries;
+  std::uint32_t query_count;
+  const std::uint32_t* neighbours;  // k per query, all present, squared distances below 2^24
+  int k;                            // at most 64
+  std::int16_t* out;                // x y z and curvature as uint16 per query
+};
+
+struct HoughArgs {
+  const float *x, *y, *z;
+  const std::uint32_t* queries;
+  std::uint32_t query_count;
+  const std::uint32_t* neighbours;  // k per query, all present
+  int k;                            // 3 to 64
+  const std::uint32_t* offsets;     // a b per round
+  std::uint32_t rounds;             // rounds x k, k rounded up to 16, at most kHoughVotes
+  const float* rotations;           // kHoughRotations matrices, row by row
+  double* out;                      // x y z per query, of unit length or all zero
+};
+constexpr std::size_t kHoughVotes = 2048;
+constexpr std::uint32_t kHoughRotations = 5;
+
 struct Table {
   const char* name;
   void (*count_inliers)(const CountArgs&);
   void (*knn)(const KnnArgs&);
+  std::uint32_t (*radius_search)(const RadiusArgs&);  // answers queries while there is room; returns how many
+  void (*neighbour_normals)(const NormalArgs&);
+  void (*hough_directions)(const HoughArgs&);
 };
 
-// The table of the best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2 overrides it; a name
-// that is unknown or not supported here gives the baseline.
+// The table of the best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it;
+// a name that is unknown or not supported here gives the baseline.
 const Table& table();
 
 // A named table, for tests that compare them; nullptr where this machine or build lacks it.

@@ -4,8 +4,15 @@
 #include "kernels/simd/lanes_avx2.h"
 
 namespace ilot::simd::avx2 {
+constexpr char kName[] = "avx2";
+#include "kernels/neighbours/leaves.inl"
+
 #include "kernels/neighbours/knn.inl"
+
+#include "kernels/neighbours/hough_normals.inl"
+#include "kernels/neighbours/normals.inl"
+#include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
-extern const Table kTable;
-const Table kTable{"avx2", count_inliers, knn};
+
+#include "kernels/simd/table.inl"
 }  // namespace ilot::simd::avx2

@@ -3,8 +3,15 @@
 #include "kernels/simd/lanes_baseline.h"
 
 namespace ilot::simd::baseline {
+constexpr char kName[] = "baseline";
+#include "kernels/neighbours/leaves.inl"
+
 #include "kernels/neighbours/knn.inl"
+
+#include "kernels/neighbours/hough_normals.inl"
+#include "kernels/neighbours/normals.inl"
+#include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
-extern const Table kTable;
-const Table kTable{"baseline", count_inliers, knn};
+
+#include "kernels/simd/table.inl"
 }  // namespace ilot::simd::baseline

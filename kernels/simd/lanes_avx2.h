@@ -28,14 +28,40 @@ inline F8 operator-(F8 a, F8 b) {
 inline F8 operator*(F8 a, F8 b) {
   return {_mm256_mul_ps(a.v, b.v)};
 }
+inline F8 operator/(F8 a, F8 b) {
+  return {_mm256_div_ps(a.v, b.v)};
+}
 inline F8 max8(F8 a, F8 b) {
   return {_mm256_max_ps(a.v, b.v)};
 }
-inline F8 abs8(F8 a) {
+inline F8 magnitude(F8 a) {
   return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
 }
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
+}
+// v where it is at most the limit, else 0.
+inline F8 where_le(F8 v, F8 limit) {
+  return {_mm256_and_ps(v.v, _mm256_cmp_ps(v.v, limit.v, _CMP_LE_OQ))};
+}
+// Lane by lane: yes where a is at most b, else no.
+inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
+  return {_mm256_blendv_ps(no.v, yes.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
+}
+// Towards zero.
+inline F8 truncated(F8 a) {
+  return {_mm256_cvtepi32_ps(_mm256_cvttps_epi32(a.v))};
+}
+inline void store_truncated(std::int32_t* to, F8 a) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_cvttps_epi32(a.v));
+}
+inline float greatest(F8 a) {
+  __m128 m = _mm_max_ps(_mm256_castps256_ps128(a.v), _mm256_extractf128_ps(a.v, 1));
+  m = _mm_max_ps(m, _mm_movehl_ps(m, m));
+  return _mm_cvtss_f32(_mm_max_ss(m, _mm_shuffle_ps(m, m, 1)));
+}
+inline F8 gather8(const float* from, const std::uint32_t* at) {
+  return {_mm256_i32gather_ps(from, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), 4)};
 }
 
 // For each mask, the lanes that are set, in order, one byte each.
@@ -51,14 +77,22 @@ struct CompressTable {
 };
 constexpr CompressTable kCompress;
 
-// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
-// end. Returns how many lanes there were.
-inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
-  const __m256i lanes = _mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kCompress.lanes[mask])));
-  _mm256_storeu_ps(values, _mm256_permutevar8x32_ps(v.v, lanes));
-  _mm256_storeu_si256(reinterpret_cast<__m256i*>(indices),
-                      _mm256_add_epi32(lanes, _mm256_set1_epi32(static_cast<int>(first))));
-  return static_cast<std::uint32_t>(__builtin_popcount(mask));
+// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+struct Pick8 {
+  __m256i lanes;
+  std::uint32_t count;
+};
+inline Pick8 pick8(std::uint32_t mask) {
+  return {_mm256_cvtepu8_epi32(_mm_cvtsi64_si128(static_cast<long long>(kCompress.lanes[mask]))),
+          static_cast<std::uint32_t>(__builtin_popcount(mask))};
+}
+inline void put(float* to, const Pick8& pick, F8 v) {
+  _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(v.v, pick.lanes));
+}
+// The picked lanes' numbers, counted from first.
+inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
+                      _mm256_add_epi32(pick.lanes, _mm256_set1_epi32(static_cast<int>(first))));
 }
 
 struct Count8 {
@@ -78,6 +112,104 @@ inline std::uint32_t total(Count8 c) {
   alignas(32) std::uint32_t v[8];
   _mm256_store_si256(reinterpret_cast<__m256i*>(v), c.v);
   return v[0] + v[1] + v[2] + v[3] + v[4] + v[5] + v[6] + v[7];
+}
+
+// As many floats as the widest register holds.
+using Wide = F8;
+using WideCount = Count8;
+constexpr std::uint32_t kWide = 8;
+inline Wide load_wide(const float* p) {
+  return load8(p);
+}
+inline void store_wide(float* p, Wide a) {
+  store8(p, a);
+}
+inline Wide splat_wide(float v) {
+  return splat(v);
+}
+inline Wide min_wide(Wide a, Wide b) {
+  return {_mm256_min_ps(a.v, b.v)};
+}
+inline WideCount zero_wide_count() {
+  return zero_count();
+}
+// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
+  const Pick8 pick = pick8(mask_le(load8(value), limit));
+  const __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_permutevar8x32_epi32(v, pick.lanes));
+  return pick.count;
+}
+
+// Sums of whole numbers, each addend held exactly by a float.
+struct Sum8 {
+  __m256i v;
+};
+inline Sum8 zero_sum() {
+  return {_mm256_setzero_si256()};
+}
+inline void add_whole(Sum8& s, F8 a) {
+  s.v = _mm256_add_epi32(s.v, _mm256_cvtps_epi32(a.v));
+}
+inline void store_totals(std::int32_t* to, const Sum8 (&s)[8]) {
+  const __m256i ab = _mm256_hadd_epi32(s[0].v, s[1].v), cd = _mm256_hadd_epi32(s[2].v, s[3].v);
+  const __m256i ef = _mm256_hadd_epi32(s[4].v, s[5].v), gh = _mm256_hadd_epi32(s[6].v, s[7].v);
+  const __m256i low = _mm256_hadd_epi32(ab, cd), high = _mm256_hadd_epi32(ef, gh);
+  const __m256i sums =
+      _mm256_add_epi32(_mm256_permute2x128_si256(low, high, 0x20), _mm256_permute2x128_si256(low, high, 0x31));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), sums);
+}
+
+// Double lanes and their masks.
+struct D {
+  __m256d v;
+};
+struct DMask {
+  __m256d v;
+};
+constexpr std::uint32_t kDoubles = 4;
+inline D load_d(const double* p) {
+  return {_mm256_loadu_pd(p)};
+}
+inline D splat_d(double v) {
+  return {_mm256_set1_pd(v)};
+}
+inline D operator+(D a, D b) {
+  return {_mm256_add_pd(a.v, b.v)};
+}
+inline D operator-(D a, D b) {
+  return {_mm256_sub_pd(a.v, b.v)};
+}
+inline D operator*(D a, D b) {
+  return {_mm256_mul_pd(a.v, b.v)};
+}
+inline D operator/(D a, D b) {
+  return {_mm256_div_pd(a.v, b.v)};
+}
+inline D root(D a) {
+  return {_mm256_sqrt_pd(a.v)};
+}
+inline DMask operator<(D a, D b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_LT_OQ)};
+}
+inline DMask operator==(D a, D b) {
+  return {_mm256_cmp_pd(a.v, b.v, _CMP_EQ_OQ)};
+}
+inline DMask operator&(DMask a, DMask b) {
+  return {_mm256_and_pd(a.v, b.v)};
+}
+inline DMask operator|(DMask a, DMask b) {
+  return {_mm256_or_pd(a.v, b.v)};
+}
+inline bool any(DMask m) {
+  return _mm256_movemask_pd(m.v) != 0;
+}
+inline D select(DMask m, D yes, D no) {
+  return {_mm256_blendv_pd(no.v, yes.v, m.v)};
+}
+// To the nearest whole number, ties to even.
+inline void store_rounded(std::int32_t* to, D a) {
+  _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtpd_epi32(a.v));
 }
 
 }  // namespace ilot::simd::avx2

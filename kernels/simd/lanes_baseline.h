@@ -30,10 +30,13 @@ inline F8 operator-(F8 a, F8 b) {
 inline F8 operator*(F8 a, F8 b) {
   return {_mm_mul_ps(a.lo, b.lo), _mm_mul_ps(a.hi, b.hi)};
 }
+inline F8 operator/(F8 a, F8 b) {
+  return {_mm_div_ps(a.lo, b.lo), _mm_div_ps(a.hi, b.hi)};
+}
 inline F8 max8(F8 a, F8 b) {
   return {_mm_max_ps(a.lo, b.lo), _mm_max_ps(a.hi, b.hi)};
 }
-inline F8 abs8(F8 a) {
+inline F8 magnitude(F8 a) {
   const __m128 sign = _mm_set1_ps(-0.0f);
   return {_mm_andnot_ps(sign, a.lo), _mm_andnot_ps(sign, a.hi)};
 }
@@ -41,6 +44,11 @@ inline F8 abs8(F8 a) {
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.lo, b.lo))) |
          static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.hi, b.hi))) << 4;
+}
+
+// v where it is at most the limit, else 0.
+inline F8 where_le(F8 v, F8 limit) {
+  return {_mm_and_ps(v.lo, _mm_cmple_ps(v.lo, limit.lo)), _mm_and_ps(v.hi, _mm_cmple_ps(v.hi, limit.hi))};
 }
 
 // Per-lane counters of how often a condition held.
@@ -98,11 +106,15 @@ inline F8 operator*(F8 a, F8 b) {
   for (int i = 0; i < 8; ++i) a.v[i] *= b.v[i];
   return a;
 }
+inline F8 operator/(F8 a, F8 b) {
+  for (int i = 0; i < 8; ++i) a.v[i] /= b.v[i];
+  return a;
+}
 inline F8 max8(F8 a, F8 b) {
   for (int i = 0; i < 8; ++i) a.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
   return a;
 }
-inline F8 abs8(F8 a) {
+inline F8 magnitude(F8 a) {
   for (float& v : a.v) v = v < 0 ? -v : v;
   return a;
 }
@@ -110,6 +122,10 @@ inline std::uint32_t mask_le(F8 a, F8 b) {
   std::uint32_t m = 0;
   for (int i = 0; i < 8; ++i) m |= static_cast<std::uint32_t>(a.v[i] <= b.v[i]) << i;
   return m;
+}
+inline F8 where_le(F8 v, F8 limit) {
+  for (int i = 0; i < 8; ++i) v.v[i] = v.v[i] <= limit.v[i] ? v.v[i] : 0.0f;
+  return v;
 }
 struct Count8 {
   std::uint32_t n;
@@ -132,18 +148,167 @@ inline std::uint32_t total(Count8 c) {
 
 namespace ilot::simd::baseline {
 
-// Appends the lanes of the mask to values, and first + lane to indices; eight elements may be overwritten behind the
-// end. Returns how many lanes there were.
-inline std::uint32_t append8(float* values, std::uint32_t* indices, F8 v, std::uint32_t first, std::uint32_t mask) {
+// Lane by lane: yes where a is at most b, else no.
+inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
+  const std::uint32_t mask = mask_le(a, b);
+  float y[8], n[8];
+  store8(y, yes);
+  store8(n, no);
+  for (int i = 0; i < 8; ++i) n[i] = (mask >> i & 1) != 0 ? y[i] : n[i];
+  return load8(n);
+}
+// Towards zero.
+inline void store_truncated(std::int32_t* to, F8 a) {
+  float lanes[8];
+  store8(lanes, a);
+  for (int i = 0; i < 8; ++i) to[i] = static_cast<std::int32_t>(lanes[i]);
+}
+inline F8 truncated(F8 a) {
+  std::int32_t whole[8];
+  store_truncated(whole, a);
+  float lanes[8];
+  for (int i = 0; i < 8; ++i) lanes[i] = static_cast<float>(whole[i]);
+  return load8(lanes);
+}
+inline float greatest(F8 a) {
+  float lanes[8];
+  store8(lanes, a);
+  float most = lanes[0];
+  for (const float v : lanes) most = v > most ? v : most;
+  return most;
+}
+inline F8 gather8(const float* from, const std::uint32_t* at) {
+  float lanes[8];
+  for (int i = 0; i < 8; ++i) lanes[i] = from[at[i]];
+  return load8(lanes);
+}
+
+// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+struct Pick8 {
+  std::uint32_t mask, count;
+};
+inline Pick8 pick8(std::uint32_t mask) {
+  std::uint32_t count = 0;
+  for (int lane = 0; lane < 8; ++lane) count += mask >> lane & 1;
+  return {mask, count};
+}
+inline void put(float* to, const Pick8& pick, F8 v) {
   float lanes[8];
   store8(lanes, v);
   std::uint32_t n = 0;
+  for (int lane = 0; lane < 8; ++lane) {
+    to[n] = lanes[lane];
+    n += pick.mask >> lane & 1;
+  }
+}
+// The picked lanes' numbers, counted from first.
+inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
+  std::uint32_t n = 0;
   for (std::uint32_t lane = 0; lane < 8; ++lane) {
-    values[n] = lanes[lane];
-    indices[n] = first + lane;
+    to[n] = first + lane;
+    n += pick.mask >> lane & 1;
+  }
+}
+
+// As many floats as the widest register holds.
+using Wide = F8;
+using WideCount = Count8;
+constexpr std::uint32_t kWide = 8;
+inline Wide load_wide(const float* p) {
+  return load8(p);
+}
+inline void store_wide(float* p, Wide a) {
+  store8(p, a);
+}
+inline Wide splat_wide(float v) {
+  return splat(v);
+}
+inline Wide min_wide(Wide a, Wide b) {
+  return select_le(a, b, a, b);
+}
+inline WideCount zero_wide_count() {
+  return zero_count();
+}
+// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
+  const std::uint32_t mask = mask_le(load8(value), limit);
+  std::uint32_t n = 0;
+  for (int lane = 0; lane < 8; ++lane) {
+    to[n] = from[lane];
     n += mask >> lane & 1;
   }
   return n;
+}
+
+// Sums of whole numbers, each addend held exactly by a float.
+struct Sum8 {
+  std::int32_t v[8];
+};
+inline Sum8 zero_sum() {
+  return {};
+}
+inline void add_whole(Sum8& s, F8 a) {
+  float lanes[8];
+  store8(lanes, a);
+  for (int i = 0; i < 8; ++i) s.v[i] += static_cast<std::int32_t>(lanes[i]);
+}
+inline void store_totals(std::int32_t* to, const Sum8 (&s)[8]) {
+  for (int n = 0; n < 8; ++n) {
+    to[n] = 0;
+    for (const std::int32_t v : s[n].v) to[n] += v;
+  }
+}
+
+// Double lanes and their masks.
+struct D {
+  double v[2];
+};
+struct DMask {
+  bool v[2];
+};
+constexpr std::uint32_t kDoubles = 2;
+inline D load_d(const double* p) {
+  return {p[0], p[1]};
+}
+inline D splat_d(double v) {
+  return {v, v};
+}
+inline D operator+(D a, D b) {
+  return {a.v[0] + b.v[0], a.v[1] + b.v[1]};
+}
+inline D operator-(D a, D b) {
+  return {a.v[0] - b.v[0], a.v[1] - b.v[1]};
+}
+inline D operator*(D a, D b) {
+  return {a.v[0] * b.v[0], a.v[1] * b.v[1]};
+}
+inline D operator/(D a, D b) {
+  return {a.v[0] / b.v[0], a.v[1] / b.v[1]};
+}
+inline D root(D a) {
+  return {__builtin_sqrt(a.v[0]), __builtin_sqrt(a.v[1])};
+}
+inline DMask operator<(D a, D b) {
+  return {a.v[0] < b.v[0], a.v[1] < b.v[1]};
+}
+inline DMask operator==(D a, D b) {
+  return {a.v[0] == b.v[0], a.v[1] == b.v[1]};
+}
+inline DMask operator&(DMask a, DMask b) {
+  return {a.v[0] && b.v[0], a.v[1] && b.v[1]};
+}
+inline DMask operator|(DMask a, DMask b) {
+  return {a.v[0] || b.v[0], a.v[1] || b.v[1]};
+}
+inline bool any(DMask m) {
+  return m.v[0] || m.v[1];
+}
+inline D select(DMask m, D yes, D no) {
+  return {m.v[0] ? yes.v[0] : no.v[0], m.v[1] ? yes.v[1] : no.v[1]};
+}
+// To the nearest whole number, ties to even.
+inline void store_rounded(std::int32_t* to, D a) {
+  for (int i = 0; i < 2; ++i) to[i] = static_cast<std::int32_t>(__builtin_nearbyint(a.v[i]));
 }
 
 }  // namespace ilot::simd::baseline

@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <numeric>
 
 #include "kernels/neighbours/knn.h"
+#include "tests/support/instruction_sets.h"
 #include "tests/support/point_sets.h"
 
 namespace ilot {
@@ -60,6 +62,42 @@ TEST(Normals, AgreeWithEigenWithinTheRoundingOfThePacking) {
       EXPECT_LT(n.normalized().cross(solver.eigenvectors().col(0)).norm(), 6e-5) << set.name << " " << q;
       const double curvature = solver.eigenvalues()[0] / solver.eigenvalues().sum();
       EXPECT_NEAR(got[q].curvature / 65535.0 / 3, curvature, 1e-5);
+    }
+  }
+}
+
+// Vector bodies handle near neighbours, plain code the others; a power of two moves every set from one to the other.
+TEST(Normals, AreTheSameBitsAtAnyScale) {
+  for (const auto& set : test::point_sets(700)) {
+    auto wide = set;
+    for (auto* v : {&wide.x, &wide.y, &wide.z})
+      for (float& c : *v) c *= set.name == "clusters" ? 8 : 256;
+    for (const int k : {3, 8, 13, 16, 30})
+      EXPECT_EQ(run_normals(set.view(), k, kMaxSquaredReach), run_normals(wide.view(), k, kMaxSquaredReach))
+          << set.name << " " << k;
+  }
+}
+
+TEST(Normals, EveryInstructionSetGivesTheSameBits) {
+  const auto tables = test::vector_tables();
+  if (tables.empty()) GTEST_SKIP() << "this machine has the baseline alone";
+  constexpr std::uint32_t n = 1001;
+  for (const auto& set : test::point_sets(n)) {
+    std::vector<std::uint32_t> queries(n);
+    std::iota(queries.begin(), queries.end(), 0u);
+    for (const int k : {3, 16, 21, 64}) {
+      std::vector<std::uint32_t> list(n * static_cast<std::size_t>(k));
+      std::vector<std::int64_t> reach2(n);
+      knn(build_neighbour_index(set.view()), queries, {k, kMaxSquaredReach}, list, reach2);
+      if (*std::max_element(reach2.begin(), reach2.end()) >= 1 << 24) continue;
+      std::vector<PackedNormal> a(n), b(n);
+      simd::NormalArgs args{set.x.data(), set.y.data(), set.z.data(), queries.data(), n, list.data(), k, &a[0].x};
+      simd::find_table("baseline")->neighbour_normals(args);
+      for (const simd::Table* table : tables) {
+        args.out = &b[0].x;
+        table->neighbour_normals(args);
+        EXPECT_EQ(a, b) << set.name << " " << table->name;
+      }
     }
   }
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// Compiled with -mavx512f and its kin: nothing of the standard library with linkage may be instantiated here.
+#include "kernels/simd/dispatch.h"
+#include "kernels/simd/lanes_avx512.h"
+
+namespace ilot::simd::avx512 {
+constexpr char kName[] = "avx512";
+#include "kernels/neighbours/leaves.inl"
+
+#include "kernels/neighbours/knn.inl"
+
+#include "kernels/neighbours/hough_normals.inl"
+#include "kernels/neighbours/normals.inl"
+#include "kernels/neighbours/radius.inl"
+#include "kernels/planes/plane_score.inl"
+
+#include "kernels/simd/table.inl"
+}  // namespace ilot::simd::avx512

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: Apache-2.0
+// Eight float lanes with mask registers, sixteen where a kernel asks for the widest. Only isa_avx512.cpp, compiled with
+// -mavx512f -mavx512vl -mavx512dq -mavx512bw, includes this.
+#pragma once
+#include <immintrin.h>
+
+#include <cstdint>
+
+namespace ilot::simd::avx512 {
+
+struct F8 {
+  __m256 v;
+};
+inline F8 load8(const float* p) {
+  return {_mm256_loadu_ps(p)};
+}
+inline void store8(float* p, F8 a) {
+  _mm256_storeu_ps(p, a.v);
+}
+inline F8 splat(float v) {
+  return {_mm256_set1_ps(v)};
+}
+inline F8 operator+(F8 a, F8 b) {
+  return {_mm256_add_ps(a.v, b.v)};
+}
+inline F8 operator-(F8 a, F8 b) {
+  return {_mm256_sub_ps(a.v, b.v)};
+}
+inline F8 operator*(F8 a, F8 b) {
+  return {_mm256_mul_ps(a.v, b.v)};
+}
+inline F8 operator/(F8 a, F8 b) {
+  return {_mm256_div_ps(a.v, b.v)};
+}
+inline F8 max8(F8 a, F8 b) {
+  return {_mm256_max_ps(a.v, b.v)};
+}
+inline std::uint32_t mask_le(F8 a, F8 b) {
+  return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
+}
+// Lane by lane: yes where a is at most b, else no.
+inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
+  return {_mm256_mask_blend_ps(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), no.v, yes.v)};
+}
+inline F8 gather8(const float* from, const std::uint32_t* at) {
+  return {_mm256_i32gather_ps(from, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), 4)};
+}
+
+// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+struct Pick8 {
+  __mmask8 mask;
+  std::uint32_t count;
+};
+inline Pick8 pick8(std::uint32_t mask) {
+  return {static_cast<__mmask8>(mask), static_cast<std::uint32_t>(__builtin_popcount(mask))};
+}
+inline void put(float* to, const Pick8& pick, F8 v) {
+  _mm256_storeu_ps(to, _mm256_maskz_compress_ps(pick.mask, v.v));
+}
+// The picked lanes' numbers, counted from first.
+inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
+  const __m256i numbers =
+      _mm256_add_epi32(_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), _mm256_set1_epi32(static_cast<int>(first)));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm256_maskz_compress_epi32(pick.mask, numbers));
+}
+
+// As many floats as the widest register holds.
+struct Wide {
+  __m512 v;
+};
+constexpr std::uint32_t kWide = 16;
+inline Wide load_wide(const float* p) {
+  return {_mm512_loadu_ps(p)};
+}
+inline void store_wide(float* p, Wide a) {
+  _mm512_storeu_ps(p, a.v);
+}
+inline Wide splat_wide(float v) {
+  return {_mm512_set1_ps(v)};
+}
+inline Wide operator+(Wide a, Wide b) {
+  return {_mm512_add_ps(a.v, b.v)};
+}
+inline Wide operator-(Wide a, Wide b) {
+  return {_mm512_sub_ps(a.v, b.v)};
+}
+inline Wide operator*(Wide a, Wide b) {
+  return {_mm512_mul_ps(a.v, b.v)};
+}
+inline Wide operator/(Wide a, Wide b) {
+  return {_mm512_div_ps(a.v, b.v)};
+}
+inline Wide max8(Wide a, Wide b) {
+  return {_mm512_max_ps(a.v, b.v)};
+}
+inline Wide min_wide(Wide a, Wide b) {
+  return {_mm512_min_ps(a.v, b.v)};
+}
+inline Wide select_le(Wide a, Wide b, Wide yes, Wide no) {
+  return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), no.v, yes.v)};
+}
+// Towards zero.
+inline Wide truncated(Wide a) {
+  return {_mm512_cvtepi32_ps(_mm512_cvttps_epi32(a.v))};
+}
+inline void store_truncated(std::int32_t* to, Wide a) {
+  _mm512_storeu_si512(to, _mm512_cvttps_epi32(a.v));
+}
+inline Wide magnitude(Wide a) {
+  return {_mm512_abs_ps(a.v)};
+}
+// v where it is at most the limit, else 0.
+inline Wide where_le(Wide v, Wide limit) {
+  return {_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(v.v, limit.v, _CMP_LE_OQ), v.v)};
+}
+inline float greatest(Wide a) {
+  return _mm512_reduce_max_ps(a.v);
+}
+// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
+  const __mmask16 mask = _mm512_cmp_ps_mask(_mm512_loadu_ps(value), limit.v, _CMP_LE_OQ);
+  _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, _mm512_loadu_si512(from)));
+  return static_cast<std::uint32_t>(__builtin_popcount(mask));
+}
+
+struct WideCount {
+  __m512i v;
+};
+inline WideCount zero_wide_count() {
+  return {_mm512_setzero_si512()};
+}
+inline void count_le(WideCount& c, Wide a, Wide b) {
+  c.v = _mm512_mask_sub_epi32(c.v, _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), c.v, _mm512_set1_epi32(-1));
+}
+inline void count_both_le(WideCount& c, Wide a, Wide b, Wide e, Wide f) {
+  const __mmask16 first = _mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
+  c.v = _mm512_mask_sub_epi32(c.v, _mm512_mask_cmp_ps_mask(first, e.v, f.v, _CMP_LE_OQ), c.v, _mm512_set1_epi32(-1));
+}
+inline std::uint32_t total(WideCount c) {
+  return static_cast<std::uint32_t>(_mm512_reduce_add_epi32(c.v));
+}
+
+// Sums of whole numbers, each addend held exactly by a float.
+struct Sum8 {
+  __m256i v;
+};
+inline Sum8 zero_sum() {
+  return {_mm256_setzero_si256()};
+}
+inline void add_whole(Sum8& s, F8 a) {
+  s.v = _mm256_add_epi32(s.v, _mm256_cvtps_epi32(a.v));
+}
+inline void store_totals(std::int32_t* to, const Sum8 (&s)[8]) {
+  const __m256i ab = _mm256_hadd_epi32(s[0].v, s[1].v), cd = _mm256_hadd_epi32(s[2].v, s[3].v);
+  const __m256i ef = _mm256_hadd_epi32(s[4].v, s[5].v), gh = _mm256_hadd_epi32(s[6].v, s[7].v);
+  const __m256i low = _mm256_hadd_epi32(ab, cd), high = _mm256_hadd_epi32(ef, gh);
+  const __m256i sums =
+      _mm256_add_epi32(_mm256_permute2x128_si256(low, high, 0x20), _mm256_permute2x128_si256(low, high, 0x31));
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), sums);
+}
+
+// Double lanes and their masks.
+struct D {
+  __m512d v;
+};
+struct DMask {
+  __mmask8 v;
+};
+constexpr std::uint32_t kDoubles = 8;
+inline D load_d(const double* p) {
+  return {_mm512_loadu_pd(p)};
+}
+inline D splat_d(double v) {
+  return {_mm512_set1_pd(v)};
+}
+inline D operator+(D a, D b) {
+  return {_mm512_add_pd(a.v, b.v)};
+}
+inline D operator-(D a, D b) {
+  return {_mm512_sub_pd(a.v, b.v)};
+}
+inline D operator*(D a, D b) {
+  return {_mm512_mul_pd(a.v, b.v)};
+}
+inline D operator/(D a, D b) {
+  return {_mm512_div_pd(a.v, b.v)};
+}
+inline D root(D a) {
+  return {_mm512_sqrt_pd(a.v)};
+}
+inline DMask operator<(D a, D b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_LT_OQ)};
+}
+inline DMask operator==(D a, D b) {
+  return {_mm512_cmp_pd_mask(a.v, b.v, _CMP_EQ_OQ)};
+}
+inline DMask operator&(DMask a, DMask b) {
+  return {static_cast<__mmask8>(a.v & b.v)};
+}
+inline DMask operator|(DMask a, DMask b) {
+  return {static_cast<__mmask8>(a.v | b.v)};
+}
+inline bool any(DMask m) {
+  return m.v != 0;
+}
+inline D select(DMask m, D yes, D no) {
+  return {_mm512_mask_blend_pd(m.v, no.v, yes.v)};
+}
+// To the nearest whole number, ties to even.
+inline void store_rounded(std::int32_t* to, D a) {
+  _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtpd_epi32(a.v));
+}
+
+}  // namespace ilot::simd::avx512
