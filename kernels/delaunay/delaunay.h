@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "kernels/delaunay/predicates.h"
+
+namespace ilot {
+
+constexpr std::uint32_t kNoEdge = 0xffffffffu;
+
+// Triangle t has the corners corner[3t], corner[3t+1], corner[3t+2], which turn left. Edge e runs from corner[e] to the
+// next corner of its triangle; twin[e] is the same edge seen from the neighbouring triangle, kNoEdge on the hull.
+struct Triangulation {
+  std::vector<std::uint32_t> corner;
+  std::vector<std::uint32_t> twin;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates;  // (point left out, the smaller index it equals)
+  std::size_t triangles() const { return corner.size() / 3; }
+};
+
+constexpr std::uint32_t next_edge(std::uint32_t e) {
+  return e % 3 == 2 ? e - 2 : e + 1;
+}
+constexpr std::uint32_t previous_edge(std::uint32_t e) {
+  return e % 3 == 0 ? e + 2 : e - 1;
+}
+
+// The Delaunay triangulation; corners are indices of points. Unique: ties are broken as in_circle() says, so the
+// triangles, their order and their first corners, as positions, depend on nothing but the set of positions. Of points
+// that coincide the one with the smallest index is used. No triangles when all points lie on a line. At most 2^29
+// points. Divide and conquer (Guibas, Stolfi 1985) along the Morton order of the points, whose cells are halved across
+// and along by turns (Dwyer 1987): O(n log n) on scanned points, never worse than O(60 n). About 170 bytes of working
+// memory a point. On the threads of the calling arena.
+Triangulation delaunay(std::span<const Point2> points);
+
+}  // namespace ilot

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Exact predicates of the plane. Coordinates are integers on a lattice, so that 64 and 128 bits hold every determinant:
+// no filter, no expansion, no rounding.
+#pragma once
+#include <compare>
+#include <cstdint>
+
+namespace ilot {
+
+// A lattice point of a plane. Every coordinate lies within kMaxPlaneCoordinate of zero: 53 km at a tenth of a
+// millimetre.
+struct Point2 {
+  std::int32_t x = 0, y = 0;
+  friend bool operator==(const Point2&, const Point2&) = default;
+  friend auto operator<=>(const Point2&, const Point2&) = default;  // by x, then y
+};
+
+constexpr std::int32_t kMaxPlaneCoordinate = std::int32_t{1} << 29;
+
+// Twice the signed area of the triangle: positive when a, b, c turn left. Below 2^62.
+constexpr std::int64_t orient2d(Point2 a, Point2 b, Point2 c) {
+  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) - static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
+}
+
+constexpr std::int64_t squared_distance(Point2 a, Point2 b) {
+  const std::int64_t x = a.x - b.x, y = a.y - b.y;
+  return x * x + y * y;
+}
+
+namespace detail {
+// Four points on one circle: the largest in (x, y) is taken to lie just outside of the circle through the others.
+constexpr bool in_circle_tie(Point2 a, Point2 b, Point2 c, Point2 d) {
+  if (a < d && b < d && c < d) return false;
+  if (b < a && c < a) return orient2d(b, c, d) > 0;
+  if (c < b) return orient2d(c, a, d) > 0;
+  return orient2d(a, b, d) > 0;
+}
+}  // namespace detail
+
+// True when d lies inside the circle through a, b, c, which turn left; d is none of them. Four points on a circle are
+// decided by symbolic perturbation of the paraboloid: each point is lifted by an infinitesimal that outweighs those of
+// all points smaller in (x, y) (Edelsbrunner, Muecke 1990). So the answer depends on the four points alone, whatever
+// their order, and not on a common shift; and the triangulation without any point in any circle is unique.
+constexpr bool in_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
+  const std::int64_t ax = a.x - d.x, ay = a.y - d.y;
+  const std::int64_t bx = b.x - d.x, by = b.y - d.y;
+  const std::int64_t cx = c.x - d.x, cy = c.y - d.y;
+  const __int128 sum = static_cast<__int128>(ax * ax + ay * ay) * (bx * cy - by * cx) +
+                       static_cast<__int128>(bx * bx + by * by) * (cx * ay - cy * ax) +
+                       static_cast<__int128>(cx * cx + cy * cy) * (ax * by - ay * bx);
+  if (sum != 0) return sum > 0;
+  return detail::in_circle_tie(a, b, c, d);
+}
+
+}  // namespace ilot
