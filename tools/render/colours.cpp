@@ -56,6 +56,20 @@ Rgb colour_of_class(std::uint8_t value) {
   return value < kClasses.size() ? kClasses[value] : colour_of_id(value);
 }
 
+// Small numbers, as of classes: neighbours on the hue circle never follow each other (steps of the golden ratio).
+Rgb colour_of_small(std::uint8_t value) {
+  if (value == 0) return kNone;
+  const double turns = 0.07 + 0.618034 * (value - 1);
+  const double hue = 6 * (turns - std::floor(turns)), white = value % 3 == 0 ? 0.15 : 0.4;
+  Rgb colour{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    const double turn = std::fmod(hue + 6 - 2 * static_cast<double>(c), 6.0);
+    const double pure = std::clamp(std::abs(turn - 3) - 1, 0.0, 1.0);
+    colour[c] = static_cast<std::uint8_t>(235 * (white + (1 - white) * pure));
+  }
+  return colour;
+}
+
 std::uint64_t load_id(const std::byte* p, std::uint16_t size) {
   switch (size) {
     case 1:
@@ -75,6 +89,10 @@ Colouring by_field(const std::string& name, const RecordLayout& layout) {
   for (const ExtraField& field : layout.extra) {
     const bool integer = field.type >= FieldType::u8 && field.type <= FieldType::i64;
     if (!integer) continue;
+    if (field.name == name && field.type == FieldType::u8)
+      return [offset = field.offset](std::span<const std::byte> record) {
+        return colour_of_small(load<std::uint8_t>(&record[offset]));
+      };
     if (field.name == name)
       return [offset = field.offset, size = field.size](std::span<const std::byte> record) {
         return colour_of_id(load_id(&record[offset], size));

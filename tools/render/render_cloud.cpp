@@ -49,6 +49,7 @@ void for_each_point(const std::filesystem::path& path, const RenderOptions& opti
 struct Extent {
   double left = std::numeric_limits<double>::infinity(), right = -left;
   double bottom = left, top = -left;
+  double near = -left;              // towards the eye
   double low = left, high = -left;  // heights
   std::uint64_t points = 0;
 };
@@ -61,6 +62,7 @@ Extent measure(const std::filesystem::path& path, const RenderOptions& options, 
     e.right = std::max(e.right, u);
     e.bottom = std::min(e.bottom, v);
     e.top = std::max(e.top, v);
+    e.near = std::max(e.near, dot(axes.towards, p));
     e.low = std::min(e.low, p.z);
     e.high = std::max(e.high, p.z);
     ++e.points;
@@ -83,7 +85,8 @@ Image render_cloud(const std::filesystem::path& path, const RenderOptions& optio
   const int radius = std::clamp(static_cast<int>(0.75 * std::sqrt(per_point)), 0, 5);
 
   const Colouring colour = colouring(options.by, open_cloud(path)->info().layout, e.low, e.high);
-  const Vec3 corner = e.left * axes.right + e.top * axes.up;
+  // Depths are floats: they start at the nearest point, not at the origin of the national grid.
+  const Vec3 corner = e.left * axes.right + e.top * axes.up + e.near * axes.towards;
   Canvas canvas(width, height);
   for_each_point(path, options, [&](std::span<const std::byte> record, Vec3 p) {
     const Vec3 offset = p - corner;

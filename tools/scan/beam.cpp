@@ -37,7 +37,7 @@ Vec3 unit(Vec3 v) {
 Passage passage(Material material) {
   switch (material) {
     case Material::glass:
-      return {0.5, 0.35};
+      return {0.66, 0.13};
     case Material::car_paint:
       return {0.15, 0};
     case Material::iron:

@@ -18,15 +18,15 @@ Plane plane_through(const std::vector<Vec3>& ring) {
   return {normal, -dot(normal, ring[0])};
 }
 
-// Half the angle of an arch, in degrees: its tangent is half / (radius - rise), and by half angles rise / half.
-double half_angle_deg(const Opening& opening) {
-  return 2 * atan_deg(opening.rise / ((opening.right - opening.left) / 2));
-}
-
 }  // namespace
 
 double top_of(const Opening& opening) {
   return opening.springing + opening.rise;
+}
+
+// Its tangent is half / (radius - rise), and by half angles rise / half.
+double arch_half_angle_deg(const Opening& opening) {
+  return 2 * atan_deg(opening.rise / ((opening.right - opening.left) / 2));
 }
 
 std::uint32_t FacadeBuilder::add_element(TrueElement element) {
@@ -34,6 +34,15 @@ std::uint32_t FacadeBuilder::add_element(TrueElement element) {
   element.facade = facade_;
   scene_.elements.push_back(std::move(element));
   return scene_.elements.back().id;
+}
+
+void FacadeBuilder::add_opening(std::uint32_t element, std::vector<Vec3> ring) {
+  const auto id = static_cast<std::uint32_t>(scene_.openings.size() + 1);
+  scene_.openings.push_back({id, element, facade_, std::move(ring)});
+}
+
+void FacadeBuilder::control_point(const char* group, std::uint32_t element, double x, double out, double z) {
+  scene_.control_points.push_back({group, element, frame_.place(x, out, z)});
 }
 
 SurfaceId FacadeBuilder::surface(const Finish& finish, std::uint32_t plane) {
@@ -70,7 +79,7 @@ std::vector<Vec3> FacadeBuilder::outline(const Opening& opening, double out, dou
                          frame_.place(opening.right, out, opening.bottom),
                          frame_.place(opening.right, out, opening.springing)};
   if (opening.rise > 0) {
-    const double radius = arch_radius(opening), half = half_angle_deg(opening);
+    const double radius = arch_radius(opening), half = arch_half_angle_deg(opening);
     const double x = (opening.left + opening.right) / 2, z = top_of(opening) - radius;
     const int chords = std::max(2, static_cast<int>(std::ceil(2 * half / chord_deg)));
     for (int i = 1; i < chords; ++i) {

@@ -47,6 +47,9 @@ class FacadeBuilder {
   // An element without geometry of its own yet; returns its id.
   std::uint32_t add_element(TrueElement element);
 
+  void add_opening(std::uint32_t element, std::vector<Vec3> ring);
+  void control_point(const char* group, std::uint32_t element, double x, double out, double z);
+
   // A rectangle parallel to the facade with openings.
   void wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
             const Finish& finish);
@@ -83,7 +86,7 @@ class FacadeBuilder {
   // chord_deg.
   std::vector<Vec3> outline(const Opening& opening, double out, double chord_deg = 5) const;
 
-  std::uint32_t next_plane() { return next_id(); }
+  TerrestrialScene& scene() { return scene_; }
 
  private:
   std::uint32_t next_id() const { return static_cast<std::uint32_t>(scene_.planes.size() + scene_.shapes.size() + 1); }
@@ -97,7 +100,10 @@ class FacadeBuilder {
   std::map<std::pair<std::int64_t, std::uint8_t>, std::uint32_t> parallel_;  // by tenths of a millimetre and class
 };
 
-// Height of an opening's edge above its springing at x; width and height of the whole.
+// Height of the crown of an opening.
 double top_of(const Opening& opening);
+
+// Half the angle that its arch spans at its centre.
+double arch_half_angle_deg(const Opening& opening);
 
 }  // namespace ilot::scan

@@ -21,7 +21,7 @@ struct Recipe {
 Recipe recipe_of(Material material) {
   switch (material) {
     case Material::limestone:
-      return {0.55, {205, 189, 160}, 0.16, 0.3, 0.07, 0.05};
+      return {0.55, {208, 193, 165}, 0.13, 0.3, 0.08, 0.025};
     case Material::render:
       return {0.65, {214, 206, 190}, 0.07, 0.9, 0.04, 0.03};
     case Material::brick:
@@ -102,7 +102,7 @@ Rgb16 colour(Material material, Vec3 place) {
   if (material == Material::brick && is_bed_joint(place.z)) material = Material::mortar;
   const Recipe r = recipe_of(material);
   const auto key = static_cast<std::uint64_t>(material) * 0x9e3779b97f4a7c15ull;
-  const double spot = noise((1 / r.spot_size) * place, key);
+  const double spot = 0.6 * noise((1 / r.spot_size) * place, key) + 0.4 * noise((3.7 / r.spot_size) * place, key + 4);
   const double warm = noise((0.7 / r.spot_size) * place, key + 1);
   const double fine = noise(100.0 * place, key + 2);
   const double dirt = 0.05 * noise({place.x / 0.25, place.y / 0.25, place.z / 3}, key + 3);
