@@ -101,6 +101,15 @@ std::optional<Crs> understand(const std::string& definition) {
   return crs;
 }
 
+// A code or WKT. PROJ would look up anything else among all the names it knows, which takes seconds.
+std::optional<Crs> understand_text(const std::string& text) {
+  const Context context = quiet_context();
+  const bool code = (text.starts_with("EPSG:") || text.starts_with("epsg:")) &&
+                    text.find_first_not_of("0123456789+", 5) == std::string::npos;
+  const bool wkt = proj_context_guess_wkt_dialect(context.get(), text.c_str()) != PJ_GUESSED_NOT_WKT;
+  return code || wkt ? understand(text) : std::nullopt;
+}
+
 std::optional<double> metres_of_unit_code(int code) {
   const Context context = quiet_context();
   double factor = 0;
@@ -128,7 +137,7 @@ std::optional<Crs> from_wkt(const std::vector<Vlr>& vlrs, std::vector<std::strin
     if (!is_wkt_record(vlr)) continue;
     const std::string text = payload_text(vlr);
     if (text.find_first_not_of(" \t\r\n") == std::string::npos) continue;
-    std::optional<Crs> crs = understand(text);
+    std::optional<Crs> crs = understand_text(text);
     if (crs) {
       crs->wkt = text;
       return crs;
@@ -227,7 +236,7 @@ Crs crs_from_epsg(int code) {
 
 Crs crs_from_text(const std::string& text) {
   const bool number = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-  const std::optional<Crs> crs = understand(number ? "EPSG:" + text : text);
+  const std::optional<Crs> crs = number ? understand("EPSG:" + text) : understand_text(text);
   if (!crs) throw Error("CRS " + text + " is not known to PROJ; give it as EPSG:n", ExitCode::usage);
   return *crs;
 }

@@ -40,6 +40,8 @@ TEST(Crs, EpsgCodesTellUnits) {
   EXPECT_THROW(crs_from_epsg(1), Error);
   EXPECT_THROW(crs_from_text("nonsense"), Error);
   EXPECT_THROW(crs_from_text("EPSG:5720 trailing"), Error);
+  EXPECT_THROW(crs_from_text("RGF93 / Lambert-93"), Error);  // names are not looked up
+  EXPECT_EQ(crs_from_text("epsg:2154").epsg, 2154);
 }
 
 TEST(Crs, NothingKnownAssumesMetres) {
