@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "tools/scan/district_file.h"
 #include "tools/scan/facade_restoration.h"
+#include "tools/scan/shapes.h"
 #include "tools/scan/stones.h"
 
 namespace ilot::scan {
@@ -25,6 +26,8 @@ std::span<const Scene> scenes() {
             scan_planned<plan_stones>},
       Scene{"facade-restoration", "a plain town house of fifteen windows, one station off to the left", kScaled,
             facade_restoration_options(), scan_planned<plan_facade_restoration>},
+      Scene{"shapes", "cylinders, spheres, cones and boxes of several sizes on a floor, three stations", kScaled,
+            shapes_options(), scan_planned<plan_shapes>},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };
