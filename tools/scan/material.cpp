@@ -45,7 +45,7 @@ Recipe recipe_of(Material material) {
     case Material::paving:
       return {0.3, {150, 146, 138}, 0.14, 0.4, 0.07, 0.02};
     case Material::grass:
-      return {0.45, {96, 128, 62}, 0.25, 0.3, 0.15, 0.06};
+      return {0.45, {112, 122, 80}, 0.25, 0.3, 0.15, 0.06};
     case Material::foliage:
       return {0.45, {74, 108, 52}, 0.3, 0.25, 0.18, 0.06};
     case Material::cloth:

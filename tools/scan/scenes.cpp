@@ -7,8 +7,10 @@
 #include <array>
 
 #include "engine/error.h"
+#include "tools/scan/building.h"
 #include "tools/scan/district_file.h"
 #include "tools/scan/facade_restoration.h"
+#include "tools/scan/shapes.h"
 #include "tools/scan/stones.h"
 
 namespace ilot::scan {
@@ -25,6 +27,10 @@ std::span<const Scene> scenes() {
             scan_planned<plan_stones>},
       Scene{"facade-restoration", "a plain town house of fifteen windows, one station off to the left", kScaled,
             facade_restoration_options(), scan_planned<plan_facade_restoration>},
+      Scene{"building", "a free-standing house with bulges in its render, six stations around it", kScaled,
+            building_options(), scan_planned<plan_building>},
+      Scene{"shapes", "cylinders, spheres, cones and boxes of several sizes on a floor, three stations", kScaled,
+            shapes_options(), scan_planned<plan_shapes>},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };

@@ -7,13 +7,14 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kMaxAzimuth = 89, kMaxElevation = 88;  // degrees, of a window
+constexpr double kMaxElevation = 88;  // degrees, of a window
 
-// Angle in degrees of a place `across` to the side and `ahead` in front.
+// Angle in degrees of a place `across` to the side and `ahead` in front, within [-180, 180].
 double angle_deg(double across, double ahead) {
-  if (!(ahead > 0)) return across < 0 ? -kMaxAzimuth : kMaxAzimuth;
-  if (std::abs(across) <= ahead) return atan_deg(across / ahead);
-  return across < 0 ? -90 + atan_deg(-ahead / across) : 90 - atan_deg(ahead / across);
+  if (std::abs(across) > std::abs(ahead)) return (across < 0 ? -90 : 90) - atan_deg(ahead / across);
+  if (ahead == 0) return 0;
+  const double angle = atan_deg(across / ahead);
+  return ahead > 0 ? angle : across < 0 ? angle - 180 : angle + 180;
 }
 
 std::int64_t floor_of(double v) {
@@ -29,7 +30,7 @@ StationParams station_towards(std::uint16_t id, Vec3 position, const Bounds3& ta
   if (norm(flat) > 0) station.forward = (1 / norm(flat)) * flat;
   const Vec3 right{station.forward.y, -station.forward.x, 0};
   AngleWindow& w = station.window;
-  w = {kMaxAzimuth, -kMaxAzimuth, 0, 0};
+  w = {180, -180, 0, 0};
   for (double x : {target.min.x, target.max.x})
     for (double y : {target.min.y, target.max.y}) {
       const Vec3 corner = Vec3{x, y, position.z} - position;

@@ -23,8 +23,8 @@ struct StationParams {
   AngleWindow window;
 };
 
-// A station that looks at the middle of a box and scans all of it. The box must lie outside the station by more than a
-// thousandth of a metre, and within 89 degrees to either side of its middle; what lies beyond is not scanned.
+// A station that looks at the middle of a box and scans all of it, up to 88 degrees above and below the horizon. The
+// box must not hold the station.
 StationParams station_towards(std::uint16_t id, Vec3 position, const Bounds3& target, double step_deg);
 
 // Where a pulse points: the axis of the beam and two directions perpendicular to it, all of unit length.

@@ -164,6 +164,7 @@ void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& t
   }
   for (const TrueOpening& opening : scene.openings) truth.add(opening);
   for (const TrueControlPoint& point : scene.control_points) truth.add(point);
+  for (const TrueBuilding& building : scene.buildings) truth.add(building);
 }
 
 std::string settings_text(const ScanRequest& request, const TerrestrialScan& scan) {

@@ -31,6 +31,7 @@ struct TerrestrialScene {
   std::vector<TrueElement> elements;
   std::vector<TrueOpening> openings;
   std::vector<TrueControlPoint> control_points;
+  std::vector<TrueBuilding> buildings;
   std::vector<StationParams> stations;
   Bounds3 keep;  // what lies outside is cut off, as an office cuts a facade out of its scan
 };
