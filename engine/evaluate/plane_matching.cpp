@@ -36,11 +36,17 @@ std::vector<FoundPlane> describe_found(std::span<const LabelPair> pairs) {
   return found;
 }
 
-std::vector<PlaneMatch> match_one_to_one(std::span<const LabelPair> pairs, const Totals& found_points,
-                                         const Judged& judged) {
+bool qualifies(const LabelPair& pair, const Totals& true_points, const Totals& found_points, MatchRule rule) {
+  const std::uint64_t found = found_points.at(pair.found);
+  if (rule == MatchRule::main) return 2 * pair.points > found;
+  return 2 * pair.points >= true_points.at(pair.truth) + found - pair.points;
+}
+
+std::vector<PlaneMatch> match_one_to_one(std::span<const LabelPair> pairs, const Totals& true_points,
+                                         const Totals& found_points, MatchRule rule) {
   std::vector<LabelPair> candidates;
   for (const LabelPair& pair : pairs)
-    if (pair.truth != 0 && pair.found != 0 && judged(pair.truth) && 2 * pair.points > found_points.at(pair.found))
+    if (pair.found != 0 && true_points.contains(pair.truth) && qualifies(pair, true_points, found_points, rule))
       candidates.push_back(pair);
   std::sort(candidates.begin(), candidates.end(), [](const LabelPair& a, const LabelPair& b) {
     return std::tie(b.points, a.truth, a.found) < std::tie(a.points, b.truth, b.found);
@@ -87,7 +93,7 @@ std::vector<LabelPair> LabelPairs::sorted() const {
   return pairs;
 }
 
-PlaneMatching match_planes(std::span<const LabelPair> pairs, const Judged& counts) {
+PlaneMatching match_planes(std::span<const LabelPair> pairs, const Judged& counts, MatchRule rule) {
   const Judged judged = [&](std::uint32_t truth) { return truth != 0 && (!counts || counts(truth)); };
   PlaneMatching result;
   Totals true_points, found_points;
@@ -98,7 +104,7 @@ PlaneMatching match_planes(std::span<const LabelPair> pairs, const Judged& count
   std::erase_if(result.found, [&](const FoundPlane& plane) {
     return plane.main_truth == 0 ? static_cast<bool>(counts) : !judged(plane.main_truth);
   });
-  result.matches = match_one_to_one(pairs, found_points, judged);
+  result.matches = match_one_to_one(pairs, true_points, found_points, rule);
   result.true_planes = true_points.size();
   result.found_planes = result.found.size();
   result.missed = result.true_planes - result.matches.size();

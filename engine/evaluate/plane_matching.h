@@ -54,12 +54,19 @@ struct PlaneMatching {
   double share() const { return points == 0 ? 0 : static_cast<double>(carrying) / static_cast<double>(points); }
 };
 
-// Pairs are matched one to one in the order of the points they share (ties: smaller truth, then smaller
-// found); a pair qualifies when it holds more than half of the found plane's points. `counts` says which true
+// When a true and a found plane may be partners.
+enum class MatchRule : std::uint8_t {
+  main,     // their common points are more than half of the found plane's
+  overlap,  // their common points are at least half of the points of both together (intersection over union)
+};
+
+// Pairs that qualify by the rule are matched one to one in the order of the points they share (ties: smaller truth,
+// then smaller found). `counts` says which true
 // planes are judged (for instance roofs only; empty = all); found planes are judged when their main truth is,
 // and always with all of their points. Found planes whose points belong to no true plane count as found when
 // all true planes are judged. `pairs` as LabelPairs::sorted() gives them. O(n log n) in the number of pairs.
-PlaneMatching match_planes(std::span<const LabelPair> pairs, const std::function<bool(std::uint32_t)>& counts = {});
+PlaneMatching match_planes(std::span<const LabelPair> pairs, const std::function<bool(std::uint32_t)>& counts = {},
+                           MatchRule rule = MatchRule::main);
 
 // The same from labels of points: arrays of equal length, 0 = none.
 PlaneMatching match_planes(std::span<const std::uint32_t> truth, std::span<const std::uint32_t> found);

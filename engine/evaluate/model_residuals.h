@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any models of buildings judged against the points of a cloud.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/model/polygon_model.h"
+
+namespace ilot {
+
+enum class JudgedFaces : std::uint8_t { all, roofs };
+
+struct ModelResidualParams {
+  JudgedFaces faces = JudgedFaces::all;
+  double near_m = 0.2;         // distance up to which a point counts as near, inclusive
+  double kept_share = 0.9;     // of the points of a building, those the trimmed RMSE keeps: the nearest
+  double metres_per_unit = 1;  // of the coordinates
+};
+
+// Points that belong to one building. `model` is a number in the list of models, or kNoModel: that building is missing.
+struct BuildingPoints {
+  std::string name;
+  std::uint32_t model = 0;
+  std::vector<Vec3> points;
+};
+constexpr std::uint32_t kNoModel = 0xffffffffu;
+
+struct BuildingResidual {
+  std::string name;
+  std::uint64_t points = 0;
+  std::uint64_t faces = 0;  // judged ones; 0 = the model is missing, and the figures below are those of a failure
+  double rmse_m = 0;        // distance of points to the model; infinite when it is missing
+  double trimmed_rmse_m = 0;
+  double near_share = 0;
+  double largest_m = 0;
+};
+
+struct Percentiles {
+  double p10 = 0, median = 0, p90 = 0, p95 = 0, largest = 0;
+};
+
+struct ModelResiduals {
+  std::vector<BuildingResidual> buildings;                                    // in the order given
+  std::uint64_t missing = 0;                                                  // buildings without a model
+  std::uint64_t points = 0;                                                   // of buildings that have a model
+  double rmse_m = 0, trimmed_rmse_m = 0, near_share = 0;                      // over these points
+  Percentiles building_rmse_m, building_trimmed_rmse_m, building_near_share;  // over all buildings, missing ones too
+};
+
+// Distances from each point to the nearest point of its building's faces. Sums run over sorted distances: the order of
+// points does not show. Percentiles are values that occur: the smallest that at least so large a share of buildings
+// does not exceed (for shares of near points, the p10 is the low end). Buildings in parallel. Buildings without points
+// are left out.
+ModelResiduals judge_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
+                            const ModelResidualParams& params = {});
+
+// For each point the model whose plan lies nearest within `margin` (closed, CRS units), or kNoModel; in ties the model
+// that comes first. The plan of a model is the projection of its faces along z. O(log faces) a point, in parallel.
+std::vector<std::uint32_t> assign_by_plan(std::span<const PolygonModel> models, std::span<const Vec3> points,
+                                          double margin);
+
+// Values by the definition above; `values` are sorted in place. Zeros when there are none.
+Percentiles percentiles(std::vector<double> values);
+
+}  // namespace ilot

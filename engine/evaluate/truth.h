@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is true of a scene: NAME.truth.json as the virtual scanner writes it, or anyone by hand.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "kernels/core/types.h"
+
+namespace ilot {
+
+using Ring3 = std::vector<Vec3>;  // closed; the last corner is not repeated
+
+struct TruePolygon {
+  std::uint32_t building = 0;
+  Ring3 ring;
+  std::vector<Ring3> holes;
+};
+
+struct TruePlane {
+  std::uint32_t id = 0;  // as in true_plane
+  std::string class_name;
+  Plane plane;  // world coordinates; unit normal
+  std::vector<TruePolygon> polygons;
+};
+
+struct TrueOpening {
+  std::uint32_t id = 0, facade = 0;
+  Ring3 ring;
+};
+
+struct TrueControlPoint {
+  std::string group;
+  std::uint32_t element = 0;
+  Vec3 position;
+};
+
+struct TrueObject {
+  std::uint32_t id = 0;  // as in true_element
+  std::string class_name;
+  std::uint64_t points = 0;
+};
+
+struct Truth {
+  std::map<std::uint32_t, std::string> classes;  // names of true_class; 0 is never judged
+  std::vector<TruePlane> planes;
+  std::vector<TrueOpening> openings;
+  std::vector<TrueControlPoint> control_points;
+  std::vector<TrueObject> objects;
+  std::vector<std::uint32_t> buildings;  // ids
+  bool has_openings = false, has_control_points = false, has_objects = false, has_buildings = false;
+};
+
+// Arrays that the file has not are empty; keys beyond those above are passed over. What is there must have its shape:
+// an Error names file and place. Memory some ten times the file's size.
+Truth read_truth(const std::filesystem::path& path);
+Truth parse_truth(std::string_view text, const std::string& name);
+
+}  // namespace ilot

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// The plan of one facade: what is on it, where, and how sure that is.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "kernels/core/types.h"
+
+namespace ilot {
+
+// How an element or an edge came about.
+enum class DrawnStatus : std::uint8_t {
+  seen,       // points on it
+  completed,  // carried over from its family or its neighbours, no points of its own
+  occluded,   // lies in a laser shadow: not known
+};
+
+struct FacadeArc {
+  Vec3 centre;
+  double radius_m = 0, from_deg = 0, to_deg = 0;  // in the facade's plane, from its right axis towards up
+};
+
+// The edge from vertex i of the ring to the next one.
+struct FacadeEdge {
+  DrawnStatus status = DrawnStatus::seen;
+  std::uint64_t points = 0;  // support
+  double rms_m = 0;          // of these points to the edge
+  double error_m = 0;        // bound on its place [C12]
+  double moved_m = 0;        // by regularisation, at most, at its ends [A9]
+};
+
+struct FacadeElement {
+  std::uint32_t id = 0;               // dense from 1 within the facade
+  std::string kind;                   // window, door, sill, lintel, balcony, band, bulge, stone, joint, outline...
+  bool opening = false;               // a hole in the wall: windows and doors
+  std::uint32_t family = 0;           // equal elements share it; 0 = none
+  std::uint32_t row = 0, column = 0;  // from 1, bottom up and left to right; 0 = none
+  DrawnStatus status = DrawnStatus::seen;
+  std::string reason;             // of a status other than seen
+  std::vector<Vec3> ring;         // CRS; counter-clockwise seen from outside, the last corner not repeated
+  std::vector<FacadeEdge> edges;  // as many as corners, or none when nothing is known of them
+  std::vector<FacadeArc> arcs;
+  double width_m = 0, height_m = 0, depth_m = 0;  // along right, up and out of the wall (recesses negative)
+  double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
+  std::uint64_t points = 0;
+};
+
+struct Facade {
+  std::uint32_t id = 0;
+  std::string crs;              // EPSG:n, or empty
+  Vec3 origin, right, up, out;  // a point of the wall and its axes of unit length, right x up = out
+  double width_m = 0, height_m = 0;
+  std::vector<FacadeElement> elements;
+};
+
+}  // namespace ilot

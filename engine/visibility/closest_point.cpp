@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/visibility/closest_point.h"
+
+#include <embree3/rtcore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "engine/error.h"
+
+namespace ilot {
+namespace {
+
+// Share of the extent by which boxes and radii grow: some eight times the rounding of a float.
+constexpr double kSlack = 0x1p-20;
+
+// One device serves the whole process, as Embree advises; it lives until the end.
+RTCDevice device() {
+  static const RTCDevice shared = rtcNewDevice(nullptr);
+  if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
+  return shared;
+}
+
+struct Query {
+  Vec3 p;  // relative to the anchor
+  double slack = 0;
+  SurfacePoint best;
+};
+
+float above(double v) {
+  return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
+}
+
+double largest(Vec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+struct ClosestPoint::State {
+  std::vector<Triangle3> triangles;  // relative to the anchor
+  Vec3 anchor;
+  double slack = 0;
+  RTCScene scene = nullptr;
+
+  ~State() {
+    if (scene) rtcReleaseScene(scene);
+  }
+
+  static void bounds(const RTCBoundsFunctionArguments* args) {
+    const auto& self = *static_cast<const State*>(args->geometryUserPtr);
+    const auto& [a, b, c] = self.triangles[args->primID];
+    RTCBounds& out = *args->bounds_o;
+    out.lower_x = static_cast<float>(std::min({a.x, b.x, c.x}) - self.slack);
+    out.lower_y = static_cast<float>(std::min({a.y, b.y, c.y}) - self.slack);
+    out.lower_z = static_cast<float>(std::min({a.z, b.z, c.z}) - self.slack);
+    out.upper_x = static_cast<float>(std::max({a.x, b.x, c.x}) + self.slack);
+    out.upper_y = static_cast<float>(std::max({a.y, b.y, c.y}) + self.slack);
+    out.upper_z = static_cast<float>(std::max({a.z, b.z, c.z}) + self.slack);
+  }
+
+  static bool measure(RTCPointQueryFunctionArguments* args) {
+    auto& [self, query] = *static_cast<std::pair<const State*, Query>*>(args->userPtr);
+    const Vec3 point = closest_on_triangle(query.p, self->triangles[args->primID]);
+    const Vec3 gap = query.p - point;
+    const double d2 = dot(gap, gap);
+    SurfacePoint& best = query.best;
+    if (d2 > best.squared_distance || (d2 == best.squared_distance && args->primID >= best.triangle)) return false;
+    best = {args->primID, point, d2};
+    const float radius = above(std::sqrt(d2) * (1 + kSlack) + query.slack);
+    if (radius >= args->query->radius) return false;
+    args->query->radius = radius;
+    return true;
+  }
+};
+
+ClosestPoint::ClosestPoint(std::vector<Triangle3> triangles) : state_(std::make_unique<State>()) {
+  State& self = *state_;
+  self.triangles = std::move(triangles);
+  if (self.triangles.empty()) return;
+  Vec3 low = self.triangles[0].a, high = low;
+  for (const Triangle3& t : self.triangles) {
+    for (const Vec3 v : {t.a, t.b, t.c}) {
+      low = {std::min(low.x, v.x), std::min(low.y, v.y), std::min(low.z, v.z)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y), std::max(high.z, v.z)};
+    }
+  }
+  self.anchor = 0.5 * low + 0.5 * high;
+  for (Triangle3& t : self.triangles) t = {t.a - self.anchor, t.b - self.anchor, t.c - self.anchor};
+  self.slack = kSlack * largest(high - low) + std::numeric_limits<float>::min();
+  self.scene = rtcNewScene(device());
+  rtcSetSceneFlags(self.scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(self.triangles.size()));
+  rtcSetGeometryUserData(geometry, &self);
+  rtcSetGeometryBoundsFunction(geometry, State::bounds, nullptr);
+  rtcSetGeometryPointQueryFunction(geometry, State::measure);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(self.scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(self.scene);
+  const RTCError error = rtcGetDeviceError(device());
+  if (error != RTC_ERROR_NONE)
+    throw Error("Embree could not build a scene of " + std::to_string(self.triangles.size()) +
+                " triangles (its error code " + std::to_string(static_cast<int>(error)) +
+                "); free memory and try again");
+}
+
+ClosestPoint::~ClosestPoint() = default;
+ClosestPoint::ClosestPoint(ClosestPoint&&) noexcept = default;
+ClosestPoint& ClosestPoint::operator=(ClosestPoint&&) noexcept = default;
+
+SurfacePoint ClosestPoint::nearest(Vec3 p, double reach) const {
+  const State& self = *state_;
+  if (!self.scene || !(reach >= 0)) return {};
+  std::pair<const State*, Query> asked{&self, {}};
+  Query& query = asked.second;
+  query.p = p - self.anchor;
+  query.slack = self.slack + kSlack * largest(query.p);
+  query.best.squared_distance = reach * reach;
+  RTCPointQuery ball{};
+  ball.x = static_cast<float>(query.p.x);
+  ball.y = static_cast<float>(query.p.y);
+  ball.z = static_cast<float>(query.p.z);
+  ball.radius = above(reach * (1 + kSlack) + query.slack);
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(self.scene, &ball, &context, nullptr, &asked);
+  if (query.best.triangle == kNoTriangle) return {};
+  query.best.point = query.best.point + self.anchor;
+  return query.best;
+}
+
+}  // namespace ilot
