@@ -1,130 +1,115 @@
 // SPDX-License-Identifier: Apache-2.0
-// kNN and PCA normals of an airborne town, beside nanoflann and Eigen on the same points in the same order. Before any
-// timing the neighbours' distances must be equal and the normals within 1e-4 rad.
-#include <benchmark/benchmark.h>
-
-#include <Eigen/Eigenvalues>
-#include <cstdio>
-#include <cstdlib>
-#include <nanoflann.hpp>
-#include <numeric>
-
-#include "bench/surface.h"
-#include "kernels/neighbours/knn.h"
+// Neighbours and normals of an airborne town, beside nanoflann and Eigen on the same points in the same order. Before
+// any timing the k-th distances must be equal and the normals within 1e-4 rad.
 #include "kernels/neighbours/normals.h"
+
+#include "bench/compare.h"
+#include "bench/eigen_normals.h"
+#include "kernels/neighbours/knn.h"
 
 namespace {
 
 using namespace ilot;
 
-constexpr std::size_t kPoints = 1000000;
-constexpr std::size_t kQueries = 200000;
+struct Town {
+  explicit Town(std::size_t n) : surface(bench::make_surface(n)), index(build_neighbour_index(surface.view())) {}
+  bench::Surface surface;
+  NeighbourIndex index;
+};
 
-const bench::Surface& surface() {
-  static const bench::Surface s = bench::make_surface(kPoints);
-  return s;
-}
-
-const std::vector<std::uint32_t>& queries() {
-  static const std::vector<std::uint32_t> q = [] {
-    std::vector<std::uint32_t> v(kQueries);
-    std::iota(v.begin(), v.end(), 400000u);
-    return v;
-  }();
+// A stretch in the middle of the town, long enough to leave the caches.
+std::vector<std::uint32_t> stretch(std::size_t n) {
+  std::vector<std::uint32_t> q(std::min<std::size_t>(n, 200000));
+  std::iota(q.begin(), q.end(), static_cast<std::uint32_t>((n - q.size()) / 2));
   return q;
 }
 
-struct Adaptor {
-  const Points p = surface().view();
-  std::size_t kdtree_get_point_count() const { return p.size; }
-  float kdtree_get_pt(std::size_t i, std::size_t axis) const {
-    return axis == 0 ? p.x[i] : axis == 1 ? p.y[i] : p.z[i];
-  }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const {
-    return false;
-  }
+struct Normals {
+  std::vector<PackedNormal> n;
+  std::vector<std::int64_t> reach2;
 };
-using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor, double>, Adaptor, 3,
-                                                 std::uint32_t>;
 
-struct Peer {
-  Adaptor adaptor;
-  Tree tree{3, adaptor, nanoflann::KDTreeSingleIndexAdaptorParams(10)};
-};
-const Peer& peer() {
-  static const Peer p;
-  return p;
+void ours(const NeighbourIndex& index, std::span<const std::uint32_t> queries, int k, Normals& out) {
+  out.n.resize(queries.size());
+  out.reach2.resize(queries.size());
+  bench::in_grains(queries.size(), [&](std::size_t begin, std::size_t end) {
+    normals(index, queries.subspan(begin, end - begin), {k, kMaxSquaredReach},
+            std::span(out.n).subspan(begin, end - begin), std::span(out.reach2).subspan(begin, end - begin));
+  });
 }
 
-Eigen::Vector3d peer_normal(std::uint32_t q, std::size_t k, double& reach2) {
-  std::uint32_t index[kMaxNeighbours];
-  double d2[kMaxNeighbours];
-  const Points p = surface().view();
-  const float at[3]{p.x[q], p.y[q], p.z[q]};
-  peer().tree.knnSearch(at, k, index, d2);
-  reach2 = d2[k - 1];
-  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d m = Eigen::Matrix3d::Zero();
-  for (std::size_t i = 0; i < k; ++i) {
-    const Eigen::Vector3d v(p.x[index[i]] - at[0], p.y[index[i]] - at[1], p.z[index[i]] - at[2]);
-    mean += v;
-    m += v * v.transpose();
-  }
-  mean /= static_cast<double>(k);
-  m = m / static_cast<double>(k) - mean * mean.transpose();
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(m);
-  return solver.eigenvectors().col(0);
+void neighbours(const NeighbourIndex& index, std::span<const std::uint32_t> queries, int k,
+                std::vector<std::uint32_t>& out, std::vector<std::int64_t>& reach2) {
+  const auto stride = static_cast<std::size_t>(k);
+  out.resize(queries.size() * stride);
+  reach2.resize(queries.size());
+  bench::in_grains(queries.size(), [&](std::size_t begin, std::size_t end) {
+    knn(index, queries.subspan(begin, end - begin), {k, kMaxSquaredReach},
+        std::span(out).subspan(begin * stride, (end - begin) * stride), std::span(reach2).subspan(begin, end - begin));
+  });
 }
 
-void check(int k) {
-  std::vector<PackedNormal> ours(kQueries);
-  std::vector<std::int64_t> reach2(kQueries);
-  normals(build_neighbour_index(surface().view()), queries(), {k, kMaxSquaredReach}, ours, reach2);
-  for (std::size_t i = 0; i < kQueries; i += 97) {
-    double theirs = 0;
-    const Eigen::Vector3d n = peer_normal(queries()[i], static_cast<std::size_t>(k), theirs);
-    const Eigen::Vector3d v = Eigen::Vector3d(ours[i].x, ours[i].y, ours[i].z).normalized();
-    if (static_cast<std::int64_t>(theirs) != reach2[i] || v.cross(n).norm() > 1e-4) {
-      std::fprintf(stderr, "normals: query %zu differs from nanoflann + Eigen\n", i);
-      std::exit(1);
+void theirs(const bench::PeerTree& peer, std::span<const std::uint32_t> queries, int k) {
+  bench::in_grains(queries.size(), [&](std::size_t begin, std::size_t end) {
+    std::uint32_t index[kMaxNeighbours];
+    double sum = 0;
+    for (std::size_t i = begin; i < end; ++i)
+      sum += bench::peer_normal(peer, queries[i], static_cast<std::size_t>(k), index).n.z();
+    bench::require(sum == sum, "normals: nanoflann + Eigen gave no number");
+  });
+}
+
+void theirs_without_normals(const bench::PeerTree& peer, std::span<const std::uint32_t> queries, int k) {
+  bench::in_grains(queries.size(), [&](std::size_t begin, std::size_t end) {
+    std::uint32_t index[kMaxNeighbours];
+    double d2[kMaxNeighbours];
+    const Points& p = peer.adaptor.p;
+    for (std::size_t i = begin; i < end; ++i) {
+      const float at[3]{p.x[queries[i]], p.y[queries[i]], p.z[queries[i]]};
+      peer.tree.knnSearch(at, static_cast<std::size_t>(k), index, d2);
     }
+  });
+}
+
+void check(const Town& town, const bench::PeerTree& peer, std::span<const std::uint32_t> queries, int k) {
+  Normals got;
+  ours(town.index, queries, k, got);
+  std::uint32_t index[kMaxNeighbours];
+  for (std::size_t i = 0; i < queries.size(); i += 97) {
+    const bench::PeerNormal want = bench::peer_normal(peer, queries[i], static_cast<std::size_t>(k), index);
+    const Eigen::Vector3d v = Eigen::Vector3d(got.n[i].x, got.n[i].y, got.n[i].z).normalized();
+    bench::require(static_cast<std::int64_t>(want.reach2) == got.reach2[i] && v.cross(want.n).norm() <= 1e-4,
+                   "normals: query " + std::to_string(queries[i]) + " differs from nanoflann + Eigen");
   }
 }
 
-void BM_ilot(benchmark::State& state) {
-  const int k = static_cast<int>(state.range(0));
-  check(k);
-  const NeighbourIndex index = build_neighbour_index(surface().view());
-  std::vector<PackedNormal> out(kQueries);
-  std::vector<std::int64_t> reach2(kQueries);
-  for (auto _ : state) normals(index, queries(), {k, kMaxSquaredReach}, out, reach2);
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kQueries));
-}
-BENCHMARK(BM_ilot)->Arg(8)->Arg(16)->Arg(30)->UseRealTime()->Unit(benchmark::kMillisecond);
-
-void BM_ilot_knn_only(benchmark::State& state) {
-  const int k = static_cast<int>(state.range(0));
-  const NeighbourIndex index = build_neighbour_index(surface().view());
-  std::vector<std::uint32_t> out(kQueries * static_cast<std::size_t>(k));
-  std::vector<std::int64_t> reach2(kQueries);
-  for (auto _ : state) knn(index, queries(), {k, kMaxSquaredReach}, out, reach2);
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kQueries));
-}
-BENCHMARK(BM_ilot_knn_only)->Arg(8)->Arg(16)->Arg(30)->UseRealTime()->Unit(benchmark::kMillisecond);
-
-void BM_nanoflann_eigen(benchmark::State& state) {
-  const auto k = static_cast<std::size_t>(state.range(0));
-  peer();
-  for (auto _ : state) {
-    double reach2 = 0;
-    for (const std::uint32_t q : queries()) benchmark::DoNotOptimize(peer_normal(q, k, reach2));
+void measure(const Town& town, const bench::PeerTree& peer, const std::string& size) {
+  const auto queries = stretch(town.surface.size);
+  const double items = static_cast<double>(queries.size()) / 1e6;
+  for (const int k : {8, 16, 30}) {
+    check(town, peer, queries, k);
+    const std::string variant = "k=" + std::to_string(k) + ", " + size;
+    Normals out;
+    std::vector<std::uint32_t> lists;
+    std::vector<std::int64_t> reach2;
+    for (const int threads : {1, 2})
+      bench::compare({"normals", variant, threads, items, "M points"},
+                     {{"ilot", [&] { ours(town.index, queries, k, out); }},
+                      {"nanoflann + Eigen", [&] { theirs(peer, queries, k); }}});
+    bench::compare({"knn", variant, 1, items, "M points"},
+                   {{"ilot", [&] { neighbours(town.index, queries, k, lists, reach2); }},
+                    {"nanoflann", [&] { theirs_without_normals(peer, queries, k); }}});
   }
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kQueries));
+  Normals out;
+  bench::scaling({.kernel = "normals", .variant = "k=16, " + size}, [&] { ours(town.index, queries, 16, out); });
 }
-BENCHMARK(BM_nanoflann_eigen)->Arg(8)->Arg(16)->Arg(30)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  for (const double millions : bench::numbers(argc, argv, {1})) {
+    const Town town(static_cast<std::size_t>(millions * 1e6));
+    const bench::PeerTree peer(town.surface.view());
+    measure(town, peer, bench::in_millions(millions));
+  }
+}

@@ -1,34 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane scoring on an airborne town: one and sixteen planes at a time, with and without normals, beside the loop that
-// one writes first (double, array of structures, one plane). The counts must be equal before anything is timed.
-#include <benchmark/benchmark.h>
+// Plane scoring on an airborne town: one, 16 and 64 planes at a time, with and without normals, beside the loop that
+// one writes first (double, array of structures, one plane) and as a share of the arithmetic ceiling.
+#include "kernels/planes/plane_score.h"
 
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 
+#include "bench/ceiling/score_loop.h"
+#include "bench/compare.h"
 #include "bench/surface.h"
-#include "kernels/planes/plane_score.h"
+#include "kernels/core/parallel.h"
 
 namespace {
 
 using namespace ilot;
 
-constexpr std::size_t kPoints = 1000000;
 constexpr float kDistance = 64;  // 64 mm; the planes are chosen so that no point lies on the edge of it
 
-const bench::Surface& surface() {
-  static const bench::Surface s = bench::make_surface(kPoints);
-  return s;
-}
-
 struct Normals {
-  std::vector<float> x = std::vector<float>(kPoints + 16, 0.0f), y = x, z = std::vector<float>(kPoints + 16, 1.0f);
+  std::vector<float> x, y, z;
 };
-const Normals& up() {
-  static const Normals n;
-  return n;
-}
 
 // Level and sloping planes through the town, with coefficients that float32 and double hold alike.
 std::vector<PlaneHypothesis> planes(std::size_t count) {
@@ -39,56 +29,72 @@ std::vector<PlaneHypothesis> planes(std::size_t count) {
   return list;
 }
 
-std::uint32_t naive(const std::vector<Vec3>& points, const PlaneHypothesis& h) {
+// The plain loop, and with normals as far as anybody would write it.
+std::uint32_t plain(const std::vector<Vec3>& points, const PlaneHypothesis& h) {
   const Plane plane{{h[0], h[1], h[2]}, h[3]};
   std::uint32_t count = 0;
   for (const Vec3& p : points) count += std::abs(signed_distance(plane, p)) <= kDistance;
   return count;
 }
 
-const std::vector<Vec3>& structures() {
-  static const std::vector<Vec3> points = [] {
-    std::vector<Vec3> v;
-    for (std::size_t i = 0; i < kPoints; ++i) v.push_back({surface().x[i], surface().y[i], surface().z[i]});
-    return v;
-  }();
-  return points;
+// Grains of whole lanes, each counted for itself.
+std::vector<std::uint32_t> in_parallel(const OrientedPoints& points, const std::vector<PlaneHypothesis>& list) {
+  constexpr std::size_t kGrain = 1 << 16;
+  const std::size_t grains = (points.points.size + kGrain - 1) / kGrain;
+  std::vector<std::uint32_t> parts(grains * list.size()), counts(list.size(), 0);
+  parallel_for(grains, [&](std::size_t g) {
+    const std::size_t at = g * kGrain;
+    const Points& p = points.points;
+    OrientedPoints part{{p.x + at, p.y + at, p.z + at, std::min(kGrain, p.size - at)}};
+    if (points.nx != nullptr) part = {part.points, points.nx + at, points.ny + at, points.nz + at};
+    count_inliers(part, list, {kDistance, 0.9f}, std::span(parts).subspan(g * list.size(), list.size()));
+  });
+  for (std::size_t i = 0; i < parts.size(); ++i) counts[i % list.size()] += parts[i];
+  return counts;
 }
 
-void check(const std::vector<PlaneHypothesis>& list) {
-  std::vector<std::uint32_t> counts(list.size());
-  count_inliers({surface().view()}, list, {kDistance, 0}, counts);
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    if (counts[i] == naive(structures(), list[i])) continue;
-    std::fprintf(stderr, "plane %zu: %u inliers, the plain loop has %u\n", i, counts[i], naive(structures(), list[i]));
-    std::exit(1);
+void against_plain_loop(const OrientedPoints& points, const std::vector<Vec3>& structures, const std::string& size) {
+  for (const std::size_t count : {1, 16, 64}) {
+    const auto list = planes(count);
+    const auto counts = in_parallel(points, list);
+    for (std::size_t i = 0; i < count; ++i)
+      bench::require(counts[i] == plain(structures, list[i]), "plane_score: counts differ from the plain loop's");
+    std::uint32_t sink = 0;
+    std::vector<bench::Way> ways{{"ilot", [&] { sink += in_parallel(points, list)[0]; }},
+                                 {"double, array of structures", [&] {
+                                    for (const auto& h : list) sink += plain(structures, h);
+                                  }}};
+    const double items = static_cast<double>(points.points.size * count) / 1e9;
+    bench::compare({"plane_score", std::to_string(count) + " planes, " + size, 1, items, "G point-planes"}, ways);
+    bench::require(sink != 1, "");
   }
 }
 
-void BM_ilot(benchmark::State& state) {
-  const auto list = planes(static_cast<std::size_t>(state.range(0)));
-  const bool normals = state.range(1) != 0;
-  check(list);
-  std::vector<std::uint32_t> counts(list.size());
-  OrientedPoints points{surface().view()};
-  if (normals) points = {surface().view(), up().x.data(), up().y.data(), up().z.data()};
-  for (auto _ : state) count_inliers(points, list, {kDistance, 0.9f}, counts);
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPoints * list.size()));
+// The ceiling's ratio is the share of it that we reach.
+void against_ceiling(const OrientedPoints& points, const std::string& size, int threads) {
+  const auto list = planes(16);
+  const double items = static_cast<double>(points.points.size * list.size());
+  bench::compare({"plane_score", "16 planes beside the register loop, " + size, threads, items / 1e9, "G point-planes"},
+                 {{"ilot", [&] { in_parallel(points, list); }}, {"ceiling", [&] { bench::score_loop(items); }}});
 }
-BENCHMARK(BM_ilot)
-    ->ArgNames({"planes", "normals"})
-    ->ArgsProduct({{1, 16, 64}, {0, 1}})
-    ->UseRealTime()
-    ->Unit(benchmark::kMillisecond);
-
-void BM_double_structures(benchmark::State& state) {
-  const auto list = planes(1);
-  structures();
-  for (auto _ : state) benchmark::DoNotOptimize(naive(structures(), list[0]));
-  state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(kPoints));
-}
-BENCHMARK(BM_double_structures)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 }  // namespace
 
-BENCHMARK_MAIN();
+int main(int argc, char** argv) {
+  for (const double millions : bench::numbers(argc, argv, {1})) {
+    const bench::Surface surface = bench::make_surface(static_cast<std::size_t>(millions * 1e6));
+    const Points points = surface.view();
+    std::vector<Vec3> structures;
+    for (std::size_t i = 0; i < points.size; ++i) structures.push_back({points.x[i], points.y[i], points.z[i]});
+    const std::string size = bench::in_millions(millions);
+    against_plain_loop({points}, structures, size);
+    const Normals n{std::vector<float>(points.size + 16, 0.0f), std::vector<float>(points.size + 16, 0.0f),
+                    std::vector<float>(points.size + 16, 1.0f)};
+    const OrientedPoints oriented{points, n.x.data(), n.y.data(), n.z.data()};
+    for (const int threads : {1, 2}) against_ceiling({points}, size, threads);
+    bench::scaling({.kernel = "plane_score", .variant = "16 planes, " + size},
+                   [&] { in_parallel({points}, planes(16)); });
+    bench::scaling({.kernel = "plane_score", .variant = "16 planes with normals, " + size},
+                   [&] { in_parallel(oriented, planes(16)); });
+  }
+}

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "kernels/core/rng.h"
@@ -19,30 +20,53 @@ struct Surface {
   Points view() const { return {x.data(), y.data(), z.data(), size}; }
 };
 
-inline Surface make_surface(std::size_t n) {
-  Rng rng(1);
-  const double side = 1000 * std::sqrt(static_cast<double>(n) / 12);  // millimetres
-  std::vector<std::uint64_t> codes(n);
-  for (std::uint64_t& code : codes) {
-    const double x = rng.uniform() * side, y = rng.uniform() * side;
-    const double u = x - 20000 * std::floor(x / 20000), v = y - 20000 * std::floor(y / 20000);
-    const bool roof = u < 10000 && v < 10000;
-    double noise = -6;  // sum of twelve uniforms: near enough to normal
-    for (int i = 0; i < 12; ++i) noise += rng.uniform();
-    const double z = 10000 + 20 * noise + (roof ? 5000 + 0.7 * (5000 - std::abs(v - 5000)) : 0);
-    code = morton_code({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
-  }
+// Morton sorted, from codes of whole millimetres.
+inline Surface surface_of(std::vector<std::uint64_t> codes) {
   std::sort(codes.begin(), codes.end());
   Surface s;
-  s.size = n;
-  for (auto* column : {&s.x, &s.y, &s.z}) column->resize(n + 16);
-  for (std::size_t i = 0; i < n; ++i) {
+  s.size = codes.size();
+  for (auto* column : {&s.x, &s.y, &s.z}) column->resize(s.size + 16);
+  for (std::size_t i = 0; i < s.size; ++i) {
     const Cell3 c = morton_cell(codes[i]);
     s.x[i] = static_cast<float>(c.x);
     s.y[i] = static_cast<float>(c.y);
     s.z[i] = static_cast<float>(c.z);
   }
   return s;
+}
+
+// A house of 10 m every 20 m, with a gable roof; elsewhere ground.
+inline std::uint64_t code_at(double x, double y, Rng& rng) {
+  const double u = x - 20000 * std::floor(x / 20000), v = y - 20000 * std::floor(y / 20000);
+  const bool roof = u < 10000 && v < 10000;
+  double noise = -6;  // sum of twelve uniforms: near enough to normal
+  for (int i = 0; i < 12; ++i) noise += rng.uniform();
+  const double z = 10000 + 20 * noise + (roof ? 5000 + 0.7 * (5000 - std::abs(v - 5000)) : 0);
+  return morton_code({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
+}
+
+inline Surface make_surface(std::size_t n) {
+  Rng rng(1);
+  const double side = 1000 * std::sqrt(static_cast<double>(n) / 12);  // millimetres
+  std::vector<std::uint64_t> codes(n);
+  for (std::uint64_t& code : codes) {
+    const double x = rng.uniform() * side, y = rng.uniform() * side;
+    code = code_at(x, y, rng);
+  }
+  return surface_of(std::move(codes));
+}
+
+// The roofs of such a town alone.
+inline Surface make_houses(std::size_t n) {
+  Rng rng(2);
+  const double houses = std::ceil(std::sqrt(static_cast<double>(n) / (12 * 100)));  // per side of the town
+  std::vector<std::uint64_t> codes(n);
+  for (std::uint64_t& code : codes) {
+    const double x = 20000 * std::floor(rng.uniform() * houses) + 10000 * rng.uniform();
+    const double y = 20000 * std::floor(rng.uniform() * houses) + 10000 * rng.uniform();
+    code = code_at(x, y, rng);
+  }
+  return surface_of(std::move(codes));
 }
 
 }  // namespace ilot::bench

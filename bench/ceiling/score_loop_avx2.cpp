@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/ceiling/score_loop.h"
+#include "kernels/simd/lanes_avx2.h"
+
+namespace ilot::bench {
+namespace {
+
+using namespace simd::avx2;
+
+inline void opaque(Wide& v) {
+  asm volatile("" : "+x"(v.v));
+}
+
+#include "bench/ceiling/score_loop.inl"
+
+}  // namespace
+
+std::uint32_t score_loop_avx2(std::uint32_t rounds) {
+  return loop(rounds);
+}
+
+}  // namespace ilot::bench
