@@ -64,9 +64,8 @@ class Inserter {
 
   bool ahead(std::uint32_t a, std::uint32_t b, std::uint32_t v) const {
     const Point2 p = at(a), q = at(b), r = at(v);
-    return orient2d(p, q, r) == 0 && static_cast<std::int64_t>(q.x - p.x) * (r.x - p.x) +
-                                             static_cast<std::int64_t>(q.y - p.y) * (r.y - p.y) >
-                                         0;
+    return orient2d(p, q, r) == 0 &&
+           static_cast<std::int64_t>(q.x - p.x) * (r.x - p.x) + static_cast<std::int64_t>(q.y - p.y) * (r.y - p.y) > 0;
   }
 
   // The first corner on the way from a to b, b itself at the latest; kNoEdge when a fixed edge is in the way. `crossed`
