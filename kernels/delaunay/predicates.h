@@ -37,19 +37,24 @@ constexpr bool in_circle_tie(Point2 a, Point2 b, Point2 c, Point2 d) {
 }
 }  // namespace detail
 
-// True when d lies inside the circle through a, b, c, which turn left; d is none of them. Four points on a circle are
-// decided by symbolic perturbation of the paraboloid: each point is lifted by an infinitesimal that outweighs those of
-// all points smaller in (x, y) (Edelsbrunner, Muecke 1990). So the answer depends on the four points alone, whatever
-// their order, and not on a common shift; and the triangulation without any point in any circle is unique.
-constexpr bool in_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
+// Of d and the circle through a, b, c, which turn left: 1 inside, 0 on it, -1 outside.
+constexpr int in_circle_sign(Point2 a, Point2 b, Point2 c, Point2 d) {
   const std::int64_t ax = a.x - d.x, ay = a.y - d.y;
   const std::int64_t bx = b.x - d.x, by = b.y - d.y;
   const std::int64_t cx = c.x - d.x, cy = c.y - d.y;
   const __int128 sum = static_cast<__int128>(ax * ax + ay * ay) * (bx * cy - by * cx) +
                        static_cast<__int128>(bx * bx + by * by) * (cx * ay - cy * ax) +
                        static_cast<__int128>(cx * cx + cy * cy) * (ax * by - ay * bx);
-  if (sum != 0) return sum > 0;
-  return detail::in_circle_tie(a, b, c, d);
+  return sum > 0 ? 1 : sum < 0 ? -1 : 0;
+}
+
+// The same, never undecided: d is none of the three. Four points on a circle are decided by symbolic perturbation of
+// the paraboloid: each point is lifted by an infinitesimal that outweighs those of all points smaller in (x, y)
+// (Edelsbrunner, Muecke 1990). So the answer depends on the four points alone, whatever their order, and not on a
+// common shift; and the triangulation without any point in any circle is unique.
+constexpr bool in_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
+  const int sign = in_circle_sign(a, b, c, d);
+  return sign != 0 ? sign > 0 : detail::in_circle_tie(a, b, c, d);
 }
 
 }  // namespace ilot

@@ -20,16 +20,16 @@ inline std::int32_t draw_within(Rng& rng, std::int32_t reach) {
   return static_cast<std::int32_t>(rng.below(2 * static_cast<std::uint64_t>(reach) + 1)) - reach;
 }
 
-// Uniform, lattices full of cocircular points, a circle, lines, near-lines, duplicates, clusters far apart, the ends of
-// the range; of about n points each.
+// Uniform, lattices full of cocircular points, circles and nearly, lines, near-lines, duplicates, clusters far apart,
+// the ends of the range; of about n points each.
 inline std::vector<PlaneSet> plane_sets(std::uint32_t n, std::uint64_t key) {
   Rng rng(key);
-  std::vector<PlaneSet> sets(11);
+  std::vector<PlaneSet> sets(12);
   const std::int32_t far = kMaxPlaneCoordinate;
   const std::int32_t step = 1 + static_cast<std::int32_t>(rng.below(100));
   const auto columns = static_cast<std::int32_t>(1 + rng.below(n + 1));
-  const char* names[] = {"uniform",      "lattice",    "small",    "circle", "line",   "near line",
-                         "leaning line", "duplicates", "clusters", "far",    "corners"};
+  const char* names[] = {"uniform",      "lattice",    "small",    "circle", "line",    "near line",
+                         "leaning line", "duplicates", "clusters", "far",    "corners", "near circle"};
   for (std::size_t s = 0; s < sets.size(); ++s) sets[s].name = names[s];
   const Point2 ring[] = {{25, 0}, {24, 7}, {20, 15}, {15, 20}, {7, 24}, {0, 25}};
   for (std::uint32_t u = 0; u < n; ++u) {
@@ -47,6 +47,7 @@ inline std::vector<PlaneSet> plane_sets(std::uint32_t n, std::uint64_t key) {
     const std::int32_t home = static_cast<std::int32_t>(rng.below(3)) * 200000000;
     sets[8].points.push_back({home + draw_within(rng, 3), home / 2 + draw_within(rng, 3)});
     sets[9].points.push_back({draw_within(rng, far), draw_within(rng, far)});
+    sets[11].points.push_back({q.x * 20000000 + draw_within(rng, 1), q.y * 20000000 - draw_within(rng, 1)});
     sets[10].points.push_back({rng.below(2) ? far : -far, rng.below(2) ? far : -far});
     if (rng.below(3) == 0) sets[10].points.back() = {draw_within(rng, 2), draw_within(rng, 2)};
   }
