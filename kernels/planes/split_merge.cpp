@@ -149,7 +149,9 @@ std::vector<Segment> merge(std::vector<Leaf>& leaves, const std::vector<Indices>
   for (std::uint32_t i = 0; i < leaves.size(); ++i)
     if (leaves[i].fits) order.push_back(i);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    return leaves[a].moments.n != leaves[b].moments.n ? leaves[a].moments.n > leaves[b].moments.n : a < b;
+    const Leaf &l = leaves[a], &m = leaves[b];
+    if (l.sure != m.sure) return l.sure;
+    return l.moments.n != m.moments.n ? l.moments.n > m.moments.n : a < b;
   });
   std::vector<Segment> segments;
   for (const std::uint32_t seed : order) {
