@@ -1,13 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/core/moments.h"
 
-#include <cassert>
+#include <algorithm>
 
 namespace ilot {
 namespace {
 
 double ratio(Int128 numerator, double denominator) {
   return static_cast<double>(numerator) / denominator;
+}
+
+constexpr std::size_t kSumsFit = (std::size_t{1} << 19) - 1;  // points whose sums of squares fit 64 bits
+
+Moments moments_of_few(Points points, std::span<const std::uint32_t> indices) {
+  std::int64_t x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  for (const std::uint32_t i : indices) {
+    const std::int64_t px = static_cast<std::int32_t>(points.x[i]);
+    const std::int64_t py = static_cast<std::int32_t>(points.y[i]);
+    const std::int64_t pz = static_cast<std::int32_t>(points.z[i]);
+    x += px;
+    y += py;
+    z += pz;
+    xx += px * px;
+    xy += px * py;
+    xz += px * pz;
+    yy += py * py;
+    yz += py * pz;
+    zz += pz * pz;
+  }
+  return {static_cast<std::int64_t>(indices.size()), x, y, z, xx, xy, xz, yy, yz, zz};
 }
 
 }  // namespace
@@ -39,23 +60,10 @@ void Moments::add(const Moments& m) {
 }
 
 Moments moments_of(Points points, std::span<const std::uint32_t> indices) {
-  assert(indices.size() < (std::size_t{1} << 19));
-  std::int64_t x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  for (const std::uint32_t i : indices) {
-    const std::int64_t px = static_cast<std::int32_t>(points.x[i]);
-    const std::int64_t py = static_cast<std::int32_t>(points.y[i]);
-    const std::int64_t pz = static_cast<std::int32_t>(points.z[i]);
-    x += px;
-    y += py;
-    z += pz;
-    xx += px * px;
-    xy += px * py;
-    xz += px * pz;
-    yy += py * py;
-    yz += py * pz;
-    zz += pz * pz;
-  }
-  return {static_cast<std::int64_t>(indices.size()), x, y, z, xx, xy, xz, yy, yz, zz};
+  Moments m;
+  for (std::size_t begin = 0; begin < indices.size(); begin += kSumsFit)
+    m.add(moments_of_few(points, indices.subspan(begin, std::min(kSumsFit, indices.size() - begin))));
+  return m;
 }
 
 Moments shifted(const Moments& m, Index3 by) {

@@ -23,8 +23,8 @@ struct Moments {
   friend bool operator==(const Moments&, const Moments&) = default;
 };
 
-// Moments of the points with these indices; their offsets must be integers below 2^22 in magnitude, fewer than 2^19
-// points. O(n).
+// Moments of the points with these indices; their offsets must be integers below 2^22 in magnitude.
+// O(n).
 Moments moments_of(Points points, std::span<const std::uint32_t> indices);
 
 // The same points seen from another anchor: every coordinate grows by `by`.

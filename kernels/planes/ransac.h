@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <cstdint>
-#include <vector>
 
 #include "kernels/planes/plane_score.h"
+#include "kernels/planes/plane_segments.h"
 
 namespace ilot {
 
@@ -16,10 +16,7 @@ struct RansacParams {
   std::uint64_t key = 0;          // of the random draws
 };
 
-struct RansacPlanes {
-  std::vector<std::uint32_t> label;  // per point: 0 = none, else 1 + index into planes
-  std::vector<Plane> planes;         // least squares of their points; normals as fit_plane gives them
-};
+using RansacPlanes = PlaneSegments;  // planes: least squares of their points
 
 // Planes by random sample consensus, the largest first [A5, after Schnabel, Wahl and Klein 2007].
 // A draw is a point and two more out of a window of its neighbours in the order of points (Morton order makes a window

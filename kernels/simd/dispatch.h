@@ -66,6 +66,19 @@ struct HoughArgs {
 constexpr std::size_t kHoughVotes = 2048;
 constexpr std::uint32_t kHoughRotations = 5;
 
+struct ShapeArgs {
+  const float *x, *y, *z, *nx, *ny, *nz;  // leaves of 64 points; holes are not numbers
+  const float* const* balls;              // per level: groups of 8, 32 floats each: x8 y8 z8 radius8
+  int levels;
+  const float* shape;  // origin, axis, radius, sine, cosine
+  int kind;            // ShapeKind
+  float max_distance, min_cos;
+  float slack;            // more than rounding adds to a distance
+  std::uint32_t* leaves;  // shape_leaves writes, shape_hits reads
+  std::uint32_t leaf_count;
+  std::uint32_t* found;  // nullptr: count only; else positions, with room for eight more
+};
+
 struct Table {
   const char* name;
   void (*count_inliers)(const CountArgs&);
@@ -73,6 +86,8 @@ struct Table {
   std::uint32_t (*radius_search)(const RadiusArgs&);  // answers queries while there is room; returns how many
   void (*neighbour_normals)(const NormalArgs&);
   void (*hough_directions)(const HoughArgs&);
+  std::uint32_t (*shape_hits)(const ShapeArgs&);    // how many points of the leaves
+  std::uint32_t (*shape_leaves)(const ShapeArgs&);  // how many leaves
 };
 
 // The table of the best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it;

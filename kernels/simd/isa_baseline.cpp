@@ -12,6 +12,7 @@ constexpr char kName[] = "baseline";
 #include "kernels/neighbours/normals.inl"
 #include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
+#include "kernels/planes/shape_score.inl"
 
 #include "kernels/simd/table.inl"
 }  // namespace ilot::simd::baseline

@@ -34,6 +34,9 @@ inline F8 operator/(F8 a, F8 b) {
 inline F8 max8(F8 a, F8 b) {
   return {_mm256_max_ps(a.v, b.v)};
 }
+inline F8 root(F8 a) {
+  return {_mm256_sqrt_ps(a.v)};
+}
 inline F8 magnitude(F8 a) {
   return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
 }

@@ -35,6 +35,12 @@ inline F8 operator/(F8 a, F8 b) {
 inline F8 max8(F8 a, F8 b) {
   return {_mm256_max_ps(a.v, b.v)};
 }
+inline F8 root(F8 a) {
+  return {_mm256_sqrt_ps(a.v)};
+}
+inline F8 magnitude(F8 a) {
+  return {_mm256_andnot_ps(_mm256_set1_ps(-0.0f), a.v)};
+}
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
@@ -92,6 +98,9 @@ inline Wide operator/(Wide a, Wide b) {
 }
 inline Wide max8(Wide a, Wide b) {
   return {_mm512_max_ps(a.v, b.v)};
+}
+inline Wide root(Wide a) {
+  return {_mm512_sqrt_ps(a.v)};
 }
 inline Wide min_wide(Wide a, Wide b) {
   return {_mm512_min_ps(a.v, b.v)};

@@ -36,6 +36,9 @@ inline F8 operator/(F8 a, F8 b) {
 inline F8 max8(F8 a, F8 b) {
   return {_mm_max_ps(a.lo, b.lo), _mm_max_ps(a.hi, b.hi)};
 }
+inline F8 root(F8 a) {
+  return {_mm_sqrt_ps(a.lo), _mm_sqrt_ps(a.hi)};
+}
 inline F8 magnitude(F8 a) {
   const __m128 sign = _mm_set1_ps(-0.0f);
   return {_mm_andnot_ps(sign, a.lo), _mm_andnot_ps(sign, a.hi)};
@@ -112,6 +115,10 @@ inline F8 operator/(F8 a, F8 b) {
 }
 inline F8 max8(F8 a, F8 b) {
   for (int i = 0; i < 8; ++i) a.v[i] = a.v[i] > b.v[i] ? a.v[i] : b.v[i];
+  return a;
+}
+inline F8 root(F8 a) {
+  for (float& v : a.v) v = __builtin_sqrtf(v);
   return a;
 }
 inline F8 magnitude(F8 a) {

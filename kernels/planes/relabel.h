@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "kernels/planes/plane_segments.h"
+#include "kernels/planes/region_growing.h"
+
+namespace ilot {
+
+struct RelabelParams {
+  double epsilon = 0;           // units; a point takes a label only within epsilon of that plane
+  std::int64_t max_gap = 0;     // units; neighbours farther away have no vote
+  std::uint32_t min_votes = 2;  // labelled neighbours that a point without a label needs for a plane
+  int max_rounds = 8;
+};
+
+// Gives points without a label one of their neighbours' planes: the nearest among those with at least min_votes
+// neighbours that lie within epsilon (ties: the smaller label). Rounds look at the labels of the round before, so the
+// order of points does not matter. Returns how many points got a label. O(rounds x n k).
+std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                         PlaneSegments& segments);
+
+// Islands [D4]: a point moves to the plane that most of its neighbours have (the document: 12 of them), if it lies
+// within epsilon of it; a tie changes nothing. One round, on the labels as they were. Returns how many points moved.
+std::size_t relabel_islands(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                            PlaneSegments& segments);
+
+}  // namespace ilot

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+// Bodies of shape scoring: balls that a shape comes near, then the points in them. Distances to a shape change no
+// faster than the point moves, so a ball whose centre is farther away than epsilon plus its radius holds no hit.
+
+namespace {
+
+// V: eight lanes or the widest.
+template <typename V>
+struct ShapeLanes {
+  V ox, oy, oz, ux, uy, uz, radius, sine, cosine;
+};
+
+inline ShapeLanes<F8> load_shape(const float* s) {
+  return {splat(s[0]), splat(s[1]), splat(s[2]), splat(s[3]), splat(s[4]),
+          splat(s[5]), splat(s[6]), splat(s[7]), splat(s[8])};
+}
+inline ShapeLanes<Wide> load_shape_wide(const float* s) {
+  return {splat_wide(s[0]), splat_wide(s[1]), splat_wide(s[2]), splat_wide(s[3]), splat_wide(s[4]),
+          splat_wide(s[5]), splat_wide(s[6]), splat_wide(s[7]), splat_wide(s[8])};
+}
+
+// From the shape's axis (plane: along it; sphere: from the centre) to the point.
+template <typename V>
+struct AcrossLanes {
+  V x, y, z, along, length;
+};
+
+template <int kKind, typename V>
+inline AcrossLanes<V> across(const ShapeLanes<V>& s, V x, V y, V z) {
+  const V vx = x - s.ox, vy = y - s.oy, vz = z - s.oz;
+  if constexpr (kKind == 1) return {vx, vy, vz, vx, root(vx * vx + vy * vy + vz * vz)};
+  const V h = vx * s.ux + vy * s.uy + vz * s.uz;
+  if constexpr (kKind == 0) return {vx, vy, vz, h, h};
+  const V qx = vx - h * s.ux, qy = vy - h * s.uy, qz = vz - h * s.uz;
+  return {qx, qy, qz, h, root(qx * qx + qy * qy + qz * qz)};
+}
+
+template <int kKind, typename V>
+inline V shape_distance(const ShapeLanes<V>& s, const AcrossLanes<V>& a) {
+  if constexpr (kKind == 0) return magnitude(a.along);
+  if constexpr (kKind == 3) return magnitude(a.length * s.cosine - a.along * s.sine);
+  return magnitude(a.length - s.radius);
+}
+
+// How well normals agree, scaled by the distance from the axis except for planes.
+template <int kKind, typename V>
+inline V shape_agreement(const ShapeLanes<V>& s, const AcrossLanes<V>& a, V nx, V ny, V nz) {
+  if constexpr (kKind == 0) return magnitude(nx * s.ux + ny * s.uy + nz * s.uz);
+  const V out = nx * a.x + ny * a.y + nz * a.z;
+  if constexpr (kKind == 3) {
+    const V along = nx * s.ux + ny * s.uy + nz * s.uz;
+    return magnitude(out * s.cosine - a.length * s.sine * along);
+  }
+  return magnitude(out);
+}
+template <int kKind, typename V>
+inline V least_agreement(V cosine, const AcrossLanes<V>& a) {
+  if constexpr (kKind == 0) return cosine;
+  return cosine * a.length;
+}
+
+template <int kKind>
+inline std::uint32_t near_balls(const ShapeLanes<F8>& s, const float* group, F8 margin) {
+  const AcrossLanes<F8> a = across<kKind>(s, load8(group), load8(group + 8), load8(group + 16));
+  return mask_le(shape_distance<kKind>(s, a), load8(group + 24) + margin);
+}
+
+template <int kKind>
+inline std::uint32_t collect_balls(const ShapeArgs& args) {
+  const ShapeLanes<F8> s = load_shape(args.shape);
+  const F8 margin = splat(args.max_distance + args.slack);
+  struct Pending {
+    std::uint32_t group, members;  // mask still to visit
+  };
+  Pending stack[16];
+  std::uint32_t count = 0;
+  int level = args.levels - 1;
+  stack[level] = {0, near_balls<kKind>(s, args.balls[level], margin)};
+  while (level < args.levels) {
+    Pending& top = stack[level];
+    if (top.members == 0) {
+      ++level;
+      continue;
+    }
+    const std::uint32_t ball = top.group * 8 + static_cast<std::uint32_t>(__builtin_ctz(top.members));
+    top.members &= top.members - 1;
+    if (level == 0) {
+      args.leaves[count++] = ball;
+    } else {
+      --level;
+      stack[level] = {ball, near_balls<kKind>(s, args.balls[level] + std::size_t{32} * ball, margin)};
+    }
+  }
+  return count;
+}
+
+template <int kKind>
+inline std::uint32_t count_hits(const ShapeArgs& args) {
+  const ShapeLanes<Wide> s = load_shape_wide(args.shape);
+  const Wide epsilon = splat_wide(args.max_distance), cosine = splat_wide(args.min_cos);
+  WideCount counts = zero_wide_count();
+  for (std::uint32_t l = 0; l < args.leaf_count; ++l) {
+    const std::size_t begin = std::size_t{64} * args.leaves[l];
+    for (std::size_t j = begin; j < begin + 64; j += kWide) {
+      const auto a = across<kKind>(s, load_wide(args.x + j), load_wide(args.y + j), load_wide(args.z + j));
+      const Wide agreement =
+          shape_agreement<kKind>(s, a, load_wide(args.nx + j), load_wide(args.ny + j), load_wide(args.nz + j));
+      count_both_le(counts, shape_distance<kKind>(s, a), epsilon, least_agreement<kKind>(cosine, a), agreement);
+    }
+  }
+  return total(counts);
+}
+
+template <int kKind>
+inline std::uint32_t list_hits(const ShapeArgs& args) {
+  const ShapeLanes<F8> s = load_shape(args.shape);
+  const F8 epsilon = splat(args.max_distance), cosine = splat(args.min_cos);
+  std::uint32_t found = 0;
+  for (std::uint32_t l = 0; l < args.leaf_count; ++l) {
+    const std::size_t begin = std::size_t{64} * args.leaves[l];
+    for (std::size_t j = begin; j < begin + 64; j += 8) {
+      const auto a = across<kKind>(s, load8(args.x + j), load8(args.y + j), load8(args.z + j));
+      const F8 agreement = shape_agreement<kKind>(s, a, load8(args.nx + j), load8(args.ny + j), load8(args.nz + j));
+      const Pick8 hits = pick8(mask_le(shape_distance<kKind>(s, a), epsilon) &
+                               mask_le(least_agreement<kKind>(cosine, a), agreement));
+      put_numbers(args.found + found, hits, static_cast<std::uint32_t>(j));
+      found += hits.count;
+    }
+  }
+  return found;
+}
+
+template <int kKind>
+inline std::uint32_t hit_points(const ShapeArgs& args) {
+  return args.found == nullptr ? count_hits<kKind>(args) : list_hits<kKind>(args);
+}
+
+}  // namespace
+
+std::uint32_t shape_leaves(const ShapeArgs& args) {
+  switch (args.kind) {
+    case 1:
+      return collect_balls<1>(args);
+    case 2:
+      return collect_balls<2>(args);
+    case 3:
+      return collect_balls<3>(args);
+    default:
+      return collect_balls<0>(args);
+  }
+}
+
+std::uint32_t shape_hits(const ShapeArgs& args) {
+  switch (args.kind) {
+    case 1:
+      return hit_points<1>(args);
+    case 2:
+      return hit_points<2>(args);
+    case 3:
+      return hit_points<3>(args);
+    default:
+      return hit_points<0>(args);
+  }
+}

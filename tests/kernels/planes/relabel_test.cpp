@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/planes/relabel.h"
+
+#include "tests/support/segment_sets.h"
+
+namespace ilot {
+namespace {
+
+constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0};
+
+test::OrientedSet floor_of(int columns, int rows) {
+  test::OrientedSetBuilder b(1);
+  b.add(test::Patch{{0, 0, 100}, kX, kY, columns, rows, 10, 0});
+  return b.build();
+}
+
+TEST(Relabel, StraysSpreadFromLabelledPointsRoundByRound) {
+  const auto set = floor_of(20, 20);
+  const auto near = test::neighbours_of(set.view().points, 9);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size, 0), {{{0, 0, 1}, -100}}};
+  for (std::size_t i = 0; i < set.size; ++i) s.label[i] = set.x[i] <= 10;  // two columns of twenty
+  PlaneSegments one = s;
+  EXPECT_EQ(adopt_strays(set.view().points, near.lists(), {1, 20, 2, 1}, one), 20u);
+  EXPECT_EQ(adopt_strays(set.view().points, near.lists(), {1, 20, 2, 100}, s), 360u);
+  EXPECT_EQ(test::label_sizes(s), (std::vector<std::size_t>{0, 400}));
+}
+
+TEST(Relabel, APointGoesToTheNearerPlaneWithinEpsilonOnly) {
+  const auto set = test::make_set("cross", {{0, 0, 10}, {2, 0, 10}, {0, 2, 12}, {2, 2, 12}, {1, 1, 11}, {1, 1, 30}});
+  const auto near = test::neighbours_of(set.view(), 6);
+  PlaneSegments start{std::vector<std::uint32_t>(6, 0), {{{0, 0, 1}, -10.4}, {{0, 0, 1}, -12}}};
+  for (std::size_t i = 0; i < 6; ++i) start.label[i] = set.z[i] == 10 ? 1 : set.z[i] == 12 ? 2 : 0;
+  PlaneSegments wide = start, narrow = start, lonely = start;
+  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {2, 100, 2, 5}, wide), 1u);
+  for (std::size_t i = 0; i < 6; ++i)
+    if (set.z[i] == 11) {
+      EXPECT_EQ(wide.label[i], 1u);  // 0.6 from the first, 1 from the second
+    }
+  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {0.5, 100, 2, 5}, narrow), 0u);
+  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {2, 100, 3, 5}, lonely), 0u);
+}
+
+TEST(Relabel, IslandsGoToTheMajorityUnlessTheyLieElsewhere) {
+  const auto set = floor_of(20, 20);
+  const auto near = test::neighbours_of(set.view().points, 13);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size, 1), {{{0, 0, 1}, -100}, {{0, 0, 1}, -100.5}}};
+  std::size_t island = 0;
+  for (std::size_t i = 0; i < set.size; ++i)
+    if (set.x[i] == 100 && (set.y[i] == 100 || set.y[i] == 110)) s.label[island = i] = 2;
+  PlaneSegments kept = s;
+  EXPECT_EQ(relabel_islands(set.view().points, near.lists(), {1, 50}, s), 2u);
+  EXPECT_EQ(s.label[island], 1u);
+  kept.planes[0].d = -103;  // now too far away
+  EXPECT_EQ(relabel_islands(set.view().points, near.lists(), {1, 50}, kept), 0u);
+}
+
+TEST(Relabel, OrderDoesNotMatter) {
+  const auto set = test::box_corner(2, 3, 200);
+  const auto mixed = test::shuffled(set, 3);
+  const auto run = [](const test::OrientedSet& s) {
+    const auto near = test::neighbours_of(s.view().points, 12);
+    PlaneSegments segments{std::vector<std::uint32_t>(s.size, 0), {{{0, 0, 1}, -2000}, {{1, 0, 0}, -2000}}};
+    for (std::size_t i = 0; i < s.size; ++i)
+      if (static_cast<int>(s.x[i] + s.y[i] + s.z[i]) % 3 == 0)
+        segments.label[i] = s.nz[i] > 0.9F ? 1 : s.nx[i] > 0.9F ? 2 : 0;
+    adopt_strays(s.view().points, near.lists(), {12, 60, 2, 8}, segments);
+    relabel_islands(s.view().points, near.lists(), {12, 60}, segments);
+    return segments;
+  };
+  EXPECT_EQ(run(set).label, test::in_original_order(mixed, run(mixed.set).label));
+}
+
+TEST(Relabel, NothingToDo) {
+  PlaneSegments none;
+  EXPECT_EQ(adopt_strays({}, {{}, 8}, {}, none), 0u);
+  EXPECT_EQ(relabel_islands({}, {{}, 8}, {}, none), 0u);
+}
+
+}  // namespace
+}  // namespace ilot

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/planes/shape_score.h"
+
+#include <numeric>
+
+#include "kernels/simd/dispatch.h"
+#include "tests/support/segment_sets.h"
+#include "tests/support/shape_sets.h"
+
+namespace ilot {
+namespace {
+
+test::OrientedSet scene(std::size_t n) {
+  test::OrientedSetBuilder b(3);
+  Rng rng(4);
+  test::add_shape(b, rng, test::sphere({3000, 3000, 3000}, 700), static_cast<int>(n / 2), 1, -1, 1, 20);
+  test::add_shape(b, rng, test::cone({3000, 3000, 5000}, {0, 0, -1}, 0.5), static_cast<int>(n - n / 2), 1, 100, 3000,
+                  20);
+  return b.build();
+}
+
+std::vector<Shape> shapes() {
+  return {{ShapeKind::kPlane, {3000, 3000, 3100}, {0.6, 0, 0.8}},
+          test::sphere({3010, 2990, 3000}, 705),
+          test::sphere({3000, 3000, -90000}, 93000),
+          test::cylinder({3000, 3000, 9000}, {0, 0.1, 1}, 690),
+          test::cone({3000, 3010, 5010}, {0, 0, -1}, 0.51)};
+}
+
+bool is_hit(const test::OrientedSet& set, std::size_t i, const Shape& s, double epsilon, double min_cos) {
+  const ShapeView v = view_of(s, set.position(i));
+  return std::abs(v.distance) <= epsilon && std::abs(dot(v.normal, set.normal(i))) >= min_cos;
+}
+
+TEST(ShapeScore, PointsOnAShapeAreThoseOfTheNaiveLoop) {
+  for (const std::size_t n : {1u, 7u, 63u, 64u, 65u, 512u, 513u, 5000u}) {
+    const auto set = scene(n);
+    const auto index = build_shape_index(set.view(), test::all_of(set.size));
+    for (const Shape& s : shapes()) {
+      std::vector<std::uint32_t> got;
+      for (const std::uint32_t i : points_on_shape(index, s, {25, 0.9})) got.push_back(index.index[i]);
+      std::sort(got.begin(), got.end());
+      std::vector<std::uint32_t> wanted;
+      for (std::uint32_t i = 0; i < set.size; ++i)
+        if (is_hit(set, i, s, 25, 0.9)) wanted.push_back(i);
+      EXPECT_EQ(got, wanted) << n << " kind " << static_cast<int>(s.kind);
+    }
+  }
+}
+
+// float32 may judge points within its rounding of a bound otherwise: a share of a thousandth at these sizes.
+TEST(ShapeScore, CountsAreTheNaiveLoopsUpToRoundingAndBoundsHold) {
+  const auto set = scene(20000);
+  const auto index = build_shape_index(set.view(), test::all_of(set.size));
+  for (const Shape& s : shapes()) {
+    std::uint32_t wanted = 0, counted = score_shape(index, s, {25, 0.9});
+    for (std::size_t i = 0; i < set.size; ++i) wanted += is_hit(set, i, s, 25, 0.9);
+    EXPECT_NEAR(counted, wanted, 20) << static_cast<int>(s.kind);
+    EXPECT_GE(bound_shape(index, s, {25, 0.9}), counted);
+  }
+  EXPECT_GT(score_shape(index, shapes()[1], {25, 0.9}), 5000u);
+  EXPECT_LT(bound_shape(index, shapes()[1], {25, 0.9}), 20000u);  // the bound is worth something
+}
+
+// Passing balls over changes nothing: the same count with every leaf looked at. And for every instruction set.
+TEST(ShapeScore, CullingAndInstructionSetsDoNotShow) {
+  const auto set = scene(10007);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  std::vector<std::uint32_t> holes;
+  for (std::uint32_t i = 0; i < index.size; i += 3) holes.push_back(i);
+  take_out(index, holes);
+  std::vector<const float*> balls;
+  for (const auto& level : index.balls) balls.push_back(level.data());
+  std::vector<std::uint32_t> every(index.in_leaf.size() + 8), culled(every.size());
+  std::iota(every.begin(), every.end(), 0u);
+  for (const Shape& s : shapes()) {
+    const std::uint32_t counted = score_shape(index, s, {25, 0.9});
+    Vec3 origin = s.origin;
+    const double along = dot(index.centre - origin, s.axis);
+    if (s.kind == ShapeKind::kPlane) origin = index.centre - along * s.axis;
+    if (s.kind == ShapeKind::kCylinder) origin = origin + along * s.axis;
+    const auto f = [](double v) { return static_cast<float>(v); };
+    const float shape[9]{f(origin.x), f(origin.y), f(origin.z), f(s.axis.x), f(s.axis.y),
+                         f(s.axis.z), f(s.radius), f(s.sine),   f(s.cosine)};
+    for (const char* isa : {"baseline", "avx2", "avx512"}) {
+      const simd::Table* table = simd::find_table(isa);
+      if (table == nullptr) continue;
+      simd::ShapeArgs args{index.x.data(),
+                           index.y.data(),
+                           index.z.data(),
+                           index.nx.data(),
+                           index.ny.data(),
+                           index.nz.data(),
+                           balls.data(),
+                           static_cast<int>(balls.size()),
+                           shape,
+                           static_cast<int>(s.kind),
+                           25,
+                           0.9f,
+                           1,
+                           culled.data(),
+                           0,
+                           nullptr};
+      args.leaf_count = table->shape_leaves(args);
+      EXPECT_EQ(table->shape_hits(args), counted) << isa;
+      args.leaves = every.data();
+      args.leaf_count = static_cast<std::uint32_t>(index.in_leaf.size());
+      EXPECT_EQ(table->shape_hits(args), counted) << isa;
+    }
+  }
+}
+
+TEST(ShapeScore, HolesAreNeverFound) {
+  const auto set = scene(1000);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const Shape s = shapes()[1];
+  const auto before = points_on_shape(index, s, {25, 0.9});
+  ASSERT_FALSE(before.empty());
+  take_out(index, before);
+  EXPECT_EQ(index.left, 1000 - before.size());
+  EXPECT_TRUE(points_on_shape(index, s, {25, 0.9}).empty());
+  EXPECT_EQ(score_shape(index, s, {25, 0.9}), 0u);
+}
+
+TEST(ShapeScore, AnEmptyIndexHasNoPoints) {
+  const auto index = build_shape_index({}, {});
+  EXPECT_EQ(score_shape(index, shapes()[0], {25, 0.9}), 0u);
+  EXPECT_EQ(bound_shape(index, shapes()[0], {25, 0.9}), 0u);
+}
+
+}  // namespace
+}  // namespace ilot
