@@ -227,7 +227,7 @@ class Scan(unittest.TestCase):
         self.refuse(["scan", "district", "-o", town, "--points", "0"], "--points")
         self.refuse(["scan", "district", "-o", self.cloud, "--points", "1000"], "grid.las: exists", "--overwrite")
         self.refuse(["scan", "district", "-o", self.folder / "town.xyzzy", "-q"], "xyzzy")
-        self.refuse(["evaluate"], "INPUT")
+        self.refuse(["evaluate"], "OUT")
         self.refuse(["evaluate", self.cloud], "--truth-fields")
         self.refuse(["evaluate", self.cloud, "--truth-fields"], "true_plane", code=1)
         self.refuse(["render", self.cloud], "-o FILE")
