@@ -240,6 +240,11 @@ class Search {
     remove(remaining_, members);
   }
 
+  bool allowed(Vec3 normal) const {
+    return std::abs(dot(normal, params_.across[0])) <= params_.max_across &&
+           std::abs(dot(normal, params_.across[1])) <= params_.max_across;
+  }
+
   std::optional<PlaneHypothesis> draw() {
     const std::size_t n = remaining_.size;
     const std::uint64_t bits = rng_.next();
@@ -257,6 +262,7 @@ class Search {
     constexpr double kThinnest = 0.1;  // sine of the angle at the first point
     if (!(length > kThinnest * norm(a) * norm(b)) || length == 0) return std::nullopt;
     normal = (1 / length) * normal;
+    if (!allowed(normal)) return std::nullopt;
     for (const Vec3& v : {ni, nj, nk})
       if (std::abs(dot(normal, v)) < params_.min_cos) return std::nullopt;
     const double d = -dot(normal, remaining_.position(i));
@@ -318,7 +324,7 @@ class Search {
     std::vector<std::uint32_t> members = seed;
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
       const PlaneFit fit = fit_plane(moments_of(remaining_.view().points, members));
-      if (!fit.unique) break;
+      if (!fit.unique || !allowed(fit.plane.n)) break;
       const Extent around = extent_of(members);
       std::vector<std::uint32_t> next = consensus(fit.plane);
       std::erase_if(next, [&](std::uint32_t i) { return !around.holds(remaining_.position(i), params_.connectivity); });

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <array>
 #include <cstdint>
 
 #include "kernels/planes/plane_score.h"
@@ -14,6 +15,8 @@ struct RansacParams {
   std::uint32_t min_points = 3;   // fewest inliers of a plane, at least 3
   double probability = 0.99;      // that no larger plane was overlooked when one is taken
   std::uint64_t key = 0;          // of the random draws
+  std::array<Vec3, 2> across{};   // directions that a plane's normal must stand across, if any:
+  double max_across = 0;          // |normal . direction| at most this
 };
 
 using RansacPlanes = PlaneSegments;  // planes: least squares of their points
