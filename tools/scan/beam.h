@@ -59,7 +59,7 @@ class BeamTracer {
   const SceneModel& model_;
   const PartScene& scene_;
   BeamParams beam_;
-  std::vector<std::uint32_t> candidates_;
+  std::vector<Candidate> candidates_;
   std::vector<Touch> touches_;
 };
 

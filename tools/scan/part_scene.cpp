@@ -2,7 +2,7 @@
 #include "tools/scan/part_scene.h"
 
 #include <algorithm>
-#include <cassert>
+#include <limits>
 
 #include "tools/scan/embree_device.h"
 
@@ -15,26 +15,50 @@ constexpr double kRounding = 0x1p-20;
 
 struct CastContext {
   RTCIntersectContext embree;  // must come first
-  std::vector<std::uint32_t>* found;
+  const Ray* ray;
+  std::vector<Candidate>* found;
 };
+
+// Where the ray enters the box, 0 when it starts inside; infinity when it misses it.
+double entry(const Ray& ray, const Bounds3& box) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double enter = 0, leave = kInfinity;
+  const auto clip = [&](double origin, double direction, double low, double high) {
+    if (direction == 0) {
+      if (origin < low || origin > high) leave = -1;
+      return;
+    }
+    const double a = (low - origin) / direction, b = (high - origin) / direction;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  clip(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
+  clip(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
+  clip(ray.origin.z, ray.direction.z, box.min.z, box.max.z);
+  return enter > leave ? kInfinity : enter;
+}
 
 }  // namespace
 
 struct PartScene::State {
   std::span<const Part> parts;
   Vec3 anchor;
-  double margin = 0;
+  double margin = 0;           // of Embree's boxes
+  std::vector<Bounds3> boxes;  // of the parts, grown by the reach
   RTCScene scene = nullptr;
 
   static void part_bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
-    set_embree_bounds(bounds_of(self.parts[args->primID]), self.anchor, self.margin, *args->bounds_o);
+    set_embree_bounds(self.boxes[args->primID], self.anchor, self.margin, *args->bounds_o);
   }
 
   // Never shortens the ray: every box it pierces is reported, in whatever order.
   static void hit_box(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
-    reinterpret_cast<CastContext*>(args->context)->found->push_back(args->primID);
+    const auto& self = *static_cast<const State*>(args->geometryUserPtr);
+    auto& context = *reinterpret_cast<CastContext*>(args->context);
+    const double enters = entry(*context.ray, self.boxes[args->primID]);
+    if (enters < std::numeric_limits<double>::infinity()) context.found->push_back({enters, args->primID});
   }
 };
 
@@ -53,7 +77,13 @@ PartScene::PartScene(std::span<const Part> parts, double reach) : state_(std::ma
   state_->parts = parts;
   state_->anchor = 0.5 * (all.min + all.max);
   // Sensors stand outside the parts, but not further away than a few times their extent.
-  state_->margin = reach + 1e-4 + kRounding * 4 * norm(all.max - all.min);
+  state_->margin = 1e-4 + kRounding * 4 * norm(all.max - all.min);
+  // Grown in double by more than its rounding, so that flat boxes are met too.
+  const double by = reach + 1e-5;
+  for (const Part& part : parts) {
+    const Bounds3 box = bounds_of(part);
+    state_->boxes.push_back({box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
+  }
   state_->scene = rtcNewScene(embree_device());
   rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
   if (!parts.empty()) {
@@ -74,27 +104,32 @@ PartScene::~PartScene() {
   rtcReleaseScene(state_->scene);
 }
 
-void PartScene::candidates(const Ray& ray, std::vector<std::uint32_t>& out) const {
+void PartScene::candidates(const Ray& ray, std::vector<Candidate>& out) const {
   out.clear();
-  CastContext context{{}, &out};
+  CastContext context{{}, &ray, &out};
   rtcInitIntersectContext(&context.embree);
   RTCRayHit query = embree_query(ray, state_->anchor);
   rtcIntersect1(state_->scene, &context.embree, &query);
-  std::sort(out.begin(), out.end());
+  std::sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
+    return a.enters != b.enters ? a.enters < b.enters : a.part < b.part;
+  });
 }
 
-std::optional<PartHit> PartScene::nearest(const Ray& ray, std::span<const std::uint32_t> candidates,
-                                          double from) const {
+std::optional<PartHit> PartScene::nearest(const Ray& ray, std::span<const Candidate> candidates, double from) const {
   std::optional<PartHit> best;
-  for (std::uint32_t index : candidates) {
-    const auto hit = meet(ray, state_->parts[index], from);
-    if (hit && (!best || hit->t < best->t)) best = hit;
+  std::uint32_t best_part = 0;
+  for (const Candidate& candidate : candidates) {
+    if (best && candidate.enters > best->t) break;
+    const auto hit = meet(ray, state_->parts[candidate.part], from);
+    if (!hit || (best && (hit->t > best->t || (hit->t == best->t && best_part < candidate.part)))) continue;
+    best = hit;
+    best_part = candidate.part;
   }
   return best;
 }
 
 std::optional<PartHit> PartScene::cast(const Ray& ray, double from) const {
-  std::vector<std::uint32_t> found;
+  std::vector<Candidate> found;
   candidates(ray, found);
   return nearest(ray, found, from);
 }

@@ -32,25 +32,31 @@ struct SceneModel {
 
 Bounds3 bounds_of(std::span<const Part> parts);
 
+// A part that a ray may meet, not before `enters` along it.
+struct Candidate {
+  double enters = 0;
+  std::uint32_t part = 0;
+};
+
 // Embree only culls, with the boxes of the parts grown beyond the rounding of its floats; what is met is decided in
 // double by meet(), ties by the smaller index, so that results do not depend on the instruction set Embree chose. Keeps
 // a view of the parts: they must outlive it. Several threads may ask at once. Coordinates may lie anywhere; extents
 // must stay below 4 km.
 class PartScene {
  public:
-  // reach: how far from a ray the parts given as its candidates must lie at least, in metres. Rays of one beam that
-  // stay that close to its axis share the candidates of the axis.
+  // reach: metres within which rays beside another share its candidates: those of a beam those of its axis, as long as
+  // no point of theirs is further than that from the axis's point at the same length.
   explicit PartScene(std::span<const Part> parts, double reach = 0);
   ~PartScene();
   PartScene(const PartScene&) = delete;
   PartScene& operator=(const PartScene&) = delete;
 
-  // Indices of all parts that the ray, or one within reach of it, may meet anywhere along it, rising. Memory of `out`
-  // is reused.
-  void candidates(const Ray& ray, std::vector<std::uint32_t>& out) const;
+  // All parts that the ray, or one within reach of it, may meet anywhere along it, by the place where their boxes
+  // begin, then by index. Memory of `out` is reused.
+  void candidates(const Ray& ray, std::vector<Candidate>& out) const;
 
-  // The nearest of these parts beyond `from`.
-  std::optional<PartHit> nearest(const Ray& ray, std::span<const std::uint32_t> candidates, double from = 0) const;
+  // The nearest of these parts beyond `from`; stops where the next box begins behind it.
+  std::optional<PartHit> nearest(const Ray& ray, std::span<const Candidate> candidates, double from = 0) const;
 
   // Both in one.
   std::optional<PartHit> cast(const Ray& ray, double from = 0) const;

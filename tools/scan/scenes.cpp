@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "tools/scan/building.h"
 #include "tools/scan/district_file.h"
+#include "tools/scan/facade_haussmann.h"
 #include "tools/scan/facade_restoration.h"
 #include "tools/scan/shapes.h"
 #include "tools/scan/stones.h"
@@ -27,6 +28,8 @@ std::span<const Scene> scenes() {
             scan_planned<plan_stones>},
       Scene{"facade-restoration", "a plain town house of fifteen windows, one station off to the left", kScaled,
             facade_restoration_options(), scan_planned<plan_facade_restoration>},
+      Scene{"facade-haussmann", "a front of banded stone with arches, balconies and a mansard, two stations", kScaled,
+            facade_haussmann_options(), scan_planned<plan_facade_haussmann>},
       Scene{"building", "a free-standing house with bulges in its render, six stations around it", kScaled,
             building_options(), scan_planned<plan_building>},
       Scene{"shapes", "cylinders, spheres, cones and boxes of several sizes on a floor, three stations", kScaled,

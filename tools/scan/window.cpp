@@ -48,8 +48,8 @@ std::vector<Opening> panes_of(const Opening& o, const WindowStyle& style) {
   return panes;
 }
 
-void add_room(FacadeBuilder& facade, const Opening& o, double front, const Finish& finish) {
-  const double x0 = o.left - 0.6, x1 = o.right + 0.6, z0 = o.bottom - 0.7, z1 = top_of(o) + 0.4;
+void add_room(FacadeBuilder& facade, const Opening& o, double front, double beside, const Finish& finish) {
+  const double x0 = o.left - beside, x1 = o.right + beside, z0 = o.bottom - 0.7, z1 = top_of(o) + 0.4;
   const double back = front - kRoomDepth;
   facade.plate({{x0, back, z0}, {x1, back, z0}, {x1, back, z1}, {x0, back, z1}}, finish, Faces::unnamed);
   facade.plate({{x0, back, z0}, {x0, back, z1}, {x0, front, z1}, {x0, front, z0}}, finish, Faces::unnamed);
@@ -73,7 +73,7 @@ void glaze(FacadeBuilder& facade, const Opening& o, const WindowStyle& style, st
   facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out, panes_of(o, style), finish(Material::wood));
   facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out - kGlassBehind, {}, finish(Material::glass));
   add_curtains(facade, o, out - kCurtainBehind, style.curtains, finish(Material::cloth), rng);
-  add_room(facade, o, out - e, finish(Material::interior));
+  add_room(facade, o, out - e, style.room_beside, finish(Material::interior));
 }
 
 void add_sill(FacadeBuilder& facade, const Opening& o, Place place, const WindowStyle& style) {

@@ -23,6 +23,7 @@ struct WindowStyle {
   double surround_out = 0, surround_width = 0.16;                   // a raised border; 0 = none
   double railing = 0;                                               // height of an iron railing, 0 = none
   double curtains = 0.5;                                            // share of the width that they may hide
+  double room_beside = 0.6;                                         // how far the room behind is wider, to either side
 };
 
 struct Place {

@@ -43,8 +43,8 @@ std::vector<Part> clutter(Vec3 about) {
 TEST(PartScene, FindsWhatBruteForceFinds) {
   for (Vec3 about : {Vec3{0, 0, 0}, Vec3{3000, -2500, 100}}) {
     const std::vector<Part> parts = clutter(about);
-    std::vector<std::uint32_t> all(parts.size());
-    for (std::uint32_t i = 0; i < parts.size(); ++i) all[i] = i;
+    std::vector<Candidate> all;  // none is left out, none stops the search
+    for (std::uint32_t i = 0; i < parts.size(); ++i) all.push_back({0, i});
     const PartScene scene(parts);
     Rng rng(2);
     int met = 0;
@@ -66,13 +66,14 @@ TEST(PartScene, CandidatesOfTheAxisServeTheWholeBeam) {
   const std::vector<Part> parts = clutter({0, 0, 0});
   const PartScene wide(parts, reach), exact(parts);
   Rng rng(4);
-  std::vector<std::uint32_t> candidates;
+  std::vector<Candidate> candidates;
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
     const Vec3 from = random_place(rng, {0, 0, 0}, 60), way = random_place(rng, {0, 0, 0}, 30) - from;
     const Ray axis{from, (1 / norm(way)) * way};
     wide.candidates(axis, candidates);
-    ASSERT_TRUE(std::is_sorted(candidates.begin(), candidates.end()));
+    ASSERT_TRUE(std::is_sorted(candidates.begin(), candidates.end(),
+                               [](const Candidate& a, const Candidate& b) { return a.enters < b.enters; }));
     // Diverges by at most reach within 150 m.
     const Vec3 aside = random_place(rng, axis.direction, 0.7 * reach / 150);
     const Ray ray{from, (1 / norm(aside)) * aside};
