@@ -88,7 +88,7 @@ std::vector<Wing> draw_winged(Rng& rng) {
     if (ends_slope && from == 0) from = body.depth / 2 - 1000;
     if (ends_slope && to == body.length) to -= body.depth / 2 - 1000;
     if (layout == 4) to = (body.length - width) / 2;
-    if (happens(rng, 0.4)) add_dormers(rng, {from, to, body.eave, body.slope, body.depth / 2}, side);
+    if (happens(rng, 0.65)) add_dormers(rng, {from, to, body.eave, body.slope, body.depth / 2}, side);
     for (Wing& wing : side) wings.push_back(flank == 0 ? wing : mirrored_v(wing, body.depth));
   }
   if (happens(rng, 0.2)) add_annex(rng, body, wings);

@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "tools/scan/district_file.h"
+#include "tools/scan/roofs_scan.h"
 #include "tools/scan/stones.h"
 
 namespace ilot::scan {
@@ -22,6 +23,8 @@ std::span<const Scene> scenes() {
   static const std::array kScenes{
       Scene{"stones", "four facing stones, their joints and two side walls, one station", kScaled, stones_options(),
             scan_planned<plan_stones>},
+      Scene{"roofs", "445 roofs of every kind with trees beside them, seen from the air; writes their solids too",
+            "about; the density follows", roofs_options(), scan_roofs_scene},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };
