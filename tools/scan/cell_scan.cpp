@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/scan/cell_scan.h"
 
-#include <algorithm>
 #include <cmath>
 
 #include "tools/scan/exact_math.h"
-#include "tools/scan/ray_scene.h"
 
 namespace ilot::scan {
 namespace {
 
 constexpr std::size_t kStandardSize = 30, kGpsTime = 22, kTrueClass = 30, kTruePlane = 31, kRecordSize = 35;
 constexpr double kUnit = 0.001;  // metres per coordinate unit
-constexpr std::size_t kMaxReturns = 5;
-constexpr double kMinSeparation = 0.5;  // metres between echoes that the receiver tells apart
 
 std::uint8_t las_class(Surface surface) {
   switch (surface) {
@@ -33,6 +29,11 @@ std::uint16_t intensity_of(Surface surface, double cosine) {
 
 std::int32_t to_units(double metres) {
   return static_cast<std::int32_t>(std::llround(metres / kUnit));
+}
+
+Vec3 middle(const Cell& cell, const Ground& ground) {
+  const double x = (cell.area.x0 + cell.area.x1) / 2, y = (cell.area.y0 + cell.area.y1) / 2;
+  return {x, y, ground.height(x, y)};
 }
 
 }  // namespace
@@ -63,49 +64,23 @@ std::uint32_t true_plane_of(const std::byte* record) {
   return load<std::uint32_t>(record + kTruePlane);
 }
 
-struct CellTracer::State {
-  const Cell& cell;
-  std::uint32_t first_plane;
-  Plane ground;
-  RayScene scene;
-  CastResult found;
-};
-
-CellTracer::CellTracer(const Cell& cell, const Ground& ground, std::uint32_t first_plane) {
-  const double x = (cell.area.x0 + cell.area.x1) / 2, y = (cell.area.y0 + cell.area.y1) / 2;
-  const Vec3 anchor{x, y, ground.height(x, y)};
-  state_.reset(new State{cell, first_plane, ground.plane(), RayScene(cell.solids, cell.crowns, anchor), {}});
-}
-
-CellTracer::~CellTracer() = default;
+CellTracer::CellTracer(const Cell& cell, const Ground& ground, std::uint32_t first_plane)
+    : cell_(cell),
+      first_plane_(first_plane),
+      scene_(cell.solids, cell.crowns, middle(cell, ground)),
+      tracer_(scene_, ground.plane()) {}
 
 void CellTracer::trace(const Ray& ray, Rng& rng, std::vector<Return>& returns) {
-  State& s = *state_;
+  tracer_.trace(ray, rng, echoes_);
   returns.clear();
-  s.scene.cast(ray, s.found);
-  const double to_ground = -signed_distance(s.ground, ray.origin) / dot(s.ground.n, ray.direction);
-  Return last{to_ground, Surface::ground, kGroundPlane};
-  if (s.found.solid && s.found.solid->t < to_ground) {
-    const std::uint32_t face = s.found.solid->face;
-    last = {s.found.solid->t, s.cell.faces[face].surface, s.first_plane + s.cell.face_plane[face]};
+  for (const PulseEcho& echo : echoes_) {
+    if (echo.from == PulseEcho::From::ground)
+      returns.push_back({echo.range, Surface::ground, kGroundPlane});
+    else if (echo.from == PulseEcho::From::crown)
+      returns.push_back({echo.range, Surface::vegetation, 0});
+    else
+      returns.push_back({echo.range, cell_.faces[echo.face].surface, first_plane_ + cell_.face_plane[echo.face]});
   }
-  bool passes = true;
-  for (const CrownHit& hit : s.found.crowns) {
-    const double length = hit.chord.leave - hit.chord.enter;
-    // Leaves stop a pulse somewhere along its chord, sooner rather than later; half of the light goes on.
-    const double first = rng.uniform(), second = rng.uniform(), share = rng.uniform();
-    if (hit.chord.enter >= last.range || share > 0.9) continue;
-    returns.push_back({hit.chord.enter + length * first * first, Surface::vegetation, 0});
-    if (share < 0.5) returns.push_back({hit.chord.enter + length * second, Surface::vegetation, 0});
-    if (share > 0.25 && share < 0.6) passes = false;
-  }
-  std::erase_if(returns, [&](const Return& r) { return r.range > last.range - kMinSeparation; });
-  std::sort(returns.begin(), returns.end(), [](const Return& a, const Return& b) { return a.range < b.range; });
-  const auto merged = std::unique(returns.begin(), returns.end(),
-                                  [](const Return& a, const Return& b) { return b.range - a.range < kMinSeparation; });
-  returns.erase(merged, returns.end());
-  if (returns.size() > kMaxReturns - 1) returns.resize(kMaxReturns - 1);
-  if (passes || returns.empty()) returns.push_back(last);
 }
 
 std::vector<std::byte> scan_cell(const Cell& cell, const FlightPlan& flight, const Ground& ground,

@@ -3,12 +3,12 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "engine/cloud/record.h"
 #include "tools/scan/airborne.h"
 #include "tools/scan/district.h"
+#include "tools/scan/pulse_tracer.h"
 #include "tools/scan/scan_record.h"
 
 namespace ilot::scan {
@@ -28,19 +28,21 @@ struct Return {
 
 constexpr std::uint32_t kGroundPlane = 1;
 
-// Traces the pulses aimed at one cell. Keeps a view of the cell; several threads may use it at once.
+// Traces the pulses aimed at one cell. Keeps a view of the cell; several threads need a tracer each.
 class CellTracer {
  public:
   // The cell's plane p bears the id first_plane + p.
   CellTracer(const Cell& cell, const Ground& ground, std::uint32_t first_plane);
-  ~CellTracer();
 
   // The echoes of one pulse, nearest first, at least one. `rng` decides what crowns let through.
   void trace(const Ray& ray, Rng& rng, std::vector<Return>& returns);
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  const Cell& cell_;
+  std::uint32_t first_plane_;
+  RayScene scene_;
+  PulseTracer tracer_;
+  std::vector<PulseEcho> echoes_;
 };
 
 // Records of all the pulses aimed at the cell, in the order of the flight plan, echoes of a pulse nearest

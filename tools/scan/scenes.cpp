@@ -11,6 +11,7 @@
 #include "tools/scan/district_file.h"
 #include "tools/scan/facade_haussmann.h"
 #include "tools/scan/facade_restoration.h"
+#include "tools/scan/roofs_scan.h"
 #include "tools/scan/shapes.h"
 #include "tools/scan/stones.h"
 
@@ -34,6 +35,8 @@ std::span<const Scene> scenes() {
             building_options(), scan_planned<plan_building>},
       Scene{"shapes", "cylinders, spheres, cones and boxes of several sizes on a floor, three stations", kScaled,
             shapes_options(), scan_planned<plan_shapes>},
+      Scene{"roofs", "445 roofs of every kind with trees beside them, seen from the air; writes their solids too",
+            "about; the density follows", roofs_options(), scan_roofs_scene},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };

@@ -25,7 +25,7 @@ struct Bounds3 {
 // The intersection of at most kMaxFaces half-spaces, outward normals. It may be open where no ray comes from
 // (a house has no floor): bounds still have to hold all of the surface that can be seen.
 struct ConvexSolid {
-  static constexpr std::size_t kMaxFaces = 8;
+  static constexpr std::size_t kMaxFaces = 12;
   std::array<Plane, kMaxFaces> planes;
   std::uint32_t face_count = 0;
   std::uint32_t first_face = 0;  // number of its face 0 in the list of faces of the scene

@@ -102,9 +102,10 @@ void TruthWriter::add(const TrueStation& s) {
 
 void TruthWriter::add(const TruePlane& p) {
   const double d = p.plane.d - dot(p.plane.n, kSceneOrigin);
+  const std::string area = p.area > 0 ? fmt::format(R"(,"area_m2":{:.4f})", p.area) : "";
   add_line("planes",
-           fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"element":{},"polygons":{}}})", p.id,
-                       p.surface_class, p.plane.n.x, p.plane.n.y, p.plane.n.z, d, p.points, p.element,
+           fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"element":{}{},"polygons":{}}})",
+                       p.id, p.surface_class, p.plane.n.x, p.plane.n.y, p.plane.n.z, d, p.points, p.element, area,
                        list_text(p.polygons, polygon_text)));
 }
 

@@ -31,6 +31,7 @@ struct TruePlane {
   std::uint64_t points = 0;
   std::uint32_t element = 0;
   std::vector<TruePolygon> polygons;
+  double area = 0;  // square metres of the polygons; 0 = not told
 };
 
 struct TrueShape {
