@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/delaunay/sampling_step.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "kernels/delaunay/plane_order.h"
+#include "kernels/neighbours/knn.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+constexpr double kPi = 3.14159265358979323846;
+
+// v turned about a unit axis at right angles to nothing in particular, by an angle below 0.1: cosine and sine from the
+// tangent of the half angle, a series that is exact to the last bits at such angles.
+Vec3 turned(Vec3 v, Vec3 axis, double angle) {
+  const double h = angle / 2, h2 = h * h, t = h * (1 + h2 * (1.0 / 3 + h2 * (2.0 / 15 + h2 * 17.0 / 315)));
+  const double scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale, sine = 2 * t * scale;
+  return cosine * v + sine * cross(axis, v) + (1 - cosine) * dot(axis, v) * axis;
+}
+
+// Where the ray meets the plane, as a vector from the station; false when it does not.
+bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
+  const double towards = -dot(plane.n, ray);
+  if (!(towards * station_distance > 0)) return false;
+  out = (station_distance / towards) * ray;
+  return true;
+}
+
+}  // namespace
+
+double predicted_step(const Station& s, const Plane& plane, Vec3 p) {
+  const Vec3 ray = p - s.position;
+  const Vec3 side = cross(ray, s.axis);
+  const double level = norm(side);
+  const double height = signed_distance(plane, s.position);
+  if (!(level > 0)) return kNever;
+  const Vec3 lift = (1 / level) * side;
+  Vec3 left, right, up, down;
+  if (!meet(turned(ray, s.axis, s.azimuth_step / 2), plane, height, left) ||
+      !meet(turned(ray, s.axis, -s.azimuth_step / 2), plane, height, right) ||
+      !meet(turned(ray, lift, s.elevation_step / 2), plane, height, up) ||
+      !meet(turned(ray, lift, -s.elevation_step / 2), plane, height, down))
+    return kNever;
+  const Vec3 across = left - right, along = up - down;
+  return std::max(norm(across + along), norm(across - along));
+}
+
+double predicted_step(std::span<const Station> stations, const Plane& plane, Vec3 p) {
+  double least = kNever;
+  for (const Station& s : stations) least = std::min(least, predicted_step(s, plane, p));
+  return least;
+}
+
+double documented_step(const Station& s, const Plane& plane, Vec3 p) {
+  const double d = std::abs(signed_distance(plane, s.position));
+  const Vec3 ray = p - s.position;
+  const double level2 = ray.x * ray.x + ray.y * ray.y;
+  const double cos_theta = d / std::sqrt(level2);
+  const double cos_phi = std::sqrt(level2 / dot(ray, ray));
+  const double du = d * s.azimuth_step / (cos_theta * cos_theta);
+  const double dv = d * s.elevation_step / (cos_phi * cos_phi * cos_theta);
+  return std::sqrt(du * du + dv * dv);
+}
+
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest) {
+  MeasuredSteps out{std::vector<float>(points.size()), std::vector<std::int64_t>(points.size(), -1)};
+  const PlaneOrder order = plane_order(points);
+  const std::size_t n = order.points.size();
+  if (n == 0) return out;
+  Point2 low = order.points[0];
+  for (const Point2 p : order.points) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+  std::vector<float> x(n + 16), y(n + 16), z(n + 16);
+  for (std::size_t i = 0; i < n; ++i) {
+    x[i] = static_cast<float>(order.points[i].x - low.x);
+    y[i] = static_cast<float>(order.points[i].y - low.y);
+  }
+  const NeighbourIndex index = build_neighbour_index({x.data(), y.data(), z.data(), n});
+  constexpr std::size_t kBatch = 1024;
+  std::vector<std::uint32_t> queries(kBatch), neighbours(kBatch * static_cast<std::size_t>(k + 1));
+  std::vector<std::int64_t> reach2(kBatch);
+  for (std::size_t done = 0; done < n; done += kBatch) {
+    const std::size_t count = std::min(kBatch, n - done);
+    std::iota(queries.begin(), queries.end(), static_cast<std::uint32_t>(done));
+    knn(index, std::span(queries).first(count), {k + 1, farthest * farthest},
+        std::span(neighbours).first(count * static_cast<std::size_t>(k + 1)), std::span(reach2).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      const double d2 = static_cast<double>(reach2[i] < 0 ? farthest * farthest : reach2[i]);
+      out.step[order.index[done + i]] = static_cast<float>(std::sqrt(2 * kPi * d2 / k));
+      out.reach2[order.index[done + i]] = reach2[i];
+    }
+  }
+  for (const auto& [left_out, kept] : order.duplicates) {
+    out.step[left_out] = out.step[kept];
+    out.reach2[left_out] = out.reach2[kept];
+  }
+  return out;
+}
+
+}  // namespace ilot
