@@ -13,17 +13,26 @@ namespace ilot {
 namespace {
 
 struct Bin {
-  std::uint64_t key;  // packed cell coordinates, 21 bits each
+  std::uint32_t x;  // of its cell
+  std::uint32_t begin, end;
+};
+
+// Bins with the same y and z, ascending by x.
+struct Row {
+  std::uint64_t key;  // packed y and z of their cells
   std::uint32_t begin, end;
 };
 
 struct Binned {
   std::vector<std::uint32_t> members;  // positions in the caller's index list, bin by bin
-  std::vector<Bin> bins;               // ascending by key
+  std::vector<Bin> bins;               // row by row
+  std::vector<Row> rows;               // ascending by key
 };
 
+constexpr int kCellBits = 21;
+
 constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  return z << 42 | y << 21 | x;
+  return z << 2 * kCellBits | y << kCellBits | x;
 }
 
 // The largest cell of which any two integer points lie within the radius: 3 (edge - 1)^2 <= radius^2.
@@ -52,27 +61,39 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   const auto cell = [&](std::int32_t v, std::int32_t from) {
     return static_cast<std::uint64_t>((std::int64_t{v} - from) / edge) + kBorder;
   };
-  std::vector<std::uint64_t> keys(indices.size());
+  std::vector<KeyValue> keys(indices.size()), scratch(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const IntPoint q = point_at(p, indices[i]);
-    keys[i] = pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z));
+    keys[i] = {pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z)), i};
   }
-  Binned binned{sorted_order(keys), {}};
-  for (std::size_t i = 0; i < binned.members.size(); ++i) {
-    const std::uint64_t key = keys[binned.members[i]];
-    if (binned.bins.empty() || binned.bins.back().key != key)
-      binned.bins.push_back({key, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
+  sort_pairs(keys, scratch);
+  Binned binned;
+  binned.members.reserve(keys.size());
+  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+    const std::uint64_t key = keys[i].key, row = key >> kCellBits;
+    const bool new_row = binned.rows.empty() || binned.rows.back().key != row;
+    const auto bin = static_cast<std::uint32_t>(binned.bins.size());
+    if (new_row) binned.rows.push_back({row, bin, bin});
+    if (new_row || key != keys[i - 1].key) {
+      binned.bins.push_back({static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)), i, i});
+      ++binned.rows.back().end;
+    }
     ++binned.bins.back().end;
+    binned.members.push_back(static_cast<std::uint32_t>(keys[i].value));
   }
   return binned;
 }
 
-bool within_reach(const Points& p, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-                  std::span<const std::uint32_t> indices, std::int64_t radius2) {
-  for (const std::uint32_t i : a) {
-    const IntPoint u = point_at(p, indices[i]);
-    for (const std::uint32_t j : b) {
-      const IntPoint v = point_at(p, indices[j]);
+// The points bin by bin, so that a bin's lie side by side.
+std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned) {
+  std::vector<IntPoint> points(binned.members.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(p, indices[binned.members[i]]);
+  return points;
+}
+
+bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
+  for (const IntPoint& u : a) {
+    for (const IntPoint& v : b) {
       const std::int64_t dx = std::int64_t{u.x} - v.x, dy = std::int64_t{u.y} - v.y, dz = std::int64_t{u.z} - v.z;
       if (dx * dx + dy * dy + dz * dz <= radius2) return true;
     }
@@ -80,42 +101,64 @@ bool within_reach(const Points& p, std::span<const std::uint32_t> a, std::span<c
   return false;
 }
 
-// Cell offsets ahead of a cell in key order that its points can reach, nearest first so that most joins happen early.
-std::vector<std::int64_t> forward_offsets(std::int64_t edge, std::int64_t radius) {
-  struct Offset {
-    std::int64_t gap2, delta;
+// Rows ahead of a row in key order that its points can reach, and how many cells along x.
+struct Ahead {
+  std::uint64_t delta;  // of the keys
+  std::uint32_t reach;
+};
+
+// Up to `most` cells away along any axis; the row itself first.
+std::vector<Ahead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
+  const auto gap2 = [&](int d) {
+    const std::int64_t gap = d == 0 ? 0 : (std::abs(d) - 1) * edge + 1;
+    return gap * gap;
   };
-  std::vector<Offset> offsets;
-  const auto gap = [&](int d) { return d == 0 ? std::int64_t{0} : (std::abs(d) - 1) * edge + 1; };
-  for (int dz = -2; dz <= 2; ++dz)
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        const std::int64_t delta = (std::int64_t{dz} * (1 << 21) + dy) * (1 << 21) + dx;
-        const std::int64_t gap2 = gap(dx) * gap(dx) + gap(dy) * gap(dy) + gap(dz) * gap(dz);
-        if (delta > 0 && gap2 <= radius * radius) offsets.push_back({gap2, delta});
-      }
-  std::sort(offsets.begin(), offsets.end(),
-            [](const Offset& a, const Offset& b) { return a.gap2 != b.gap2 ? a.gap2 < b.gap2 : a.delta < b.delta; });
-  std::vector<std::int64_t> deltas;
-  for (const Offset& o : offsets) deltas.push_back(o.delta);
-  return deltas;
+  std::vector<Ahead> ahead;
+  for (int dz = 0; dz <= most; ++dz)
+    for (int dy = dz == 0 ? 0 : -most; dy <= most; ++dy) {
+      int reach = most;
+      while (reach >= 0 && gap2(reach) + gap2(dy) + gap2(dz) > radius * radius) --reach;
+      const std::int64_t delta = std::int64_t{dz} * (1 << kCellBits) + dy;
+      if (reach >= 0) ahead.push_back({static_cast<std::uint64_t>(delta), static_cast<std::uint32_t>(reach)});
+    }
+  return ahead;
 }
 
-void join_bins(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned, std::int64_t edge,
-               std::int64_t radius, UnionFind& sets) {
+// Joins each bin of row a with those of row b at most `reach` cells along x from it that have a point within the
+// radius.
+void join_rows(const Binned& binned, std::span<const IntPoint> points, const Row& a, const Row& b, std::uint32_t reach,
+               std::int64_t radius2, UnionFind& sets) {
   const auto& bins = binned.bins;
-  const auto members = [&](const Bin& b) { return std::span(binned.members).subspan(b.begin, b.end - b.begin); };
-  for (const std::int64_t delta : forward_offsets(edge, radius)) {
-    // Both sides ascend, so one sweep finds every pair of bins `delta` apart.
-    std::size_t j = 0;
-    for (std::uint32_t i = 0; i < bins.size(); ++i) {
-      const std::uint64_t wanted = bins[i].key + static_cast<std::uint64_t>(delta);
-      while (j < bins.size() && bins[j].key < wanted) ++j;
-      if (j == bins.size()) break;
-      const auto other = static_cast<std::uint32_t>(j);
-      if (bins[j].key != wanted || sets.find(i) == sets.find(other)) continue;
-      if (within_reach(p, members(bins[i]), members(bins[j]), indices, radius * radius)) sets.unite(i, other);
+  const auto members = [&](std::uint32_t i) { return points.subspan(bins[i].begin, bins[i].end - bins[i].begin); };
+  std::uint32_t first = b.begin;
+  for (std::uint32_t i = a.begin; i < a.end; ++i) {
+    while (first < b.end && bins[first].x + reach < bins[i].x) ++first;
+    for (std::uint32_t k = a.begin == b.begin ? i + 1 : first; k < b.end && bins[k].x <= bins[i].x + reach; ++k)
+      if (!sets.same(i, k) && within_reach(members(i), members(k), radius2)) sets.unite(i, k);
+  }
+}
+
+// Rows ascend, so the row that is some way ahead only moves ahead.
+void join_ahead(const Binned& binned, std::span<const IntPoint> points, const std::vector<Ahead>& ahead,
+                std::int64_t radius2, UnionFind& sets) {
+  const auto& rows = binned.rows;
+  std::vector<std::size_t> at(ahead.size(), 0);
+  for (const Row& row : rows) {
+    for (std::size_t r = 0; r < ahead.size(); ++r) {
+      std::size_t& j = at[r];
+      while (j < rows.size() && rows[j].key < row.key + ahead[r].delta) ++j;
+      if (j < rows.size() && rows[j].key == row.key + ahead[r].delta)
+        join_rows(binned, points, row, rows[j], ahead[r].reach, radius2, sets);
     }
+  }
+}
+
+// Neighbouring cells first: they join most, and bins of one set need no measuring.
+void join_bins(const Binned& binned, std::span<const IntPoint> points, std::int64_t edge, std::int64_t radius,
+               UnionFind& sets) {
+  for (const int most : {1, 2}) {
+    join_ahead(binned, points, rows_ahead(edge, radius, most), radius * radius, sets);
+    sets.flatten();
   }
 }
 
@@ -128,16 +171,18 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   const Binned binned = bin_points(points, indices, edge);
   std::vector<std::uint32_t> parents(binned.bins.size());
   UnionFind sets(parents);
-  join_bins(points, indices, binned, edge, radius, sets);
+  join_bins(binned, in_bin_order(points, indices, binned), edge, radius, sets);
 
-  std::vector<std::uint32_t> bin_of(indices.size());
-  for (std::uint32_t b = 0; b < binned.bins.size(); ++b)
-    for (std::uint32_t i = binned.bins[b].begin; i < binned.bins[b].end; ++i) bin_of[binned.members[i]] = b;
+  std::vector<std::uint32_t> root_of(indices.size());
+  for (std::uint32_t b = 0; b < binned.bins.size(); ++b) {
+    const std::uint32_t root = sets.find(b);
+    for (std::uint32_t i = binned.bins[b].begin; i < binned.bins[b].end; ++i) root_of[binned.members[i]] = root;
+  }
   Clusters clusters{std::vector<std::uint32_t>(indices.size()), 0};
   constexpr std::uint32_t kUnnumbered = 0xffffffffu;
   std::vector<std::uint32_t> number(binned.bins.size(), kUnnumbered);
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    std::uint32_t& n = number[sets.find(bin_of[i])];
+    std::uint32_t& n = number[root_of[i]];
     if (n == kUnnumbered) n = clusters.count++;
     clusters.id[i] = n;
   }
