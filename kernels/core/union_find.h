@@ -20,10 +20,6 @@ class UnionFind {
   }
   // Whether both are in one set; one comparison when they hang from the same parent.
   bool same(std::uint32_t a, std::uint32_t b) { return parent_[a] == parent_[b] || find(a) == find(b); }
-  // Hangs every element from its root.
-  void flatten() {
-    for (std::uint32_t i = 0; i < parent_.size(); ++i) parent_[i] = parent_[parent_[i]];
-  }
   // True when two sets became one.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);

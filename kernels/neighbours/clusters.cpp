@@ -12,20 +12,16 @@
 namespace ilot {
 namespace {
 
-struct Bin {
-  std::uint32_t x;  // of its cell
-  std::uint32_t begin, end;
-};
-
 // Bins with the same y and z, ascending by x.
 struct Row {
-  std::uint64_t key;  // packed y and z of their cells
-  std::uint32_t begin, end;
+  std::uint64_t key;         // packed y and z of their cells
+  std::uint32_t begin, end;  // bins
 };
 
 struct Binned {
   std::vector<std::uint32_t> members;  // positions in the caller's index list, bin by bin
-  std::vector<Bin> bins;               // row by row
+  std::vector<std::uint32_t> x;        // of each bin's cell, row by row
+  std::vector<std::uint32_t> begin;    // of each bin's members; one more than there are bins
   std::vector<Row> rows;               // ascending by key
 };
 
@@ -58,8 +54,10 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   }
   // Two empty cells below the lowest point, so that neighbours of any cell have keys.
   constexpr std::uint64_t kBorder = 2;
+  // Half a unit more keeps the quotient 2^-26 away from whole numbers, farther than the product of doubles can be off.
+  const double per_unit = 1 / static_cast<double>(edge);
   const auto cell = [&](std::int32_t v, std::int32_t from) {
-    return static_cast<std::uint64_t>((std::int64_t{v} - from) / edge) + kBorder;
+    return static_cast<std::uint64_t>((static_cast<double>(v) - from + 0.5) * per_unit) + kBorder;
   };
   std::vector<KeyValue> keys(indices.size()), scratch(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
@@ -68,19 +66,20 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   }
   sort_pairs(keys, scratch);
   Binned binned;
-  binned.members.reserve(keys.size());
+  for (auto* v : {&binned.members, &binned.x, &binned.begin}) v->reserve(keys.size() + 1);
   for (std::uint32_t i = 0; i < keys.size(); ++i) {
     const std::uint64_t key = keys[i].key, row = key >> kCellBits;
     const bool new_row = binned.rows.empty() || binned.rows.back().key != row;
-    const auto bin = static_cast<std::uint32_t>(binned.bins.size());
+    const auto bin = static_cast<std::uint32_t>(binned.x.size());
     if (new_row) binned.rows.push_back({row, bin, bin});
     if (new_row || key != keys[i - 1].key) {
-      binned.bins.push_back({static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)), i, i});
+      binned.x.push_back(static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)));
+      binned.begin.push_back(i);
       ++binned.rows.back().end;
     }
-    ++binned.bins.back().end;
     binned.members.push_back(static_cast<std::uint32_t>(keys[i].value));
   }
+  binned.begin.push_back(static_cast<std::uint32_t>(keys.size()));
   return binned;
 }
 
@@ -124,41 +123,86 @@ std::vector<Ahead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) 
   return ahead;
 }
 
-// Joins each bin of row a with those of row b at most `reach` cells along x from it that have a point within the
-// radius.
-void join_rows(const Binned& binned, std::span<const IntPoint> points, const Row& a, const Row& b, std::uint32_t reach,
-               std::int64_t radius2, UnionFind& sets) {
-  const auto& bins = binned.bins;
-  const auto members = [&](std::uint32_t i) { return points.subspan(bins[i].begin, bins[i].end - bins[i].begin); };
-  std::uint32_t first = b.begin;
-  for (std::uint32_t i = a.begin; i < a.end; ++i) {
-    while (first < b.end && bins[first].x + reach < bins[i].x) ++first;
-    for (std::uint32_t k = a.begin == b.begin ? i + 1 : first; k < b.end && bins[k].x <= bins[i].x + reach; ++k)
-      if (!sets.same(i, k) && within_reach(members(i), members(k), radius2)) sets.unite(i, k);
-  }
-}
+// Consecutive bins of a row, each of which reaches the next: one set from the start.
+struct Segment {
+  std::uint32_t first_x, last_x;
+  std::uint32_t begin, end;  // bins
+};
 
-// Rows ascend, so the row that is some way ahead only moves ahead.
-void join_ahead(const Binned& binned, std::span<const IntPoint> points, const std::vector<Ahead>& ahead,
-                std::int64_t radius2, UnionFind& sets) {
-  const auto& rows = binned.rows;
-  std::vector<std::size_t> at(ahead.size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t r = 0; r < ahead.size(); ++r) {
-      std::size_t& j = at[r];
-      while (j < rows.size() && rows[j].key < row.key + ahead[r].delta) ++j;
-      if (j < rows.size() && rows[j].key == row.key + ahead[r].delta)
-        join_rows(binned, points, row, rows[j], ahead[r].reach, radius2, sets);
+struct Segments {
+  std::vector<Segment> all;          // row by row
+  std::vector<std::uint32_t> begin;  // of each row; one more than there are rows
+};
+
+class Joiner {
+ public:
+  Joiner(const Binned& binned, std::span<const IntPoint> points, std::int64_t radius2)
+      : binned_(binned), points_(points), radius2_(radius2) {}
+
+  Segments segments() const {
+    Segments s{{}, {0}};
+    for (const Row& row : binned_.rows) {
+      for (std::uint32_t i = row.begin; i < row.end; ++i) {
+        const std::uint32_t x = binned_.x[i];
+        const bool goes_on = i > row.begin && x - binned_.x[i - 1] <= 2 && reach(i - 1, i);
+        if (!goes_on) s.all.push_back({x, x, i, i});
+        s.all.back().last_x = x;
+        s.all.back().end = i + 1;
+      }
+      s.begin.push_back(static_cast<std::uint32_t>(s.all.size()));
+    }
+    return s;
+  }
+
+  // Joins the segments of two rows (or of one) that are at most `along` cells apart along x and have points in reach.
+  void join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along, UnionFind sets) const {
+    std::uint32_t first = s.begin[other];
+    for (std::uint32_t i = s.begin[row]; i < s.begin[row + 1]; ++i) {
+      const Segment& a = s.all[i];
+      while (first < s.begin[other + 1] && s.all[first].last_x + along < a.first_x) ++first;
+      for (std::uint32_t k = row == other ? i + 1 : first; k < s.begin[other + 1]; ++k) {
+        if (s.all[k].first_x > a.last_x + along) break;
+        if (!sets.same(i, k) && meet(a, s.all[k], along)) sets.unite(i, k);
+      }
     }
   }
-}
 
-// Neighbouring cells first: they join most, and bins of one set need no measuring.
-void join_bins(const Binned& binned, std::span<const IntPoint> points, std::int64_t edge, std::int64_t radius,
-               UnionFind& sets) {
-  for (const int most : {1, 2}) {
-    join_ahead(binned, points, rows_ahead(edge, radius, most), radius * radius, sets);
-    sets.flatten();
+ private:
+  std::span<const IntPoint> members(std::uint32_t bin) const {
+    return points_.subspan(binned_.begin[bin], binned_.begin[bin + 1] - binned_.begin[bin]);
+  }
+  bool reach(std::uint32_t i, std::uint32_t k) const { return within_reach(members(i), members(k), radius2_); }
+
+  bool meet(const Segment& a, const Segment& b, std::uint32_t along) const {
+    const std::uint32_t* x = binned_.x.data();
+    std::uint32_t first = b.begin;
+    const std::uint32_t low = b.first_x > along ? b.first_x - along : 0;
+    for (auto i = static_cast<std::uint32_t>(std::lower_bound(x + a.begin, x + a.end, low) - x); i < a.end; ++i) {
+      while (first < b.end && x[first] + along < x[i]) ++first;
+      if (first == b.end) return false;
+      for (std::uint32_t k = first; k < b.end && x[k] <= x[i] + along; ++k)
+        if (reach(i, k)) return true;
+    }
+    return false;
+  }
+
+  const Binned& binned_;
+  std::span<const IntPoint> points_;
+  std::int64_t radius2_;
+};
+
+// Neighbouring rows first: they join most, and what is one set already needs no measuring. Rows ascend, so the row that
+// is some way ahead only moves ahead.
+void join_ahead(const Joiner& joiner, const Segments& segments, const std::vector<Row>& rows,
+                const std::vector<Ahead>& ahead, UnionFind sets) {
+  std::vector<std::size_t> at(ahead.size(), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t r = 0; r < ahead.size(); ++r) {
+      std::size_t& j = at[r];
+      const std::uint64_t wanted = rows[i].key + ahead[r].delta;
+      while (j < rows.size() && rows[j].key < wanted) ++j;
+      if (j < rows.size() && rows[j].key == wanted) joiner.join_rows(segments, i, j, ahead[r].reach, sets);
+    }
   }
 }
 
@@ -169,18 +213,22 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   if (indices.empty()) return {};
   const std::int64_t edge = bin_edge(radius);
   const Binned binned = bin_points(points, indices, edge);
-  std::vector<std::uint32_t> parents(binned.bins.size());
+  const std::vector<IntPoint> in_bins = in_bin_order(points, indices, binned);
+  const Joiner joiner(binned, in_bins, radius * radius);
+  const Segments segments = joiner.segments();
+  std::vector<std::uint32_t> parents(segments.all.size());
   UnionFind sets(parents);
-  join_bins(binned, in_bin_order(points, indices, binned), edge, radius, sets);
+  for (const int most : {1, 2}) join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets);
 
   std::vector<std::uint32_t> root_of(indices.size());
-  for (std::uint32_t b = 0; b < binned.bins.size(); ++b) {
-    const std::uint32_t root = sets.find(b);
-    for (std::uint32_t i = binned.bins[b].begin; i < binned.bins[b].end; ++i) root_of[binned.members[i]] = root;
+  for (std::uint32_t s = 0; s < segments.all.size(); ++s) {
+    const std::uint32_t root = sets.find(s);
+    for (std::uint32_t i = binned.begin[segments.all[s].begin]; i < binned.begin[segments.all[s].end]; ++i)
+      root_of[binned.members[i]] = root;
   }
   Clusters clusters{std::vector<std::uint32_t>(indices.size()), 0};
   constexpr std::uint32_t kUnnumbered = 0xffffffffu;
-  std::vector<std::uint32_t> number(binned.bins.size(), kUnnumbered);
+  std::vector<std::uint32_t> number(parents.size(), kUnnumbered);
   for (std::size_t i = 0; i < indices.size(); ++i) {
     std::uint32_t& n = number[root_of[i]];
     if (n == kUnnumbered) n = clusters.count++;
