@@ -45,12 +45,13 @@ double median_ratio(const Seconds& a, const Seconds& b) {
   return median(ratios);
 }
 
-// times[way][round]. The first round warms up and is not counted, unless it alone fills the budget.
-std::vector<Seconds> rounds_of(const std::vector<Way>& ways) {
-  constexpr int kFewest = 3, kMost = 25;
+// times[way][round]. A first round warms up and is not counted, unless one round is all.
+std::vector<Seconds> rounds_of(const std::vector<Way>& ways, int fewest) {
+  constexpr int kMost = 25;
   std::vector<Seconds> times(ways.size());
   double spent = 0;
-  for (int round = 0; round <= kFewest || (spent < budget() && round <= kMost); ++round) {
+  for (int round = fewest == 1 ? 1 : 0; round <= fewest || (fewest > 1 && spent < budget() && round <= kMost);
+       ++round) {
     for (std::size_t w = 0; w < ways.size(); ++w) {
       const double t = seconds_of(ways[w].run);
       spent += t;
@@ -73,7 +74,7 @@ void print(const nlohmann::ordered_json& line) {
 
 void compare(const Subject& subject, const std::vector<Way>& ways) {
   std::vector<Seconds> times;
-  with_threads(subject.threads, [&] { times = rounds_of(ways); });
+  with_threads(subject.threads, [&] { times = rounds_of(ways, subject.rounds); });
   nlohmann::ordered_json line = head(subject), rows = nlohmann::json::array();
   for (std::size_t w = 0; w < ways.size(); ++w) {
     const double seconds = median(times[w]);
@@ -94,7 +95,8 @@ void scaling(const Subject& subject, const std::function<void()>& run) {
   };
   const auto loop = [] { score_loop(1e9); };
   const auto times = rounds_of(
-      {{"loop 1", in_arena(1, loop)}, {"1", in_arena(1, run)}, {"2", in_arena(2, run)}, {"loop 2", in_arena(2, loop)}});
+      {{"loop 1", in_arena(1, loop)}, {"1", in_arena(1, run)}, {"2", in_arena(2, run)}, {"loop 2", in_arena(2, loop)}},
+      subject.rounds);
   Seconds shares;
   for (std::size_t i = 0; i < times[0].size(); ++i)
     shares.push_back((times[1][i] / times[2][i]) / (times[0][i] / times[3][i]));

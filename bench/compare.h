@@ -21,11 +21,12 @@ struct Subject {
   int threads = 1;
   double items = 0;       // done by one run of any way
   std::string unit = {};  // of items, e.g. "M points"; items are given in it
+  int rounds = 3;         // at least; 1 = one, and no warming up: for what takes minutes
 };
 
 // Runs the ways in an arena of subject.threads threads. The first way is ours: ratios are how many times longer the
-// others take. At least three rounds, more while ILOT_BENCH_SECONDS [5] last. ILOT_BENCH_CLOCK=cpu counts processor
-// time instead of time on the wall: for one thread on a machine that is not alone.
+// others take. At least subject.rounds rounds, more while ILOT_BENCH_SECONDS [5] last. ILOT_BENCH_CLOCK=cpu counts
+// processor time instead of time on the wall: for one thread on a machine that is not alone.
 void compare(const Subject& subject, const std::vector<Way>& ways);
 
 // How much faster two threads are than one, and as what share of the register loop's own scaling, measured in the same

@@ -14,7 +14,7 @@ import sys
 
 def ceiling(build, threads):
     out = subprocess.run([f"{build}/bench/ceiling", str(threads)], check=True, capture_output=True, text=True)
-    return json.loads(out.stdout)
+    return json.loads(out.stdout)["figures"]
 
 
 def scan(ilot, work, millions):
@@ -51,7 +51,7 @@ def scaling(build, ilot, work, millions, repeats):
         one, two = ceiling(build, 1), ceiling(build, 2)
         run_one, run_two = run(ilot, cloud, work, 1, "2G"), run(ilot, cloud, work, 2, "2G")
         assert run_one["result_hash"] == run_two["result_hash"]
-        loop = two["loop_gflop_per_s"] / one["loop_gflop_per_s"]
+        loop = two["loop_g_point_planes_per_s"] / one["loop_g_point_planes_per_s"]
         triad = two["triad_gb_per_s"] / one["triad_gb_per_s"]
         speedup = run_one["seconds"] / run_two["seconds"]
         rows.append({"speedup": round(speedup, 3), "loop_scaling": round(loop, 3), "triad_scaling": round(triad, 3),
@@ -60,15 +60,12 @@ def scaling(build, ilot, work, millions, repeats):
     return {"million_points": millions, "median": median, "pairs": rows}
 
 
-def main():
-    build, work = sys.argv[1], sys.argv[2]
-    millions = [int(m) for m in sys.argv[3:]] or [1, 10]
+def measure(build, work, millions, repeats=5):
     os.makedirs(work, exist_ok=True)
     ilot = f"{build}/tools/ilot"
-    result = {"memory_limit": "256M", "sizes": sizes(ilot, work, millions, "256M"),
-              "scaling": scaling(build, ilot, work, min(5, max(millions)), 5)}
-    print(json.dumps(result, indent=1))
+    return {"memory_limit": "256M", "sizes": sizes(ilot, work, millions, "256M"),
+            "scaling": scaling(build, ilot, work, min(5, max(millions)), repeats)}
 
 
 if __name__ == "__main__":
-    main()
+    print(json.dumps(measure(sys.argv[1], sys.argv[2], [int(m) for m in sys.argv[3:]] or [1, 10]), indent=1))

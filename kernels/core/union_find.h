@@ -18,6 +18,8 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
+  // Whether both are in one set; one comparison when they hang from the same parent.
+  bool same(std::uint32_t a, std::uint32_t b) { return parent_[a] == parent_[b] || find(a) == find(b); }
   // True when two sets became one.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);

@@ -12,18 +12,23 @@
 namespace ilot {
 namespace {
 
-struct Bin {
-  std::uint64_t key;  // packed cell coordinates, 21 bits each
-  std::uint32_t begin, end;
+// Bins with the same y and z, ascending by x.
+struct Row {
+  std::uint64_t key;         // packed y and z of their cells
+  std::uint32_t begin, end;  // bins
 };
 
 struct Binned {
   std::vector<std::uint32_t> members;  // positions in the caller's index list, bin by bin
-  std::vector<Bin> bins;               // ascending by key
+  std::vector<std::uint32_t> x;        // of each bin's cell, row by row
+  std::vector<std::uint32_t> begin;    // of each bin's members; one more than there are bins
+  std::vector<Row> rows;               // ascending by key
 };
 
+constexpr int kCellBits = 21;
+
 constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
-  return z << 42 | y << 21 | x;
+  return z << 2 * kCellBits | y << kCellBits | x;
 }
 
 // The largest cell of which any two integer points lie within the radius: 3 (edge - 1)^2 <= radius^2.
@@ -49,30 +54,45 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   }
   // Two empty cells below the lowest point, so that neighbours of any cell have keys.
   constexpr std::uint64_t kBorder = 2;
+  // Half a unit more keeps the quotient 2^-26 away from whole numbers, farther than the product of doubles can be off.
+  const double per_unit = 1 / static_cast<double>(edge);
   const auto cell = [&](std::int32_t v, std::int32_t from) {
-    return static_cast<std::uint64_t>((std::int64_t{v} - from) / edge) + kBorder;
+    return static_cast<std::uint64_t>((static_cast<double>(v) - from + 0.5) * per_unit) + kBorder;
   };
-  std::vector<std::uint64_t> keys(indices.size());
+  std::vector<KeyValue> keys(indices.size()), scratch(indices.size());
   for (std::size_t i = 0; i < indices.size(); ++i) {
     const IntPoint q = point_at(p, indices[i]);
-    keys[i] = pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z));
+    keys[i] = {pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z)), i};
   }
-  Binned binned{sorted_order(keys), {}};
-  for (std::size_t i = 0; i < binned.members.size(); ++i) {
-    const std::uint64_t key = keys[binned.members[i]];
-    if (binned.bins.empty() || binned.bins.back().key != key)
-      binned.bins.push_back({key, static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i)});
-    ++binned.bins.back().end;
+  sort_pairs(keys, scratch);
+  Binned binned;
+  for (auto* v : {&binned.members, &binned.x, &binned.begin}) v->reserve(keys.size() + 1);
+  for (std::uint32_t i = 0; i < keys.size(); ++i) {
+    const std::uint64_t key = keys[i].key, row = key >> kCellBits;
+    const bool new_row = binned.rows.empty() || binned.rows.back().key != row;
+    const auto bin = static_cast<std::uint32_t>(binned.x.size());
+    if (new_row) binned.rows.push_back({row, bin, bin});
+    if (new_row || key != keys[i - 1].key) {
+      binned.x.push_back(static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)));
+      binned.begin.push_back(i);
+      ++binned.rows.back().end;
+    }
+    binned.members.push_back(static_cast<std::uint32_t>(keys[i].value));
   }
+  binned.begin.push_back(static_cast<std::uint32_t>(keys.size()));
   return binned;
 }
 
-bool within_reach(const Points& p, std::span<const std::uint32_t> a, std::span<const std::uint32_t> b,
-                  std::span<const std::uint32_t> indices, std::int64_t radius2) {
-  for (const std::uint32_t i : a) {
-    const IntPoint u = point_at(p, indices[i]);
-    for (const std::uint32_t j : b) {
-      const IntPoint v = point_at(p, indices[j]);
+// The points bin by bin, so that a bin's lie side by side.
+std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned) {
+  std::vector<IntPoint> points(binned.members.size());
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(p, indices[binned.members[i]]);
+  return points;
+}
+
+bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
+  for (const IntPoint& u : a) {
+    for (const IntPoint& v : b) {
       const std::int64_t dx = std::int64_t{u.x} - v.x, dy = std::int64_t{u.y} - v.y, dz = std::int64_t{u.z} - v.z;
       if (dx * dx + dy * dy + dz * dz <= radius2) return true;
     }
@@ -80,41 +100,108 @@ bool within_reach(const Points& p, std::span<const std::uint32_t> a, std::span<c
   return false;
 }
 
-// Cell offsets ahead of a cell in key order that its points can reach, nearest first so that most joins happen early.
-std::vector<std::int64_t> forward_offsets(std::int64_t edge, std::int64_t radius) {
-  struct Offset {
-    std::int64_t gap2, delta;
+// Rows ahead of a row in key order that its points can reach, and how many cells along x.
+struct Ahead {
+  std::uint64_t delta;  // of the keys
+  std::uint32_t reach;
+};
+
+// Up to `most` cells away along any axis; the row itself first.
+std::vector<Ahead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
+  const auto gap2 = [&](int d) {
+    const std::int64_t gap = d == 0 ? 0 : (std::abs(d) - 1) * edge + 1;
+    return gap * gap;
   };
-  std::vector<Offset> offsets;
-  const auto gap = [&](int d) { return d == 0 ? std::int64_t{0} : (std::abs(d) - 1) * edge + 1; };
-  for (int dz = -2; dz <= 2; ++dz)
-    for (int dy = -2; dy <= 2; ++dy)
-      for (int dx = -2; dx <= 2; ++dx) {
-        const std::int64_t delta = (std::int64_t{dz} * (1 << 21) + dy) * (1 << 21) + dx;
-        const std::int64_t gap2 = gap(dx) * gap(dx) + gap(dy) * gap(dy) + gap(dz) * gap(dz);
-        if (delta > 0 && gap2 <= radius * radius) offsets.push_back({gap2, delta});
-      }
-  std::sort(offsets.begin(), offsets.end(),
-            [](const Offset& a, const Offset& b) { return a.gap2 != b.gap2 ? a.gap2 < b.gap2 : a.delta < b.delta; });
-  std::vector<std::int64_t> deltas;
-  for (const Offset& o : offsets) deltas.push_back(o.delta);
-  return deltas;
+  std::vector<Ahead> ahead;
+  for (int dz = 0; dz <= most; ++dz)
+    for (int dy = dz == 0 ? 0 : -most; dy <= most; ++dy) {
+      int reach = most;
+      while (reach >= 0 && gap2(reach) + gap2(dy) + gap2(dz) > radius * radius) --reach;
+      const std::int64_t delta = std::int64_t{dz} * (1 << kCellBits) + dy;
+      if (reach >= 0) ahead.push_back({static_cast<std::uint64_t>(delta), static_cast<std::uint32_t>(reach)});
+    }
+  return ahead;
 }
 
-void join_bins(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned, std::int64_t edge,
-               std::int64_t radius, UnionFind& sets) {
-  const auto& bins = binned.bins;
-  const auto members = [&](const Bin& b) { return std::span(binned.members).subspan(b.begin, b.end - b.begin); };
-  for (const std::int64_t delta : forward_offsets(edge, radius)) {
-    // Both sides ascend, so one sweep finds every pair of bins `delta` apart.
-    std::size_t j = 0;
-    for (std::uint32_t i = 0; i < bins.size(); ++i) {
-      const std::uint64_t wanted = bins[i].key + static_cast<std::uint64_t>(delta);
-      while (j < bins.size() && bins[j].key < wanted) ++j;
-      if (j == bins.size()) break;
-      const auto other = static_cast<std::uint32_t>(j);
-      if (bins[j].key != wanted || sets.find(i) == sets.find(other)) continue;
-      if (within_reach(p, members(bins[i]), members(bins[j]), indices, radius * radius)) sets.unite(i, other);
+// Consecutive bins of a row, each of which reaches the next: one set from the start.
+struct Segment {
+  std::uint32_t first_x, last_x;
+  std::uint32_t begin, end;  // bins
+};
+
+struct Segments {
+  std::vector<Segment> all;          // row by row
+  std::vector<std::uint32_t> begin;  // of each row; one more than there are rows
+};
+
+class Joiner {
+ public:
+  Joiner(const Binned& binned, std::span<const IntPoint> points, std::int64_t radius2)
+      : binned_(binned), points_(points), radius2_(radius2) {}
+
+  Segments segments() const {
+    Segments s{{}, {0}};
+    for (const Row& row : binned_.rows) {
+      for (std::uint32_t i = row.begin; i < row.end; ++i) {
+        const std::uint32_t x = binned_.x[i];
+        const bool goes_on = i > row.begin && x - binned_.x[i - 1] <= 2 && reach(i - 1, i);
+        if (!goes_on) s.all.push_back({x, x, i, i});
+        s.all.back().last_x = x;
+        s.all.back().end = i + 1;
+      }
+      s.begin.push_back(static_cast<std::uint32_t>(s.all.size()));
+    }
+    return s;
+  }
+
+  // Joins the segments of two rows (or of one) that are at most `along` cells apart along x and have points in reach.
+  void join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along, UnionFind sets) const {
+    std::uint32_t first = s.begin[other];
+    for (std::uint32_t i = s.begin[row]; i < s.begin[row + 1]; ++i) {
+      const Segment& a = s.all[i];
+      while (first < s.begin[other + 1] && s.all[first].last_x + along < a.first_x) ++first;
+      for (std::uint32_t k = row == other ? i + 1 : first; k < s.begin[other + 1]; ++k) {
+        if (s.all[k].first_x > a.last_x + along) break;
+        if (!sets.same(i, k) && meet(a, s.all[k], along)) sets.unite(i, k);
+      }
+    }
+  }
+
+ private:
+  std::span<const IntPoint> members(std::uint32_t bin) const {
+    return points_.subspan(binned_.begin[bin], binned_.begin[bin + 1] - binned_.begin[bin]);
+  }
+  bool reach(std::uint32_t i, std::uint32_t k) const { return within_reach(members(i), members(k), radius2_); }
+
+  bool meet(const Segment& a, const Segment& b, std::uint32_t along) const {
+    const std::uint32_t* x = binned_.x.data();
+    std::uint32_t first = b.begin;
+    const std::uint32_t low = b.first_x > along ? b.first_x - along : 0;
+    for (auto i = static_cast<std::uint32_t>(std::lower_bound(x + a.begin, x + a.end, low) - x); i < a.end; ++i) {
+      while (first < b.end && x[first] + along < x[i]) ++first;
+      if (first == b.end) return false;
+      for (std::uint32_t k = first; k < b.end && x[k] <= x[i] + along; ++k)
+        if (reach(i, k)) return true;
+    }
+    return false;
+  }
+
+  const Binned& binned_;
+  std::span<const IntPoint> points_;
+  std::int64_t radius2_;
+};
+
+// Neighbouring rows first: they join most, and what is one set already needs no measuring. Rows ascend, so the row that
+// is some way ahead only moves ahead.
+void join_ahead(const Joiner& joiner, const Segments& segments, const std::vector<Row>& rows,
+                const std::vector<Ahead>& ahead, UnionFind sets) {
+  std::vector<std::size_t> at(ahead.size(), 0);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t r = 0; r < ahead.size(); ++r) {
+      std::size_t& j = at[r];
+      const std::uint64_t wanted = rows[i].key + ahead[r].delta;
+      while (j < rows.size() && rows[j].key < wanted) ++j;
+      if (j < rows.size() && rows[j].key == wanted) joiner.join_rows(segments, i, j, ahead[r].reach, sets);
     }
   }
 }
@@ -126,18 +213,24 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   if (indices.empty()) return {};
   const std::int64_t edge = bin_edge(radius);
   const Binned binned = bin_points(points, indices, edge);
-  std::vector<std::uint32_t> parents(binned.bins.size());
+  const std::vector<IntPoint> in_bins = in_bin_order(points, indices, binned);
+  const Joiner joiner(binned, in_bins, radius * radius);
+  const Segments segments = joiner.segments();
+  std::vector<std::uint32_t> parents(segments.all.size());
   UnionFind sets(parents);
-  join_bins(points, indices, binned, edge, radius, sets);
+  for (const int most : {1, 2}) join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets);
 
-  std::vector<std::uint32_t> bin_of(indices.size());
-  for (std::uint32_t b = 0; b < binned.bins.size(); ++b)
-    for (std::uint32_t i = binned.bins[b].begin; i < binned.bins[b].end; ++i) bin_of[binned.members[i]] = b;
+  std::vector<std::uint32_t> root_of(indices.size());
+  for (std::uint32_t s = 0; s < segments.all.size(); ++s) {
+    const std::uint32_t root = sets.find(s);
+    for (std::uint32_t i = binned.begin[segments.all[s].begin]; i < binned.begin[segments.all[s].end]; ++i)
+      root_of[binned.members[i]] = root;
+  }
   Clusters clusters{std::vector<std::uint32_t>(indices.size()), 0};
   constexpr std::uint32_t kUnnumbered = 0xffffffffu;
-  std::vector<std::uint32_t> number(binned.bins.size(), kUnnumbered);
+  std::vector<std::uint32_t> number(parents.size(), kUnnumbered);
   for (std::size_t i = 0; i < indices.size(); ++i) {
-    std::uint32_t& n = number[sets.find(bin_of[i])];
+    std::uint32_t& n = number[root_of[i]];
     if (n == kUnnumbered) n = clusters.count++;
     clusters.id[i] = n;
   }

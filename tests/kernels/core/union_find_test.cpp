@@ -85,5 +85,17 @@ TEST(UnionFind, CountsMergesOnALongChain) {
   EXPECT_EQ(sets.find(n - 1), 0u);
 }
 
+TEST(UnionFind, SameAgreesWithFind) {
+  Rng rng(4);
+  std::vector<std::uint32_t> parents(500);
+  UnionFind sets(parents);
+  for (int i = 0; i < 300; ++i) {
+    sets.unite(static_cast<std::uint32_t>(rng.below(500)), static_cast<std::uint32_t>(rng.below(500)));
+    const auto a = static_cast<std::uint32_t>(rng.below(500)), b = static_cast<std::uint32_t>(rng.below(500));
+    const bool same = sets.same(a, b);
+    EXPECT_EQ(same, sets.find(a) == sets.find(b));
+  }
+}
+
 }  // namespace
 }  // namespace ilot
