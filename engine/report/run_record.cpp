@@ -59,7 +59,10 @@ Json skipped_json(const RunRecord& record) {
 
 Json chosen_json(const RunRecord& record) {
   Json list = Json::array();
-  for (const ChosenRecord& c : record.chosen) list.push_back({{"key", c.key}, {"value", c.value}, {"why", c.why}});
+  for (const ChosenRecord& c : record.chosen) {
+    const Json value = std::visit([](const auto& v) { return Json(v); }, c.value);
+    list.push_back({{"key", c.key}, {"value", value}, {"why", c.why}});
+  }
   return list;
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "engine/error.h"
@@ -30,7 +31,7 @@ struct SkippedRecord {
 // A value that `auto` stood for.
 struct ChosenRecord {
   std::string key;  // "planes.epsilon"
-  double value = 0;
+  std::variant<double, std::string> value;
   std::string why;
 };
 

@@ -56,6 +56,17 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+// Which method `auto` took in how many cells.
+ChosenRecord method_choice(const CellPlanes& found) {
+  std::size_t from_the_ground = 0;
+  for (const CellSummary& c : found.cells) from_the_ground += c.method == PlaneMethod::shape_ransac;
+  const std::size_t from_the_air = found.cells.size() - from_the_ground;
+  return {"planes.method", std::string(from_the_ground > from_the_air ? "shape_ransac" : "ransac"),
+          "shape_ransac in " + std::to_string(from_the_ground) +
+              " cells where more than a quarter of the normals are level (walls, seen from the ground), ransac in " +
+              std::to_string(from_the_air) + " others"};
+}
+
 void record_choices(const CellPlanes& found, const Settings& settings, double unit_m, RunRecord& record) {
   std::vector<double> epsilon, connectivity, step, noise;
   for (const CellSummary& c : found.cells) {
@@ -66,6 +77,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
   }
   const std::string measured = "median over " + std::to_string(found.cells.size()) + " cells; sampling step " +
                                std::to_string(median(step)) + " m, noise " + std::to_string(median(noise)) + " m";
+  if (!settings.planes.method) record.chosen.push_back(method_choice(found));
   if (!settings.planes.epsilon)
     record.chosen.push_back({"planes.epsilon", median(epsilon),
                              "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each "
@@ -75,7 +87,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
   if (!settings.planes.connectivity)
     record.chosen.push_back(
         {"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
-  if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", kAutoMinPoints, "fixed"});
+  if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", double{kAutoMinPoints}, "fixed"});
 }
 
 }  // namespace

@@ -4,22 +4,22 @@
 #include <filesystem>
 
 #include "engine/pass/pass.h"
-#include "engine/segments/auto_params.h"
+#include "engine/segments/plane_methods.h"
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/normals.h"
-#include "kernels/planes/ransac.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 160;
+constexpr std::uint64_t kBytesPerPoint = 80;  // beside what the method takes
 
 // Result of one cell as it is kept on disk: this header, then the planes, then the labels of the cell's own points.
 struct StoredCell {
   std::uint64_t planes = 0;
   std::int64_t connectivity = 1;
   double epsilon = 0, step = 0, noise = 0;
-  double unused = 0;  // the planes that follow hold 128-bit sums and are aligned
+  PlaneMethod method = PlaneMethod::ransac;
+  std::uint8_t unused[7]{};  // the planes that follow hold 128-bit sums and are aligned
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
@@ -62,7 +62,7 @@ struct CellResult {
   std::vector<std::uint32_t> labels;
 };
 
-CellResult own_part(const CellPoints& cp, const RansacPlanes& found) {
+CellResult own_part(const CellPoints& cp, const PlaneSegments& found) {
   CellResult r;
   std::vector<std::vector<std::uint32_t>> members(found.planes.size());
   for (std::uint32_t i = 0; i < cp.size; ++i)
@@ -81,14 +81,20 @@ CellResult own_part(const CellPoints& cp, const RansacPlanes& found) {
 CellResult solve(const Store& store, const Cell& cell, const Settings& settings, const PassContext& context) {
   const CellPoints cp = load_cell(store, cell);
   const Normals n = unpack(cp);
-  const Sampling sampling = measure_sampling(build_neighbour_index(cp.points()));
+  const NeighbourIndex index = build_neighbour_index(cp.points());
+  const Sampling sampling = measure_sampling(index);
   const PlaneParams params =
       choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit, margin_of(cell));
-  const RansacPlanes found = ransac_planes({cp.points(), n.x.data(), n.y.data(), n.z.data()},
-                                           {params.epsilon, params.min_cos, params.connectivity, params.min_points,
-                                            settings.planes.probability, content_key(cp, settings.seed)});
+  const std::span<const PackedNormal> normals = std::span(cp.normals).first(cp.size);
+  const PlaneMethod method = choose_method(settings.planes, normals);
+  const PlaneSegments found = find_planes(method, {{cp.points(), n.x.data(), n.y.data(), n.z.data()},
+                                                   normals,
+                                                   index,
+                                                   params,
+                                                   settings.planes.probability,
+                                                   content_key(cp, settings.seed)});
   CellResult r = own_part(cp, found);
-  r.header = {r.planes.size(), params.connectivity, params.epsilon, sampling.step, sampling.noise, 0};
+  r.header = {r.planes.size(), params.connectivity, params.epsilon, sampling.step, sampling.noise, method};
   return r;
 }
 
@@ -108,7 +114,8 @@ void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t
                      header.connectivity,
                      header.epsilon,
                      header.step,
-                     header.noise};
+                     header.noise,
+                     header.method};
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 
@@ -150,7 +157,8 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
                        const PassContext& context) {
   std::filesystem::create_directories(store.folder() / "cells");
   std::vector<PassTask> tasks;
-  for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * kBytesPerPoint, c.points});
+  const std::uint64_t bytes = kBytesPerPoint + bytes_per_point(settings.planes.method);
+  for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * bytes, c.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
     if (!std::filesystem::exists(cell_path(store, cell)))

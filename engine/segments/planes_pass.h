@@ -16,6 +16,7 @@ struct CellSummary {
   std::int64_t connectivity = 1;
   double epsilon = 0;
   double step = 0, noise = 0;
+  PlaneMethod method = PlaneMethod::ransac;  // that found its planes
 };
 
 struct CellPlanes {

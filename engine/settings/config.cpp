@@ -37,7 +37,7 @@ std::string describe(const toml::node& node) {
 
 // The node as a Value; nullopt when no setting could hold it.
 std::optional<Value> read_value(const toml::node& node) {
-  if (const auto* text = node.as_string()) return text->get() == "auto" ? std::optional<Value>(Auto{}) : std::nullopt;
+  if (const auto* text = node.as_string()) return text->get() == "auto" ? Value(Auto{}) : Value(text->get());
   if (const auto* flag = node.as_boolean()) return flag->get();
   if (const auto* whole = node.as_integer()) return whole->get();
   if (const auto* number = node.as_floating_point()) return number->get();
@@ -49,6 +49,12 @@ std::optional<Value> read_value(const toml::node& node) {
     list.push_back(entry.as_integer()->get());
   }
   return list;
+}
+
+// A bare word, as people type it on a command line: auto, ransac. Not true, false, inf or nan.
+bool is_word(const std::string& text) {
+  const bool letters = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string::npos;
+  return letters && !text.empty() && text != "true" && text != "false" && text != "inf" && text != "nan";
 }
 
 bool is_section(const std::string& key) {
@@ -142,7 +148,7 @@ void apply_assignment(Settings& settings, std::string_view assignment) {
   if (find_parameter(key) == nullptr) fail(unknown(key, {}).sentence);
   std::string text(assignment.substr(equals + 1));
   if (text.find_first_of("\r\n") != std::string::npos) fail("the value must stand on one line");
-  if (text == "auto") text = "\"auto\"";
+  if (is_word(text)) text = '"' + text + '"';
   try {
     const toml::table table = toml::parse("value = " + text);
     if (auto fault = assign(settings, key, {}, *table.get("value"))) fail(fault->sentence);

@@ -51,6 +51,18 @@ struct Field<std::vector<int>> {
   }
 };
 
+// A choice among names, in the order of the enumeration.
+template <>
+struct Field<PlaneMethod> {
+  static constexpr bool kOptional = false;
+  static constexpr ValueKind kKind = ValueKind::choice;
+  static Value get(PlaneMethod field) { return std::string(kPlaneMethods[static_cast<std::size_t>(field)]); }
+  static void set(PlaneMethod& field, const Value& value) {
+    const auto name = std::find(kPlaneMethods.begin(), kPlaneMethods.end(), std::get<std::string>(value));
+    field = static_cast<PlaneMethod>(name - kPlaneMethods.begin());
+  }
+};
+
 template <class Access>
 Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
   using F = Field<std::remove_cvref_t<decltype(access(std::declval<Settings&>()))>>;
@@ -58,10 +70,16 @@ Parameter make(const char* key, Access access, ValueRange range, const char* uni
           F::kKind,
           F::kOptional,
           range,
+          {},
           unit,
           help,
           [access](const Settings& s) { return F::get(access(s)); },
           [access](Settings& s, const Value& value) { F::set(access(s), value); }};
+}
+
+Parameter with_choices(Parameter parameter, std::span<const std::string_view> choices) {
+  parameter.choices = choices;
+  return parameter;
 }
 
 #define ILOT_FIELD(path) \
@@ -79,6 +97,7 @@ std::vector<Parameter> make_table() {
       make("normals.max_radius", ILOT_FIELD(normals.max_radius), {0.001, 1000}, "m",
            "neighbours farther away than this are not used"),
       make("normals.write", ILOT_FIELD(normals.write), {}, "", "write NormalX, NormalY and NormalZ with the points"),
+      with_choices(make("planes.method", ILOT_FIELD(planes.method), {}, "", "how planes are found"), kPlaneMethods),
       make("planes.epsilon", ILOT_FIELD(planes.epsilon), {0.0001, 10}, "m",
            "greatest distance of a labelled point from its plane"),
       make("planes.normal_angle", ILOT_FIELD(planes.normal_angle), {0.1, 90}, "deg",
@@ -123,6 +142,9 @@ bool fits_kind(const Parameter& p, const Value& value) {
       return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
     case ValueKind::integers:
       return std::holds_alternative<std::vector<std::int64_t>>(value);
+    case ValueKind::choice:
+      return std::holds_alternative<std::string>(value) &&
+             std::find(p.choices.begin(), p.choices.end(), std::get<std::string>(value)) != p.choices.end();
   }
   return false;
 }
@@ -193,8 +215,9 @@ std::optional<std::string> check_value(const Parameter& p, const Value& value) {
 }
 
 std::string expected_text(const Parameter& p) {
-  const char* names[] = {"true or false", "a whole number", "a number", "a list of whole numbers"};
+  const char* names[] = {"true or false", "a whole number", "a number", "a list of whole numbers", "one of "};
   std::string text = names[static_cast<int>(p.kind)];
+  if (p.kind == ValueKind::choice) text += range_text(p);
   if (!p.unit.empty()) text += " (" + p.unit + ")";
   return p.optional ? text + " or \"auto\"" : text;
 }
@@ -204,6 +227,7 @@ std::string to_text(const Value& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
+  if (const auto* name = std::get_if<std::string>(&value)) return '"' + *name + '"';
   std::string text;
   for (std::int64_t entry : std::get<std::vector<std::int64_t>>(value)) {
     text += (text.empty() ? "" : ", ") + std::to_string(entry);
@@ -213,6 +237,11 @@ std::string to_text(const Value& value) {
 
 std::string range_text(const Parameter& p) {
   if (p.kind == ValueKind::boolean) return "";
+  if (p.kind == ValueKind::choice) {
+    std::string names;
+    for (const std::string_view name : p.choices) names += (names.empty() ? "" : ", ") + std::string(name);
+    return names;
+  }
   const std::string unit = p.unit.empty() ? "" : " " + p.unit;
   return bound_text(p.range.min) + " to " + bound_text(p.range.max) + unit;
 }

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,9 +20,9 @@ struct Auto {
   friend bool operator==(Auto, Auto) = default;
 };
 
-using Value = std::variant<Auto, bool, std::int64_t, double, std::vector<std::int64_t>>;
+using Value = std::variant<Auto, bool, std::int64_t, double, std::vector<std::int64_t>, std::string>;
 
-enum class ValueKind { boolean, integer, number, integers };
+enum class ValueKind { boolean, integer, number, integers, choice };
 
 // Closed. Integers in it are exact up to 2^53.
 struct ValueRange {
@@ -31,10 +32,11 @@ struct ValueRange {
 struct Parameter {
   std::string key;  // "planes.epsilon"
   ValueKind kind;
-  bool optional;     // `auto` is a value
-  ValueRange range;  // of each entry of a list; of no meaning for booleans
-  std::string unit;  // "m", "deg" or empty
-  std::string help;  // one line
+  bool optional;                              // `auto` is a value
+  ValueRange range;                           // of each entry of a list; of no meaning for booleans and choices
+  std::span<const std::string_view> choices;  // of a choice
+  std::string unit;                           // "m", "deg" or empty
+  std::string help;                           // one line
   std::function<Value(const Settings&)> get;
   std::function<void(Settings&, const Value&)> set;  // expects a value that check_value() accepts
 };
@@ -56,11 +58,11 @@ std::optional<std::string> check_value(const Parameter& parameter, const Value& 
 // What the parameter takes: "a number (m) or \"auto\"".
 std::string expected_text(const Parameter& parameter);
 
-// As TOML: `"auto"`, `true`, `16`, `0.02`, `[7, 18]`. Numbers with the fewest digits that read back to the
+// As TOML: `"auto"`, `"ransac"`, `true`, `16`, `0.02`, `[7, 18]`. Numbers with the fewest digits that read back to the
 // same bits.
 std::string to_text(const Value& value);
 
-// "0.0001 to 10 m"; empty for booleans.
+// "0.0001 to 10 m", "ransac, hough"; empty for booleans.
 std::string range_text(const Parameter& parameter);
 
 }  // namespace ilot

@@ -4,8 +4,10 @@
 // noise. To add one: a line here and a line in the table of parameters.cpp; TOML, --set, help, docs and
 // run.json follow.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace ilot {
@@ -20,7 +22,23 @@ struct NormalsSettings {
   bool write = false;      // write NormalX, NormalY, NormalZ
 };
 
+// Ways to find planes; docs/methods.md tells when to use which.
+enum class PlaneMethod : std::uint8_t {
+  ransac,
+  region_growing,
+  smooth_growing,
+  split_merge,
+  hough,
+  shape_ransac,
+  roof_ransac,
+  facade_ransac,
+};
+// As they are written in settings, in that order.
+constexpr std::array<std::string_view, 8> kPlaneMethods{"ransac", "region_growing", "smooth_growing", "split_merge",
+                                                        "hough",  "shape_ransac",   "roof_ransac",    "facade_ransac"};
+
 struct PlanesSettings {
+  std::optional<PlaneMethod> method;
   std::optional<double> epsilon;       // metres; greatest distance of a labelled point from its plane
   double normal_angle = 25;            // degrees; greatest angle between a point's normal and its plane's
   std::optional<int> min_points;       // fewest points of a plane

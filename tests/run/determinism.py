@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Invariants 1 to 4: threads, instruction sets, blocks, memory and the order of files never show in the result."""
 import collections
+import re
 import struct
 
-from support import Las, RunTest, main, real
+from support import Las, RunTest, ilot, main, real
 
 WAYS = [
     ["--threads", "1"], ["--threads", "2"], ["--threads", "3"], ["--threads", "8"],
@@ -71,7 +72,26 @@ class Determinism(RunTest):
         self.assertEqual(first, self.work(files[::-1], "--threads", "3")[1]["result_hash"])
 
 
+    def methods(self):
+        """The names that planes.method takes, from its line of help."""
+        lines = ilot("run", "--print-config").stdout.splitlines()
+        help_line = lines[next(i for i, line in enumerate(lines) if line.startswith("method =")) - 1]
+        return re.search(r"; (.*) or \"auto\"", help_line).group(1).split(", ")
+
+
 class Synthetic(Determinism):
+    def test_every_method(self):
+        cloud = self.district(40000)
+        self.assertGreater(len(self.methods()), 7)
+        for method in self.methods():
+            with self.subTest(method):
+                asked = ["--set", f"planes.method={method}"]
+                told = [self.work(cloud, *asked, "--threads", "1")[1],
+                        self.work(cloud, *asked, "--block-points", "4096", "--threads", "3")[1],
+                        self.work(cloud, *asked, env={"ILOT_FORCE_ISA": "baseline"})[1]]
+                self.assertEqual(len({t["result_hash"] for t in told}), 1)
+                self.assertGreater(told[0]["counts"]["planes"], 3)
+
     def test_same_all_ways(self):
         self.same_all_ways(self.district(300000))
 

@@ -26,7 +26,7 @@ RunRecord example() {
   r.points = {100, 60, 30, {{"not finite", 7}, {"withheld", 3}}};
   r.planes = 12;
   r.skipped = {{"input", "b.las", "0 points"}};
-  r.chosen = {{"planes.min_points", 40, "sampling step 0.2 m"}};
+  r.chosen = {{"planes.min_points", 40.0, "sampling step 0.2 m"}, {"planes.method", std::string("ransac"), "flat"}};
   r.unit_assumed = true;
   r.result_hash = "ab";
   return r;
@@ -60,6 +60,7 @@ TEST(RunRecord, HasTheNamesThatScriptsRelyOn) {
   EXPECT_EQ(j["skipped"][0]["reason"], "0 points");
   EXPECT_EQ(j["chosen"][0]["key"], "planes.min_points");
   EXPECT_EQ(j["chosen"][0]["value"], 40);
+  EXPECT_EQ(j["chosen"][1]["value"], "ransac");
   EXPECT_EQ(j["unit_assumed"], true);
   EXPECT_EQ(j["result_hash"], "ab");
 }

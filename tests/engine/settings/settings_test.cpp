@@ -82,7 +82,7 @@ TEST(Config, NamesTheRange) {
 
 TEST(Config, NamesTheType) {
   EXPECT_EQ(load_fault("[planes]\nepsilon = \"wide\"\n"),
-            "ilot.toml:2:11: planes.epsilon must be a number (m) or \"auto\", not a string");
+            "ilot.toml:2:11: planes.epsilon must be a number (m) or \"auto\", not \"wide\"");
   EXPECT_EQ(load_fault("[normals]\nneighbours = 8.5\n"),
             "ilot.toml:2:14: normals.neighbours must be a whole number (points), not 8.5");
   EXPECT_EQ(load_fault("[normals]\nwrite = 1\n"), "ilot.toml:2:9: normals.write must be true or false, not 1");
@@ -175,6 +175,7 @@ TEST(SettingsHash, ChangesWithEveryParameter) {
     if (p.kind == ValueKind::boolean) value = true;
     if (p.kind == ValueKind::number) value = p.range.max;
     if (p.kind == ValueKind::integers) value = std::vector<std::int64_t>{1};
+    if (p.kind == ValueKind::choice) value = std::string(p.choices.back());
     ASSERT_FALSE(check_value(p, value)) << p.key;
     p.set(changed, value);
     EXPECT_EQ(p.get(changed), value) << p.key;

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/plane_methods.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <numeric>
+#include <vector>
+
+#include "kernels/core/portable_math.h"
+#include "kernels/neighbours/knn.h"
+#include "kernels/planes/facade_ransac.h"
+#include "kernels/planes/hough_planes.h"
+#include "kernels/planes/ransac.h"
+#include "kernels/planes/region_growing.h"
+#include "kernels/planes/region_planes.h"
+#include "kernels/planes/roof_ransac.h"
+#include "kernels/planes/shape_ransac.h"
+#include "kernels/planes/split_merge.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kNeighbours = 16;  // of region growing
+constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
+
+PlaneSegments by_ransac(const PlaneSearch& s) {
+  return ransac_planes(
+      s.points, {s.params.epsilon, s.params.min_cos, s.params.connectivity, s.params.min_points, s.probability, s.key});
+}
+
+std::vector<std::uint32_t> neighbours_of_all(const PlaneSearch& s) {
+  constexpr std::uint32_t kBatch = 4096;
+  const std::uint32_t n = static_cast<std::uint32_t>(s.points.points.size);
+  std::vector<std::uint32_t> lists(std::size_t{n} * kNeighbours), queries(kBatch);
+  std::vector<std::int64_t> reach2(kBatch);
+  for (std::uint32_t first = 0; first < n; first += kBatch) {
+    const std::uint32_t count = std::min(kBatch, n - first);
+    std::iota(queries.begin(), queries.begin() + count, first);
+    knn(s.index, std::span(queries).first(count), {kNeighbours, s.params.connectivity * s.params.connectivity},
+        std::span(lists).subspan(std::size_t{first} * kNeighbours, std::size_t{count} * kNeighbours),
+        std::span(reach2).first(count));
+  }
+  return lists;
+}
+
+PlaneSegments planes_of(const PlaneSearch& s, const Regions& regions) {
+  return planes_of_regions(s.points.points, regions,
+                           {s.params.epsilon, s.params.min_points, s.params.connectivity, PlaneEstimate::kBest});
+}
+
+PlaneSegments by_region_growing(const PlaneSearch& s) {
+  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
+  return planes_of(
+      s, grow_by_pairs(s.points.points, s.normals, {lists, kNeighbours},
+                       {cos_degrees(kPairDegrees), s.params.epsilon / 2, s.params.connectivity, s.params.min_points}));
+}
+
+PlaneSegments by_smooth_growing(const PlaneSearch& s) {
+  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
+  SmoothGrowthParams params;
+  params.min_cos = cos_degrees(kSmoothDegrees);
+  params.max_gap = s.params.connectivity;
+  params.min_points = s.params.min_points;
+  return planes_of(s, grow_smooth(s.points.points, s.normals, {lists, kNeighbours}, params));
+}
+
+PlaneSegments by_split_merge(const PlaneSearch& s) {
+  SplitMergeParams params;
+  params.epsilon = s.params.epsilon;
+  params.tolerance = s.params.epsilon / 2.5;
+  params.max_step = s.params.epsilon / 2;
+  params.min_edge = std::max<std::int64_t>(1, 2 * s.params.connectivity / 3);
+  params.min_points = s.params.min_points;
+  return split_merge(s.points.points, params);
+}
+
+PlaneSegments by_hough(const PlaneSearch& s) {
+  HoughPlanesParams params;
+  params.epsilon = s.params.epsilon;
+  params.distance_step = 2 * s.params.epsilon;
+  params.min_vote_cos = cos_degrees(kVoteDegrees);
+  params.min_cos = s.params.min_cos;
+  params.connectivity = s.params.connectivity;
+  params.min_points = s.params.min_points;
+  return hough_planes(s.points, params);
+}
+
+PlaneSegments by_roof_ransac(const PlaneSearch& s) {
+  RoofRansacParams params;
+  params.epsilon = s.params.epsilon;
+  params.stray_gap = s.params.connectivity;
+  params.min_points = s.params.min_points;
+  params.key = s.key;
+  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
+  return roof_ransac(s.points.points, {lists, kNeighbours}, params);
+}
+
+PlaneSegments by_facade_ransac(const PlaneSearch& s) {
+  FacadeRansacParams params;
+  params.epsilon = s.params.epsilon;
+  params.inclined_gap = s.params.connectivity;
+  params.connectivity = s.params.connectivity;
+  params.inclined_points = params.parallel_points = s.params.min_points;
+  params.probability = s.probability;
+  params.key = s.key;
+  return facade_ransac(s.points, params).segments;
+}
+
+PlaneSegments by_shape_ransac(const PlaneSearch& s) {
+  ShapeRansacParams params;
+  params.epsilon = s.params.epsilon;
+  params.min_cos = s.params.min_cos;
+  params.connectivity = s.params.connectivity;
+  params.min_points = s.params.min_points;
+  params.probability = s.probability;
+  params.kinds = shape_bit(ShapeKind::kPlane);
+  params.key = s.key;
+  ShapeSegments found = ransac_shapes(s.points, params);
+  PlaneSegments segments{std::move(found.label), {}};
+  for (const FoundShape& shape : found.shapes) segments.planes.push_back(plane_of(shape.shape));
+  return segments;
+}
+
+}  // namespace
+
+PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
+  switch (method) {
+    case PlaneMethod::region_growing:
+      return by_region_growing(search);
+    case PlaneMethod::smooth_growing:
+      return by_smooth_growing(search);
+    case PlaneMethod::split_merge:
+      return by_split_merge(search);
+    case PlaneMethod::hough:
+      return by_hough(search);
+    case PlaneMethod::roof_ransac:
+      return by_roof_ransac(search);
+    case PlaneMethod::facade_ransac:
+      return by_facade_ransac(search);
+    case PlaneMethod::shape_ransac:
+      return by_shape_ransac(search);
+    case PlaneMethod::ransac:
+      break;
+  }
+  return by_ransac(search);
+}
+
+std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {
+  constexpr std::uint64_t kPlain = 80, kShapes = 160, kWithNeighbours = 4 * kNeighbours + kPlain;
+  switch (method.value_or(PlaneMethod::shape_ransac)) {
+    case PlaneMethod::region_growing:
+    case PlaneMethod::smooth_growing:
+    case PlaneMethod::roof_ransac:
+      return kWithNeighbours;
+    case PlaneMethod::shape_ransac:
+      return kShapes;
+    default:
+      return kPlain;
+  }
+}
+
+PlaneMethod choose_method(const PlanesSettings& settings, std::span<const PackedNormal> normals) {
+  if (settings.method) return *settings.method;
+  constexpr int kLevel = 9830;  // |z| of 17.5 degrees out of the horizontal, in units of PackedNormal
+  std::size_t known = 0, level = 0;
+  for (const PackedNormal& n : normals) {
+    if (n.x == 0 && n.y == 0 && n.z == 0) continue;
+    ++known;
+    level += std::abs(n.z) < kLevel;
+  }
+  return 4 * level > known ? PlaneMethod::shape_ransac : PlaneMethod::ransac;
+}
+
+}  // namespace ilot

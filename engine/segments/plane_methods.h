@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Every way to find the planes of a cell, behind one call.
+#pragma once
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "engine/segments/auto_params.h"
+#include "engine/settings/settings.h"
+#include "kernels/neighbours/normals.h"
+#include "kernels/planes/plane_score.h"
+#include "kernels/planes/plane_segments.h"
+
+namespace ilot {
+
+// The points of a cell as the methods see them. Lengths in lattice units, index over the same points.
+struct PlaneSearch {
+  OrientedPoints points;
+  std::span<const PackedNormal> normals;  // the same, as they are stored
+  const NeighbourIndex& index;
+  PlaneParams params;
+  double probability = 0.99;
+  std::uint64_t key = 0;  // of random draws
+};
+
+// Labels and planes by the method. Each keeps epsilon: no labelled point lies farther than that from its plane.
+PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search);
+
+// Bytes of memory that the method takes for a point of a cell, beside the cell itself; the most where it is not chosen.
+std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);
+
+// The method for a cell: the one asked for, else by how its surface lies. Where more than a quarter of the normals are
+// level (walls, seen from the ground) shape_ransac, whose samples are local at every scale and so find sills and bars
+// beside a wall of a million points; elsewhere (seen from the air) ransac, which finds the same roofs in half the time.
+// bench/README.md has the figures. Depends on the cell's points alone.
+PlaneMethod choose_method(const PlanesSettings& settings, std::span<const PackedNormal> normals);
+
+}  // namespace ilot
