@@ -326,6 +326,7 @@ class Search {
 
 ShapeSegments ransac_shapes(const OrientedPoints& points, const ShapeRansacParams& params) {
   assert(params.min_points >= 3);
+  if (points.nx == nullptr) return {std::vector<std::uint32_t>(points.points.size, 0), {}};
   return Search(points, params).run();
 }
 
