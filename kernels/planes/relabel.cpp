@@ -48,6 +48,22 @@ class Neighbourhood {
     }
     return votes;
   }
+  // Which side of the plane the neighbours with this label lie on: the sum of their signed distances, of those that
+  // are clearly not on it. 0: there are none.
+  double side(std::uint32_t i, std::span<const std::uint32_t> label, std::uint32_t wanted, const Plane& plane,
+              double epsilon) const {
+    double sum = 0;
+    for (const std::uint32_t j : neighbours_.of(i)) {
+      if (j == kNoNeighbour) break;
+      if (j == i || label[j] != wanted) continue;
+      const double d = signed_distance(plane, {p_.x[j], p_.y[j], p_.z[j]});
+      if (std::abs(d) > epsilon) sum += d;
+    }
+    return sum;
+  }
+  double signed_from(std::uint32_t i, const Plane& plane) const {
+    return signed_distance(plane, {p_.x[i], p_.y[i], p_.z[i]});
+  }
   double distance(std::uint32_t i, const Plane& plane) const {
     return std::abs(signed_distance(plane, {p_.x[i], p_.y[i], p_.z[i]}));
   }
@@ -93,6 +109,62 @@ std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const 
     strays.resize(left);
   }
   return adopted;
+}
+
+namespace {
+
+// The label a point should have, its own or that of a plane whose side of the bisector it lies on.
+std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
+                     const PlaneSegments& segments) {
+  const std::uint32_t own = segments.label[i];
+  const Votes votes = around.votes(i, segments.label);
+  if (votes.size == 0 || (votes.size == 1 && votes.vote[0].label == own)) return own;
+  const Plane& a = segments.planes[own - 1];
+  std::uint32_t best = own;
+  double margin = 0;
+  for (std::size_t v = 0; v < votes.size; ++v) {
+    const Vote& vote = votes.vote[v];
+    if (vote.label == own || vote.count < params.min_votes) continue;
+    const Plane& b = segments.planes[vote.label - 1];
+    const double to_b = around.signed_from(i, b), to_a = around.signed_from(i, a);
+    if (std::abs(to_b) > params.epsilon) continue;
+    // How far the point lies on the side of a plane that the other plane's points are on.
+    const double side_of_b = around.side(i, segments.label, own, b, params.epsilon);
+    const double side_of_a = around.side(i, segments.label, vote.label, a, params.epsilon);
+    if (side_of_a == 0) continue;  // nothing here is clearly the other plane's
+    const double beyond_a = side_of_a < 0 ? -to_a : to_a;
+    const double beyond_b = side_of_b == 0 ? -params.epsilon : side_of_b < 0 ? -to_b : to_b;
+    const double gain = beyond_a - beyond_b;
+    if (gain > margin || (gain == margin && gain > 0 && vote.label < best)) {
+      margin = gain;
+      best = vote.label;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                         PlaneSegments& segments) {
+  const Neighbourhood around(points, neighbours, params.max_gap);
+  std::size_t moves = 0;
+  struct Move {
+    std::uint32_t point, label;
+  };
+  std::vector<Move> round;
+  for (int r = 0; r < params.max_rounds; ++r) {
+    round.clear();
+    for (std::uint32_t i = 0; i < points.size; ++i) {
+      if (segments.label[i] == 0) continue;
+      const std::uint32_t label = parted(around, i, params, segments);
+      if (label != segments.label[i]) round.push_back({i, label});
+    }
+    for (const Move& m : round) segments.label[m.point] = m.label;
+    moves += round.size();
+    if (round.empty()) break;
+  }
+  return moves;
 }
 
 std::size_t relabel_islands(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
