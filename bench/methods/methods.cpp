@@ -166,6 +166,8 @@ void print_row(const Scene& s, const char* name, double seconds, std::size_t pla
     if (s.classes.count(s.true_class[i]) != 0) by_class.add(s.true_class[i], label[i]);
     by_plane.add(s.true_plane[i], label[i]);
   }
+  for (const std::uint32_t c : s.dropped_class)
+    if (s.classes.count(c) != 0) by_class.add(c, 0);
   const ConfusionMatrix m = confusion_of_segments(by_class.sorted(), s.classes);
   const auto percent = [](std::optional<double> v) {
     return v ? fmt::format("{:5.1f}", 100 * *v) : std::string("    -");
@@ -288,6 +290,9 @@ int run(const Options& o) {
       "{}: {} points, step {:.1f} mm, noise {:.2f} mm, epsilon {:.1f} mm; normals of {} {:.2f} s, neighbours {:.2f} "
       "s\n",
       o.file, s.size(), mm * s.step, mm * s.noise, mm * set.epsilon, o.normals, s.normal_seconds, s.neighbour_seconds);
+  if (s.stations > 0)
+    fmt::print("mixed pixels: {} dropped, {} of them of a class\n", s.dropped_class.size(),
+               std::count_if(s.dropped_class.begin(), s.dropped_class.end(), [](std::uint32_t c) { return c != 0; }));
   fmt::print("{:<20}{:>8}{:>7}  {:>6}", "method", "seconds", "planes", "global");
   for (const auto& [number, name] : s.classes) fmt::print("  {:>11}", name.substr(0, 11));
   fmt::print("   (sensitivity/precision, percent)\n");
@@ -297,8 +302,7 @@ int run(const Options& o) {
     const double seconds = seconds_of([&] {
       found = m.run(s, set);
       const RelabelParams relabel{set.epsilon, set.connectivity};
-      adopt_strays(s.points(), s.neighbours(), relabel, found);
-      part_borders(s.points(), s.neighbours(), relabel, found);
+      settle_planes(s.points(), s.neighbours(), relabel, set.min_points, found);
     });
     check_epsilon(s, found, set.epsilon, m.name);
     print_row(s, m.name, seconds, found.planes.size(), found.label);

@@ -27,6 +27,8 @@ struct Scene {
   std::vector<std::uint8_t> red, green, blue;  // empty without colour
   std::vector<std::uint16_t> intensity;
   std::vector<std::uint32_t> true_class, true_plane;
+  std::vector<std::uint32_t> dropped_class;  // of points that cleaning took out [A1]
+  std::size_t stations = 0;
   ClassNames classes;
   std::vector<TrueShape> shapes;
   std::vector<std::uint32_t> near;  // kNear neighbours a point
@@ -41,7 +43,8 @@ struct Scene {
   PointColours colours() const { return {red, green, blue, intensity}; }
 };
 
-// Reads FILE and FILE's truth (NAME.truth.json), estimates normals from k neighbours. Throws where either is missing.
+// Reads FILE and FILE's truth (NAME.truth.json), drops mixed pixels where stations are known, estimates normals from k
+// neighbours. Throws where either is missing.
 Scene load_scene(const std::filesystem::path& file, int k);
 
 }  // namespace ilot::bench

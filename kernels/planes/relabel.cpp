@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "kernels/neighbours/knn.h"
+#include "kernels/planes/plane_fit.h"
+#include "kernels/planes/refine.h"
 
 namespace ilot {
 namespace {
@@ -165,6 +167,40 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
     if (round.empty()) break;
   }
   return moves;
+}
+
+namespace {
+
+// Least-squares planes of the labels; points beyond epsilon lose theirs, planes of fewer than min_points all of them.
+void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegments& s) {
+  std::vector<std::vector<std::uint32_t>> members(s.planes.size());
+  for (std::uint32_t i = 0; i < points.size; ++i)
+    if (s.label[i] != 0) members[s.label[i] - 1].push_back(i);
+  std::vector<Plane> planes;
+  for (std::size_t p = 0; p < members.size(); ++p) {
+    for (const std::uint32_t i : members[p]) s.label[i] = 0;
+    if (members[p].size() < min_points) continue;
+    const PlaneFit fit = fit_plane(moments_of(points, members[p]));
+    const Plane plane = fit.unique ? fit.plane : s.planes[p];
+    const auto kept = consensus_set({points}, members[p], plane, {epsilon});
+    if (kept.size() < min_points) continue;
+    planes.push_back(plane);
+    for (const std::uint32_t i : kept) s.label[i] = static_cast<std::uint32_t>(planes.size());
+  }
+  s.planes = std::move(planes);
+}
+
+}  // namespace
+
+void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                   std::uint32_t min_points, PlaneSegments& segments) {
+  std::vector<std::uint32_t> before;
+  for (int round = 0; round < params.max_rounds && before != segments.label; ++round) {
+    before = segments.label;
+    adopt_strays(points, neighbours, params, segments);
+    part_borders(points, neighbours, params, segments);
+    refit(points, params.epsilon, min_points, segments);
+  }
 }
 
 std::size_t relabel_islands(Points points, const NeighbourLists& neighbours, const RelabelParams& params,

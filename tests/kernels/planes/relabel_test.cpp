@@ -78,6 +78,26 @@ TEST(Relabel, BordersFollowTheBisector) {
   EXPECT_LE(wrong, 5u);
 }
 
+// A strip of the face beside it tilts a narrow plane; settling gives the strip back and sets the plane upright.
+TEST(Relabel, SettlingUndoesATilt) {
+  test::OrientedSetBuilder b(2);
+  b.add(test::Patch{{600, 0, 1000}, kX, kY, 80, 60, 5, 1});
+  b.add(test::Patch{{1000, 0, 975}, kY, {0, 0, 1}, 60, 5, 5, 1});
+  const auto set = b.build();
+  const auto near = test::neighbours_of(set.view().points, 13);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size, 0), {{{0, 0, 1}, -1000}, {{0.995, 0, 0.0998749}, -1093.6}}};
+  for (std::size_t i = 0; i < set.size; ++i)
+    s.label[i] = std::abs(signed_distance(s.planes[1], set.position(i))) <= 5   ? 2
+                 : std::abs(signed_distance(s.planes[0], set.position(i))) <= 5 ? 1
+                                                                                : 0;
+  settle_planes(set.view().points, near.lists(), {5, 20}, 100, s);
+  test::expect_sound(set, s, 5, 100);
+  ASSERT_EQ(s.planes.size(), 2u);
+  EXPECT_GT(std::abs(s.planes[1].n.x), 0.9986);  // 3 degrees; it started with 5.7
+  settle_planes(set.view().points, near.lists(), {5, 20}, 5000, s);
+  EXPECT_TRUE(s.planes.empty());
+}
+
 TEST(Relabel, OrderDoesNotMatter) {
   const auto set = test::box_corner(2, 3, 200);
   const auto mixed = test::shuffled(set, 3);
