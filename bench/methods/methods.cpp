@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Every segmentation method on one scanned scene, judged by its truth: seconds, planes, share found, and per class the
 // sensitivity and the precision as the documents count them (evaluate/confusion.h).
-// Usage: bench_methods SCENE.laz [--normals K] [--epsilon METRES] [--gap STEPS] [--least POINTS] [--only TEXT]
+// Usage: bench_methods SCENE.laz [--normals K] [--epsilon METRES] [--gap STEPS] [--least POINTS] [--only TEXT] [--clean
+// 1]
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -251,6 +252,7 @@ struct Options {
   double gap = 3;      // connectivity in steps
   std::uint32_t least = 100;
   std::string only;  // part of a method's name
+  bench::Cleaning cleaning = bench::Cleaning::kNone;
 };
 
 std::optional<Options> parse(int argc, char** argv) {
@@ -272,6 +274,8 @@ std::optional<Options> parse(int argc, char** argv) {
       o.least = static_cast<std::uint32_t>(std::atoi(argv[i]));
     else if (key == "--only")
       o.only = argv[i];
+    else if (key == "--clean")
+      o.cleaning = bench::Cleaning::kMixedPixels;
     else
       return std::nullopt;
   }
@@ -280,7 +284,7 @@ std::optional<Options> parse(int argc, char** argv) {
 }
 
 int run(const Options& o) {
-  const Scene s = bench::load_scene(o.file, o.normals);
+  const Scene s = bench::load_scene(o.file, o.normals, o.cleaning);
   Setting set;
   set.epsilon = o.epsilon > 0 ? o.epsilon / s.unit_metres : std::max(3.5 * s.noise, s.step / 4);
   set.connectivity = static_cast<std::int64_t>(std::ceil(o.gap * s.step));
@@ -290,7 +294,7 @@ int run(const Options& o) {
       "{}: {} points, step {:.1f} mm, noise {:.2f} mm, epsilon {:.1f} mm; normals of {} {:.2f} s, neighbours {:.2f} "
       "s\n",
       o.file, s.size(), mm * s.step, mm * s.noise, mm * set.epsilon, o.normals, s.normal_seconds, s.neighbour_seconds);
-  if (s.stations > 0)
+  if (o.cleaning != bench::Cleaning::kNone)
     fmt::print("mixed pixels: {} dropped, {} of them of a class\n", s.dropped_class.size(),
                std::count_if(s.dropped_class.begin(), s.dropped_class.end(), [](std::uint32_t c) { return c != 0; }));
   fmt::print("{:<20}{:>8}{:>7}  {:>6}", "method", "seconds", "planes", "global");
@@ -301,7 +305,7 @@ int run(const Options& o) {
     PlaneSegments found;
     const double seconds = seconds_of([&] {
       found = m.run(s, set);
-      const RelabelParams relabel{set.epsilon, set.connectivity};
+      const RelabelParams relabel{set.epsilon, set.connectivity, 2, 4, 0.2 * set.epsilon};
       settle_planes(s.points(), s.neighbours(), relabel, set.min_points, found);
     });
     check_epsilon(s, found, set.epsilon, m.name);
@@ -318,7 +322,7 @@ int main(int argc, char** argv) {
     if (const auto options = parse(argc, argv)) return run(*options);
     fmt::print(stderr,
                "usage: bench_methods SCENE.laz [--normals K] [--epsilon METRES] [--gap STEPS] [--least POINTS] "
-               "[--only TEXT]\n");
+               "[--only TEXT] [--clean 1]\n");
     return 2;
   } catch (const std::exception& e) {
     fmt::print(stderr, "bench_methods: {}\n", e.what());

@@ -124,11 +124,10 @@ void clean(Scene& s, std::vector<Row>& rows, const Json& truth, const RecordLayo
       *p[a] = (station.at("position")[a].get<double>() - layout.offset[a]) / layout.scale[a] - first.xyz[a];
     }
     MixedPixelParams params;
-    params.jump = 0.012 / layout.scale[0];
+    params.jump = 8 * truth.at("noise").at("range_m").get<double>() / layout.scale[0];
     params.max_angle = 2 * station.at("step_horizontal_deg").get<double>() * 0.017453292519943295;
     const Kept stays = mixed_pixel_filter({v[0].data(), v[1].data(), v[2].data(), index.size()}, place, params);
     for (std::size_t i = 0; i < index.size(); ++i) kept[index[i]] = stays[i];
-    ++s.stations;
   }
   std::size_t to = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -142,7 +141,7 @@ void clean(Scene& s, std::vector<Row>& rows, const Json& truth, const RecordLayo
 
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, int k) {
+Scene load_scene(const std::filesystem::path& file, int k, Cleaning cleaning) {
   const auto reader = open_cloud(file);
   const RecordLayout& layout = reader->info().layout;
   std::vector<Row> rows = read_rows(*reader);
@@ -152,7 +151,7 @@ Scene load_scene(const std::filesystem::path& file, int k) {
   if (!in) throw std::runtime_error("no truth beside it: " + beside.string());
   const Json truth = Json::parse(in);
   Scene s;
-  clean(s, rows, truth, layout);
+  if (cleaning == Cleaning::kMixedPixels) clean(s, rows, truth, layout);
   std::int32_t low[3]{INT32_MAX, INT32_MAX, INT32_MAX};
   for (const Row& r : rows)
     for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], r.xyz[a]);

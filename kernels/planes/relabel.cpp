@@ -50,6 +50,11 @@ class Neighbourhood {
     }
     return votes;
   }
+  bool all_have(std::uint32_t i, std::uint32_t wanted, std::span<const std::uint32_t> label) const {
+    for (const std::uint32_t j : neighbours_.of(i))
+      if (j != kNoNeighbour && label[j] != wanted) return false;
+    return true;
+  }
   // Which side of the plane the neighbours with this label lie on: the sum of their signed distances, of those that
   // are clearly not on it. 0: there are none.
   double side(std::uint32_t i, std::span<const std::uint32_t> label, std::uint32_t wanted, const Plane& plane,
@@ -117,8 +122,9 @@ namespace {
 
 // The label a point should have, its own or that of a plane whose side of the bisector it lies on.
 std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
-                     const PlaneSegments& segments) {
+                     const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
   const std::uint32_t own = segments.label[i];
+  if (around.all_have(i, own, segments.label)) return own;
   const Votes votes = around.votes(i, segments.label);
   if (votes.size == 0 || (votes.size == 1 && votes.vote[0].label == own)) return own;
   const Plane& a = segments.planes[own - 1];
@@ -136,7 +142,8 @@ std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const Relabel
     if (side_of_a == 0) continue;  // nothing here is clearly the other plane's
     const double beyond_a = side_of_a < 0 ? -to_a : to_a;
     const double beyond_b = side_of_b == 0 ? -params.epsilon : side_of_b < 0 ? -to_b : to_b;
-    const double gain = beyond_a - beyond_b;
+    const double lean = size[vote.label] > size[own] ? params.lean : size[vote.label] < size[own] ? -params.lean : 0;
+    const double gain = beyond_a - beyond_b + lean;
     if (gain > margin || (gain == margin && gain > 0 && vote.label < best)) {
       margin = gain;
       best = vote.label;
@@ -155,11 +162,13 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
     std::uint32_t point, label;
   };
   std::vector<Move> round;
+  std::vector<std::uint32_t> size(segments.planes.size() + 1, 0);  // before the first round
+  for (const std::uint32_t l : segments.label) ++size[l];
   for (int r = 0; r < params.max_rounds; ++r) {
     round.clear();
     for (std::uint32_t i = 0; i < points.size; ++i) {
       if (segments.label[i] == 0) continue;
-      const std::uint32_t label = parted(around, i, params, segments);
+      const std::uint32_t label = parted(around, i, params, segments, size);
       if (label != segments.label[i]) round.push_back({i, label});
     }
     for (const Move& m : round) segments.label[m.point] = m.label;

@@ -13,6 +13,8 @@ struct RelabelParams {
   std::int64_t max_gap = 0;     // units; neighbours farther away have no vote
   std::uint32_t min_votes = 2;  // labelled neighbours that a point without a label needs for a plane
   int max_rounds = 8;
+  double lean = 0;  // units; borders move by about so much in favour of the plane with more points: beams that meet
+                    // both surfaces at an edge pull points off the larger one
 };
 
 // Gives points without a label one of their neighbours' planes: the nearest among those with at least min_votes
