@@ -17,6 +17,7 @@
 #include "kernels/neighbours/knn.h"
 #include "kernels/neighbours/morton.h"
 #include "kernels/neighbours/normals.h"
+#include "kernels/planes/cleaning.h"
 
 namespace ilot::bench {
 namespace {
@@ -26,7 +27,7 @@ using Json = nlohmann::json;
 struct Row {
   std::int32_t xyz[3];
   std::uint16_t rgb[3], intensity;
-  std::uint32_t true_class, true_plane;
+  std::uint32_t true_class, true_plane, station;
 };
 
 std::uint32_t extra(const RecordLayout& layout, const char* name, const std::byte* record) {
@@ -50,7 +51,8 @@ std::vector<Row> read_rows(PointReader& reader) {
   for (std::size_t i = 0; i < n; ++i) {
     const std::byte* record = records.data() + i * l.record_length;
     const PointFields f = decode_fields(std::span(record, l.record_length), l.point_format);
-    rows[i] = {{f.x, f.y, f.z}, {}, f.intensity, extra(l, "true_class", record), extra(l, "true_plane", record)};
+    rows[i] = {{f.x, f.y, f.z}, {}, f.intensity, extra(l, "true_class", record), extra(l, "true_plane", record),
+               f.source_id};
     if (rgb) std::memcpy(rows[i].rgb, record + *rgb, sizeof rows[i].rgb);
   }
   return rows;
@@ -103,12 +105,53 @@ void estimate(Scene& s, int k) {
   }
 }
 
+// Takes mixed pixels out of the rows, station by station.
+void clean(Scene& s, std::vector<Row>& rows, const Json& truth, const RecordLayout& layout) {
+  if (!truth.contains("stations")) return;
+  std::vector<std::uint8_t> kept(rows.size(), 1);
+  for (const Json& station : truth.at("stations")) {
+    std::vector<std::uint32_t> index;
+    for (std::uint32_t i = 0; i < rows.size(); ++i)
+      if (rows[i].station == station.at("id").get<std::uint32_t>()) index.push_back(i);
+    if (index.empty()) continue;
+    const Row& first = rows[index[0]];
+    std::vector<float> v[3];
+    Vec3 place;
+    double* p[3]{&place.x, &place.y, &place.z};
+    for (std::size_t a = 0; a < 3; ++a) {
+      for (const std::uint32_t i : index) v[a].push_back(static_cast<float>(rows[i].xyz[a] - first.xyz[a]));
+      v[a].resize(index.size() + 16, 0.0f);
+      *p[a] = (station.at("position")[a].get<double>() - layout.offset[a]) / layout.scale[a] - first.xyz[a];
+    }
+    MixedPixelParams params;
+    params.jump = 8 * truth.at("noise").at("range_m").get<double>() / layout.scale[0];
+    params.max_angle = 2 * station.at("step_horizontal_deg").get<double>() * 0.017453292519943295;
+    const Kept stays = mixed_pixel_filter({v[0].data(), v[1].data(), v[2].data(), index.size()}, place, params);
+    for (std::size_t i = 0; i < index.size(); ++i) kept[index[i]] = stays[i];
+  }
+  std::size_t to = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (kept[i] == 0)
+      s.dropped_class.push_back(rows[i].true_class);
+    else
+      rows[to++] = rows[i];
+  }
+  rows.resize(to);
+}
+
 }  // namespace
 
-Scene load_scene(const std::filesystem::path& file, int k) {
+Scene load_scene(const std::filesystem::path& file, int k, Cleaning cleaning) {
   const auto reader = open_cloud(file);
   const RecordLayout& layout = reader->info().layout;
-  const std::vector<Row> rows = read_rows(*reader);
+  std::vector<Row> rows = read_rows(*reader);
+  std::filesystem::path beside = file;
+  beside.replace_extension(".truth.json");
+  std::ifstream in(beside);
+  if (!in) throw std::runtime_error("no truth beside it: " + beside.string());
+  const Json truth = Json::parse(in);
+  Scene s;
+  if (cleaning == Cleaning::kMixedPixels) clean(s, rows, truth, layout);
   std::int32_t low[3]{INT32_MAX, INT32_MAX, INT32_MAX};
   for (const Row& r : rows)
     for (int a = 0; a < 3; ++a) low[a] = std::min(low[a], r.xyz[a]);
@@ -117,7 +160,6 @@ Scene load_scene(const std::filesystem::path& file, int k) {
     codes.push_back(
         morton_code({static_cast<std::uint32_t>(r.xyz[0] - low[0]), static_cast<std::uint32_t>(r.xyz[1] - low[1]),
                      static_cast<std::uint32_t>(r.xyz[2] - low[2])}));
-  Scene s;
   s.unit_metres = layout.scale[0];
   const bool coloured = rgb_offset(layout.point_format).has_value();
   for (const std::uint32_t i : sorted_order(codes)) {
@@ -134,11 +176,6 @@ Scene load_scene(const std::filesystem::path& file, int k) {
     s.blue.push_back(static_cast<std::uint8_t>(r.rgb[2] >> 8));
   }
   for (auto* v : {&s.x, &s.y, &s.z}) v->resize(s.size() + 16, 0.0f);
-  std::filesystem::path beside = file;
-  beside.replace_extension(".truth.json");
-  std::ifstream in(beside);
-  if (!in) throw std::runtime_error("no truth beside it: " + beside.string());
-  const Json truth = Json::parse(in);
   for (const auto& [number, name] : truth.at("classes").items())
     if (number != "0") s.classes[static_cast<std::uint32_t>(std::stoul(number))] = name;
   Vec3 origin;

@@ -27,6 +27,7 @@ struct Scene {
   std::vector<std::uint8_t> red, green, blue;  // empty without colour
   std::vector<std::uint16_t> intensity;
   std::vector<std::uint32_t> true_class, true_plane;
+  std::vector<std::uint32_t> dropped_class;  // of points that cleaning took out [A1]
   ClassNames classes;
   std::vector<TrueShape> shapes;
   std::vector<std::uint32_t> near;  // kNear neighbours a point
@@ -41,7 +42,10 @@ struct Scene {
   PointColours colours() const { return {red, green, blue, intensity}; }
 };
 
-// Reads FILE and FILE's truth (NAME.truth.json), estimates normals from k neighbours. Throws where either is missing.
-Scene load_scene(const std::filesystem::path& file, int k);
+enum class Cleaning { kNone, kMixedPixels };
+
+// Reads FILE and FILE's truth (NAME.truth.json), cleans where stations are known, estimates normals from k
+// neighbours. Throws where either is missing.
+Scene load_scene(const std::filesystem::path& file, int k, Cleaning cleaning);
 
 }  // namespace ilot::bench

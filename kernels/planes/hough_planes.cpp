@@ -2,13 +2,14 @@
 #include "kernels/planes/hough_planes.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "kernels/core/portable_math.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/planes/plane_fit.h"
-#include "kernels/planes/refine.h"
+#include "kernels/planes/shape_score.h"
 
 namespace ilot {
 namespace {
@@ -19,76 +20,138 @@ constexpr double kDegreesPerRadian = 57.29577951308232;
 constexpr double kMaxBins = 4096;
 constexpr int kRounds = 30;  // a peak knows the middle of a plane; each round reaches farther
 
-struct Extent {
-  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
-  void add(Vec3 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+// For a normal, the directions that may agree with it: lists by cell of a cube's upper faces.
+class DirectionLists {
+ public:
+  DirectionLists(const std::vector<Vec3>& directions, double min_cos) : lists_(min_cos > 0 ? 3 * kSide * kSide : 1) {
+    for (std::size_t cell = 0; cell < lists_.size(); ++cell) {
+      // Half a cell's diagonal is at most 1 / kSide root 2 on the cube's face, so less as an angle.
+      const Vec3 centre = min_cos > 0 ? centre_of(cell) : Vec3{};
+      const double least = min_cos > 0 ? min_cos * kInCell.cosine - std::sqrt(1 - min_cos * min_cos) * kInCell.sine : 0;
+      for (std::uint32_t d = 0; d < directions.size(); ++d)
+        if (std::abs(dot(directions[d], centre)) >= least) lists_[cell].push_back(d);
+    }
   }
+  const Indices& of(Vec3 n) const { return lists_.size() == 1 ? lists_[0] : lists_[cell_of(n)]; }
+
+ private:
+  static constexpr int kSide = 32;
+  struct Angle {
+    double sine, cosine;
+  };
+  static constexpr Angle kInCell{0.0445, 0.99901};  // sine above root 2 / kSide, cosine below what goes with it
+
+  static std::size_t cell_of(Vec3 n) {
+    const double v[3]{n.x, n.y, n.z};
+    const int axis = std::abs(n.x) >= std::abs(n.y) && std::abs(n.x) >= std::abs(n.z) ? 0
+                     : std::abs(n.y) >= std::abs(n.z)                                 ? 1
+                                                                                      : 2;
+    const auto part = [&](int a) {
+      const double t = v[a % 3] / v[axis];  // within [-1, 1]; the same for n and -n
+      return std::clamp(static_cast<int>((t + 1) / 2 * kSide), 0, kSide - 1);
+    };
+    return static_cast<std::size_t>((axis * kSide + part(axis + 1)) * kSide + part(axis + 2));
+  }
+  static Vec3 centre_of(std::size_t cell) {
+    const auto at = [](std::size_t i) { return (2 * static_cast<double>(i) + 1) / kSide - 1; };
+    const std::size_t axis = cell / (kSide * kSide);
+    std::array<double, 3> v{};
+    v[axis] = 1;
+    v[(axis + 1) % 3] = at(cell / kSide % kSide);
+    v[(axis + 2) % 3] = at(cell % kSide);
+    const Vec3 c{v[0], v[1], v[2]};
+    return (1 / norm(c)) * c;
+  }
+  std::vector<Indices> lists_;
 };
 
 class Transform {
  public:
   Transform(const OrientedPoints& points, const HoughPlanesParams& params)
-      : points_(points), params_(params), directions_(equal_angle_directions(params.degrees)) {
-    Extent box;
-    for (std::size_t i = 0; i < points.points.size; ++i) box.add(position(i));
-    centre_ = 0.5 * (box.min + box.max);
-    reach_ = 0.5 * norm(box.max - box.min) + 1;
+      : points_(points),
+        params_(params),
+        directions_(equal_angle_directions(params.degrees)),
+        lists_(directions_, params.min_vote_cos) {
+    Indices all(points.points.size);
+    std::iota(all.begin(), all.end(), 0u);
+    left_ = build_shape_index(points, all);
+    reach_ = left_.reach + 1;
     step_ = std::max({1.0, params.distance_step, 2 * reach_ / kMaxBins});
     bins_ = static_cast<std::size_t>(2 * reach_ / step_) + 1;
     votes_.assign(directions_.size() * bins_, 0);
+    top_.resize(directions_.size());
+    stale_.assign(directions_.size(), 1);
     result_.label.assign(points.points.size, 0);
+    Indices everything(left_.size);
+    std::iota(everything.begin(), everything.end(), 0u);
+    vote(everything, 1);
   }
 
   PlaneSegments run() {
-    Indices all(points_.points.size);
-    std::iota(all.begin(), all.end(), 0u);
-    vote(all, 1);
     const std::uint32_t least = std::max(3u, params_.min_points / 4);
     for (;;) {
-      const auto peak = std::max_element(votes_.begin(), votes_.end());  // the first of equals
-      if (*peak < least) break;
-      const auto cell = static_cast<std::size_t>(peak - votes_.begin());
+      const std::size_t cell = peak();
+      if (votes_[cell] < least) break;
       const Indices members = plane_at(cell);
       if (members.empty()) {
-        *peak = 0;  // votes of later taken points may wrap it; see vote()
         dead_.push_back(cell);
+        bury(cell);
         continue;
       }
-      for (const std::uint32_t i : members) result_.label[i] = static_cast<std::uint32_t>(result_.planes.size());
+      for (const std::uint32_t i : members)
+        result_.label[left_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
       vote(members, static_cast<std::uint32_t>(-1));
-      for (const std::size_t d : dead_) votes_[d] = 0;
+      for (const std::size_t d : dead_) bury(d);
+      take_out(left_, members);
     }
     return std::move(result_);
   }
 
  private:
-  Vec3 position(std::size_t i) const { return {points_.points.x[i], points_.points.y[i], points_.points.z[i]}; }
-  bool has_normal(std::size_t i) const {
-    return points_.nx != nullptr && (points_.nx[i] != 0 || points_.ny[i] != 0 || points_.nz[i] != 0);
+  std::size_t bin(const Vec3& direction, Vec3 p) const {
+    return static_cast<std::size_t>((dot(direction, p - left_.centre) + reach_) / step_);
   }
-  std::size_t bin(const Vec3& direction, Vec3 from_centre) const {
-    return static_cast<std::size_t>((dot(direction, from_centre) + reach_) / step_);
-  }
-  bool votes_for(std::size_t i, const Vec3& direction) const {
-    if (params_.min_vote_cos <= 0) return true;
-    if (!has_normal(i)) return false;
-    return std::abs(dot(direction, {points_.nx[i], points_.ny[i], points_.nz[i]})) >= params_.min_vote_cos;
+  bool votes_for(const Vec3& normal, const Vec3& direction) const {
+    return params_.min_vote_cos <= 0 || std::abs(dot(direction, normal)) >= params_.min_vote_cos;
   }
 
-  // Direction by direction, so that the row of the accumulator stays in the cache.
+  // Adds to the cells of all planes through the points (positions); -1 takes back.
   void vote(const Indices& voters, std::uint32_t by) {
-    for (std::size_t d = 0; d < directions_.size(); ++d) {
-      std::uint32_t* row = votes_.data() + d * bins_;
-      const Vec3 direction = directions_[d];
-      for (const std::uint32_t i : voters)
-        if (votes_for(i, direction)) row[bin(direction, position(i) - centre_)] += by;
+    for (const std::uint32_t i : voters) {
+      const Vec3 p = left_.position(i), n = left_.normal(i);
+      for (const std::uint32_t d : lists_.of(n)) {
+        if (!votes_for(n, directions_[d])) continue;
+        votes_[d * bins_ + bin(directions_[d], p)] += by;
+        stale_[d] = 1;
+      }
     }
   }
 
+  // A cell that gave no plane; votes taken back later would wrap it, so it is buried again after each.
+  void bury(std::size_t cell) {
+    votes_[cell] = 0;
+    stale_[cell / bins_] = 1;
+  }
+
+  // The cell with most votes, the first of equals. Only rows that changed are looked through again.
+  std::size_t peak() {
+    std::size_t best = 0;
+    for (std::size_t d = 0; d < directions_.size(); ++d) {
+      if (stale_[d] != 0) {
+        const auto row = votes_.begin() + static_cast<std::ptrdiff_t>(d * bins_);
+        top_[d] =
+            static_cast<std::size_t>(std::max_element(row, row + static_cast<std::ptrdiff_t>(bins_)) - votes_.begin());
+        stale_[d] = 0;
+      }
+      if (d == 0 || votes_[top_[d]] > votes_[best]) best = top_[d];
+    }
+    return best;
+  }
+
+  Points positions() const { return {left_.x.data(), left_.y.data(), left_.z.data(), left_.size}; }
+
   Indices largest_part(const Indices& members) const {
-    const Clusters clusters = euclidean_clusters(points_.points, members, params_.connectivity);
+    const Clusters clusters = euclidean_clusters(positions(), members, params_.connectivity);
     Indices size(clusters.count, 0);
     for (const std::uint32_t c : clusters.id) ++size[c];
     if (size.empty()) return {};
@@ -99,38 +162,45 @@ class Transform {
     return part;
   }
 
-  // The plane that a cell's voters start; empty when it has too few points.
-  Indices plane_at(std::size_t cell) {
+  Indices voters_of(std::size_t cell) const {
     const Vec3 direction = directions_[cell / bins_];
-    Indices voters, free;
-    for (std::uint32_t i = 0; i < points_.points.size; ++i) {
-      if (result_.label[i] != 0) continue;
-      free.push_back(i);
-      if (votes_for(i, direction) && bin(direction, position(i) - centre_) == cell % bins_) voters.push_back(i);
-    }
-    const PlaneFit start = fit_plane(moments_of(points_.points, largest_part(voters)));
-    if (!start.unique) return {};
-    const RefineParams refine{params_.epsilon, params_.min_cos, 3, kRounds};
-    RefinedPlane r = refine_plane(points_, free, start.plane, refine);
-    Indices members = largest_part(r.members);
-    const PlaneFit again = fit_plane(moments_of(points_.points, members));
-    if (again.unique && members.size() < r.members.size()) {  // without the parts that do not belong to it
-      r = refine_plane(points_, members, again.plane, refine);
-      members = largest_part(r.members);
+    const double rho = (static_cast<double>(cell % bins_) + 0.5) * step_ - reach_;
+    const Shape slab{ShapeKind::kPlane, left_.centre + rho * direction, direction};
+    Indices voters;
+    for (const std::uint32_t i : points_on_shape(left_, slab, {0.51 * step_, std::max(0.0, params_.min_vote_cos)}))
+      if (bin(direction, left_.position(i)) == cell % bins_) voters.push_back(i);
+    return voters;
+  }
+
+  // The plane that a cell's voters start; positions of its points, empty when there are too few.
+  Indices plane_at(std::size_t cell) {
+    PlaneFit fit = fit_plane(moments_of(positions(), largest_part(voters_of(cell))));
+    Indices members;
+    Plane plane;
+    for (int round = 0; round < kRounds && fit.unique; ++round) {
+      plane = fit.plane;
+      Indices next = largest_part(points_on_shape(left_, shape_of(plane), {params_.epsilon, params_.min_cos}));
+      const bool settled = next == members;
+      members = std::move(next);
+      if (settled || members.size() < 3) break;
+      fit = fit_plane(moments_of(positions(), members));
     }
     if (members.size() < params_.min_points) return {};
-    result_.planes.push_back(r.plane);
+    result_.planes.push_back(plane);
     return members;
   }
 
   OrientedPoints points_;
   HoughPlanesParams params_;
   std::vector<Vec3> directions_;
-  Vec3 centre_;
+  DirectionLists lists_;
+  ShapeIndex left_;  // points without a plane
   double reach_ = 0, step_ = 1;
   std::size_t bins_ = 0;
-  Indices votes_;                  // directions x bins
-  std::vector<std::size_t> dead_;  // cells that gave no plane
+  Indices votes_;                    // directions x bins
+  std::vector<std::size_t> top_;     // per direction: its best cell
+  std::vector<std::uint8_t> stale_;  // per direction: its best cell is not known any more
+  std::vector<std::size_t> dead_;    // cells that gave no plane
   PlaneSegments result_;
 };
 

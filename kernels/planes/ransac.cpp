@@ -305,13 +305,16 @@ class Search {
   }
 
   // Along an edge normals are a mixture, so a strip of points there agrees on a plane of its own although it lies on
-  // the surface beside it.
+  // the surface beside it. Its points are not that surface's because their normals disagree; points whose normals agree
+  // are another part of the same plane.
   bool is_fringe(const std::vector<std::uint32_t>& members, const Extent& extent) const {
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
       if (!extent.meets(extents_[p], static_cast<double>(params_.connectivity))) continue;
+      const Plane& plane = result_.planes[p];
       std::size_t near = 0;
       for (const std::uint32_t i : members)
-        near += std::abs(signed_distance(result_.planes[p], remaining_.position(i))) <= params_.epsilon;
+        near += std::abs(signed_distance(plane, remaining_.position(i))) <= params_.epsilon &&
+                std::abs(dot(plane.n, remaining_.normal(i))) < params_.min_cos;
       if (static_cast<double>(near) > kExplained * static_cast<double>(members.size())) return true;
     }
     return false;

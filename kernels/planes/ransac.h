@@ -29,9 +29,9 @@ using RansacPlanes = PlaneSegments;  // planes: least squares of their points
 // connected part, new consensus set by distance and angle around it, until the set no longer changes (at most 10
 // rounds; the plane kept is the one that the set was tested against, so that every labelled point lies within epsilon
 // of it); the connected part that shares most points with the first is the plane's. A set of which more than half lies
-// within epsilon of an earlier plane beside it is a fringe of that plane (normals along an edge are mixtures): its
-// points stay without a label. Points without a normal are never inliers. Draws depend on the key and the points alone.
-// O(draws x points); draws adapt to the share of the smallest plane.
+// within epsilon of an earlier plane beside it, with normals that disagree with it, is a fringe of that plane (normals
+// along an edge are mixtures): its points stay without a label. Points without a normal are never inliers. Draws depend
+// on the key and the points alone. O(draws x points); draws adapt to the share of the smallest plane.
 RansacPlanes ransac_planes(const OrientedPoints& points, const RansacParams& params);
 
 }  // namespace ilot

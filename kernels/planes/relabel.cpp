@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "kernels/neighbours/knn.h"
+#include "kernels/planes/plane_fit.h"
+#include "kernels/planes/refine.h"
 
 namespace ilot {
 namespace {
@@ -47,6 +49,27 @@ class Neighbourhood {
       if (dx * dx + dy * dy + dz * dz <= max_d2_) votes.add(label[j]);
     }
     return votes;
+  }
+  bool all_have(std::uint32_t i, std::uint32_t wanted, std::span<const std::uint32_t> label) const {
+    for (const std::uint32_t j : neighbours_.of(i))
+      if (j != kNoNeighbour && label[j] != wanted) return false;
+    return true;
+  }
+  // Which side of the plane the neighbours with this label lie on: the sum of their signed distances, of those that
+  // are clearly not on it. 0: there are none.
+  double side(std::uint32_t i, std::span<const std::uint32_t> label, std::uint32_t wanted, const Plane& plane,
+              double epsilon) const {
+    double sum = 0;
+    for (const std::uint32_t j : neighbours_.of(i)) {
+      if (j == kNoNeighbour) break;
+      if (j == i || label[j] != wanted) continue;
+      const double d = signed_distance(plane, {p_.x[j], p_.y[j], p_.z[j]});
+      if (std::abs(d) > epsilon) sum += d;
+    }
+    return sum;
+  }
+  double signed_from(std::uint32_t i, const Plane& plane) const {
+    return signed_distance(plane, {p_.x[i], p_.y[i], p_.z[i]});
   }
   double distance(std::uint32_t i, const Plane& plane) const {
     return std::abs(signed_distance(plane, {p_.x[i], p_.y[i], p_.z[i]}));
@@ -93,6 +116,100 @@ std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const 
     strays.resize(left);
   }
   return adopted;
+}
+
+namespace {
+
+// The label a point should have, its own or that of a plane whose side of the bisector it lies on.
+std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
+                     const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
+  const std::uint32_t own = segments.label[i];
+  if (around.all_have(i, own, segments.label)) return own;
+  const Votes votes = around.votes(i, segments.label);
+  if (votes.size == 0 || (votes.size == 1 && votes.vote[0].label == own)) return own;
+  const Plane& a = segments.planes[own - 1];
+  std::uint32_t best = own;
+  double margin = 0;
+  for (std::size_t v = 0; v < votes.size; ++v) {
+    const Vote& vote = votes.vote[v];
+    if (vote.label == own || vote.count < params.min_votes) continue;
+    const Plane& b = segments.planes[vote.label - 1];
+    const double to_b = around.signed_from(i, b), to_a = around.signed_from(i, a);
+    if (std::abs(to_b) > params.epsilon) continue;
+    // How far the point lies on the side of a plane that the other plane's points are on.
+    const double side_of_b = around.side(i, segments.label, own, b, params.epsilon);
+    const double side_of_a = around.side(i, segments.label, vote.label, a, params.epsilon);
+    if (side_of_a == 0) continue;  // nothing here is clearly the other plane's
+    const double beyond_a = side_of_a < 0 ? -to_a : to_a;
+    const double beyond_b = side_of_b == 0 ? -params.epsilon : side_of_b < 0 ? -to_b : to_b;
+    const double lean = size[vote.label] > size[own] ? params.lean : size[vote.label] < size[own] ? -params.lean : 0;
+    const double gain = beyond_a - beyond_b + lean;
+    if (gain > margin || (gain == margin && gain > 0 && vote.label < best)) {
+      margin = gain;
+      best = vote.label;
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                         PlaneSegments& segments) {
+  const Neighbourhood around(points, neighbours, params.max_gap);
+  std::size_t moves = 0;
+  struct Move {
+    std::uint32_t point, label;
+  };
+  std::vector<Move> round;
+  std::vector<std::uint32_t> size(segments.planes.size() + 1, 0);  // before the first round
+  for (const std::uint32_t l : segments.label) ++size[l];
+  for (int r = 0; r < params.max_rounds; ++r) {
+    round.clear();
+    for (std::uint32_t i = 0; i < points.size; ++i) {
+      if (segments.label[i] == 0) continue;
+      const std::uint32_t label = parted(around, i, params, segments, size);
+      if (label != segments.label[i]) round.push_back({i, label});
+    }
+    for (const Move& m : round) segments.label[m.point] = m.label;
+    moves += round.size();
+    if (round.empty()) break;
+  }
+  return moves;
+}
+
+namespace {
+
+// Least-squares planes of the labels; points beyond epsilon lose theirs, planes of fewer than min_points all of them.
+void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegments& s) {
+  std::vector<std::vector<std::uint32_t>> members(s.planes.size());
+  for (std::uint32_t i = 0; i < points.size; ++i)
+    if (s.label[i] != 0) members[s.label[i] - 1].push_back(i);
+  std::vector<Plane> planes;
+  for (std::size_t p = 0; p < members.size(); ++p) {
+    for (const std::uint32_t i : members[p]) s.label[i] = 0;
+    if (members[p].size() < min_points) continue;
+    const PlaneFit fit = fit_plane(moments_of(points, members[p]));
+    const Plane plane = fit.unique ? fit.plane : s.planes[p];
+    const auto kept = consensus_set({points}, members[p], plane, {epsilon});
+    if (kept.size() < min_points) continue;
+    planes.push_back(plane);
+    for (const std::uint32_t i : kept) s.label[i] = static_cast<std::uint32_t>(planes.size());
+  }
+  s.planes = std::move(planes);
+}
+
+}  // namespace
+
+void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                   std::uint32_t min_points, PlaneSegments& segments) {
+  std::vector<std::uint32_t> before;
+  for (int round = 0; round < params.max_rounds && before != segments.label; ++round) {
+    before = segments.label;
+    adopt_strays(points, neighbours, params, segments);
+    part_borders(points, neighbours, params, segments);
+    refit(points, params.epsilon, min_points, segments);
+  }
 }
 
 std::size_t relabel_islands(Points points, const NeighbourLists& neighbours, const RelabelParams& params,

@@ -13,6 +13,8 @@ struct RelabelParams {
   std::int64_t max_gap = 0;     // units; neighbours farther away have no vote
   std::uint32_t min_votes = 2;  // labelled neighbours that a point without a label needs for a plane
   int max_rounds = 8;
+  double lean = 0;  // units; borders move by about so much in favour of the plane with more points: beams that meet
+                    // both surfaces at an edge pull points off the larger one
 };
 
 // Gives points without a label one of their neighbours' planes: the nearest among those with at least min_votes
@@ -20,6 +22,21 @@ struct RelabelParams {
 // order of points does not matter. Returns how many points got a label. O(rounds x n k).
 std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                          PlaneSegments& segments);
+
+// Borders: a labelled point near a neighbour's plane too (within epsilon, min_votes neighbours) goes to the side of the
+// bisector on which it lies. Of the two bisectors of two planes the one counts that parts their points: which side each
+// plane's points lie on is read from those neighbours that are not within epsilon of both, so planes may cross and end
+// anywhere. Nearness alone would follow the noise. Rounds as in adopt_strays, until nothing moves. Returns how many
+// moves were made. O(rounds x n k).
+std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                         PlaneSegments& segments);
+
+// Points near an edge that a plane took from its neighbour tilt it. So: strays adopted, borders parted, planes fitted
+// anew to what they have, points beyond epsilon let go, until no label changes or after max_rounds; every labelled
+// point lies within epsilon of its plane as returned. Planes that end with fewer than min_points lose them, numbers
+// close up.
+void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                   std::uint32_t min_points, PlaneSegments& segments);
 
 // Islands [D4]: a point moves to the plane that most of its neighbours have (the document: 12 of them), if it lies
 // within epsilon of it; a tie changes nothing. One round, on the labels as they were. Returns how many points moved.

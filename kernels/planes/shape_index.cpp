@@ -91,12 +91,11 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   const Points& p = points.points;
   std::vector<std::uint32_t> kept;
   Box box;
-  if (points.nx != nullptr) {
-    for (const std::uint32_t i : chosen) {
-      if (points.nx[i] == 0 && points.ny[i] == 0 && points.nz[i] == 0) continue;
-      kept.push_back(i);
-      box.add({p.x[i], p.y[i], p.z[i]});
-    }
+  const bool oriented = points.nx != nullptr;
+  for (const std::uint32_t i : chosen) {
+    if (oriented && points.nx[i] == 0 && points.ny[i] == 0 && points.nz[i] == 0) continue;
+    kept.push_back(i);
+    box.add({p.x[i], p.y[i], p.z[i]});
   }
   s.size = s.left = kept.size();
   const std::size_t leaves = (s.size + ShapeIndex::kLeaf - 1) / ShapeIndex::kLeaf;
@@ -123,9 +122,9 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
     s.x[to] = p.x[k];
     s.y[to] = p.y[k];
     s.z[to] = p.z[k];
-    s.nx[to] = points.nx[k];
-    s.ny[to] = points.ny[k];
-    s.nz[to] = points.nz[k];
+    s.nx[to] = oriented ? points.nx[k] : 0.0f;
+    s.ny[to] = oriented ? points.ny[k] : 0.0f;
+    s.nz[to] = oriented ? points.nz[k] : 0.0f;
     ++s.in_leaf[to / ShapeIndex::kLeaf];
     ++to;
   }

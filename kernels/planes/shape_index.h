@@ -34,8 +34,9 @@ struct ShapeIndex {
   Range cell_around(std::size_t i, int level) const;
 };
 
-// Of the chosen points (indices) that have a normal; offsets are integers, the box's edges below 2^21 units. The
-// answer does not depend on the order of the indices, up to points that coincide. O(n).
+// Of the chosen points (indices) that have a normal; without normals at all, of all of them, with normals of zero,
+// which agree with a shape where min_cos is zero. Offsets are integers, the box's edges below 2^21 units. The answer
+// does not depend on the order of the indices, up to points that coincide. O(n).
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen);
 
 // Makes holes of the positions. O(positions).

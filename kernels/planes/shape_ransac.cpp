@@ -225,7 +225,9 @@ class Search {
       const Vec3 p = all_.position(i);
       for (std::size_t s = 0; s < extents_.size(); ++s) {
         if (!extents_[s].holds(p, static_cast<double>(params_.connectivity))) continue;
-        if (std::abs(view_of(result_.shapes[s].shape, p).distance) > params_.epsilon) continue;
+        const ShapeView v = view_of(result_.shapes[s].shape, p);
+        if (std::abs(v.distance) > params_.epsilon) continue;
+        if (std::abs(dot(v.normal, all_.normal(i))) >= params_.min_cos) continue;  // another part of the same shape
         ++explained;
         break;
       }
@@ -326,6 +328,7 @@ class Search {
 
 ShapeSegments ransac_shapes(const OrientedPoints& points, const ShapeRansacParams& params) {
   assert(params.min_points >= 3);
+  if (points.nx == nullptr) return {std::vector<std::uint32_t>(points.points.size, 0), {}};
   return Search(points, params).run();
 }
 

@@ -45,10 +45,10 @@ struct ShapeSegments {
 // and the largest result counts, except that a simpler kind with 97% of its points is preferred (a plane is also a
 // part of a huge sphere). The shape returned is the one its points were tested against: every labelled point lies
 // within epsilon of it. Connectivity is Euclidean, not a bitmap of the surface: the same for all kinds, without seams
-// and poles. A set that lies for two thirds on earlier shapes beside it is their fringe (normals along an edge are
-// mixtures, and look like a thin cylinder): it stays without a label. Above 2^17 points, candidates are drawn from and
-// counted on the share of points whose hashed position says so. The answer depends on the key and the set of points
-// alone, up to points that coincide.
+// and poles. A set that lies for two thirds on earlier shapes beside it, with normals that disagree with them, is
+// their fringe (normals along an edge are mixtures, and look like a thin cylinder): it stays without a label. Above
+// 2^17 points, candidates are drawn from and counted on the share of points whose hashed position says so. The answer
+// depends on the key and the set of points alone, up to points that coincide.
 ShapeSegments ransac_shapes(const OrientedPoints& points, const ShapeRansacParams& params);
 
 }  // namespace ilot

@@ -132,6 +132,18 @@ TEST(Ransac, OnePlaneInTwoPlacesIsTwoPlanes) {
   EXPECT_EQ(sizes(ransac_planes(set.view(), params_of(5, 31))), (std::vector<std::size_t>{0, 2800}));
 }
 
+// Stones of one facade: parts of one plane whose boxes come nearer than the connectivity, since it tilts against the
+// axes, while their points do not.
+TEST(Ransac, PartsOfOnePlaneAreNoFringes) {
+  const Vec3 u{0.8, 0.6, 0}, v{-0.6, 0.8, 0};
+  OrientedSetBuilder b(4);
+  b.add(Patch{{1000, 1000, 100}, u, v, 40, 40, 10, 0});
+  b.add(Patch{Vec3{1000, 1000, 100} + 430.0 * u, u, v, 30, 40, 10, 0});
+  const OrientedSet set = b.build();
+  const auto found = sizes(ransac_planes(set.view(), params_of(5, 35)));
+  EXPECT_EQ(found, (std::vector<std::size_t>{0, 1600, 1200}));
+}
+
 TEST(Ransac, MinPointsIsClosed) {
   OrientedSetBuilder b(5);
   b.add(Patch{{100, 100, 100}, kX, kY, 6, 5, 10, 0});

@@ -54,6 +54,50 @@ TEST(Relabel, IslandsGoToTheMajorityUnlessTheyLieElsewhere) {
   EXPECT_EQ(relabel_islands(set.view().points, near.lists(), {1, 50}, kept), 0u);
 }
 
+// A convex edge between z = 1000 and x = 1000, with noise: labels start at the wrong side for a band along the edge.
+TEST(Relabel, BordersFollowTheBisector) {
+  test::OrientedSetBuilder b(1);
+  b.add(test::Patch{{800, 0, 1000}, kX, kY, 40, 60, 5, 1});
+  b.add(test::Patch{{1000, 0, 800}, kY, {0, 0, 1}, 60, 40, 5, 1});
+  const auto set = b.build();
+  const auto near = test::neighbours_of(set.view().points, 13);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size, 0), {{{0, 0, 1}, -1000}, {{1, 0, 0}, -1000}}};
+  const auto on_top = [&](std::size_t i) { return set.x[i] - 1000 < set.z[i] - 1000; };
+  std::size_t band = 0;
+  for (std::size_t i = 0; i < set.size; ++i) {
+    s.label[i] = on_top(i) ? 1 : 2;
+    const bool stolen = on_top(i) && std::abs(set.x[i] - 1000) <= 8;
+    if (stolen) s.label[i] = 2;
+    band += stolen;
+  }
+  EXPECT_GE(band, 60u);
+  EXPECT_GE(part_borders(set.view().points, near.lists(), {9, 40}, s), band - 5);
+  test::expect_sound(set, s, 12, 1);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < set.size; ++i) wrong += s.label[i] != (on_top(i) ? 1u : 2u);
+  EXPECT_LE(wrong, 5u);
+}
+
+// A strip of the face beside it tilts a narrow plane; settling gives the strip back and sets the plane upright.
+TEST(Relabel, SettlingUndoesATilt) {
+  test::OrientedSetBuilder b(2);
+  b.add(test::Patch{{600, 0, 1000}, kX, kY, 80, 60, 5, 1});
+  b.add(test::Patch{{1000, 0, 975}, kY, {0, 0, 1}, 60, 5, 5, 1});
+  const auto set = b.build();
+  const auto near = test::neighbours_of(set.view().points, 13);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size, 0), {{{0, 0, 1}, -1000}, {{0.995, 0, 0.0998749}, -1093.6}}};
+  for (std::size_t i = 0; i < set.size; ++i)
+    s.label[i] = std::abs(signed_distance(s.planes[1], set.position(i))) <= 5   ? 2
+                 : std::abs(signed_distance(s.planes[0], set.position(i))) <= 5 ? 1
+                                                                                : 0;
+  settle_planes(set.view().points, near.lists(), {5, 20}, 100, s);
+  test::expect_sound(set, s, 5, 100);
+  ASSERT_EQ(s.planes.size(), 2u);
+  EXPECT_GT(std::abs(s.planes[1].n.x), 0.9986);  // 3 degrees; it started with 5.7
+  settle_planes(set.view().points, near.lists(), {5, 20}, 5000, s);
+  EXPECT_TRUE(s.planes.empty());
+}
+
 TEST(Relabel, OrderDoesNotMatter) {
   const auto set = test::box_corner(2, 3, 200);
   const auto mixed = test::shuffled(set, 3);
@@ -74,6 +118,7 @@ TEST(Relabel, NothingToDo) {
   PlaneSegments none;
   EXPECT_EQ(adopt_strays({}, {{}, 8}, {}, none), 0u);
   EXPECT_EQ(relabel_islands({}, {{}, 8}, {}, none), 0u);
+  EXPECT_EQ(part_borders({}, {{}, 8}, {}, none), 0u);
 }
 
 }  // namespace
