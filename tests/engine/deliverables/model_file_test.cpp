@@ -135,6 +135,8 @@ TEST(ModelFile, ChoosesByExtension) {
   const TemporaryFolder folder;
   EXPECT_EQ(read_models(folder.put("a.OBJ", "v 0 0 0\nf 1 1 1\n")).models.at(0).name, "a");
   EXPECT_EQ(read_models(folder.put("a.city.json", city(building("b")))).models.size(), 1u);
+  EXPECT_TRUE(is_model_file("x/a.OBJ") && is_model_file("a.city.json") && is_model_file("a.city.jsonl"));
+  EXPECT_FALSE(is_model_file("a.truth.json") || is_model_file("a.json") || is_model_file("a.laz"));
   EXPECT_THROW(read_models(folder.put("a.stl", "solid")), Error);
   EXPECT_THROW(read_models(folder.path() / "none.obj"), Error);
 }

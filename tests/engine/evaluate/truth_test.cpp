@@ -45,6 +45,22 @@ TEST(Truth, TakesAnEmptyOneAndCountsOfBuildings) {
   EXPECT_TRUE(parse_truth(R"({"objects":[]})", "t.json").has_objects);
 }
 
+TEST(Truth, TakesTheRoofsOfModels) {
+  const PolygonModel hut{"hut",
+                         {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {0, 0, 3}, {4, 0, 3}, {4, 4, 3}, {0, 4, 3}},
+                         {{{{0, 3, 2, 1}}, FaceKind::unknown, 0},
+                          {{{4, 5, 6, 7}}, FaceKind::unknown, 0},
+                          {{{0, 1, 5, 4}}, FaceKind::unknown, 0}}};
+  const Truth t = truth_of_models(std::vector<PolygonModel>{{"empty", {}, {}}, hut});
+  EXPECT_TRUE(t.has_buildings);
+  EXPECT_EQ(t.buildings.size(), 2u);
+  ASSERT_EQ(t.planes.size(), 1u);
+  EXPECT_EQ(t.planes[0].class_name, "roof");
+  EXPECT_EQ(t.planes[0].plane.n.z, 1);
+  EXPECT_EQ(t.planes[0].plane.d, -3);
+  EXPECT_EQ(t.planes[0].polygons.at(0).building, 2u);
+}
+
 TEST(Truth, NamesThePlaceOfAFault) {
   EXPECT_TRUE(fault_of("{\"planes\":").starts_with("t.json: broken JSON: "));
   EXPECT_EQ(fault_of("[1]"), "t.json: needs a JSON object");
