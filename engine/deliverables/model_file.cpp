@@ -27,6 +27,12 @@ std::string lower_extension(const std::filesystem::path& path) {
 
 }  // namespace
 
+bool is_model_file(const std::filesystem::path& path) {
+  const std::string extension = lower_extension(path);
+  return extension == ".obj" || extension == ".jsonl" ||
+         (extension == ".json" && lower_extension(path.stem()) == ".city");
+}
+
 ModelFile read_models(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   if (extension == ".obj") return parse_obj(read_text(path), path.string(), path.stem().string());

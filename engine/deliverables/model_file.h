@@ -23,6 +23,9 @@ constexpr std::size_t kMaxCorners = 4096;
 // such file.
 ModelFile read_models(const std::filesystem::path& path);
 
+// Is the file one that read_models() takes: .obj, .jsonl or .city.json? (Plain .json may be anything.)
+bool is_model_file(const std::filesystem::path& path);
+
 // One model per `o` or `g` (equal names are one model), or one named `stem` where there is neither. Only v, f, o and g
 // are looked at; `name` stands in messages.
 ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem);

@@ -188,7 +188,10 @@ ResultFiles find_results(const fs::path& result) {
   ResultFiles files;
   if (!fs::exists(result)) throw Error(result.string() + ": no such file or folder", ExitCode::usage);
   if (!fs::is_directory(result)) {
-    files.clouds.push_back(result);
+    if (is_model_file(result))
+      files.roofs = result;
+    else
+      files.clouds.push_back(result);
     return files;
   }
   const auto named = [](const char* end) {

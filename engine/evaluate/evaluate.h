@@ -53,16 +53,17 @@ struct Evaluation {
   std::vector<std::string> notes;  // what the truth asks for and the result does not hold
 };
 
-// What lies in an output folder of a run, or the one file given.
+// What lies in an output folder of a run, or the one file given: a labelled cloud, or models of roofs.
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
   std::optional<std::filesystem::path> planes_csv, roofs;
 };
 ResultFiles find_results(const std::filesystem::path& result);
 
-// Judges `result`, an output folder or a labelled cloud, by the truth. Points carry their truth in the extra bytes
-// true_class, true_plane and true_element, so none is matched by place. Two passes over the clouds; memory grows with
-// the number of labels and, where boundaries are judged, by 32 bytes a point. Error when there is nothing to judge.
+// Judges `result`, an output folder, a labelled cloud or a file of models, by the truth. Points carry their truth in
+// the extra bytes true_class, true_plane and true_element, so none is matched by place. Two passes over the clouds;
+// memory grows with the number of labels and, where boundaries are judged, by 32 bytes a point. Error when there is
+// nothing to judge.
 Evaluation evaluate(const std::filesystem::path& result, const Truth& truth, const EvaluateParams& params = {});
 
 }  // namespace ilot

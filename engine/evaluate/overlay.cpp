@@ -40,17 +40,19 @@ Owned linear_ring(std::span<const FlatPoint> ring) {
   return checked(GEOSGeom_createLinearRing_r(context(), corners));
 }
 
-Owned polygon_of(const FlatPolygon& polygon) {
-  Owned shell = linear_ring(polygon.ring);
-  std::vector<Owned> owned;
-  for (const std::vector<FlatPoint>& hole : polygon.holes)
-    if (hole.size() >= 3) owned.push_back(linear_ring(hole));
-  std::vector<GEOSGeometry*> holes;
-  for (Owned& hole : owned) holes.push_back(hole.release());
-  Owned made =
-      checked(GEOSGeom_createPolygon_r(context(), shell.release(), holes.data(), static_cast<unsigned>(holes.size())));
+// A ring's inside; of one that crosses itself, what GEOS makes of it.
+Owned inside_of(std::span<const FlatPoint> ring) {
+  Owned made = checked(GEOSGeom_createPolygon_r(context(), linear_ring(ring).release(), nullptr, 0));
   if (GEOSisValid_r(context(), made.get()) == 1) return made;
   return checked(GEOSMakeValid_r(context(), made.get()));
+}
+
+// Holes are taken away one by one: they may touch the outer ring, or run along it.
+Owned polygon_of(const FlatPolygon& polygon) {
+  Owned made = inside_of(polygon.ring);
+  for (const std::vector<FlatPoint>& hole : polygon.holes)
+    if (hole.size() >= 3) made = checked(GEOSDifference_r(context(), made.get(), inside_of(hole).get()));
+  return made;
 }
 
 double area_of(const GEOSGeometry* geometry) {

@@ -137,6 +137,29 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   return truth;
 }
 
+Truth truth_of_models(std::span<const PolygonModel> models) {
+  Truth truth;
+  truth.has_buildings = true;
+  for (const PolygonModel& model : models) {
+    truth.buildings.push_back(static_cast<std::uint32_t>(truth.buildings.size() + 1));
+    const std::vector<bool> roofs = roof_faces(model);
+    for (std::size_t f = 0; f < roofs.size(); ++f) {
+      const Vec3 n = face_normal(model, model.faces[f]);
+      if (!roofs[f] || !(norm(n) > 0)) continue;
+      std::vector<Ring3> rings;
+      for (const std::vector<std::uint32_t>& ring : model.faces[f].rings) {
+        rings.emplace_back();
+        for (const std::uint32_t i : ring) rings.back().push_back(model.vertices[i]);
+      }
+      const Vec3 unit = (1 / norm(n)) * n;
+      TruePolygon polygon{truth.buildings.back(), rings[0], {rings.begin() + 1, rings.end()}};
+      const auto id = static_cast<std::uint32_t>(truth.planes.size() + 1);
+      truth.planes.push_back({id, "roof", {unit, -dot(unit, polygon.ring[0])}, {std::move(polygon)}});
+    }
+  }
+  return truth;
+}
+
 Truth read_truth(const std::filesystem::path& path) {
   if (!std::filesystem::is_regular_file(path)) throw Error(path.string() + ": no such file", ExitCode::usage);
   std::ifstream file(path, std::ios::binary);

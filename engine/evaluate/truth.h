@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/model/polygon_model.h"
 #include "kernels/core/types.h"
 
 namespace ilot {
@@ -58,5 +60,9 @@ struct Truth {
 // an Error names file and place. Memory some ten times the file's size.
 Truth read_truth(const std::filesystem::path& path);
 Truth parse_truth(std::string_view text, const std::string& name);
+
+// True models of buildings as the truth: their roofs (roof_faces()) become planes of class `roof`, ids from 1 in the
+// order of models and faces, buildings likewise.
+Truth truth_of_models(std::span<const PolygonModel> models);
 
 }  // namespace ilot

@@ -2,150 +2,166 @@
 #include "kernels/outlines/edge_cells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
+#include <numeric>
 
 namespace ilot {
 namespace {
 
-constexpr double kCellsAlong = 8;      // an edge is looked at in pieces of so many grid cells
-constexpr double kMaxCells = 1 << 22;  // of the grid
+constexpr std::size_t kLeaf = 8;        // points of a leaf of the tree
+constexpr double kShortest = 0x1p-40;   // of an edge's length: shorter stretches are rounding
+constexpr double kSlack = 1 + 0x1p-40;  // on squared distances within which equal ones are looked for
 
-// Points in square cells, by cell: those of cell c are order[first[c]] to order[first[c + 1] - 1].
-struct Grid {
-  FlatPoint low, high;
-  double size = 1;
-  std::int64_t columns = 1, rows = 1;
-  std::vector<std::uint32_t> first, order;
-
-  static std::int64_t slot(double offset, std::int64_t count) {
-    return static_cast<std::int64_t>(std::clamp(offset, 0.0, static_cast<double>(count - 1)));
-  }
-  std::int64_t column(double x) const { return slot((x - low.x) / size, columns); }
-  std::int64_t row(double y) const { return slot((y - low.y) / size, rows); }
-  std::size_t cell(FlatPoint p) const { return static_cast<std::size_t>(row(p.y) * columns + column(p.x)); }
-};
-
-Grid make_grid(std::span<const FlatPoint> points) {
-  Grid grid{points[0], points[0], 1, 1, 1, {}, {}};
-  for (const FlatPoint& p : points) {
-    grid.low = {std::min(grid.low.x, p.x), std::min(grid.low.y, p.y)};
-    grid.high = {std::max(grid.high.x, p.x), std::max(grid.high.y, p.y)};
-  }
-  const double width = grid.high.x - grid.low.x, height = grid.high.y - grid.low.y;
-  const double wanted = std::min(kMaxCells, static_cast<double>(points.size()) / 2 + 1);
-  grid.size = std::max(std::sqrt(width * height / wanted), std::max(width, height) / wanted);
-  if (!(grid.size > 0)) grid.size = 1;
-  grid.columns = static_cast<std::int64_t>(width / grid.size) + 1;
-  grid.rows = static_cast<std::int64_t>(height / grid.size) + 1;
-  grid.first.assign(static_cast<std::size_t>(grid.columns * grid.rows) + 1, 0);
-  for (const FlatPoint& p : points) ++grid.first[grid.cell(p) + 1];
-  for (std::size_t c = 1; c < grid.first.size(); ++c) grid.first[c] += grid.first[c - 1];
-  std::vector<std::uint32_t> next(grid.first.begin(), grid.first.end() - 1);
-  grid.order.resize(points.size());
-  for (std::uint32_t i = 0; i < points.size(); ++i) grid.order[next[grid.cell(points[i])]++] = i;
-  return grid;
+double coordinate(FlatPoint p, int axis) {
+  return axis == 0 ? p.x : p.y;
 }
 
-// Squared distance of a point from the edge's point at t, less t^2: offset - 2 along t.
-struct Line {
-  double along = 0, offset = 0;
-  std::uint32_t point = 0;
-};
-
-double meeting(const Line& a, const Line& b) {
-  return (b.offset - a.offset) / (2 * (b.along - a.along));
+double squared_distance(FlatPoint a, FlatPoint b) {
+  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-// Lines that are lowest somewhere, from left to right; of equal ones the first.
-std::vector<Line> lower_envelope(const std::vector<Line>& sorted) {
-  std::vector<Line> envelope;
-  for (const Line& line : sorted) {
-    if (!envelope.empty() && envelope.back().along == line.along) continue;  // sorted: not lower
-    while (envelope.size() > 1 &&
-           meeting(envelope[envelope.size() - 2], line) <= meeting(envelope[envelope.size() - 2], envelope.back()))
-      envelope.pop_back();
-    envelope.push_back(line);
-  }
-  return envelope;
-}
-
-class EdgeWalk {
+// A k-d tree without nodes: the middle of each range of `order_` splits it. Distances to cells grow axis by axis on the
+// way down (Arya and Mount 1993), so that questions from far away prune as well.
+class PointTree {
  public:
-  EdgeWalk(std::span<const FlatPoint> points, std::vector<std::uint8_t>& flags)
-      : points_(points), grid_(make_grid(points)), flags_(flags) {}
+  explicit PointTree(std::span<const FlatPoint> points) : points_(points), order_(points.size()), axis_(points.size()) {
+    std::iota(order_.begin(), order_.end(), 0u);
+    low_ = high_ = points[0];
+    for (const FlatPoint& p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high_ = {std::max(high_.x, p.x), std::max(high_.y, p.y)};
+    }
+    build(0, order_.size(), low_, high_);
+  }
 
-  void walk(const FlatEdge& edge) {
-    const double length = std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y);
-    if (!(length > 0)) return;
-    const FlatPoint along{(edge.b.x - edge.a.x) / length, (edge.b.y - edge.a.y) / length};
-    const double pieces = std::max(1.0, std::min(std::ceil(length / (kCellsAlong * grid_.size)), 1e6));
-    for (double i = 0; i < pieces; ++i) walk_piece(edge.a, along, length * (i / pieces), length * ((i + 1) / pieces));
+  std::uint32_t nearest(FlatPoint q) const {
+    std::uint32_t best = order_[0];
+    double least = std::numeric_limits<double>::infinity();
+    each_within(q, least, [&](std::uint32_t i, double d2) {
+      if (d2 >= least) return;
+      least = d2;
+      best = i;
+    });
+    return best;
+  }
+
+  // Calls visit(point, squared distance) for all points within `d2` and some more; `d2` may shrink meanwhile.
+  template <class Visit>
+  void each_within(FlatPoint q, double& d2, Visit visit) const {
+    const std::array<double, 2> away{std::max({low_.x - q.x, q.x - high_.x, 0.0}),
+                                     std::max({low_.y - q.y, q.y - high_.y, 0.0})};
+    descend(0, order_.size(), q, away, d2, visit);
   }
 
  private:
-  void walk_piece(FlatPoint a, FlatPoint along, double from, double to) {
-    for (double reach = 2 * grid_.size;; reach *= 4) {
-      const bool whole = gather(a, along, from, to, reach);
-      if (lines_.empty()) continue;
-      std::sort(lines_.begin(), lines_.end(), [](const Line& l, const Line& r) {
-        return l.along < r.along ||
-               (l.along == r.along && (l.offset < r.offset || (l.offset == r.offset && l.point < r.point)));
-      });
-      const std::vector<Line> envelope = lower_envelope(lines_);
-      if (!whole && farthest(envelope, from, to) > reach * reach) continue;
-      mark(envelope, from, to);
+  void build(std::size_t first, std::size_t end, FlatPoint low, FlatPoint high) {
+    if (end - first <= kLeaf) return;
+    const std::size_t mid = first + (end - first) / 2;
+    const int axis = high.x - low.x >= high.y - low.y ? 0 : 1;
+    const auto at = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::nth_element(at(first), at(mid), at(end), [&](std::uint32_t a, std::uint32_t b) {
+      return coordinate(points_[a], axis) < coordinate(points_[b], axis);
+    });
+    axis_[mid] = static_cast<std::uint8_t>(axis);
+    FlatPoint below = high, above = low;
+    (axis == 0 ? below.x : below.y) = (axis == 0 ? above.x : above.y) = coordinate(points_[order_[mid]], axis);
+    build(first, mid, low, below);
+    build(mid + 1, end, above, high);
+  }
+
+  // `away`: how far q lies outside of the range's cell along each axis.
+  template <class Visit>
+  void descend(std::size_t first, std::size_t end, FlatPoint q, std::array<double, 2> away, double& d2,
+               Visit& visit) const {
+    if (away[0] * away[0] + away[1] * away[1] > d2) return;
+    if (end - first <= kLeaf) {
+      for (std::size_t k = first; k < end; ++k) visit(order_[k], squared_distance(points_[order_[k]], q));
       return;
     }
-  }
-
-  // Lines of all points within `reach` of the piece, and some more. True when they are all there are.
-  bool gather(FlatPoint a, FlatPoint along, double from, double to, double reach) {
-    lines_.clear();
-    const FlatPoint p{a.x + from * along.x, a.y + from * along.y}, q{a.x + to * along.x, a.y + to * along.y};
-    const FlatPoint low{std::min(p.x, q.x) - reach, std::min(p.y, q.y) - reach};
-    const FlatPoint high{std::max(p.x, q.x) + reach, std::max(p.y, q.y) + reach};
-    for (std::int64_t r = grid_.row(low.y); r <= grid_.row(high.y); ++r) {
-      const auto row = static_cast<std::size_t>(r * grid_.columns);
-      const std::uint32_t first = grid_.first[row + static_cast<std::size_t>(grid_.column(low.x))];
-      const std::uint32_t end = grid_.first[row + static_cast<std::size_t>(grid_.column(high.x)) + 1];
-      for (std::uint32_t k = first; k < end; ++k) {
-        const std::uint32_t i = grid_.order[k];
-        const double dx = points_[i].x - a.x, dy = points_[i].y - a.y;
-        lines_.push_back({dx * along.x + dy * along.y, dx * dx + dy * dy, i});
-      }
-    }
-    return low.x <= grid_.low.x && low.y <= grid_.low.y && high.x >= grid_.high.x && high.y >= grid_.high.y;
-  }
-
-  // Largest squared distance from the piece to its nearest point: at an end or where the nearest one changes.
-  static double farthest(const std::vector<Line>& envelope, double from, double to) {
-    const auto squared = [](const Line& l, double t) { return l.offset - 2 * l.along * t + t * t; };
-    double most = 0;
-    for (std::size_t i = 0; i < envelope.size(); ++i) {
-      const double start = i == 0 ? from : std::clamp(meeting(envelope[i - 1], envelope[i]), from, to);
-      const double end = i + 1 == envelope.size() ? to : std::clamp(meeting(envelope[i], envelope[i + 1]), from, to);
-      if (start < end) most = std::max({most, squared(envelope[i], start), squared(envelope[i], end)});
-    }
-    return most;
-  }
-
-  void mark(const std::vector<Line>& envelope, double from, double to) {
-    for (std::size_t i = 0; i < envelope.size(); ++i) {
-      const double start = i == 0 ? from : std::max(from, meeting(envelope[i - 1], envelope[i]));
-      const double end = i + 1 == envelope.size() ? to : std::min(to, meeting(envelope[i], envelope[i + 1]));
-      if (start >= end) continue;
-      const auto same = std::lower_bound(lines_.begin(), lines_.end(), envelope[i], [](const Line& l, const Line& r) {
-        return l.along < r.along || (l.along == r.along && l.offset < r.offset);
-      });
-      for (auto l = same; l != lines_.end() && l->along == envelope[i].along && l->offset == envelope[i].offset; ++l)
-        flags_[l->point] = 1;
-    }
+    const std::size_t mid = first + (end - first) / 2;
+    const int axis = axis_[mid];
+    const double gap = coordinate(q, axis) - coordinate(points_[order_[mid]], axis);
+    visit(order_[mid], squared_distance(points_[order_[mid]], q));
+    std::array<double, 2> beyond = away;
+    beyond[static_cast<std::size_t>(axis)] = std::max(away[static_cast<std::size_t>(axis)], std::abs(gap));
+    descend(first, mid, q, gap < 0 ? away : beyond, d2, visit);
+    descend(mid + 1, end, q, gap < 0 ? beyond : away, d2, visit);
   }
 
   std::span<const FlatPoint> points_;
-  Grid grid_;
+  std::vector<std::uint32_t> order_;
+  std::vector<std::uint8_t> axis_;  // of the split at each middle
+  FlatPoint low_, high_;
+};
+
+// One edge, walked from end to end.
+class EdgeWalk {
+ public:
+  EdgeWalk(std::span<const FlatPoint> points, const PointTree& tree, const FlatEdge& edge,
+           std::vector<std::uint8_t>& flags)
+      : points_(points), tree_(tree), edge_(edge), flags_(flags) {
+    length_ = std::hypot(edge.b.x - edge.a.x, edge.b.y - edge.a.y);
+    along_ = {(edge.b.x - edge.a.x) / length_, (edge.b.y - edge.a.y) / length_};
+  }
+
+  void walk() {
+    if (length_ > 0) between(0, tree_.nearest(at(0)), length_, tree_.nearest(at(length_)));
+  }
+
+ private:
+  // Squared distance of a point from the edge's point at t, less t^2, is offset - 2 foot t.
+  struct Line {
+    double foot = 0, offset = 0;
+    friend bool operator==(const Line&, const Line&) = default;
+  };
+
+  FlatPoint at(double t) const { return {edge_.a.x + t * along_.x, edge_.a.y + t * along_.y}; }
+
+  Line line_of(std::uint32_t i) const {
+    const double x = points_[i].x - edge_.a.x, y = points_[i].y - edge_.a.y;
+    return {x * along_.x + y * along_.y, x * x + y * y};
+  }
+
+  // p is nearest at `from`, q at `to`. Cells are convex: one that holds both ends holds all between. Else whatever is
+  // nearest where p and q are equally far either is one of them, and that is where their cells meet, or splits the
+  // rest.
+  void between(double from, std::uint32_t p, double to, std::uint32_t q) {
+    const Line a = line_of(p), b = line_of(q);
+    if (a == b) return mark(from, to, p);
+    const double meeting = std::clamp((b.offset - a.offset) / (2 * (b.foot - a.foot)), from, to);
+    const std::uint32_t r = tree_.nearest(at(meeting));
+    const Line c = line_of(r);
+    const bool closer = c.offset - 2 * c.foot * meeting < a.offset - 2 * a.foot * meeting;
+    const bool splits = c != a && c != b && closer;
+    if (!splits || to - from <= kShortest * length_) {
+      mark(from, meeting, p);
+      mark(meeting, to, q);
+      return;
+    }
+    between(from, p, meeting, r);
+    between(meeting, r, to, q);
+  }
+
+  // The stretch lies in the cell of p, and of whatever is as far from all of it: points at the same place, or mirrored.
+  void mark(double from, double to, std::uint32_t p) {
+    if (!(to - from > kShortest * length_)) return;
+    flags_[p] = 1;
+    const FlatPoint middle = at(from + (to - from) / 2);
+    const Line line = line_of(p);
+    double reach = squared_distance(points_[p], middle) * kSlack;
+    tree_.each_within(middle, reach, [&](std::uint32_t i, double) {
+      if (line_of(i) == line) flags_[i] = 1;
+    });
+  }
+
+  std::span<const FlatPoint> points_;
+  const PointTree& tree_;
+  FlatEdge edge_;
   std::vector<std::uint8_t>& flags_;
-  std::vector<Line> lines_;
+  double length_ = 0;
+  FlatPoint along_;
 };
 
 }  // namespace
@@ -153,8 +169,8 @@ class EdgeWalk {
 std::vector<std::uint8_t> cells_on_edges(std::span<const FlatPoint> points, std::span<const FlatEdge> edges) {
   std::vector<std::uint8_t> flags(points.size(), 0);
   if (points.empty()) return flags;
-  EdgeWalk walk(points, flags);
-  for (const FlatEdge& edge : edges) walk.walk(edge);
+  const PointTree tree(points);
+  for (const FlatEdge& edge : edges) EdgeWalk(points, tree, edge, flags).walk();
   return flags;
 }
 

@@ -228,7 +228,7 @@ class Scan(unittest.TestCase):
         self.refuse(["scan", "district", "-o", self.cloud, "--points", "1000"], "grid.las: exists", "--overwrite")
         self.refuse(["scan", "district", "-o", self.folder / "town.xyzzy", "-q"], "xyzzy")
         self.refuse(["evaluate"], "OUT")
-        self.refuse(["evaluate", self.cloud], "--truth-fields")
+        self.refuse(["evaluate", self.cloud], "--truth FILE", "--truth-fields")
         self.refuse(["evaluate", self.cloud, "--truth-fields"], "true_plane", code=1)
         self.refuse(["render", self.cloud], "-o FILE")
         self.refuse(["render", self.cloud, "-o", self.folder / "a.png", "--by", "plane_id"], "plane_id", "height")
@@ -254,6 +254,59 @@ class Scan(unittest.TestCase):
             self.assertEqual(drawn.returncode, 0, drawn.stderr)
             self.assertEqual((self.folder / f"{view}.png").read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertIn("scene.density", ilot("scan", "--list").stdout)
+
+    def test_evaluate_usage_faults(self):
+        truth, model = self.folder / "t.truth.json", self.folder / "a.obj"
+        truth.write_text('{"planes": [{"id": 1}]}')
+        model.write_text("v 0 0 0\nv 9 0 0\nv 9 9 0\nf 1 2 4\n")
+        e, c = "evaluate", self.cloud
+        self.refuse([e, c, "--truth", truth, "--truth-fields"], "--truth FILE", "--truth-fields")
+        self.refuse([e, c, "--truth", self.folder / "none.json"], "none.json: no such file")
+        self.refuse([e, c, "--truth", truth], "t.truth.json.planes[0]: 'plane' is missing", code=1)
+        truth.write_text("{}")
+        self.refuse([e, self.folder / "none", "--truth", truth], "none: no such file or folder")
+        self.refuse([e, c, "--truth", truth], "grid.las: nothing to judge", code=1)
+        (self.folder / "empty").mkdir()
+        self.refuse([e, self.folder / "empty", "--truth", truth], "points/")
+        self.refuse([e, c, "--truth", truth, "--match", "best"], "--match")
+        self.refuse([e, "--models", model], "--cloud FILE")
+        self.refuse([e, "--cloud", c], "--models FILE")
+        self.refuse([e, c, "--models", model, "--cloud", c], "--cloud alone")
+        self.refuse([e, "--models", model, "--cloud", c], "a.obj:4: a face names vertex 4 of 3", code=1)
+        self.refuse([e, "--models", self.folder / "none.obj", "--cloud", c], "none.obj: no such file")
+        self.refuse([e, "--models", c, "--cloud", c], "not a model that can be read")
+        model.write_text("")
+        self.refuse([e, "--models", model, "--cloud", c], "holds no model", code=1)
+        model.write_text("o a\nv -90 0 0\nv -91 0 0\nv -91 9 0\nf 1 2 3\no b\nf 3 2 1\n")
+        self.refuse([e, "--models", model, "--cloud", c], "same coordinate system", code=1)
+        self.refuse([e, "--models", model, "--cloud", c, "--points-of", "field"], "no extra bytes 'building'", code=1)
+
+    def test_evaluate_a_run(self):
+        town, page = self.folder / "town.las", self.folder / "page.html"
+        ilot("scan", "district", "-o", town, "--points", "30000", "-q")
+        self.assertEqual(ilot("run", town, "-o", self.out, "-q").returncode, 0)
+        truth = self.folder / "town.truth.json"
+        judged = ilot("evaluate", self.out, "--truth", truth, "--json", "--html", page)
+        self.assertEqual(judged.returncode, 0, judged.stderr)
+        figures = json.loads(judged.stdout)
+        self.assertEqual(figures["planes"]["matched"] + figures["planes"]["missed"], figures["planes"]["true"])
+        self.assertLess(figures["planes"]["angle_deg"], 1)
+        self.assertIn("roof", figures["confusion"]["classes"])
+        self.assertGreater(figures["confusion"]["global_sensitivity"], 0.5)
+        self.assertTrue(page.read_text().startswith("<section"))
+        self.assertIn("sensitivity", ilot("evaluate", self.out, "--truth", truth).stdout)
+
+    def test_evaluate_models(self):
+        model = self.folder / "m.obj"
+        model.write_text("o flat\nv 0 0 0\nv 49 0 0\nv 49 39 0\nv 0 39 0\nf 1 2 3 4\n")
+        told = ilot("evaluate", "--models", model, "--cloud", self.cloud, "--json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        figures = json.loads(told.stdout)
+        self.assertEqual(figures["points"], {"read": 2000, "judged": 2000, "unassigned": 0})
+        self.assertEqual(figures["over_points"]["rmse_m"], 0)
+        some = json.loads(ilot("evaluate", "--models", model, "--cloud", self.cloud, "--json", "--class", "6").stdout)
+        self.assertEqual(some["points"]["read"], 800)
+        self.assertIn("share within 0.2 m", ilot("evaluate", "--models", model, "--cloud", self.cloud).stdout)
 
 
 if __name__ == "__main__":

@@ -45,6 +45,25 @@ AREAS = ["POLYGON ((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 3 2, 3 3, 2 2))", "SRID=
          '"coordinates":[[[[0,0],[5,0],[5,5],[0,0]]]]}}]}',
          '{"type":"Polygon","coordinates":[[[0,0,1],[5,0,1],[5,5,1],[0,0,1]]]}', "0,0,10,20.5"]
 
+FACE = '"boundaries":[[[0,1,2]],[[0,2,1]]],"semantics":{"surfaces":[{"type":"RoofSurface"}],"values":[0,null]}'
+CITY = ('{"type":"CityJSON","version":"2.0","transform":{"scale":[0.001,0.001,0.001],"translate":[1,2,3]},'
+        '"CityObjects":{%s},"vertices":[[0,0,0],[9,0,0],[9,9,5]]}')
+BUILDING = '"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"2.2",' + FACE + "}]}"
+SOLID = ('"p":{"type":"BuildingPart","parents":["b"],"geometry":[{"type":"Solid","lod":1,"boundaries":[[[[0,1,2]],'
+         '[[2,1,0]]]]}]}')
+CITIES = [CITY % BUILDING, CITY % (BUILDING + "," + SOLID),
+          CITY % "" + "\n" + (CITY % SOLID).replace("CityJSON", "CityJSONFeature")]
+OBJS = ["o a\nv 0 0 0\nv 1 0 0\nv 1 1 2.5e1\nf 1 2 3\ng b\nv 0 0 1\nf 1/1 -1//2 2/3/4 3\n"]
+TRUTHS = ['{"classes":{"1":"wall"},"planes":[{"id":1,"class":"wall","plane":[0,0,1,-2],"polygons":[{"building":1,'
+          '"ring":[[0,0,0],[1,0,0],[1,1,0]],"holes":[[[0,0,0],[1,0,0],[1,1,0]]]}]}],"openings":[{"id":1,"facade":1,'
+          '"ring":[[0,0,0],[1,0,0],[1,1,0]]}],"control_points":[{"group":"sill_top","element":1,"position":[1,2,3]}],'
+          '"objects":[{"id":3,"class":"car","points":5}],"buildings":[{"id":1}]}']
+FACADES = ['{"type":"ilot facade","version":1,"facade":1,"crs":"","frame":{"origin":[0,0,0],"right":[1,0,0],"up":[0,0,1],'
+           '"out":[0,-1,0]},"width_m":9,"height_m":5,"elements":[{"id":1,"kind":"window","opening":true,"family":1,'
+           '"row":1,"column":1,"status":"seen","reason":"","ring":[[0,0,0],[1,0,0],[1,0,1]],"edges":[],"arcs":[{"centre":'
+           '[0,0,0],"radius_m":1,"from_deg":0,"to_deg":90}],"width_m":1,"height_m":1,"depth_m":0,"width_error_m":0,'
+           '"height_error_m":0,"depth_error_m":0,"points":3}]}']
+
 
 def pcd_seeds():
     rows = struct.pack("<" + "ffffI" * 3, *(v for i in range(3) for v in (i, 2.5 * i, -i, 7, 0x102030)))
@@ -123,8 +142,10 @@ def main():
             keep(target, CHOICE.get(extension, b"\0") + content if target == "text_fuzz" else content)
     for content in settings():
         keep("settings_fuzz", content)
-    for area in AREAS:
-        keep("area_fuzz", area.encode())
+    for target, seeds in (("area_fuzz", AREAS), ("city_json_fuzz", CITIES), ("obj_fuzz", OBJS), ("truth_fuzz", TRUTHS),
+                          ("facade_fuzz", FACADES)):
+        for seed in seeds:
+            keep(target, seed.encode())
     keep("laz_chunk_fuzz", bytes([3, 2, 9, 0, 0]) + bytes(range(200)))
     for target, number in sorted(numbers.items()):
         print(f"{target}: {number} seeds")

@@ -45,14 +45,18 @@ int evaluate_models(const EvaluateArguments& given) {
   return static_cast<int>(ExitCode::ok);
 }
 
+Truth truth_for(const EvaluateArguments& given) {
+  if (given.truth_fields) return {};
+  return is_model_file(given.truth) ? truth_of_models(read_models(given.truth).models) : read_truth(given.truth);
+}
+
 int evaluate_command(const EvaluateArguments& given) {
   if (!given.models.empty() || !given.cloud.empty()) return evaluate_models(given);
   if (given.input.empty()) throw Error("evaluate: OUT is needed (ilot evaluate --help)", ExitCode::usage);
   if (given.truth.empty() == !given.truth_fields)
     throw Error("evaluate: where is the truth? --truth FILE names it, --truth-fields takes the cloud's own extra bytes",
                 ExitCode::usage);
-  const Truth truth = given.truth_fields ? Truth{} : read_truth(given.truth);
-  Evaluation evaluation = evaluate(given.input, truth, given.params);
+  Evaluation evaluation = evaluate(given.input, truth_for(given), given.params);
   evaluation.truth = given.truth_fields ? "extra bytes" : given.truth;
   if (!given.html.empty()) write_whole_file(given.html, evaluation_html(evaluation));
   print(given.json ? evaluation_json(evaluation) : evaluation_text(evaluation));
@@ -91,8 +95,10 @@ void add_model_options(CLI::App& command, EvaluateArguments& given) {
 void add_evaluate_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("evaluate", "Judges a result against the truth, or models against a cloud");
   auto given = std::make_shared<EvaluateArguments>();
-  command->add_option("OUT", given->input, "output folder of a run, or a labelled point cloud")->option_text(" ");
-  command->add_option("--truth", given->truth, "NAME.truth.json of the scene [none]")->option_text("FILE");
+  command->add_option("OUT", given->input, "output folder of a run, a labelled cloud or models of roofs")
+      ->option_text(" ");
+  command->add_option("--truth", given->truth, "NAME.truth.json of the scene, or true models [none]")
+      ->option_text("FILE");
   command->add_flag("--truth-fields", given->truth_fields,
                     "the truth is in extra bytes true_plane and true_class alone [off]");
   command->add_option("--found-field", given->params.found_field, "extra bytes with the found planes [plane_id]")

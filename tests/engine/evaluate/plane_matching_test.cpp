@@ -94,6 +94,22 @@ TEST(PlaneMatching, IsPerfectUnderAnyRenumberingAndOrder) {
   EXPECT_EQ(match_planes(truth, found).carrying, m.carrying);
 }
 
+TEST(PlaneMatching, ByOverlapAsksHalfOfBothTogether) {
+  std::vector<std::uint32_t> truth, found;
+  put(truth, found, 1, 1, 50);  // half of 1 and 1 together
+  put(truth, found, 1, 0, 30);
+  put(truth, found, 0, 1, 20);
+  put(truth, found, 2, 2, 40);  // all of what was found, but 40 of 81
+  put(truth, found, 2, 0, 41);
+  LabelPairs pairs;
+  for (std::size_t i = 0; i < truth.size(); ++i) pairs.add(truth[i], found[i]);
+  EXPECT_EQ(match_planes(pairs.sorted(), {}, MatchRule::main).matches.size(), 2u);
+  const PlaneMatching m = match_planes(pairs.sorted(), {}, MatchRule::overlap);
+  ASSERT_EQ(m.matches.size(), 1u);
+  EXPECT_EQ(m.matches[0].truth, 1u);
+  EXPECT_EQ(m.missed, 1u);
+}
+
 // Identities that hold for any labels at all.
 TEST(PlaneMatching, CountsAddUpOnRandomLabels) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {

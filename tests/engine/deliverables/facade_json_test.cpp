@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/facade_json.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/error.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ilot {
+namespace {
+
+Facade a_facade() {
+  FacadeElement window{1, "window", true, 1, 2, 3, DrawnStatus::completed, "hidden behind its sill", {}, {}, {}};
+  window.ring = {{651000.1, 6861000, 1}, {651001.3, 6861000, 1}, {651001.3, 6861000, 2.2}};
+  window.edges = {{DrawnStatus::seen, 40, 0.002, 0.004, 0.01}, {}, {DrawnStatus::occluded, 0, 0, 0.1, 0}};
+  window.arcs = {{{651000.7, 6861000, 2}, 0.6, 0, 180}};
+  window.width_m = 1.2;
+  window.depth_m = -0.28;
+  window.width_error_m = 0.004;
+  window.points = 512;
+  FacadeElement sill{2, "sill", false, 0, 0, 0, DrawnStatus::seen, "", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {}, {}};
+  return {7, "EPSG:2154", {651000, 6861000, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, 12.5, 9, {window, sill}};
+}
+
+std::string fault_of(const std::string& text) {
+  try {
+    parse_facade_json(text, "f.json");
+  } catch (const Error& fault) {
+    return fault.what();
+  }
+  return "none";
+}
+
+std::string changed(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  return at == text.npos ? "not there: " + from : text.replace(at, from.size(), to);
+}
+
+TEST(FacadeJson, ReadsBackWhatItWrote) {
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "facade-007.json";
+  write_facade_json(path, a_facade());
+  const Facade read = read_facade_json(path);
+  EXPECT_EQ(facade_json(read), facade_json(a_facade()));
+  EXPECT_EQ(read.id, 7u);
+  EXPECT_EQ(read.out.y, -1);
+  ASSERT_EQ(read.elements.size(), 2u);
+  const FacadeElement& window = read.elements[0];
+  EXPECT_EQ(window.kind, "window");
+  EXPECT_TRUE(window.opening);
+  EXPECT_EQ(window.status, DrawnStatus::completed);
+  EXPECT_EQ(window.ring[1].x, 651001.3);
+  EXPECT_EQ(window.edges[2].status, DrawnStatus::occluded);
+  EXPECT_EQ(window.edges[0].points, 40u);
+  EXPECT_EQ(window.arcs.at(0).radius_m, 0.6);
+  EXPECT_EQ(window.depth_m, -0.28);
+}
+
+TEST(FacadeJson, RefusesWhatIsNoFacade) {
+  const std::string good = facade_json(a_facade());
+  ASSERT_EQ(fault_of(good), "none");
+  EXPECT_TRUE(fault_of("{").starts_with("f.json: broken JSON: "));
+  EXPECT_EQ(fault_of("[]"), "f.json: 'type' is missing");
+  EXPECT_EQ(fault_of(changed(good, "\"version\": 1", "\"version\": 2")), "f.json: no facade of version 1");
+  EXPECT_EQ(fault_of(changed(good, "\"completed\"", "\"guessed\"")),
+            "f.json.elements[0].status: 'guessed' is no status: seen, completed or occluded");
+  EXPECT_EQ(fault_of(changed(good, "\"points\": 512", "\"points\": -1")),
+            "f.json.elements[0].points: needs a whole number from 0 on");
+  EXPECT_EQ(fault_of(changed(good, "\"width_m\": 12.5", "\"width_m\": null")), "f.json.width_m: needs a finite number");
+  EXPECT_EQ(fault_of(changed(good, "\"row\": 2", "\"row\": 4294967296")),
+            "f.json.elements[0].row: needs a whole number below 2^32");
+  EXPECT_EQ(fault_of(changed(good, "\"opening\": true", "\"opening\": 1")),
+            "f.json.elements[0].opening: needs true or false");
+}
+
+}  // namespace
+}  // namespace ilot

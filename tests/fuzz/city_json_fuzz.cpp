@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as CityJSON or a sequence of it; faces of few corners are cut into triangles.
+#include <cstdint>
+
+#include "engine/deliverables/model_file.h"
+#include "engine/error.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  using namespace ilot;
+  try {
+    const ModelFile file = parse_city_json({reinterpret_cast<const char*>(data), size}, "fuzz.json");
+    for (const PolygonModel& model : file.models) {
+      roof_faces(model);
+      is_closed(model);
+      std::vector<Triangle3> triangles;
+      for (const PolygonFace& face : model.faces)
+        if (face.rings.size() <= 8 && face.rings[0].size() <= 100) append_triangles(model, face, triangles);
+    }
+  } catch (const Error&) {
+  }
+  return 0;
+}

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+// Any bytes as the truth of a scene.
+#include <cstdint>
+
+#include "engine/error.h"
+#include "engine/evaluate/truth.h"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  try {
+    ilot::parse_truth({reinterpret_cast<const char*>(data), size}, "fuzz.truth.json");
+  } catch (const ilot::Error&) {
+  }
+  return 0;
+}
