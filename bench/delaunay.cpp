@@ -32,7 +32,7 @@ int main(int argc, char** argv) {
                      "delaunay: not a Delaunay triangulation");
       bench::compare(
           {"delaunay", variant, 1, millions, "M points"},
-          {{"ilot", [&] { delaunay(set.points); }}, {"with alpha shape and rings", [&] { ring_count(set); }}});
+          {{"ilot", [&] { delaunay(set.points); }}, {"ilot, with alpha shape and rings", [&] { ring_count(set); }}});
       bench::scaling({"delaunay", variant, 2, millions, "M points"}, [&] { delaunay(set.points); });
     }
 }

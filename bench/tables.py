@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of bench/run as Markdown tables and SVG plots. `python3 bench/tables.py results.json FOLDER` draws them anew."""
+"""Results of bench/run as Markdown tables and SVG plots.
+
+usage: bench/tables.py results.json FOLDER    draws them anew
+"""
 import json
 import math
 import pathlib
@@ -61,7 +64,8 @@ def ceiling_table(results):
 def share_table(results):
     rows = []
     for l in results["lines"]:
-        rows += [[l["kernel"], l["variant"], l["threads"], f"{r['ratio']:.2f}"] for r in l.get("rows", []) if is_ceiling(r)]
+        rows += [[l["kernel"], l["variant"], l["threads"], f"{r['ratio']:.2f}"]
+                 for r in l.get("rows", []) if is_ceiling(r)]
     return table(["kernel", "case", "threads", "share of the ceiling"], rows)
 
 
@@ -88,7 +92,8 @@ def pipeline_table(results):
 
 
 def losses(results):
-    rows = [f"  {l['kernel']}, {l['variant']}, {l['threads']} threads: {b['name']} is {1 / b['ratio']:.2f} times as fast"
+    rows = [f"  {l['kernel']}, {l['variant']}, {l['threads']} threads: "
+            f"{b['name']} is {1 / b['ratio']:.2f} times as fast"
             for l, _, b in comparisons(results) if b["ratio"] < 1]
     return "A peer wins:\n" + "\n".join(rows) if rows else "No peer wins."
 
@@ -139,7 +144,8 @@ def ratio_plot(results):
     for i, (name, ratio) in enumerate(bars):
         y, x = 46 + step * i, zero + math.log10(ratio) * scale
         colour = "#3b7dd8" if ratio >= 1 else "#d8573b"
-        body.append(f'<rect x="{min(zero, x):.1f}" y="{y}" width="{abs(x - zero):.1f}" height="{step - 5}" fill="{colour}"/>')
+        body.append(f'<rect x="{min(zero, x):.1f}" y="{y}" width="{abs(x - zero):.1f}" height="{step - 5}" '
+                    f'fill="{colour}"/>')
         body += [text(left - 8, y + 11, name, "end"), text(max(zero, x) + 4, y + 11, number(ratio))]
     return svg(width, 60 + step * len(bars), body)
 

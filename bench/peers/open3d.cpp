@@ -9,6 +9,7 @@
 #include "bench/compare.h"
 #include "bench/normal_errors.h"
 #include "kernels/neighbours/clusters.h"
+#include "kernels/planes/plane_score.h"
 
 namespace {
 
@@ -75,12 +76,43 @@ void compare_clusters(double millions) {
                   {"Open3D ClusterDBSCAN", [&] { open3d_clusters(cloud, tolerance); }}});
 }
 
+// One plane by RANSAC: the same number of hypotheses on all points.
+void compare_ransac(const bench::Surface& town, double millions) {
+  constexpr int kHypotheses = 64;
+  constexpr double kDistance = 0.0645;  // between whole millimetres
+  omp_set_num_threads(1);
+  const PointCloud cloud = cloud_of(town.view(), 0, 0);
+  Eigen::Vector4d plane;
+  std::vector<std::size_t> inliers;
+  const auto theirs = [&] { std::tie(plane, inliers) = cloud.SegmentPlane(kDistance, 3, kHypotheses, 1.0); };
+  theirs();
+  const PlaneHypothesis same{static_cast<float>(plane[0]), static_cast<float>(plane[1]), static_cast<float>(plane[2]),
+                             static_cast<float>(plane[3] * 1000)};
+  const OrientedPoints points{town.view()};
+  std::uint32_t ours = 0;
+  count_inliers(points, std::span(&same, 1), {1000 * static_cast<float>(kDistance), 0}, std::span(&ours, 1));
+  // What it returns is the plane fitted to the inliers of another, the best hypothesis: near, not equal.
+  const double apart = std::abs(static_cast<double>(ours) - static_cast<double>(inliers.size()));
+  bench::require(apart <= 0.02 * static_cast<double>(inliers.size()), "Open3D segments another plane");
+  const std::vector<PlaneHypothesis> hypotheses(kHypotheses, same);
+  std::vector<std::uint32_t> counts(kHypotheses);
+  bench::compare({"plane_score", "RANSAC, 64 hypotheses, " + bench::in_millions(millions), 1,
+                  millions * kHypotheses * 1e-3, "G point-planes"},
+                 {{"ilot",
+                   [&] {
+                     count_inliers(points, hypotheses, {64.5f, 0}, counts);
+                   }},
+                  {"Open3D SegmentPlane", theirs}});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   open3d::utility::SetVerbosityLevel(open3d::utility::VerbosityLevel::Error);
   for (const double millions : bench::numbers(argc, argv, {1})) {
-    compare_normals(bench::make_surface(static_cast<std::size_t>(millions * 1e6)), millions);
+    const bench::Surface town = bench::make_surface(static_cast<std::size_t>(millions * 1e6));
+    compare_normals(town, millions);
+    compare_ransac(town, millions);
     compare_clusters(millions);
   }
 }

@@ -8,6 +8,7 @@
 #include <pcl/sample_consensus/sac_model_plane.h>
 #include <pcl/search/kdtree.h>
 #include <pcl/segmentation/extract_clusters.h>
+#include <pcl/segmentation/sac_segmentation.h>
 
 #include <cmath>
 
@@ -122,6 +123,50 @@ void compare_plane_counts(const bench::Surface& town, double millions) {
   bench::require(sink > 0, "PCL counted nothing");
 }
 
+// One plane by RANSAC: the same number of hypotheses on all points. Its inliers must be ours of the same coefficients,
+// up to the points that float32 rounds across the distance in another order of sums.
+void compare_ransac(const bench::Surface& town, double millions) {
+  constexpr int kHypotheses = 64;
+  constexpr float kDistance = 0.064f;
+  const Cloud::Ptr cloud = cloud_of(town.view(), 0, 0);
+  std::vector<float> x, y, z;
+  for (const pcl::PointXYZ& p : *cloud) {
+    x.push_back(p.x);
+    y.push_back(p.y);
+    z.push_back(p.z);
+  }
+  for (auto* v : {&x, &y, &z}) v->resize(cloud->size() + 16);
+  const OrientedPoints points{{x.data(), y.data(), z.data(), cloud->size()}};
+  pcl::ModelCoefficients found;
+  pcl::PointIndices inliers;
+  const auto theirs = [&] {
+    pcl::SACSegmentation<pcl::PointXYZ> segmentation;
+    segmentation.setModelType(pcl::SACMODEL_PLANE);
+    segmentation.setMethodType(pcl::SAC_RANSAC);
+    segmentation.setOptimizeCoefficients(false);
+    segmentation.setMaxIterations(kHypotheses);
+    segmentation.setProbability(1 - 1e-12);  // never early
+    segmentation.setDistanceThreshold(kDistance);
+    segmentation.setInputCloud(cloud);
+    segmentation.segment(inliers, found);
+  };
+  theirs();
+  const PlaneHypothesis same{found.values[0], found.values[1], found.values[2], found.values[3]};
+  std::uint32_t ours = 0;
+  count_inliers(points, std::span(&same, 1), {kDistance, 0}, std::span(&ours, 1));
+  const double apart = std::abs(static_cast<double>(ours) - static_cast<double>(inliers.indices.size()));
+  bench::require(apart <= 1e-4 * static_cast<double>(inliers.indices.size()), "PCL segments other inliers");
+  const std::vector<PlaneHypothesis> hypotheses(kHypotheses, same);
+  std::vector<std::uint32_t> counts(kHypotheses);
+  bench::compare({"plane_score", "RANSAC, 64 hypotheses, " + bench::in_millions(millions), 1,
+                  millions * kHypotheses * 1e-3, "G point-planes"},
+                 {{"ilot",
+                   [&] {
+                     count_inliers(points, hypotheses, {kDistance, 0}, counts);
+                   }},
+                  {"PCL SACSegmentation", theirs}});
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -129,6 +174,7 @@ int main(int argc, char** argv) {
     const bench::Surface town = bench::make_surface(static_cast<std::size_t>(millions * 1e6));
     compare_normals(town, millions);
     compare_plane_counts(town, millions);
+    compare_ransac(town, millions);
     compare_clusters(millions);
   }
 }

@@ -4,8 +4,8 @@
 // guessed radius, somewhat more than the answers before reached. A query that finds k points within it is answered,
 // since every point within it was collected; else the guess grows. Squared distances up to 2^24 are integers that
 // float32 holds exactly (a rounded sum is never below 2^24), so no second measurement is needed.
-// Far path, for wider bounds, crowds of coincident points and ties at the k-th: one sweep a query within a proven bound,
-// float32 only culls with a bound inflated by more than the rounding, and what passes is measured in integers.
+// Far path, for wider bounds and crowds of points: one sweep a query within a proven bound, float32 only culls with a
+// bound inflated by more than the rounding, and what passes is measured in integers.
 
 namespace {
 
@@ -97,7 +97,7 @@ inline std::int64_t window_bound(const KnnArgs& a, std::uint32_t i) {
   if (end - begin < static_cast<std::uint32_t>(a.k)) return a.max_d2;
   std::uint64_t key[kCapacity];
   for (std::uint32_t j = begin; j < end; ++j) {
-    const std::int64_t d2 = exact_d2(a, i, j);  // up to 2^52, which a key has no room for; beyond max_d2 it does not matter
+    const std::int64_t d2 = exact_d2(a, i, j);  // up to 2^52, which a key has no room for: cut at max_d2
     key[j - begin] = static_cast<std::uint64_t>(d2 < a.max_d2 ? d2 : a.max_d2) << kSlotBits | (j - begin);
   }
   select_smallest(key, end - begin, static_cast<std::uint32_t>(a.k));
@@ -163,25 +163,34 @@ inline std::uint32_t count_within(const float* d2, std::uint32_t size, float lim
   return total(counts);
 }
 
-// Where between two limits the k-th distance should end, from how many distances do not exceed either.
+// The answer of a query: every distance up to `all`, and of those that are exactly `tie` the first ones in index order.
+struct Limit {
+  float all, tie;
+  std::uint32_t ties;
+};
+
+// A whole number strictly between two limits where the k-th distance should end, from how many distances do not exceed
+// either.
 inline float interpolate(float low, std::uint32_t at_low, float high, std::uint32_t at_high, std::uint32_t k) {
   const float share = (static_cast<float>(k - at_low) + 0.5f) / static_cast<float>(at_high - at_low);
-  return low + (high - low) * share;
+  const float guess = static_cast<float>(static_cast<std::int32_t>(low + (high - low) * share));
+  return guess <= low ? low + 1 : guess >= high ? high - 1 : guess;
 }
 
-// A value that exactly k of the distances do not exceed, `within` (at least k) of which do not exceed the bound; the
-// search starts at a first guess. False when there is none (a tie at the k-th) or it was not found soon.
-inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std::uint32_t within, float bound, float guess,
-                       float& limit) {
+// Distances are whole numbers, of which `within` (at least k) do not exceed the bound. Interpolates between counts, from
+// a first guess, until a limit holds exactly k or two limits are one apart: then the k-th is one of several equal
+// distances. False when neither was found soon.
+inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std::uint32_t within, float bound,
+                       float guess, Limit& limit) {
   float low = -1.0f, high = bound;
   std::uint32_t at_low = 0, at_high = within;
-  limit = bound;
+  limit = {bound, 0, 0};
   if (within == k) return true;
-  if (!(guess > low && guess < high)) guess = interpolate(low, at_low, high, at_high, k);
-  for (int round = 0; round < 16 && guess > low && guess < high; ++round) {
+  if (!(guess > low && guess < high) && high - low > 1) guess = interpolate(low, at_low, high, at_high, k);
+  for (int round = 0; round < 20 && high - low > 1; ++round) {
     const std::uint32_t n = count_within(d2, size, guess);
     if (n == k) {
-      limit = guess;
+      limit.all = guess;
       return true;
     }
     if (n < k) {
@@ -191,12 +200,13 @@ inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std
       high = guess;
       at_high = n;
     }
-    guess = interpolate(low, at_low, high, at_high, k);
+    if (high - low > 1) guess = interpolate(low, at_low, high, at_high, k);
   }
-  return false;
+  limit = {low, high, k - at_low};
+  return high - low <= 1;
 }
 
-// Writes the nearby points whose squared distance does not exceed the limit, at most k; returns the largest distance.
+// Writes the nearby points of an answer, at most k; returns the largest distance.
 inline float write_answer(const Nearby& near, const float* d2, float limit, std::uint32_t count, std::uint32_t k,
                           std::uint32_t* out) {
   std::uint32_t chosen[64 + 16];
@@ -211,24 +221,36 @@ inline float write_answer(const Nearby& near, const float* d2, float limit, std:
   return greatest(largest);
 }
 
+// The same where the last few of k are at the same distance as some that are left out.
+inline float write_tied_answer(const Nearby& near, const float* d2, Limit limit, std::uint32_t* out) {
+  for (std::uint32_t i = 0; i < near.size; ++i) {
+    const bool tied = d2[i] == limit.tie && limit.ties > 0;
+    if (!tied && d2[i] > limit.all) continue;
+    *out++ = near.index[i];
+    limit.ties -= tied;
+  }
+  return limit.tie;
+}
+
 enum class Answer { kFound, kTooFew, kHard };
 
 // One query by the near path. kTooFew: fewer than k points within a bound that could grow. kHard: take the far path.
-inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& near, std::int64_t bound, std::int64_t hint,
-                         std::uint32_t* out, std::int64_t& reach2) {
+inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& near, std::int64_t bound,
+                         std::int64_t hint, std::uint32_t* out, std::int64_t& reach2) {
   float d2[kNearCapacity + 16];
   const std::uint32_t k = static_cast<std::uint32_t>(a.k);
   const float wide = static_cast<float>(bound);
   const std::uint32_t within = measure(near, a.x[query], a.y[query], a.z[query], wide, d2);
-  float limit = wide;
   if (within < k) {
     if (bound < a.max_d2) return Answer::kTooFew;
-    write_answer(near, d2, limit, within, k, out);
+    write_answer(near, d2, wide, within, k, out);
     reach2 = -1;
     return Answer::kFound;
   }
+  Limit limit;
   if (!find_limit(d2, near.size, k, within, wide, static_cast<float>(hint), limit)) return Answer::kHard;
-  reach2 = static_cast<std::int64_t>(write_answer(near, d2, limit, k, k, out));
+  reach2 = static_cast<std::int64_t>(limit.ties > 0 ? write_tied_answer(near, d2, limit, out)
+                                                    : write_answer(near, d2, limit.all, k, k, out));
   return Answer::kFound;
 }
 

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// Planes of a cloud beside another library's: what the comparisons share. Ours is the whole run, from the file to
+// labelled points and a table of planes on disk; theirs is detection alone, given points and normals in memory. Not
+// only times: what share of the points each assigns, and what share of those lies beyond epsilon of their plane.
+#pragma once
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bench/compare.h"
+#include "bench/normal_errors.h"
+#include "engine/cloud/record.h"
+#include "engine/formats/reader.h"
+#include "engine/report/progress.h"
+#include "engine/run/run.h"
+#include "engine/settings/config.h"
+#include "kernels/planes/plane_fit.h"
+
+namespace ilot::bench {
+
+constexpr int kPlaneNeighbours = 16;
+constexpr std::size_t kPlaneMinPoints = 50;
+constexpr double kPlaneConnectivity = 1.0, kPlaneAngleDeg = 25;
+
+// Metres relative to the cloud's lowest corner, in Morton order, and our normals of them: the same for everybody.
+struct OrientedCloud {
+  std::vector<Vec3> points, normals;
+};
+
+inline OrientedCloud load_oriented(const std::filesystem::path& path) {
+  const auto reader = open_cloud(path);
+  const RecordLayout& layout = reader->info().layout;
+  const std::size_t n = reader->info().points;
+  std::vector<std::byte> records(n * layout.record_length);
+  std::vector<std::uint8_t> valid(n);
+  require(reader->read(0, records, valid) == n, "the cloud is damaged");
+  const auto at = [&](std::size_t i) {
+    return decode_fields(std::span(records).subspan(i * layout.record_length, layout.record_length),
+                         layout.point_format);
+  };
+  PointFields low = at(0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const PointFields f = at(i);
+    low.x = std::min(low.x, f.x);
+    low.y = std::min(low.y, f.y);
+    low.z = std::min(low.z, f.z);
+  }
+  std::vector<std::uint64_t> codes;
+  for (std::size_t i = 0; i < n; ++i) {
+    const PointFields f = at(i);
+    codes.push_back(morton_code({static_cast<std::uint32_t>(f.x - low.x), static_cast<std::uint32_t>(f.y - low.y),
+                                 static_cast<std::uint32_t>(f.z - low.z)}));
+  }
+  const Surface s = surface_of(std::move(codes));
+  OrientedCloud cloud;
+  for (const PackedNormal& packed : all_normals(s.view(), kPlaneNeighbours)) {
+    const Vec3 v{static_cast<double>(packed.x), static_cast<double>(packed.y), static_cast<double>(packed.z)};
+    cloud.normals.push_back((1 / std::max(1.0, norm(v))) * v);
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    cloud.points.push_back({s.x[i] * layout.scale[0], s.y[i] * layout.scale[1], s.z[i] * layout.scale[2]});
+  return cloud;
+}
+
+struct Found {
+  std::size_t planes = 0, assigned = 0, beyond = 0;
+
+  // Members given to a plane.
+  template <class Members>
+  void add(const OrientedCloud& cloud, const Members& members, const Plane& plane, double epsilon) {
+    ++planes;
+    for (const auto i : members) {
+      ++assigned;
+      beyond += std::abs(signed_distance(plane, cloud.points[static_cast<std::size_t>(i)])) > epsilon;
+    }
+  }
+};
+
+// The least-squares plane of some points, for methods that say only which belong together.
+template <class Members>
+Plane plane_of(const OrientedCloud& cloud, const Members& members) {
+  Moments m;
+  for (const auto i : members) {
+    const Vec3& p = cloud.points[static_cast<std::size_t>(i)];
+    const auto whole = [](double v) { return static_cast<std::int64_t>(std::nearbyint(v * 1000)); };
+    m.add_point({whole(p.x), whole(p.y), whole(p.z)});
+  }
+  const Plane millimetres = fit_plane(m).plane;
+  return {millimetres.n, millimetres.d / 1000};
+}
+
+// Every labelled point of ours is within epsilon by contract; tests and `ilot evaluate` check it.
+inline Found whole_run(const std::filesystem::path& path, double epsilon, const std::filesystem::path& work) {
+  RunOptions options;
+  options.inputs = {path};
+  options.output = work / "out";
+  options.existing = Existing::overwrite;
+  options.threads = thread_count();
+  apply_assignment(options.settings, "planes.epsilon=" + std::to_string(epsilon));
+  apply_assignment(options.settings, "planes.min_points=" + std::to_string(kPlaneMinPoints));
+  apply_assignment(options.settings, "planes.connectivity=" + std::to_string(kPlaneConnectivity));
+  Progress progress;
+  require(run(options, progress) == 0, "the run skipped something");
+  std::ifstream file(options.output / "run.json");
+  const nlohmann::json record = nlohmann::json::parse(file);
+  return {record["counts"]["planes"], record["counts"]["points"]["labelled"], 0};
+}
+
+inline void report_planes(const std::string& who, const Found& found, std::size_t points) {
+  const double n = static_cast<double>(points), assigned = static_cast<double>(found.assigned);
+  const double beyond = static_cast<double>(found.beyond);
+  report({.kernel = "planes", .variant = who + ", " + in_millions(n / 1e6)},
+         {{"planes", static_cast<double>(found.planes)},
+          {"assigned share", assigned / n},
+          {"assigned within epsilon, share", (assigned - beyond) / n},
+          {"of those assigned beyond epsilon", beyond / std::max(1.0, assigned)}});
+}
+
+struct PlaneWay {
+  std::string name;
+  std::function<Found(const OrientedCloud&)> detect;
+};
+
+// argv: CLOUD EPSILON_M WORK_DIR. Clouds of more than half a million points are gone through once.
+inline void compare_planes(int argc, char** argv,
+                           const std::function<std::vector<PlaneWay>(const OrientedCloud&, double)>& peers) {
+  require(argc == 4 && std::atof(argv[2]) > 0, "usage: CLOUD EPSILON_M WORK_DIR");
+  const std::filesystem::path path = argv[1], work = argv[3];
+  const double epsilon = std::atof(argv[2]);
+  const OrientedCloud cloud = load_oriented(path);
+  const double millions = static_cast<double>(cloud.points.size()) / 1e6;
+  std::vector<PlaneWay> ways{
+      {"ilot, file to files", [&](const OrientedCloud&) { return whole_run(path, epsilon, work); }}};
+  for (PlaneWay& peer : peers(cloud, epsilon)) ways.push_back(std::move(peer));
+  std::vector<Found> found(ways.size());
+  std::vector<Way> timed;
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    timed.push_back({ways[i].name, [&, i] { found[i] = ways[i].detect(cloud); }});
+  compare({"planes", "epsilon " + std::to_string(epsilon).substr(0, 5) + " m, " + in_millions(millions), 2, millions,
+           "M points", millions > 0.5 ? 1 : 3},
+          timed);
+  for (std::size_t i = 0; i < ways.size(); ++i) report_planes(ways[i].name, found[i], cloud.points.size());
+}
+
+}  // namespace ilot::bench
