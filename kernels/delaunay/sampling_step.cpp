@@ -33,7 +33,7 @@ bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
 
 }  // namespace
 
-double predicted_step(const Station& s, const Plane& plane, Vec3 p) {
+double predicted_step(const Scanner& s, const Plane& plane, Vec3 p) {
   const Vec3 ray = p - s.position;
   const Vec3 side = cross(ray, s.axis);
   const double level = norm(side);
@@ -50,13 +50,13 @@ double predicted_step(const Station& s, const Plane& plane, Vec3 p) {
   return std::max(norm(across + along), norm(across - along));
 }
 
-double predicted_step(std::span<const Station> stations, const Plane& plane, Vec3 p) {
+double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec3 p) {
   double least = kNever;
-  for (const Station& s : stations) least = std::min(least, predicted_step(s, plane, p));
+  for (const Scanner& s : stations) least = std::min(least, predicted_step(s, plane, p));
   return least;
 }
 
-double documented_step(const Station& s, const Plane& plane, Vec3 p) {
+double documented_step(const Scanner& s, const Plane& plane, Vec3 p) {
   const double d = std::abs(signed_distance(plane, s.position));
   const Vec3 ray = p - s.position;
   const double level2 = ray.x * ray.x + ray.y * ray.y;
