@@ -104,8 +104,11 @@ PlaneBoundary boundary_of(const Store& store, const BoundaryParams& params, std:
 
 void write_flags(const Store& store, const std::vector<std::uint64_t>& first, const std::vector<bool>& is_vertex) {
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
+    if (store.has(b, "boundary")) continue;
     std::vector<std::uint8_t> flags(store.blocks()[b].points);
     for (std::uint32_t i = 0; i < flags.size(); ++i) flags[i] = is_vertex[first[b] + i] ? 1 : 0;
+    for (const Coincident& c : read_column<Coincident>(store.path(b, "coincident")))
+      flags[c.point] = is_vertex[c.kept] ? 1 : 0;
     store.write<std::uint8_t>(b, "boundary", flags);
   }
 }

@@ -32,10 +32,11 @@ struct BoundaryParams {
   std::span<const std::vector<NeighbourRange>> ranges;
 };
 
-// Gives the outline of every plane to `take`, by id, and writes the column "boundary" (u8: 1 = the point is a vertex of
-// its plane's outline before thinning). A triangle belongs to a segment when its circumradius is at most the largest
-// alpha of its corners: those of the Delaunay triangulation of all points of the segment, whatever the blocks. Memory:
-// stretches of 2^16 points with what lies around them, the edges of some planes at a time, and a bit a point.
+// Gives the outline of every plane to `take`, by id, and writes the column "boundary" (u8: 1 = the point, or one at the
+// same place, is a vertex of its plane's outline before thinning). A triangle belongs to a segment when its
+// circumradius is at most the largest alpha of its corners: those of the Delaunay triangulation of all points of the
+// segment, whatever the blocks. Memory: stretches of 2^16 points with what lies around them, the edges of some planes
+// at a time, and a bit a point.
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(const Outline&)>& take);
 

@@ -13,35 +13,51 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kStretch = std::uint32_t{1} << 16;  // points looked at together; whole chunks
+constexpr std::uint32_t kStretch = std::uint32_t{1} << 16;  // most points looked at together
 constexpr std::uint64_t kBytesPerPoint = 280;               // of a stretch and its surroundings: the triangulation
 constexpr int kNeighbours = 6;
 constexpr double kPi = 3.14159265358979323846;
 
-// Consecutive points of a block.
+// The points of one octree cell of a block, and their box.
 struct Stretch {
   std::uint32_t block = 0, first = 0, count = 0;
+  IndexBox box;
 };
+
+Stretch stretch_of(std::uint32_t block, Tile tile, std::span<const std::uint64_t> codes, std::uint32_t first,
+                   std::uint32_t count) {
+  Stretch s{block, first, count, {{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}}};
+  for (const std::uint64_t code : codes.subspan(first, count)) {
+    const Index3 p = index_of({tile, code});
+    s.box.min = {std::min(s.box.min.x, p.x), std::min(s.box.min.y, p.y), std::min(s.box.min.z, p.z)};
+    s.box.max = {std::max(s.box.max.x, p.x), std::max(s.box.max.y, p.y), std::max(s.box.max.z, p.z)};
+  }
+  return s;
+}
+
+// Cells are cut until they are small enough: compact ones have little around them.
+void cut(const Node& node, std::uint32_t block, std::span<const std::uint64_t> codes, std::uint32_t first,
+         std::uint32_t count, std::vector<Stretch>& out) {
+  if (count == 0) return;
+  if (count <= kStretch || node.level == kTileBits) {
+    out.push_back(stretch_of(block, node.tile, codes, first, count));
+    return;
+  }
+  const std::uint32_t end = first + count;
+  for (int octant = 0; octant < 8; ++octant) {
+    const Node child = node.child(octant);
+    const auto last = std::upper_bound(codes.begin() + first, codes.begin() + end, child.last_code());
+    const auto next = static_cast<std::uint32_t>(last - codes.begin());
+    cut(child, block, codes, first, next - first, out);
+    first = next;
+  }
+}
 
 std::vector<Stretch> stretches(const Store& store, std::uint32_t block) {
   std::vector<Stretch> all;
-  const std::uint32_t points = store.blocks()[block].points;
-  for (std::uint32_t first = 0; first < points; first += kStretch)
-    all.push_back({block, first, std::min(kStretch, points - first)});
+  const auto codes = store.read<std::uint64_t>(block, "codes");
+  cut(store.blocks()[block].node, block, codes, 0, store.blocks()[block].points, all);
   return all;
-}
-
-IndexBox box_of(const Store& store, const Stretch& s) {
-  const std::uint32_t chunk = s.first / kChunkPoints, end = (s.first + s.count + kChunkPoints - 1) / kChunkPoints;
-  IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
-  const Index3 origin = corner(store.blocks()[s.block].node.tile);
-  for (const ChunkBox& c : store.read<ChunkBox>(s.block, "chunks", chunk, end - chunk)) {
-    box.min = {std::min(box.min.x, origin.x + c.min[0]), std::min(box.min.y, origin.y + c.min[1]),
-               std::min(box.min.z, origin.z + c.min[2])};
-    box.max = {std::max(box.max.x, origin.x + c.max[0]), std::max(box.max.y, origin.y + c.max[1]),
-               std::max(box.max.z, origin.z + c.max[2])};
-  }
-  return box;
 }
 
 std::int64_t farthest_of(const BoundaryParams& params, const Stretch& s) {
@@ -73,7 +89,7 @@ class Surroundings {
  public:
   Surroundings(const Store& store, const Stretch& stretch, std::int64_t margin, const BoundaryParams& params)
       : stretch_(stretch),
-        view_(load_view(store, box_of(store, stretch).grown(margin), store.blocks()[stretch.block].node.min_corner())),
+        view_(load_view(store, stretch.box.grown(margin), store.blocks()[stretch.block].node.min_corner())),
         plane_(load_column<std::uint32_t>(store, view_, "plane")),
         params_(params) {
     for (std::uint32_t& p : plane_) p = params.final_id[p];
@@ -171,7 +187,7 @@ std::uint64_t boundary_bytes(const Store& store, std::uint32_t block, const Boun
   std::uint64_t most = 0;
   for (const Stretch& s : stretches(store, block)) {
     const double largest = reach_of(std::pow(static_cast<double>(in_steps(farthest_of(params, s))), 2), params.gamma);
-    const IndexBox box = box_of(store, s).grown(std::max(margin_of(largest, work), farthest_of(params, s)));
+    const IndexBox box = s.box.grown(std::max(margin_of(largest, work), farthest_of(params, s)));
     most = std::max<std::uint64_t>(most, plan_view(store, box, store.blocks()[block].node.min_corner()).size);
   }
   return most * kBytesPerPoint + store.blocks()[block].points * std::uint64_t{4};
@@ -186,7 +202,7 @@ void write_reach(const Store& store, std::uint32_t block, const BoundaryWork& wo
     for (const Slice& slice : around.view().slices)
       for (std::uint32_t i = slice.at; i < slice.at + slice.count; ++i) point[i] = slice.first + (i - slice.at);
     around.each_plane([&](const PlanePoints& p) {
-      const MeasuredSteps steps = measured_steps(p.places, kNeighbours, in_steps(farthest_of(params, s)));
+      const MeasuredSteps steps = measured_steps(p.places, kNeighbours, in_steps(farthest_of(params, s)), p.own);
       auto range = params.ranges[block].begin();
       for (std::size_t i = 0; i < p.places.size(); ++i) {
         if (!p.own[i]) continue;
@@ -204,6 +220,7 @@ void write_reach(const Store& store, std::uint32_t block, const BoundaryWork& wo
 void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWork& work) {
   const BoundaryParams& params = work.params;
   std::vector<SeamEdge> edges;
+  std::vector<Coincident> coincident;
   std::uint32_t regions = 0;
   for (const Stretch& s : stretches(store, block)) {
     float largest = 0;
@@ -221,6 +238,10 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
       const Triangulation t = delaunay(p.places);
       const auto own = owned_triangles(t, p.places, {TriangleRule::kCircumradius, reach}, p.own);
       add_edges(p, t, own, number, regions, edges);
+      for (const auto& [left_out, kept] : t.duplicates)
+        if (p.own[left_out])
+          coincident.push_back(
+              {static_cast<std::uint32_t>(number[p.in_view[left_out]] - work.first[block]), number[p.in_view[kept]]});
     });
   }
   std::stable_sort(edges.begin(), edges.end(), [](const SeamEdge& a, const SeamEdge& b) { return a.plane < b.plane; });
@@ -229,6 +250,7 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
     if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i, 0});
     ++runs.back().count;
   }
+  store.write<Coincident>(block, "coincident", coincident);
   store.write<SeamRun>(block, "seam_runs", runs);
   store.write<SeamEdge>(block, "seam_edges", edges);
 }

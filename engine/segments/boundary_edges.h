@@ -25,6 +25,12 @@ struct SeamRun {
   std::uint32_t plane = 0, first = 0, count = 0;
 };
 
+// A point of this block that coincides on its plane with another, which stands for both.
+struct Coincident {
+  std::uint32_t point = 0;  // of the block
+  std::uint64_t kept = 0;   // in global order
+};
+
 // What all blocks share.
 struct BoundaryWork {
   const BoundaryParams& params;
@@ -40,7 +46,8 @@ std::uint64_t boundary_bytes(const Store& store, std::uint32_t block, const Boun
 // plane.
 void write_reach(const Store& store, std::uint32_t block, const BoundaryWork& work);
 
-// Writes "seam_runs" (SeamRun) and, in the same order, "seam_edges" (SeamEdge). Needs "reach" of all blocks.
+// Writes "coincident" (Coincident), "seam_runs" (SeamRun) and, in the same order, "seam_edges" (SeamEdge). Needs
+// "reach" of all blocks.
 void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWork& work);
 
 // The frame on which a plane's points are triangulated: lattice units, relative to its anchor.

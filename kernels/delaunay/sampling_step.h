@@ -40,7 +40,9 @@ struct MeasuredSteps {
 // Per point from the k nearest other places (1 to 63) in the plane: that of a square raster as dense as the disc that
 // holds them; on the raster itself within a tenth for k = 6. Points that coincide count once. Where fewer than k lie
 // within `farthest`, the step is that of k points within it. The points' extent must be below 2^24 lattice units;
-// `farthest` at most 2^22.
-MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest);
+// `farthest` at most 2^22. `wanted`: per point 1 = measure it, 0 = it may be left out, with step 0 and reach2 -1; empty
+// = all.
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest,
+                             std::span<const std::uint8_t> wanted = {});
 
 }  // namespace ilot

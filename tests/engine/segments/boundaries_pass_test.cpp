@@ -157,6 +157,23 @@ TEST(BoundariesPass, ARoofWithTwoOpeningsIsOnePolygonWithTwoHoles) {
   EXPECT_NEAR(area, truth, 0.06 * (24 + 7 + 2.4));
 }
 
+TEST(BoundariesPass, PointsAtOnePlaceShareTheirFlag) {
+  auto points = house(3000, true);
+  const std::size_t n = points.size();
+  points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n));
+  const PlaneStore s(points, {500, 1u << 20, 1});
+  const Result r = boundaries(s, 0);
+  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  std::size_t flagged = 0;
+  for (std::size_t i = 1; i < r.where.size(); ++i) {
+    if (r.where[i] == r.where[i - 1] && plane[i] == plane[i - 1]) {
+      EXPECT_EQ(r.boundary[i], r.boundary[i - 1]);
+      flagged += r.boundary[i];
+    }
+  }
+  EXPECT_GT(flagged, 100u);
+}
+
 // More points in a block than are looked at together.
 TEST(BoundariesPass, StretchesOfABlockLeaveNoSeam) {
   const auto points = house(18000, false);
