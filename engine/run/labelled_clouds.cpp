@@ -26,6 +26,7 @@ constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk o
 struct RowLabel {
   std::uint32_t plane = 0;
   PackedNormal normal;
+  std::uint8_t boundary = 0;
 };
 
 // One block's rows in input order: the column "rows", and every 1,024th order kept in memory.
@@ -39,6 +40,7 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   const auto order = store.read<InputOrder>(block, "order");
   const std::vector<std::uint32_t> sorted = sorted_order(order);
   const auto plane = store.read<std::uint32_t>(block, "plane");
+  const auto boundary = store.read<std::uint8_t>(block, "boundary");
   std::vector<PackedNormal> normals(order.size());
   if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
   std::vector<InputOrder> orders(order.size());
@@ -46,7 +48,7 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const std::uint32_t from = sorted[i];
     orders[i] = order[from];
-    rows[i] = {params.final_id[plane[from]], normals[from]};
+    rows[i] = {params.final_id[plane[from]], normals[from], boundary[from]};
   }
   store.write<InputOrder>(block, "row_order", orders);
   store.write<RowLabel>(block, "rows", rows);
@@ -96,6 +98,7 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   spec.software = "ilot " + version();
   spec.appended.push_back({"plane_id", "0 = none", FieldType::u32});
   spec.appended.push_back({"residual", "signed distance to plane, m", FieldType::f32});
+  spec.appended.push_back({"boundary", "1 = on its plane's outline", FieldType::u8});
   if (params.write_normals)
     for (const char* name : {"NormalX", "NormalY", "NormalZ"})
       spec.appended.push_back({name, "unit normal, 0 0 0 = none", FieldType::f32});
@@ -112,9 +115,10 @@ double residual(const std::byte* record, const LatticeMap& lattice, const Joined
 void append_label(const RowLabel& label, double residual_m, const LabelParams& params, std::byte* to) {
   store<std::uint32_t>(to, label.plane);
   store<float>(to + 4, static_cast<float>(residual_m));
+  store<std::uint8_t>(to + 8, label.boundary);
   if (!params.write_normals) return;
   const std::int16_t n[3]{label.normal.x, label.normal.y, label.normal.z};
-  for (int axis = 0; axis < 3; ++axis) store<float>(to + 8 + 4 * axis, static_cast<float>(n[axis]) / 32767.0f);
+  for (int axis = 0; axis < 3; ++axis) store<float>(to + 9 + 4 * axis, static_cast<float>(n[axis]) / 32767.0f);
 }
 
 // A stretch of one input on its way to the output.

@@ -109,7 +109,10 @@ PlanesResult make_planes(const Store& store, const Settings& settings, const Pas
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle), min_points});
   const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context);
   progress.end_stage();
-  return number_planes(joined, tallies, context.wanted ? 1 : min_points, store.unit(), context.metres_per_unit);
+  PlanesResult result =
+      number_planes(joined, tallies, context.wanted ? 1 : min_points, store.unit(), context.metres_per_unit);
+  result.ranges = neighbour_ranges(store, cells, found);
+  return result;
 }
 
 }  // namespace ilot

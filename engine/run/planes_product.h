@@ -6,15 +6,17 @@
 #include "engine/pass/context.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
+#include "engine/segments/boundaries_pass.h"
 #include "engine/segments/join_pass.h"
 #include "engine/store/store.h"
 
 namespace ilot {
 
 struct PlanesResult {
-  std::vector<Segment> segments;        // by id
-  std::vector<JoinedPlane> planes;      // the same on the lattice
-  std::vector<std::uint32_t> final_id;  // per joined plane + 1; [0] = 0
+  std::vector<Segment> segments;                    // by id
+  std::vector<JoinedPlane> planes;                  // the same on the lattice
+  std::vector<std::uint32_t> final_id;              // per joined plane + 1; [0] = 0
+  std::vector<std::vector<NeighbourRange>> ranges;  // per block
 };
 
 // Blocks to planes: normals, planes per cell, join over cells, labels. Adds its stages to the progress and the values

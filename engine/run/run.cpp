@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/deliverables/planes_csv.h"
+#include "engine/deliverables/planes_gpkg.h"
 #include "engine/error.h"
 #include "engine/pass/index.h"
 #include "engine/report/resources.h"
@@ -96,6 +97,16 @@ void skip_product(const std::string& product, const std::string& reason, Progres
   record.skipped.push_back({"product", product, reason});
 }
 
+void make_boundaries(const Store& store, const PlanesResult& planes, const Settings& settings, const Crs& crs,
+                     const PassContext& context, const std::filesystem::path& folder) {
+  const double tolerance = settings.boundaries.tolerance / (store.unit() * context.metres_per_unit);
+  std::filesystem::create_directories(folder);
+  PlanesGpkg file(folder / "planes.gpkg", crs);
+  boundaries_pass(store, {settings.boundaries.gamma, tolerance, planes.planes, planes.final_id, planes.ranges}, context,
+                  [&](const Outline& outline) { file.add(planes.segments[outline.plane_id - 1], outline); });
+  file.finish();
+}
+
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, const OutputFolder& out, Progress& progress,
                    RunRecord& record) {
@@ -109,6 +120,9 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const Out
   }
 
   const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
+
+  progress.begin_stage("boundaries", index.store.points());
+  make_boundaries(index.store, planes, options.settings, inputs.crs, context, out.staging());
 
   progress.begin_stage("write", inputs.points);
   const LabelParams labels{planes.final_id, planes.planes, options.settings.normals.write};

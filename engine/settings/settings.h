@@ -47,6 +47,11 @@ struct PlanesSettings {
   double probability = 0.99;           // that the best plane was among those tried
 };
 
+struct BoundariesSettings {
+  double gamma = 1;          // alpha around a point over the sampling step there, the diagonal of a cell of its raster
+  double tolerance = 0.001;  // metres; outlines are thinned to within it
+};
+
 struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
@@ -58,6 +63,7 @@ struct Settings {
   IndexSettings index;
   NormalsSettings normals;
   PlanesSettings planes;
+  BoundariesSettings boundaries;
   ClassesSettings classes;
 };
 

@@ -12,7 +12,7 @@ struct PlaneFrame {
   double step = 1;  // edge of the plane's lattice, in units of space
 };
 
-constexpr double kPlaneSteps = 16;  // steps of the plane's lattice a unit of space
+constexpr double kPlaneSteps = 4;  // steps of the plane's lattice a unit of space
 
 // The frame of a plane near `anchor`, whose foot point is the origin. u is horizontal and v points up, so that facades
 // are seen as they stand, from the side the normal points to; for planes within half a degree of level u points east.

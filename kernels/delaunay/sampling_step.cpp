@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "kernels/delaunay/plane_order.h"
 #include "kernels/neighbours/knn.h"
@@ -33,7 +32,7 @@ bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
 
 }  // namespace
 
-double predicted_step(const Station& s, const Plane& plane, Vec3 p) {
+double predicted_step(const Scanner& s, const Plane& plane, Vec3 p) {
   const Vec3 ray = p - s.position;
   const Vec3 side = cross(ray, s.axis);
   const double level = norm(side);
@@ -50,13 +49,13 @@ double predicted_step(const Station& s, const Plane& plane, Vec3 p) {
   return std::max(norm(across + along), norm(across - along));
 }
 
-double predicted_step(std::span<const Station> stations, const Plane& plane, Vec3 p) {
+double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec3 p) {
   double least = kNever;
-  for (const Station& s : stations) least = std::min(least, predicted_step(s, plane, p));
+  for (const Scanner& s : stations) least = std::min(least, predicted_step(s, plane, p));
   return least;
 }
 
-double documented_step(const Station& s, const Plane& plane, Vec3 p) {
+double documented_step(const Scanner& s, const Plane& plane, Vec3 p) {
   const double d = std::abs(signed_distance(plane, s.position));
   const Vec3 ray = p - s.position;
   const double level2 = ray.x * ray.x + ray.y * ray.y;
@@ -67,7 +66,8 @@ double documented_step(const Station& s, const Plane& plane, Vec3 p) {
   return std::sqrt(du * du + dv * dv);
 }
 
-MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest) {
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest,
+                             std::span<const std::uint8_t> wanted) {
   MeasuredSteps out{std::vector<float>(points.size()), std::vector<std::int64_t>(points.size(), -1)};
   const PlaneOrder order = plane_order(points);
   const std::size_t n = order.points.size();
@@ -80,18 +80,24 @@ MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t
     y[i] = static_cast<float>(order.points[i].y - low.y);
   }
   const NeighbourIndex index = build_neighbour_index({x.data(), y.data(), z.data(), n});
+  std::vector<std::uint8_t> asked(points.size(), 1);
+  std::copy(wanted.begin(), wanted.end(), asked.begin());
+  for (const auto& [left_out, kept] : order.duplicates) asked[kept] |= asked[left_out];
+  std::vector<std::uint32_t> all;
+  for (std::uint32_t i = 0; i < n; ++i)
+    if (asked[order.index[i]]) all.push_back(i);
   constexpr std::size_t kBatch = 1024;
-  std::vector<std::uint32_t> queries(kBatch), neighbours(kBatch * static_cast<std::size_t>(k + 1));
+  std::vector<std::uint32_t> neighbours(kBatch * static_cast<std::size_t>(k + 1));
   std::vector<std::int64_t> reach2(kBatch);
-  for (std::size_t done = 0; done < n; done += kBatch) {
-    const std::size_t count = std::min(kBatch, n - done);
-    std::iota(queries.begin(), queries.end(), static_cast<std::uint32_t>(done));
-    knn(index, std::span(queries).first(count), {k + 1, farthest * farthest},
+  for (std::size_t done = 0; done < all.size(); done += kBatch) {
+    const std::size_t count = std::min(kBatch, all.size() - done);
+    const auto queries = std::span(all).subspan(done, count);
+    knn(index, queries, {k + 1, farthest * farthest},
         std::span(neighbours).first(count * static_cast<std::size_t>(k + 1)), std::span(reach2).first(count));
     for (std::size_t i = 0; i < count; ++i) {
       const double d2 = static_cast<double>(reach2[i] < 0 ? farthest * farthest : reach2[i]);
-      out.step[order.index[done + i]] = static_cast<float>(std::sqrt(2 * kPi * d2 / k));
-      out.reach2[order.index[done + i]] = reach2[i];
+      out.step[order.index[queries[i]]] = static_cast<float>(std::sqrt(2 * kPi * d2 / k));
+      out.reach2[order.index[queries[i]]] = reach2[i];
     }
   }
   for (const auto& [left_out, kept] : order.duplicates) {

@@ -13,7 +13,7 @@ namespace ilot {
 
 // A scanner that turns about its axis by azimuth_step between profiles, and in each profile by elevation_step between
 // points. Steps in radians, below 0.1.
-struct Station {
+struct Scanner {
   Vec3 position;
   Vec3 axis{0, 0, 1};  // of unit length
   double azimuth_step = 0;
@@ -22,14 +22,14 @@ struct Station {
 
 // The longer diagonal of the cell that the rays half a step to each side of the one to p cut out of the plane, for any
 // plane and any tilt. p lies on the plane. Infinite where one of these rays does not meet it, and at the station.
-double predicted_step(const Station& station, const Plane& plane, Vec3 p);
+double predicted_step(const Scanner& station, const Plane& plane, Vec3 p);
 
 // With several stations the smallest; infinite without any.
-double predicted_step(std::span<const Station> stations, const Plane& plane, Vec3 p);
+double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec3 p);
 
 // The document's formula for a levelled scanner and a vertical plane, without the cell's shear: short by a quarter at
 // 45 degrees to both sides. For comparison.
-double documented_step(const Station& station, const Plane& plane, Vec3 p);
+double documented_step(const Scanner& station, const Plane& plane, Vec3 p);
 
 // A measured step, and whether it can be trusted.
 struct MeasuredSteps {
@@ -40,7 +40,9 @@ struct MeasuredSteps {
 // Per point from the k nearest other places (1 to 63) in the plane: that of a square raster as dense as the disc that
 // holds them; on the raster itself within a tenth for k = 6. Points that coincide count once. Where fewer than k lie
 // within `farthest`, the step is that of k points within it. The points' extent must be below 2^24 lattice units;
-// `farthest` at most 2^22.
-MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest);
+// `farthest` at most 2^22. `wanted`: per point 1 = measure it, 0 = it may be left out, with step 0 and reach2 -1; empty
+// = all.
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest,
+                             std::span<const std::uint8_t> wanted = {});
 
 }  // namespace ilot

@@ -21,7 +21,7 @@ class Invariants(RunTest):
         self.assertTrue(all(a[:before.length] == b for a, b in zip(after.records(), before.records())),
                         "input records keep their order and bytes")
         carried = collections.Counter()
-        for (x, y, z), (plane_id, residual) in zip(after.points(), after.labels()):
+        for (x, y, z), (plane_id, residual, _) in zip(after.points(), after.labels()):
             carried[plane_id] += 1
             if plane_id == 0:
                 self.assertEqual(residual, 0)
@@ -116,7 +116,7 @@ class Synthetic(Invariants):
         planes = {p["plane_id"]: p for p in planes_of(out)}
         for path in paths:
             labelled = self.labelled(out, path.stem)
-            for (x, y, z), (plane_id, residual) in zip(labelled.points(), labelled.labels()):
+            for (x, y, z), (plane_id, residual, _) in zip(labelled.points(), labelled.labels()):
                 if plane_id:
                     p = planes[plane_id]
                     distance = p["nx"] * x + p["ny"] * y + p["nz"] * z + p["d"]
@@ -144,7 +144,7 @@ class Synthetic(Invariants):
     def test_bounds_label_nothing_outside(self):
         path = self.district(300000)
         box, out, told = self.check_bounds(path, 0.6, 4)
-        outside = sum(1 for (x, y, _), (plane, _) in zip(Las.read(path).points(), self.labelled(out, path.stem).labels())
+        outside = sum(1 for (x, y, _), (plane, *_) in zip(Las.read(path).points(), self.labelled(out, path.stem).labels())
                       if plane and not (box[0] - 1e-6 <= x <= box[2] + 1e-6 and box[1] - 1e-6 <= y <= box[3] + 1e-6))
         self.assertEqual(outside, 0, "labelled points outside the area")
 

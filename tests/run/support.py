@@ -61,7 +61,7 @@ class Las:
     def labels(self):
         """(plane_id, residual) of every record of a labelled cloud."""
         rows = self.data[self.start:self.start + self.count * self.length]
-        return list(struct.iter_unpack(f"<{self.length - 8}xIf", rows))
+        return list(struct.iter_unpack(f"<{self.length - 9}xIfB", rows))
 
     def write(self, path, records=None, offset=None, scale=None):
         """The same cloud with other records, offset or scale."""

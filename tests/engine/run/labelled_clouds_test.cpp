@@ -20,12 +20,15 @@ void write_labels(const Store& store) {
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
     std::vector<std::uint32_t> plane;
     std::vector<PackedNormal> normal;
+    std::vector<std::uint8_t> boundary;
     for (const InputOrder order : store.read<InputOrder>(b, "order")) {
       plane.push_back(plane_of(order));
       normal.push_back({static_cast<std::int16_t>(row_of(order) % 30000), -32767, 0, 0});
+      boundary.push_back(row_of(order) % 3 == 0);
     }
     store.write<std::uint32_t>(b, "plane", plane);
     store.write<PackedNormal>(b, "normals", normal);
+    store.write<std::uint8_t>(b, "boundary", boundary);
   }
 }
 
@@ -63,7 +66,7 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
       const auto out = open_cloud(cloud.folder() / "out" / ("cloud" + std::to_string(f) + ".laz"));
       const Rows was = read_rows(*cloud.inputs()[f]), is = read_rows(*out);
       ASSERT_EQ(is.count, was.count);
-      ASSERT_EQ(is.length, was.length + 4 + 4 + 12);
+      ASSERT_EQ(is.length, was.length + 4 + 4 + 1 + 12);
       for (std::size_t i = 0; i < is.count; ++i) {
         const std::byte* row = is.bytes.data() + i * is.length;
         const std::byte* before = was.bytes.data() + i * was.length;
@@ -72,8 +75,9 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
         ASSERT_EQ(load<std::uint32_t>(row + was.length), id);
         const double z = 0.5 * test::kUnit * load<std::int32_t>(before + 8);
         ASSERT_EQ(load<float>(row + was.length + 4), id == 0 ? 0.0f : static_cast<float>(z));
-        ASSERT_EQ(load<float>(row + was.length + 8), static_cast<float>(i % 30000) / 32767.0f);
-        ASSERT_EQ(load<float>(row + was.length + 12), -1.0f);
+        ASSERT_EQ(load<std::uint8_t>(row + was.length + 8), i % 3 == 0);
+        ASSERT_EQ(load<float>(row + was.length + 9), static_cast<float>(i % 30000) / 32767.0f);
+        ASSERT_EQ(load<float>(row + was.length + 13), -1.0f);
         expected += id != 0;
       }
     }

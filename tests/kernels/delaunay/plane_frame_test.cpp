@@ -15,12 +15,12 @@ TEST(PlaneFrame, AFacadeStandsUpright) {
   EXPECT_EQ(f.origin.y, 50);
   EXPECT_EQ(f.u.x, 1);
   EXPECT_EQ(f.v.z, 1);
-  EXPECT_EQ(project(f, {8, 50, 5}), (Point2{16, 32}));
+  EXPECT_EQ(project(f, {8, 50, 5}), (Point2{4, 8}));
 }
 
 TEST(PlaneFrame, GroundHasEastToTheRightAndNorthUp) {
   const PlaneFrame f = frame_of({{0, 0, 1}, -2}, {0, 0, 0});
-  EXPECT_EQ(project(f, {3, 4, 9}), (Point2{48, 64}));
+  EXPECT_EQ(project(f, {3, 4, 9}), (Point2{12, 16}));
 }
 
 TEST(PlaneFrame, AxesAreOrthonormalAndPositionsComeBackWithinHalfAStep) {

@@ -29,7 +29,7 @@ double cell_diagonal(const Plane& plane, Vec3 from, double azimuth, double eleva
 
 TEST(PredictedStep, StraightAheadItIsTheDiagonalOfASquare) {
   const Plane wall{{-1, 0, 0}, 100};  // x = 100
-  const Station station{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
+  const Scanner station{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
   EXPECT_NEAR(predicted_step(station, wall, {100, 0, 0}), std::sqrt(2.0) * 0.05, 1e-7);
   EXPECT_NEAR(documented_step(station, wall, {100, 0, 0}), std::sqrt(2.0) * 0.05, 1e-12);
 }
@@ -41,7 +41,7 @@ TEST(PredictedStep, EqualsTheRaysCellForAnyPlaneAndDirection) {
     const Vec3 n = direction(6.28 * rng.uniform(), 3.1 * (rng.uniform() - 0.5));
     const Plane plane{n, 5 + 50 * rng.uniform()};
     const double azimuth = 6.28 * rng.uniform(), elevation = 2.8 * (rng.uniform() - 0.5);
-    const Station station{{1, -2, 0.5}, {0, 0, 1}, kStep, kStep};
+    const Scanner station{{1, -2, 0.5}, {0, 0, 1}, kStep, kStep};
     const double closing = -dot(n, direction(azimuth, elevation)) * signed_distance(plane, station.position);
     if (closing < 0.05 * std::abs(signed_distance(plane, station.position))) continue;
     ++met;
@@ -55,24 +55,24 @@ TEST(PredictedStep, EqualsTheRaysCellForAnyPlaneAndDirection) {
 
 TEST(PredictedStep, TheDocumentsFormulaIsAQuarterShortAt45Degrees) {
   const Plane wall{{-1, 0, 0}, 10};
-  const Station station{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
+  const Scanner station{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
   const Vec3 p{10, 10, 10 * std::sqrt(2.0)};
   EXPECT_NEAR(documented_step(station, wall, p) / predicted_step(station, wall, p), 0.74, 0.01);
 }
 
 TEST(PredictedStep, TheSmallestOfSeveralAndNothingBehind) {
   const Plane wall{{-1, 0, 0}, 10};
-  const Station near{{5, 0, 0}, {0, 0, 1}, kStep, kStep}, far{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
-  const std::vector<Station> both{far, near};
+  const Scanner near{{5, 0, 0}, {0, 0, 1}, kStep, kStep}, far{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
+  const std::vector<Scanner> both{far, near};
   EXPECT_EQ(predicted_step(both, wall, {10, 1, 0}), predicted_step(near, wall, {10, 1, 0}));
-  EXPECT_TRUE(std::isinf(predicted_step(std::span<const Station>{}, wall, {10, 1, 0})));
-  EXPECT_TRUE(std::isinf(predicted_step(Station{{10, 0, 0}, {0, 0, 1}, kStep, kStep}, wall, {10, 1, 0})));
+  EXPECT_TRUE(std::isinf(predicted_step(std::span<const Scanner>{}, wall, {10, 1, 0})));
+  EXPECT_TRUE(std::isinf(predicted_step(Scanner{{10, 0, 0}, {0, 0, 1}, kStep, kStep}, wall, {10, 1, 0})));
   EXPECT_TRUE(std::isinf(predicted_step(far, wall, {0, 0, 0})));
 }
 
 TEST(PredictedStep, TurnsWithTheScanner) {
   const Plane wall{{-1, 0, 0}, 10};
-  const Station up{{0, 0, 0}, {0, 0, 1}, kStep, 2 * kStep}, lying{{0, 0, 0}, {0, 1, 0}, kStep, 2 * kStep};
+  const Scanner up{{0, 0, 0}, {0, 0, 1}, kStep, 2 * kStep}, lying{{0, 0, 0}, {0, 1, 0}, kStep, 2 * kStep};
   EXPECT_NEAR(predicted_step(up, wall, {10, 3, 7}), predicted_step(lying, wall, {10, 7, 3}), 1e-12);
 }
 
@@ -111,6 +111,19 @@ TEST(MeasuredSteps, EqualBruteForce) {
     }
   }
   EXPECT_TRUE(measured_steps({}, 6, 100).step.empty());
+}
+
+TEST(MeasuredSteps, OfTheWantedPointsAreTheSame) {
+  for (const auto& set : test::plane_sets(120, 6)) {
+    if (set.name != "uniform" && set.name != "lattice" && set.name != "duplicates") continue;
+    Rng rng(1);
+    std::vector<std::uint8_t> wanted;
+    for (std::size_t i = 0; i < set.points.size(); ++i) wanted.push_back(rng.below(2) == 0);
+    const MeasuredSteps all = measured_steps(set.points, 4, 1000), some = measured_steps(set.points, 4, 1000, wanted);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      EXPECT_TRUE(wanted[i] == 0 || (some.step[i] == all.step[i] && some.reach2[i] == all.reach2[i])) << set.name;
+    }
+  }
 }
 
 }  // namespace

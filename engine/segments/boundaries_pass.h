@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where segments end: alpha shapes of their points on their planes, made block by block and joined without a seam.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "engine/model/outline.h"
+#include "engine/pass/context.h"
+#include "engine/segments/block_cells.h"
+#include "engine/segments/join_pass.h"
+
+namespace ilot {
+
+// How far points of a stretch of a block look for their neighbours, in lattice units: twice the connectivity of their
+// cell.
+struct NeighbourRange {
+  std::uint32_t first = 0, count = 0;  // points of the block
+  std::int64_t farthest = 1;
+};
+
+// Per block, ascending, covering it.
+std::vector<std::vector<NeighbourRange>> neighbour_ranges(const Store& store, const std::vector<Cell>& cells,
+                                                          const CellPlanes& cell_planes);
+
+struct BoundaryParams {
+  double gamma = 1;                     // alpha of a point over the sampling step around it [C6]
+  double tolerance = 0;                 // lattice units; outlines are thinned to within it
+  std::span<const JoinedPlane> planes;  // by final id - 1
+  std::span<const std::uint32_t> final_id;
+  std::span<const std::vector<NeighbourRange>> ranges;
+};
+
+// Gives the outline of every plane to `take`, by id, and writes the column "boundary" (u8: 1 = the point, or one at the
+// same place, is a vertex of its plane's outline before thinning). A triangle belongs to a segment when its
+// circumradius is at most the largest alpha of its corners: those of the Delaunay triangulation of all points of the
+// segment, whatever the blocks. Memory: stretches of 2^16 points with what lies around them, the edges of some planes
+// at a time, and a bit a point.
+void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
+                     const std::function<void(const Outline&)>& take);
+
+}  // namespace ilot
