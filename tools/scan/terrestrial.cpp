@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kGrainPulses = 1 << 16, kGrainsAtOnce = 24;
 constexpr double kPulseRate = 100000, kStationSeconds = 3600, kFirstSecond = 200000;
 constexpr double kIntensityRange = 8;  // metres: a white, perpendicular surface fills the scale there
-constexpr std::uint64_t kPilotPulses = 400000;
+constexpr double kMostPilotPulses = 400000, kLeastPilotPulses = 60000;
 
 // Columns [first, first + count) of a station.
 struct Grain {
@@ -81,6 +81,7 @@ class TerrestrialScanner {
     point.place = station.position + range * aim.axis;
     if (!inside(scan_.scene.keep, point.place)) return;
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
+    point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
     point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
     const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
     point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
@@ -148,6 +149,10 @@ void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& t
   const BeamParams& beam = scan.beam;
   truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
   truth.classes(scene.classes);
+  std::map<int, std::string> materials;
+  for (const SurfaceLabel& label : scene.model.surfaces)
+    materials.emplace(1 + static_cast<int>(label.material), name_of(label.material));
+  truth.materials(materials);
   for (const StationParams& s : scene.stations)
     truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
   for (TruePlane plane : scene.planes) {
@@ -186,7 +191,8 @@ void fit_points(TerrestrialScan& scan, std::uint64_t points) {
     const StationGrid grid(station);
     pulses += static_cast<double>(grid.columns()) * static_cast<double>(grid.rows());
   }
-  scale_steps(scan, std::sqrt(pulses / static_cast<double>(kPilotPulses)));
+  const double pilot = std::clamp(4 * static_cast<double>(points), kLeastPilotPulses, kMostPilotPulses);
+  scale_steps(scan, std::sqrt(pulses / pilot));
   const std::uint64_t seen = count_points(scan);
   if (seen == 0) throw Error("the stations see nothing of this scene");
   scale_steps(scan, std::sqrt(static_cast<double>(seen) / static_cast<double>(points)));
