@@ -216,9 +216,7 @@ std::span<const SceneOption> building_options() {
 }
 
 TerrestrialScan plan_building(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "facade"}, {2, "sill"},   {3, "lintel"}, {4, "reveal"},
                         {5, "bulge"}, {6, "roof"},   {7, "ground"}, {8, "other"}};
   const House house(values);

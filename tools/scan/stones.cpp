@@ -105,9 +105,7 @@ std::span<const SceneOption> stones_options() {
 }
 
 TerrestrialScan plan_stones(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "stones"}, {2, "joint"}, {3, "side 1"}, {4, "side 2"}};
   const Layout at(values);
   FacadeBuilder facade(scan.scene, {}, 1);

@@ -28,7 +28,12 @@ class TerrestrialScanner {
  public:
   explicit TerrestrialScanner(const TerrestrialScan& scan)
       : scan_(scan), layout_(coloured_layout(scan.grid)), scene_(scan.scene.model.parts, reach(scan)) {
-    for (const StationParams& station : scan.scene.stations) grids_.emplace_back(station);
+    for (const StationParams& station : scan.scene.stations) {
+      grids_.emplace_back(station);
+      Rng rng(mix64(scan.seed ^ 0x726567ull), station.id);
+      const double x = gaussian(rng), y = gaussian(rng), z = gaussian(rng);
+      shifts_.push_back(scan.registration * Vec3{x, y, z});
+    }
   }
 
   std::vector<Grain> grains() const {
@@ -57,7 +62,7 @@ class TerrestrialScanner {
         tracer.trace(station.position, aim, rng, echoes);
         const double second = static_cast<double>(column * grid.rows() + row) / kPulseRate;
         for (std::size_t i = 0; i < echoes.size(); ++i)
-          add_point(station, aim, echoes, i, rng, kFirstSecond + kStationSeconds * station.id + second, records);
+          add_point(grain.station, aim, echoes, i, rng, kFirstSecond + kStationSeconds * station.id + second, records);
       }
     }
     return records;
@@ -73,13 +78,15 @@ class TerrestrialScanner {
     return 1.1 * footprint;
   }
 
-  void add_point(const StationParams& station, const Aim& aim, const std::vector<Echo>& echoes, std::size_t i, Rng& rng,
+  void add_point(std::size_t at, const Aim& aim, const std::vector<Echo>& echoes, std::size_t i, Rng& rng,
                  double second, std::vector<std::byte>& records) const {
+    const StationParams& station = scan_.scene.stations[at];
     const Echo& echo = echoes[i];
     const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
     ColouredPoint point;
     point.place = station.position + range * aim.axis;
     if (!inside(scan_.scene.keep, point.place)) return;
+    point.place = point.place + shifts_[at];
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
     point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
     point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
@@ -109,6 +116,7 @@ class TerrestrialScanner {
   RecordLayout layout_;
   PartScene scene_;
   std::vector<StationGrid> grids_;
+  std::vector<Vec3> shifts_;  // of the stations' places as registered
 };
 
 void scale_steps(TerrestrialScan& scan, double factor) {
@@ -180,9 +188,13 @@ std::string settings_text(const ScanRequest& request, const TerrestrialScan& sca
 
 }  // namespace
 
-BeamParams beam_from(const SceneValues& values) {
-  return {values.get("scene.noise"), values.get("scene.angle_noise"), values.get("scene.divergence"),
-          values.get("scene.diameter"), values.get("scene.separation")};
+TerrestrialScan empty_scan(const SceneValues& values, std::uint64_t seed) {
+  TerrestrialScan scan;
+  scan.beam = {values.get("scene.noise"), values.get("scene.angle_noise"), values.get("scene.divergence"),
+               values.get("scene.diameter"), values.get("scene.separation")};
+  scan.registration = values.get("scene.registration");
+  scan.seed = seed;
+  return scan;
 }
 
 void fit_points(TerrestrialScan& scan, std::uint64_t points) {

@@ -158,6 +158,21 @@ TEST(Terrestrial, AngleNoiseMovesPointsByTheAngleAskedFor) {
   EXPECT_NEAR(std::sqrt(squares / count), 1, 5 / std::sqrt(2 * count) + 0.02);
 }
 
+TEST(Terrestrial, RegistrationMovesAllPointsOfAStationAlike) {
+  TerrestrialScan exact = plan(plan_shapes, shapes_options(), {"scene.step=0.5"}), moved = exact;
+  moved.registration = 0.01;
+  const std::vector<Seen> a = points_of(exact), b = points_of(moved);
+  ASSERT_EQ(a.size(), b.size());
+  std::map<int, Vec3> shifts;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Vec3 shift = b[i].place - a[i].place, first = shifts.emplace(a[i].fields.source_id, shift).first->second;
+    EXPECT_LT(norm(shift - first), 4 * exact.grid);
+    EXPECT_LT(norm(shift), 0.01 * 6 * 1.8);
+  }
+  ASSERT_EQ(shifts.size(), 3u);
+  EXPECT_GT(norm(shifts[1] - shifts[2]), 0.001);
+}
+
 TEST(Terrestrial, IntensityFallsWithTheSquareOfTheRangeAndWithTheCosine) {
   const Vec3 eye{0, -12, 5};
   const std::vector<Seen> points = points_of(wall_scan(eye, 0.5));
