@@ -308,6 +308,27 @@ class Scan(unittest.TestCase):
         self.assertEqual(some["points"]["read"], 800)
         self.assertIn("share within 0.2 m", ilot("evaluate", "--models", model, "--cloud", self.cloud).stdout)
 
+    def test_scan_from_a_tripod(self):
+        listed = ilot("scan", "--list").stdout
+        for scene in ("stones", "facade-restoration", "facade-haussmann", "building", "shapes"):
+            self.assertIn("\n" + scene + " ", "\n" + listed)
+            paths = [self.folder / f"{scene}-{threads}.las" for threads in (1, 3)]
+            for path, threads in zip(paths, (1, 3)):
+                done = ilot("scan", scene, "-o", path, "--points", "20000", "--threads", threads)
+                self.assertEqual((done.returncode, done.stdout), (0, ""), done.stderr)
+            self.assertEqual(paths[0].read_bytes(), paths[1].read_bytes())
+            truths = [path.with_suffix(".truth.json").read_text() for path in paths]
+            self.assertEqual(truths[0], truths[1])
+            truth = json.loads(truths[0])
+            self.assertEqual(truth["scan"]["scene"], scene)
+            self.assertAlmostEqual(truth["counts"]["points"], 20000, delta=600)
+            info = json.loads(ilot("info", paths[0], "--json").stdout)
+            self.assertIn(str(truth["counts"]["points"]), json.dumps(info))
+            for by in ("rgb", "true_class", "true_plane", "true_element", "intensity"):
+                drawn = ilot("render", paths[0], "-o", self.folder / "a.png", "--by", by, "--view", "side", "--size", "100")
+                self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        self.refuse(["scan", "stones", "-o", self.folder / "s.las", "--set", "scene.joint_depht=1"], "scene.joint_depth")
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], "-v"])

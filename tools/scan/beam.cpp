@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 
 #include "tools/scan/exact_math.h"
 
@@ -108,7 +109,9 @@ void BeamTracer::trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>&
   scene_.candidates({origin, axis}, candidates_);
   if (candidates_.empty()) return;
   const double spread = beam_.divergence_mrad * 0.0005;
-  for (const Spot& spot : kFootprint) {
+  const bool thin = spread == 0 && beam_.diameter == 0;
+  if (thin) touch({origin, axis}, 1, chance);
+  for (const Spot& spot : std::span(kFootprint).first(thin ? 0 : kFootprint.size())) {
     const Vec3 aside = spot.right * aim.right + spot.up * aim.up;
     touch({origin + (beam_.diameter / 2) * aside, unit(axis + spread * aside)}, spot.share, chance);
   }

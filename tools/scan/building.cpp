@@ -121,6 +121,23 @@ void add_bulge(FacadeBuilder& facade, std::vector<Opening>& taken, double length
   }
 }
 
+// A band of stone around the house below each storey but the first.
+void add_bands(FacadeBuilder& facade, double length, int storeys, std::vector<Opening>& taken) {
+  constexpr double kOut = 0.04, kHeight = 0.16;
+  for (int storey = 1; storey < storeys; ++storey) {
+    const Opening strip{0, length, storey * kStorey, storey * kStorey + kHeight, 0};
+    TrueElement band;
+    band.kind = "band";
+    band.ring = facade.outline(strip, kOut);
+    band.width = length;
+    band.height = kHeight;
+    band.depth = kOut;
+    facade.block({strip.left, strip.right, -kOverlap, kOut, strip.bottom, strip.springing},
+                 finish(BuildingClass::other, Material::limestone, facade.add_element(band)));
+    taken.push_back(strip);
+  }
+}
+
 // One facade: a wall with a regular grid of windows, on the long sides a door in the middle. Returns where nothing
 // else may stand.
 std::vector<Opening> add_facade(FacadeBuilder& facade, double length, double height, int side, Rng& rng) {
@@ -147,6 +164,7 @@ std::vector<Opening> add_facade(FacadeBuilder& facade, double length, double hei
     taken[i].bottom -= 0.15;  // sill and lintel
     taken[i].springing += 0.25;
   }
+  add_bands(facade, length, storeys, taken);
   return taken;
 }
 
@@ -198,9 +216,7 @@ std::span<const SceneOption> building_options() {
 }
 
 TerrestrialScan plan_building(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "facade"}, {2, "sill"},   {3, "lintel"}, {4, "reveal"},
                         {5, "bulge"}, {6, "roof"},   {7, "ground"}, {8, "other"}};
   const House house(values);

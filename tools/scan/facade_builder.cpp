@@ -58,19 +58,30 @@ std::uint32_t FacadeBuilder::own_plane(const Plane& plane, const Finish& finish,
 }
 
 std::uint32_t FacadeBuilder::plane_parallel(double out, const Finish& finish, TruePolygon polygon) {
-  const std::pair key{std::llround(out * 1e4), finish.surface_class};
-  const auto known = parallel_.find(key);
-  if (known != parallel_.end()) {
-    const auto plane = std::find_if(scene_.planes.begin(), scene_.planes.end(),
-                                    [&](const TruePlane& p) { return p.id == known->second; });
-    plane->polygons.push_back(std::move(polygon));
-    if (plane->element != finish.element) plane->element = 0;  // shared by several
-    return known->second;
+  constexpr double kTouch = 1e-5;  // metres
+  Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+  for (Vec3 p : polygon.ring) {
+    const double x = dot(frame_.along, p - frame_.origin), z = p.z - frame_.origin.z;
+    low = {std::min(low.x, x), std::min(low.y, z)};
+    high = {std::max(high.x, x), std::max(high.y, z)};
+  }
+  std::vector<Piece>& pieces = parallel_[{std::llround(out * 1e4), finish.surface_class}];
+  const auto touching = std::find_if(pieces.begin(), pieces.end(), [&](const Piece& piece) {
+    return piece.low.x < high.x + kTouch && piece.low.y < high.y + kTouch && low.x < piece.high.x + kTouch &&
+           low.y < piece.high.y + kTouch;
+  });
+  if (touching != pieces.end()) {
+    const std::size_t known = touching->plane;
+    pieces.push_back({low, high, known});
+    TruePlane& plane = scene_.planes[known];
+    plane.polygons.push_back(std::move(polygon));
+    if (plane.element != finish.element) plane.element = 0;  // shared by several
+    return plane.id;
   }
   const Plane plane{frame_.out, -dot(frame_.out, frame_.place(0, out, 0))};
   const std::uint32_t id = own_plane(plane, finish, {});
   scene_.planes.back().polygons = {std::move(polygon)};
-  parallel_.emplace(key, id);
+  pieces.push_back({low, high, scene_.planes.size() - 1});
   return id;
 }
 

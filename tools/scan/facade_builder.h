@@ -34,8 +34,8 @@ struct Block {
   double x0 = 0, x1 = 0, out0 = 0, out1 = 0, z0 = 0, z1 = 0;
 };
 
-// Adds parts, planes and elements to a scene. Planes parallel to the facade at the same distance and of the same class
-// share one id, whatever lies between them; all others have their own.
+// Adds parts, planes and elements to a scene. Flat pieces parallel to the facade that touch, lie at the same distance
+// and are of the same class share one plane; every other has its own.
 class FacadeBuilder {
  public:
   FacadeBuilder(TerrestrialScene& scene, const FacadeFrame& frame, std::uint32_t facade)
@@ -97,7 +97,12 @@ class FacadeBuilder {
   TerrestrialScene& scene_;
   FacadeFrame frame_;
   std::uint32_t facade_;
-  std::map<std::pair<std::int64_t, std::uint8_t>, std::uint32_t> parallel_;  // by tenths of a millimetre and class
+  // A flat piece parallel to the facade: where it lies, and which of the scene's planes it belongs to.
+  struct Piece {
+    Vec2 low, high;
+    std::size_t plane;
+  };
+  std::map<std::pair<std::int64_t, std::uint8_t>, std::vector<Piece>> parallel_;  // by tenths of a millimetre and class
 };
 
 // Height of the crown of an opening.

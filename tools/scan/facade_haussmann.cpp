@@ -309,9 +309,7 @@ std::span<const SceneOption> facade_haussmann_options() {
 }
 
 TerrestrialScan plan_facade_haussmann(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"},    {1, "facade"},  {2, "joint"},    {3, "reveal"}, {4, "sill"},
                         {5, "surround"}, {6, "balcony"}, {7, "moulding"}, {8, "roof"},   {9, "other"}};
   FacadeBuilder facade(scan.scene, {}, 1);

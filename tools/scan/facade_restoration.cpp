@@ -131,9 +131,7 @@ std::span<const SceneOption> facade_restoration_options() {
 }
 
 TerrestrialScan plan_facade_restoration(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "facade"}, {2, "sill"}, {3, "wall"}, {4, "other"}};
   FacadeBuilder facade(scan.scene, {}, 1);
   Rng rng(seed, 0x726573746full);

@@ -94,6 +94,13 @@ bool is_bed_joint(double z) {
 
 }  // namespace
 
+const char* name_of(Material material) {
+  constexpr std::array<const char*, kMaterials> kNames{
+      "limestone", "render",  "brick",  "mortar", "slate",   "zinc",  "tile",      "glass",    "wood",
+      "iron",      "asphalt", "paving", "grass",  "foliage", "cloth", "car paint", "interior", "white target"};
+  return kNames[static_cast<std::size_t>(material)];
+}
+
 double reflectance(Material material) {
   return recipe_of(material).reflectance;
 }

@@ -3,6 +3,7 @@
 // material and the place. Elements share materials, so that colour alone gives no label away.
 #pragma once
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "kernels/core/types.h"
@@ -29,6 +30,11 @@ enum class Material : std::uint8_t {
   interior,     // rooms seen through windows
   white_target  // even, half of the light
 };
+
+constexpr std::size_t kMaterials = 18;
+
+// "limestone", as in the truth.
+const char* name_of(Material material);
 
 using Rgb16 = std::array<std::uint16_t, 3>;
 

@@ -73,6 +73,7 @@ void append_record(std::vector<std::byte>& records, const ColouredPoint& point, 
   fields.return_number = point.return_number;
   fields.return_count = point.return_count;
   fields.classification = point.classification;
+  fields.user_data = point.material;
   fields.source_id = point.source;
   fields.scan_angle_deg = point.scan_angle_deg;
   encode_fields(fields, {record, kStandardSize}, kFormat);

@@ -14,8 +14,8 @@ namespace ilot::scan {
 constexpr double kEastOrigin = 651000, kNorthOrigin = 6861000;
 constexpr Vec3 kSceneOrigin{kEastOrigin, kNorthOrigin, 0};
 
-// Point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32. grid: metres per
-// coordinate unit.
+// Point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32; the
+// user data are the true material. grid: metres per coordinate unit.
 RecordLayout coloured_layout(double grid);
 
 // A cloud to write records of that layout into, in EPSG:2154.
@@ -30,6 +30,7 @@ struct ColouredPoint {
   double scan_angle_deg = 0;
   double gps_time = 0;
   Rgb16 rgb{};
+  std::uint8_t material = 0;  // user data: 1 + Material, 0 = none
   std::uint8_t true_class = 0;
   std::uint32_t true_plane = 0, true_element = 0;
 };

@@ -20,15 +20,16 @@ struct SceneOption {
 
 // Options that all terrestrial scenes share, before their own.
 template <std::size_t N>
-constexpr std::array<SceneOption, N + 5> with_beam_options(const std::array<SceneOption, N>& own) {
-  std::array<SceneOption, N + 5> all{{
+constexpr std::array<SceneOption, N + 6> with_beam_options(const std::array<SceneOption, N>& own) {
+  std::array<SceneOption, N + 6> all{{
       {"scene.noise", 0.002, "m", 0, 0.1, "standard deviation of the range"},
       {"scene.angle_noise", 0.0015, "deg", 0, 0.1, "standard deviation of the beam's direction about each axis"},
       {"scene.divergence", 0.2, "mrad", 0, 5, "full angle of the beam"},
       {"scene.diameter", 0.0045, "m", 0, 0.05, "of the beam at the scanner"},
+      {"scene.registration", 0, "m", 0, 0.1, "standard deviation of each station's place along each axis"},
       {"scene.separation", 0.3, "m", 0, 5, "echoes closer than that mix into one"},
   }};
-  for (std::size_t i = 0; i < N; ++i) all[5 + i] = own[i];
+  for (std::size_t i = 0; i < N; ++i) all[6 + i] = own[i];
   return all;
 }
 

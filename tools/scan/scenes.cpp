@@ -62,4 +62,16 @@ std::string list_scenes() {
   return text;
 }
 
+std::string scenes_markdown() {
+  std::string text = "## Options\n\nGenerated from the table in `tools/scan/scenes.cpp`; `--set KEY=VALUE`.\n";
+  for (const Scene& scene : scenes()) {
+    text += fmt::format("\n### {}\n\nA scan of {}. `--points` is met {}.\n\n", scene.name, scene.help, scene.points);
+    text += "| key | default | range | meaning |\n|---|---|---|---|\n";
+    for (const SceneOption& option : scene.options)
+      text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
+                          option.unit, option.help);
+  }
+  return text;
+}
+
 }  // namespace ilot::scan

@@ -45,4 +45,7 @@ const Scene& find_scene(std::string_view name);
 // Scenes and their options, for people.
 std::string list_scenes();
 
+// The same as tables for docs/scenes.md.
+std::string scenes_markdown();
+
 }  // namespace ilot::scan

@@ -144,9 +144,7 @@ std::span<const SceneOption> shapes_options() {
 }
 
 TerrestrialScan plan_shapes(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "plane"}, {2, "cylinder"}, {3, "sphere"}, {4, "cone"}};
   const int sizes = static_cast<int>(values.get("scene.sizes"));
   ShapesBuilder builder(scan.scene, values.get("scene.tilt"), seed);

@@ -10,7 +10,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::array kOptions = with_beam_options(std::array{
-    SceneOption{"scene.step", 0.03135, "deg", 0.001, 1, "angular step, horizontal and vertical; --points scales it"},
+    SceneOption{"scene.step", 0.0312, "deg", 0.001, 1, "angular step, horizontal and vertical; --points scales it"},
     SceneOption{"scene.distance", 8, "m", 2, 100, "from the station to the stones"},
     SceneOption{"scene.angle", 40, "deg", 5, 80, "of the line of sight to the stones' normal"},
     SceneOption{"scene.joint_width", 0.035, "m", 0.005, 0.2, "between two stones"},
@@ -18,7 +18,7 @@ constexpr std::array kOptions = with_beam_options(std::array{
     SceneOption{"scene.stone_width", 0.6, "m", 0.1, 3, "of each stone"},
     SceneOption{"scene.stone_height", 0.4, "m", 0.1, 2, "of each stone"},
     SceneOption{"scene.side_1", 0.965, "m", 0.05, 5, "how far the left wall stands out from the stones"},
-    SceneOption{"scene.side_2", 0.114, "m", 0.02, 5, "how far the right wall runs back from them"},
+    SceneOption{"scene.side_2", 0.11, "m", 0.02, 5, "how far the right wall runs back from them"},
 });
 
 constexpr double kFloor = 1.2;  // height of the lower stones above the ground
@@ -105,9 +105,7 @@ std::span<const SceneOption> stones_options() {
 }
 
 TerrestrialScan plan_stones(const SceneValues& values, std::uint64_t seed) {
-  TerrestrialScan scan;
-  scan.seed = seed;
-  scan.beam = beam_from(values);
+  TerrestrialScan scan = empty_scan(values, seed);
   scan.scene.classes = {{0, "mixed"}, {1, "stones"}, {2, "joint"}, {3, "side 1"}, {4, "side 2"}};
   const Layout at(values);
   FacadeBuilder facade(scan.scene, {}, 1);

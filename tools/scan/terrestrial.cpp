@@ -16,7 +16,7 @@ namespace {
 constexpr std::uint64_t kGrainPulses = 1 << 16, kGrainsAtOnce = 24;
 constexpr double kPulseRate = 100000, kStationSeconds = 3600, kFirstSecond = 200000;
 constexpr double kIntensityRange = 8;  // metres: a white, perpendicular surface fills the scale there
-constexpr std::uint64_t kPilotPulses = 400000;
+constexpr double kMostPilotPulses = 400000, kLeastPilotPulses = 60000;
 
 // Columns [first, first + count) of a station.
 struct Grain {
@@ -28,7 +28,12 @@ class TerrestrialScanner {
  public:
   explicit TerrestrialScanner(const TerrestrialScan& scan)
       : scan_(scan), layout_(coloured_layout(scan.grid)), scene_(scan.scene.model.parts, reach(scan)) {
-    for (const StationParams& station : scan.scene.stations) grids_.emplace_back(station);
+    for (const StationParams& station : scan.scene.stations) {
+      grids_.emplace_back(station);
+      Rng rng(mix64(scan.seed ^ 0x726567ull), station.id);
+      const double x = gaussian(rng), y = gaussian(rng), z = gaussian(rng);
+      shifts_.push_back(scan.registration * Vec3{x, y, z});
+    }
   }
 
   std::vector<Grain> grains() const {
@@ -57,7 +62,7 @@ class TerrestrialScanner {
         tracer.trace(station.position, aim, rng, echoes);
         const double second = static_cast<double>(column * grid.rows() + row) / kPulseRate;
         for (std::size_t i = 0; i < echoes.size(); ++i)
-          add_point(station, aim, echoes, i, rng, kFirstSecond + kStationSeconds * station.id + second, records);
+          add_point(grain.station, aim, echoes, i, rng, kFirstSecond + kStationSeconds * station.id + second, records);
       }
     }
     return records;
@@ -73,14 +78,17 @@ class TerrestrialScanner {
     return 1.1 * footprint;
   }
 
-  void add_point(const StationParams& station, const Aim& aim, const std::vector<Echo>& echoes, std::size_t i, Rng& rng,
+  void add_point(std::size_t at, const Aim& aim, const std::vector<Echo>& echoes, std::size_t i, Rng& rng,
                  double second, std::vector<std::byte>& records) const {
+    const StationParams& station = scan_.scene.stations[at];
     const Echo& echo = echoes[i];
     const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
     ColouredPoint point;
     point.place = station.position + range * aim.axis;
     if (!inside(scan_.scene.keep, point.place)) return;
+    point.place = point.place + shifts_[at];
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
+    point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
     point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
     const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
     point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
@@ -108,6 +116,7 @@ class TerrestrialScanner {
   RecordLayout layout_;
   PartScene scene_;
   std::vector<StationGrid> grids_;
+  std::vector<Vec3> shifts_;  // of the stations' places as registered
 };
 
 void scale_steps(TerrestrialScan& scan, double factor) {
@@ -148,6 +157,10 @@ void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& t
   const BeamParams& beam = scan.beam;
   truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
   truth.classes(scene.classes);
+  std::map<int, std::string> materials;
+  for (const SurfaceLabel& label : scene.model.surfaces)
+    materials.emplace(1 + static_cast<int>(label.material), name_of(label.material));
+  truth.materials(materials);
   for (const StationParams& s : scene.stations)
     truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
   for (TruePlane plane : scene.planes) {
@@ -175,9 +188,13 @@ std::string settings_text(const ScanRequest& request, const TerrestrialScan& sca
 
 }  // namespace
 
-BeamParams beam_from(const SceneValues& values) {
-  return {values.get("scene.noise"), values.get("scene.angle_noise"), values.get("scene.divergence"),
-          values.get("scene.diameter"), values.get("scene.separation")};
+TerrestrialScan empty_scan(const SceneValues& values, std::uint64_t seed) {
+  TerrestrialScan scan;
+  scan.beam = {values.get("scene.noise"), values.get("scene.angle_noise"), values.get("scene.divergence"),
+               values.get("scene.diameter"), values.get("scene.separation")};
+  scan.registration = values.get("scene.registration");
+  scan.seed = seed;
+  return scan;
 }
 
 void fit_points(TerrestrialScan& scan, std::uint64_t points) {
@@ -186,7 +203,8 @@ void fit_points(TerrestrialScan& scan, std::uint64_t points) {
     const StationGrid grid(station);
     pulses += static_cast<double>(grid.columns()) * static_cast<double>(grid.rows());
   }
-  scale_steps(scan, std::sqrt(pulses / static_cast<double>(kPilotPulses)));
+  const double pilot = std::clamp(4 * static_cast<double>(points), kLeastPilotPulses, kMostPilotPulses);
+  scale_steps(scan, std::sqrt(pulses / pilot));
   const std::uint64_t seen = count_points(scan);
   if (seen == 0) throw Error("the stations see nothing of this scene");
   scale_steps(scan, std::sqrt(static_cast<double>(seen) / static_cast<double>(points)));

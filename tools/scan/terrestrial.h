@@ -39,12 +39,13 @@ struct TerrestrialScene {
 struct TerrestrialScan {
   TerrestrialScene scene;
   BeamParams beam;
-  double grid = 0.0001;  // metres per coordinate unit
+  double registration = 0;  // metres: standard deviation of each station's place, per axis; its points move along
+  double grid = 0.0001;     // metres per coordinate unit
   std::uint64_t seed = 0;
 };
 
-// The options that all terrestrial scenes share: the beam's. Scenes put their own behind them.
-BeamParams beam_from(const SceneValues& values);
+// A scan without a scene, from the options that all terrestrial scenes share.
+TerrestrialScan empty_scan(const SceneValues& values, std::uint64_t seed);
 
 // Scales all angular steps so that about so many points come out: a sparse scan of the same scene is counted first.
 // Exact to about 1 % from 100,000 points on.

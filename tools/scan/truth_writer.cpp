@@ -89,10 +89,18 @@ void TruthWriter::noise(const TrueNoise& noise) {
                      noise.range, noise.angle_deg, noise.divergence_mrad, noise.beam_diameter));
 }
 
-void TruthWriter::classes(const std::map<int, std::string>& names) {
+void TruthWriter::add_names(std::string_view kind, const std::map<int, std::string>& names) {
   std::string text;
   for (const auto& [value, name] : names) text += fmt::format("{}\"{}\":\"{}\"", text.empty() ? "" : ",", value, name);
-  append(",\n\"classes\":{" + text + "}");
+  append(fmt::format(",\n\"{}\":{{{}}}", kind, text));
+}
+
+void TruthWriter::classes(const std::map<int, std::string>& names) {
+  add_names("classes", names);
+}
+
+void TruthWriter::materials(const std::map<int, std::string>& names) {
+  add_names("materials", names);
 }
 
 void TruthWriter::add(const TrueStation& s) {

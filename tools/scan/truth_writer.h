@@ -111,7 +111,8 @@ class TruthWriter {
   ~TruthWriter();
 
   void noise(const TrueNoise& noise);
-  void classes(const std::map<int, std::string>& names);  // of the values of true_class
+  void classes(const std::map<int, std::string>& names);    // of the values of true_class
+  void materials(const std::map<int, std::string>& names);  // of the values of the user data
 
   void add(const TrueStation& station);
   void add(const TruePlane& plane);
@@ -128,6 +129,7 @@ class TruthWriter {
  private:
   struct Spool;
   void append(const std::string& text);
+  void add_names(std::string_view kind, const std::map<int, std::string>& names);
   void add_line(std::string_view kind, const std::string& text);
 
   OutputFile file_;

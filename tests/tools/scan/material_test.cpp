@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 namespace ilot::scan {
 namespace {
@@ -13,7 +14,9 @@ double brightness(Rgb16 c) {
 }
 
 TEST(Material, EveryMaterialGivesBackSomeLight) {
-  for (int m = 0; m <= static_cast<int>(Material::white_target); ++m) {
+  ASSERT_EQ(kMaterials, static_cast<std::size_t>(Material::white_target) + 1);
+  for (int m = 0; m < static_cast<int>(kMaterials); ++m) {
+    EXPECT_FALSE(std::string(name_of(static_cast<Material>(m))).empty());
     EXPECT_GT(reflectance(static_cast<Material>(m)), 0) << m;
     EXPECT_LE(reflectance(static_cast<Material>(m)), 1) << m;
     EXPECT_GT(brightness(colour(static_cast<Material>(m), {1, 2, 3})), 0) << m;

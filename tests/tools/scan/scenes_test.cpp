@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <fstream>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "engine/error.h"
 
@@ -34,6 +38,22 @@ TEST(Scenes, AnUnknownNameIsRefused) {
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::usage);
   }
+}
+
+// Everything from the heading of the options on is generated; what stands before is written by hand.
+TEST(Scenes, DocumentationIsUpToDate) {
+  const std::string path = std::string(ILOT_SOURCE_DIR) + "/docs/scenes.md";
+  std::stringstream text;
+  text << std::ifstream(path).rdbuf();
+  const std::string whole = text.str();
+  const std::size_t at = whole.find("## Options\n");
+  ASSERT_NE(at, std::string::npos);
+  if (std::getenv("ILOT_UPDATE_GOLDEN") != nullptr)
+    std::ofstream(path) << whole.substr(0, at) << scenes_markdown();
+  else
+    EXPECT_EQ(whole.substr(at), scenes_markdown()) << "run this test with ILOT_UPDATE_GOLDEN=1 and review " << path;
+  for (const Scene& scene : scenes())
+    EXPECT_NE(whole.substr(0, at).find("| `" + std::string(scene.name) + "` |"), std::string::npos) << scene.name;
 }
 
 }  // namespace

@@ -24,6 +24,7 @@ TEST(TruthWriter, WritesTheSchemaWhateverTheOrderOfItems) {
   TruthWriter truth(path, R"("scene":"test","seed":7)");
   truth.noise({0.004, 0.003, 0.2, 0.005});
   truth.classes({{1, "facade"}, {2, "sill"}});
+  truth.materials({{1, "limestone"}});
   const TruePolygon polygon{0, {{0, 0, 0}, {4, 0, 0}, {4, 0, 3}, {0, 0, 3}}, {{{1, 0, 1}, {2, 0, 1}, {2, 0, 2}}}};
   truth.add(TruePlane{1, "facade", {{0, -1, 0}, 0}, 12, 0, {polygon}});
   truth.add(TrueElement{
@@ -43,6 +44,7 @@ TEST(TruthWriter, WritesTheSchemaWhateverTheOrderOfItems) {
   EXPECT_EQ(json["crs"], "EPSG:2154");
   EXPECT_EQ(json["noise"]["range_m"], 0.004);
   EXPECT_EQ(json["classes"]["2"], "sill");
+  EXPECT_EQ(json["materials"]["1"], "limestone");
   ASSERT_EQ(json["planes"].size(), 2u);
   EXPECT_EQ(json["planes"][1]["element"], 5);
   EXPECT_EQ(json["planes"][0]["polygons"][0]["holes"][0].size(), 3u);
