@@ -41,8 +41,9 @@ struct Quarter {
 
 Quarter make_quarter(std::size_t index, double side) {
   const double east = index % 2 == 0 ? 0 : side, north = index < 2 ? 0 : side;
-  const SinCos heading = sin_cos_deg(kHeadings[index]);
-  return {{east + side / 2, north + side / 2, heading},
+  static const std::array<SinCos, 4> headings{sin_cos_deg(kHeadings[0]), sin_cos_deg(kHeadings[1]),
+                                              sin_cos_deg(kHeadings[2]), sin_cos_deg(kHeadings[3])};
+  return {{east + side / 2, north + side / 2, headings[index]},
           {east + kHalfAvenue, north + kHalfAvenue, east + side - kHalfAvenue, north + side - kHalfAvenue}};
 }
 

@@ -92,7 +92,8 @@ Street plan_street(const StreetParams& params) {
 }
 
 SinCos street_heading() {
-  return sin_cos_deg(kStreetHeadingDeg);
+  static const SinCos heading = sin_cos_deg(kStreetHeadingDeg);
+  return heading;
 }
 
 Vec3 street_to_scene(Vec3 p) {

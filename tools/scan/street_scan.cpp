@@ -87,8 +87,9 @@ std::uint64_t count_echoes(const MobileParams& drive, const StreetStage& stage, 
   const MobileScene scene = mobile_scene(stage, rays);
   const std::uint64_t turns = profile_count(drive) / every;
   std::vector<std::uint64_t> counts(turns);
+  const MobileScanner ready(drive, scene);
   parallel_for(turns, [&](std::size_t i) {
-    MobileScanner scanner(drive, scene);
+    MobileScanner scanner = ready;
     for (int head : {1, 2}) scanner.scan(i * every, head, [&](const MobileEcho&) { ++counts[i]; });
   });
   std::uint64_t total = 0;
@@ -151,13 +152,14 @@ void scan_street(const StreetScan& scan, const StreetStage& stage,
   const RecordLayout layout = coloured_layout(kGrid);
   const std::uint64_t turns = profile_count(scan.drive), stretches = (turns + kStretch - 1) / kStretch;
   // Long turns make for few of them at a time: a batch holds a bounded number of pulses.
-  const std::uint64_t pulses = 2 * kStretch * MobileScanner(scan.drive, scene).pulses_per_turn();
+  const MobileScanner ready(scan.drive, scene);
+  const std::uint64_t pulses = 2 * kStretch * ready.pulses_per_turn();
   const std::uint64_t at_once = std::clamp<std::uint64_t>(2'000'000 / pulses, 1, kStretches);
   for (std::uint64_t first = 0; first < stretches; first += at_once) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
     std::vector<std::vector<std::byte>> batch(std::min(at_once, stretches - first));
     parallel_for(batch.size(), [&](std::size_t i) {
-      MobileScanner scanner(scan.drive, scene);
+      MobileScanner scanner = ready;
       const std::uint64_t from = (first + i) * kStretch, to = std::min(turns, from + kStretch);
       for (std::uint64_t turn = from; turn < to; ++turn)
         for (int head : {1, 2})
