@@ -81,6 +81,13 @@ std::map<int, std::string> class_names() {
   return names;
 }
 
+std::map<int, std::string> material_names(const StreetModel& model) {
+  std::map<int, std::string> names{{1 + static_cast<int>(Material::foliage), name_of(Material::foliage)}};
+  for (const SurfaceLabel& label : model.scene.surfaces)
+    names.emplace(1 + static_cast<int>(label.material), name_of(label.material));
+  return names;
+}
+
 }  // namespace
 
 ScanCounts scan_street_scene(const ScanRequest& request) {
@@ -92,6 +99,7 @@ ScanCounts scan_street_scene(const ScanRequest& request) {
   TruthWriter truth(truth_path(request.output), settings_text(scan));
   truth.noise({scan.drive.noise});
   truth.classes(class_names());
+  truth.materials(material_names(stage.model));
 
   std::vector<std::uint64_t> on_plane(stage.model.planes.size() + 1), on_object(stage.objects.size() + 1);
   std::uint64_t total = 0;

@@ -69,6 +69,7 @@ ColouredPoint point_of(const MobileEcho& echo) {
   point.source = echo.head;
   point.scan_angle_deg = echo.angle_deg;
   point.gps_time = 100000 + echo.time;
+  point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(echo.label.material));
   point.rgb = colour(echo.label.material, echo.surface_place);
   point.true_class = echo.label.true_class;
   point.true_plane = echo.label.plane;
