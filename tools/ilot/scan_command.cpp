@@ -41,7 +41,9 @@ std::string summary_text(const std::string& output, const scan::ScanCounts& coun
 
 void check_output(const ScanArguments& given) {
   std::error_code code;
-  for (const auto& path : {std::filesystem::path(given.output), scan::truth_path(given.output)})
+  const std::filesystem::path truth = scan::truth_path(given.output);
+  const auto model = [&](const char* extension) { return std::filesystem::path(truth).replace_extension(extension); };
+  for (const auto& path : {std::filesystem::path(given.output), truth, model(".city.json"), model(".city.jsonl")})
     if (!given.overwrite && std::filesystem::exists(path, code))
       throw Error(path.string() + ": exists; --overwrite replaces it", ExitCode::usage);
 }

@@ -27,6 +27,8 @@ FlightPlan::FlightPlan(const AirborneParams& params, const Ground& ground, std::
   half_columns_ = std::max<std::int64_t>(1, floor_of(half_swath_ * std::sqrt(line_density) + 0.5));
   across_ = half_swath_ / static_cast<double>(half_columns_);
   along_ = 1 / (line_density * across_);
+  for (std::int64_t column = -half_columns_; column < half_columns_; ++column)
+    angles_.push_back(atan_deg((static_cast<double>(column) + 0.5) * across_ / params.height));
 }
 
 Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t column, double x, double y) const {
@@ -36,7 +38,6 @@ Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t c
   pulse.rng = Rng(mix64(seed_ ^ 0x70756c7365ull) + static_cast<std::uint64_t>(line), in_line);
   const double flight = line % 2 == 0 ? 1 : -1;  // direction along y
   const double line_x = static_cast<double>(line) * half_swath_;
-  const double tangent = (x - line_x) / params_.height;
   const double sensor_y = y - flight * kForwardTangent * params_.height;
   const double aim_x = x + params_.jitter * across_ * (2 * pulse.rng.uniform() - 1);
   const double aim_y = y + params_.jitter * along_ * (2 * pulse.rng.uniform() - 1);
@@ -46,7 +47,7 @@ Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t c
   pulse.gps_time = kFirstSecond +
                    kLineSeconds * static_cast<double>((line % kLinesPerWeek + kLinesPerWeek) % kLinesPerWeek) +
                    flight * y / kSpeed;
-  pulse.scan_angle_deg = atan_deg(flight * tangent);
+  pulse.scan_angle_deg = flight * angles_[static_cast<std::size_t>(column + half_columns_)];
   pulse.line = static_cast<std::uint16_t>(1 + static_cast<std::uint64_t>(line) % 65535);
   return pulse;
 }

@@ -4,6 +4,7 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "kernels/core/rng.h"
 #include "tools/scan/district.h"
@@ -48,6 +49,7 @@ class FlightPlan {
   std::uint64_t seed_;
   double half_swath_ = 0, across_ = 0, along_ = 0;
   std::int64_t half_columns_ = 0;
+  std::vector<double> angles_;  // degrees to the right of straight down, per column
 };
 
 }  // namespace ilot::scan

@@ -5,8 +5,10 @@
 
 #include <vector>
 
+#include "engine/deliverables/city_json.h"
 #include "engine/formats/writer.h"
 #include "tools/scan/cell_scan.h"
+#include "tools/scan/district_model.h"
 #include "tools/scan/scan_record.h"
 #include "tools/scan/truth_json.h"
 #include "tools/scan/truth_writer.h"
@@ -30,6 +32,7 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
                            const std::function<void(std::uint64_t)>& written) {
   const std::unique_ptr<PointWriter> writer = create_cloud(path, cloud_spec(scan_layout()));
   TruthJson truth(truth_path(path), settings_text(scan));
+  CityJsonWriter model(truth_path(path).replace_extension(".city.jsonl"), {2154, kSceneOrigin});
   const std::size_t record_length = writer->record_length();
   ScanSummary summary{0, 0, 1};
   std::uint64_t ground_points = 0;
@@ -43,6 +46,8 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
       if (plane >= item.first_plane) ++points[plane - item.first_plane];
     }
     truth.add_cell(item.cell, item.first_plane, item.first_building, points);
+    for (std::uint32_t house = 0; house < item.cell.houses.size(); ++house)
+      model.add(house_model(item.cell, house, item.first_plane, item.first_building));
     summary.points += item.records.size() / record_length;
     summary.buildings += item.cell.houses.size();
     summary.planes += item.cell.plane_count;
@@ -50,6 +55,7 @@ ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path
   truth.add_ground(District(scan.district).ground(), {0, 0, scan.district.side, scan.district.side}, ground_points);
   writer->finish();
   truth.finish(summary.points, summary.buildings);
+  model.finish();
   return summary;
 }
 

@@ -13,9 +13,9 @@ struct ScanSummary {
   std::uint64_t points = 0, buildings = 0, planes = 0;  // planes with the ground
 };
 
-// Scans the district into a LAS file and its truth into NAME.truth.json beside it. Neither stays
-// half-written. Memory does not grow with the area. `written` hears of points as they are written. Throws
-// Error.
+// Scans the district into a LAS file, its truth into NAME.truth.json and its houses into NAME.truth.city.jsonl beside
+// it. None stays half-written. Memory does not grow with the area. `written` hears of points as they are written.
+// Throws Error.
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written = {});
 

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <map>
+#include <memory>
+#include <string>
 
 #include "engine/deliverables/city_json.h"
 #include "engine/formats/writer.h"
@@ -123,6 +125,17 @@ Building model_of(const RoofBuilding& building, std::uint32_t id) {
   return model;
 }
 
+std::map<int, std::string> materials_of(const RoofTown& town) {
+  std::map<int, std::string> names;
+  const auto add = [&](Material material) { names.emplace(1 + static_cast<int>(material), name_of(material)); };
+  for (Material material : {Material::asphalt, Material::paving, Material::grass, Material::foliage}) add(material);
+  for (const RoofBuilding& building : town.buildings) {
+    add(building.roof);
+    add(building.wall);
+  }
+  return names;
+}
+
 }  // namespace
 
 ScanCounts scan_roofs_scene(const ScanRequest& request) {
@@ -134,6 +147,7 @@ ScanCounts scan_roofs_scene(const ScanRequest& request) {
   TruthWriter truth(truth_path(request.output), settings_text(scan));
   CityJsonWriter model(truth_path(request.output).replace_extension(".city.json"), {kEpsg, kSceneOrigin});
   truth.noise({scan.noise});
+  truth.materials(materials_of(town));
   truth.classes({{1, "ground"}, {2, "roof"}, {3, "wall"}, {4, "vegetation"}});
 
   std::vector<std::uint64_t> points(town.plane_count + kFirstTownPlane);

@@ -134,6 +134,7 @@ Seen see(const Stage& stage, const Ray& ray, const PulseEcho& echo) {
   }
   const double cosine = std::abs(dot(seen.normal, ray.direction));
   seen.point.intensity = static_cast<std::uint16_t>(65535 * reflectance(seen.material) * (0.3 + 0.7 * cosine));
+  seen.point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(seen.material));
   seen.point.rgb = colour(seen.material, place);
   return seen;
 }

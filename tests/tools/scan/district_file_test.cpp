@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -77,6 +78,30 @@ TEST_F(DistrictFile, CloudAndTruthAgree) {
     ASSERT_LT(std::abs(distance), 6 * 0.02 + 0.001);
   }
   EXPECT_EQ(counted, declared);
+}
+
+// Every edge of a solid belongs to two faces that run along it in opposite directions.
+TEST_F(DistrictFile, HousesAreClosedSolids) {
+  const std::filesystem::path path = folder_ / "town.las";
+  const ScanSummary summary = write_district(plan(30000), path);
+  std::ifstream file(truth_path(path).replace_extension(".city.jsonl"));
+  std::string line;
+  ASSERT_TRUE(std::getline(file, line));
+  EXPECT_EQ(nlohmann::json::parse(line)["type"], "CityJSON");
+  std::uint64_t houses = 0;
+  while (std::getline(file, line)) {
+    const nlohmann::json feature = nlohmann::json::parse(line);
+    const auto& object = feature["CityObjects"][feature["id"].get<std::string>()];
+    ++houses;
+    std::map<std::pair<int, int>, int> ways;
+    for (const auto& face : object["geometry"][0]["boundaries"][0])
+      for (std::size_t i = 0; i < face[0].size(); ++i) ++ways[{face[0][i], face[0][(i + 1) % face[0].size()]}];
+    for (const auto& [way, times] : ways) {
+      EXPECT_EQ(times, 1);
+      EXPECT_EQ((ways.count({way.second, way.first})), 1u) << line;
+    }
+  }
+  EXPECT_EQ(houses, summary.buildings);
 }
 
 TEST_F(DistrictFile, LeavesNothingWhenItCannotWrite) {
