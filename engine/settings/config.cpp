@@ -51,6 +51,25 @@ std::optional<Value> read_value(const toml::node& node) {
   return list;
 }
 
+// The line with a character beyond ASCII outside of a comment, from 1; nullopt when there is none. No setting needs
+// one, and the parser's own answer is undefined for some of them where a key could stand.
+std::optional<std::uint32_t> line_beyond_ascii(std::string_view text) {
+  std::uint32_t line = 1;
+  bool comment = false, quoted = false;
+  for (const char c : text) {
+    if (c == '\n') {
+      ++line;
+      comment = quoted = false;
+    } else if (c == '#' && !quoted) {
+      comment = true;
+    } else if (!comment) {
+      quoted |= c == '"' || c == '\'';
+      if (static_cast<unsigned char>(c) > 127) return line;
+    }
+  }
+  return std::nullopt;
+}
+
 // A bare word, as people type it on a command line: auto, ransac. Not true, false, inf or nan.
 bool is_word(const std::string& text) {
   const bool letters = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string::npos;
@@ -111,6 +130,9 @@ std::string comment_of(const Parameter& p, const Value& standard) {
 }  // namespace
 
 void load_config_text(Settings& settings, std::string_view text, const std::string& name) {
+  if (const auto line = line_beyond_ascii(text)) {
+    throw Error(place(name, {*line, 1}) + "a character beyond ASCII; only comments may hold them", ExitCode::usage);
+  }
   toml::table table;
   try {
     table = toml::parse(text, name);
@@ -148,6 +170,7 @@ void apply_assignment(Settings& settings, std::string_view assignment) {
   if (find_parameter(key) == nullptr) fail(unknown(key, {}).sentence);
   std::string text(assignment.substr(equals + 1));
   if (text.find_first_of("\r\n") != std::string::npos) fail("the value must stand on one line");
+  if (line_beyond_ascii(text)) fail("a character beyond ASCII");
   if (is_word(text)) text = '"' + text + '"';
   try {
     const toml::table table = toml::parse("value = " + text);

@@ -80,6 +80,16 @@ TEST(Config, NamesTheRange) {
             "ilot.toml:2:11: planes.epsilon = nan is out of range: 0.0001 to 10 m");
 }
 
+TEST(Config, OnlyCommentsGoBeyondAscii) {
+  EXPECT_EQ(load_fault("seed = 1\n\xC6\x93 = 2\n"),
+            "ilot.toml:2:1: a character beyond ASCII; only comments may hold them");
+  EXPECT_EQ(load_fault("seed = 1 \"#\" \xC6\x93\n"),
+            "ilot.toml:1:1: a character beyond ASCII; only comments may hold them");
+  Settings s;
+  load_config_text(s, "seed = 3  # \xC6\x93 c'est le troisi\xC3\xA8me\n", "t");
+  EXPECT_EQ(s.seed, 3u);
+}
+
 TEST(Config, NamesTheType) {
   EXPECT_EQ(load_fault("[planes]\nepsilon = \"wide\"\n"),
             "ilot.toml:2:11: planes.epsilon must be a number (m) or \"auto\", not \"wide\"");
