@@ -70,6 +70,11 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
   }
 }
 
+bool BeamTracer::one_plane(SurfaceId a, SurfaceId b) const {
+  const std::uint32_t plane = model_.surfaces[a].plane;
+  return a == b || (plane != 0 && plane == model_.surfaces[b].plane);
+}
+
 void BeamTracer::gather(std::vector<Echo>& echoes) const {
   for (std::size_t first = 0; first < touches_.size();) {
     std::size_t end = first;
@@ -85,7 +90,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
     for (std::size_t i = first; i < end; ++i) {
       double own = 0, own_moment = 0;
       for (std::size_t j = first; j < end; ++j) {
-        if (touches_[j].surface != touches_[i].surface) continue;
+        if (!one_plane(touches_[j].surface, touches_[i].surface)) continue;
         own += touches_[j].energy;
         own_moment += touches_[j].energy * touches_[j].range;
       }

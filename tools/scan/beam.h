@@ -26,7 +26,7 @@ inline double footprint_radius(const BeamParams& beam, double range) {
 struct Echo {
   double range = 0;          // metres, with mixing, without noise
   double energy = 0;         // received: share of the light times reflectance times cosine of incidence
-  SurfaceId surface = 0;     // that gave most of the energy
+  SurfaceId surface = 0;     // that gave most of the energy; pieces of one plane count as one
   double surface_range = 0;  // its own: differs from range where the footprint mixes two surfaces
 };
 
@@ -53,6 +53,7 @@ class BeamTracer {
     double range, energy;
     SurfaceId surface;
   };
+  bool one_plane(SurfaceId a, SurfaceId b) const;
   void touch(const Ray& ray, double weight, double chance);
   void gather(std::vector<Echo>& echoes) const;
 

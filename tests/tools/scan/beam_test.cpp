@@ -68,6 +68,24 @@ TEST(Beam, TheShareOfTheFootprintDecidesTheMixture) {
   EXPECT_NEAR(echoes[0].range, 10 + 0.08 * 3 / 8, 1e-5);
 }
 
+// Two pieces of one plane, seen at 20 degrees: nothing mixes where they meet.
+TEST(Beam, PiecesOfOnePlaneCountAsOneSurface) {
+  SceneModel model;
+  const Vec3 along{0.9396926207859084, 0.3420201433256687, 0};
+  for (std::uint32_t piece = 0; piece < 2; ++piece) {
+    model.add_surface({1, 5, 0, Material::white_target});
+    const double from = piece == 0 ? -10 : 0;
+    model.parts.push_back(
+        Panel{{0, 10, -10}, along, {0, 0, 1}, {{from, 0}, {from + 10, 0}, {from + 10, 20}, {from, 20}}, {}, piece});
+  }
+  const auto together = echoes_at(model, quiet_beam(), 0);
+  ASSERT_EQ(together.size(), 1u);
+  EXPECT_NEAR(together[0].surface_range, together[0].range, 1e-12);
+  model.surfaces[1].plane = 6;
+  const auto apart = echoes_at(model, quiet_beam(), 0);
+  EXPECT_GT(std::abs(apart[0].surface_range - apart[0].range), 1e-4);
+}
+
 TEST(Beam, SurfacesFurtherApartThanTheReceiverSeparatesGiveTwoEchoes) {
   BeamParams beam = quiet_beam();
   beam.separation = 0.3;
