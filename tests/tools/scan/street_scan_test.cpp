@@ -142,6 +142,41 @@ TEST_F(SparseStreet, PointsLieOnTheirPlanesAndInTheirBoxes) {
   }
 }
 
+// Houses are closed: what is seen of them lies on their outside, and nothing behind it.
+TEST_F(SparseStreet, NoRayPassesThroughAWall) {
+  const RecordLayout layout = coloured_layout(0.001);
+  int beside = 0;
+  for (std::size_t at = 0; at < records_.size(); at += kRecord) {
+    const Vec3 p = to_street(place_of(&records_[at], layout));
+    const double out = std::abs(p.y), skin = 6 * 0.008 + 0.002;
+    if (out < kHalfStreet + kReveal + skin || out > kHalfStreet + kHouseDepth - skin) continue;
+    for (const StreetHouse& house : stage_.street.houses) {
+      if (house.side * p.y < 0 || p.x < house.from + skin || p.x > house.to - skin) continue;
+      ASSERT_GT(p.z, house.eave() - skin) << p.x << " " << p.y;
+    }
+    ++beside;
+  }
+  EXPECT_GT(beside, 1000);  // roofs, end walls, cross streets
+}
+
+TEST_F(SparseStreet, CullingLosesNothing) {
+  const PartScene scene(stage_.model.scene.parts);
+  Rng rng(9);
+  for (int i = 0; i < 300; ++i) {
+    const double s = stage_.street.length * rng.uniform(), angle = 340 * rng.uniform() - 170;
+    const Ray ray{{s, scan_.drive.lane, stage_.street.road_height(s) + scan_.drive.height},
+                  pulse_direction(scan_.drive, 1 + static_cast<int>(rng.below(2)), angle)};
+    std::optional<PartHit> nearest;
+    for (const Part& part : stage_.model.scene.parts)
+      if (const auto hit = meet(ray, part, 0); hit && (!nearest || hit->t < nearest->t)) nearest = hit;
+    const auto found = scene.cast(ray);
+    ASSERT_EQ(found.has_value(), nearest.has_value());
+    if (!found) continue;
+    EXPECT_EQ(found->t, nearest->t);
+    EXPECT_EQ(found->surface, nearest->surface);
+  }
+}
+
 // Whether the way between two places passes through the middle of a car: its box, a quarter shorter and half as high.
 bool blocked(const StreetObject& car, Vec3 from, Vec3 to) {
   const SinCos h = car.plan.heading;
