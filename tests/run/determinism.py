@@ -31,8 +31,9 @@ class Determinism(RunTest):
             _, told = self.work(inputs, *way)
             hashes[" ".join(way)] = told["result_hash"]
             blocks.add(told["blocks"])
-        _, told = self.work(inputs, env={"ILOT_FORCE_ISA": "baseline"})
-        hashes["baseline"] = told["result_hash"]
+        for isa in ("baseline", "avx2"):
+            _, told = self.work(inputs, env={"ILOT_FORCE_ISA": isa})
+            hashes[isa] = told["result_hash"]
         _, told = self.work(inputs)
         hashes["again"] = told["result_hash"]
         self.assertEqual(len(set(hashes.values())), 1, hashes)
