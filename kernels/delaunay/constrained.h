@@ -17,10 +17,10 @@ struct Constraints {
 };
 
 // Makes segments between corners of a Delaunay triangulation edges of it: a segment that passes through corners becomes
-// several edges. What results is the constrained Delaunay triangulation, no flip of an edge not fixed makes a circle
-// emptier; among points on a circle in_circle() decides, but fixed edges may leave more than one answer, so the order
-// of segments counts there. Exact. Edges in the way are flipped until none is (Sloan 1993), then the new ones until
-// they are Delaunay. About the square root of the number of points a segment across them all.
+// several edges. The result is the constrained Delaunay triangulation: across an edge that is not fixed no corner lies
+// in a triangle's circle. Among points on a circle in_circle() decides, but fixed edges may leave more than one answer,
+// so the order of segments counts there. Exact. Edges in the way are flipped until none is (Sloan 1993), then the new
+// ones until they are Delaunay. About the square root of the number of points a segment across them all.
 Constraints insert_segments(Triangulation& t, std::span<const Point2> points, std::span<const Segment> segments);
 
 // Per triangle 1 when it lies inside of closed lines made of segments, which have the inside on their left. The
