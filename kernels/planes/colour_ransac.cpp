@@ -17,7 +17,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-constexpr std::size_t kBatch = 8;
+constexpr std::size_t kMostTogether = 8;  // hypotheses counted in one sweep
 
 // The points without a plane, compact, and by colour class.
 struct Pool {
@@ -97,14 +97,15 @@ class PlaneSearch {
   void batch() {
     std::vector<PlaneHypothesis> hypotheses;
     std::vector<std::uint64_t> made_at;
-    for (std::size_t i = 1; i <= kBatch; ++i) {
+    together_ = static_cast<std::size_t>(std::min<std::uint64_t>(together_, params_.max_draws - out_.draws));
+    for (std::size_t i = 1; i <= together_; ++i) {
       const auto h = draw();
       if (!h) continue;
       hypotheses.push_back(*h);
       made_at.push_back(out_.draws + i);
     }
-    (plan_.from == SamplingPlan::From::kClass ? from_class_ : from_all_) += kBatch;
-    out_.draws += kBatch;
+    (plan_.from == SamplingPlan::From::kClass ? from_class_ : from_all_) += together_;
+    out_.draws += together_;
     Indices counts(hypotheses.size());
     count_inliers(pool_.view(), hypotheses, {static_cast<float>(params_.epsilon), static_cast<float>(params_.min_cos)},
                   counts);
@@ -116,6 +117,8 @@ class PlaneSearch {
       out_.plane = {{hypotheses[i][0], hypotheses[i][1], hypotheses[i][2]}, hypotheses[i][3]};
       out_.progress.push_back({made_at[i], counts[i]});
     }
+    // What a better set tells the sampler should not wait; without one, sweeps get cheaper.
+    together_ = better ? 1 : std::min(2 * together_, kMostTogether);
     if (better) plan();
   }
 
@@ -140,6 +143,7 @@ class PlaneSearch {
   Rng& rng_;
   Outcome out_;
   SamplingPlan plan_;
+  std::size_t together_ = 1;
   std::uint32_t majority_ = 0xffffffffu;
   std::uint64_t from_all_ = 0, from_class_ = 0;
 };

@@ -35,8 +35,8 @@ struct ColourRansacPlanes {
 // from the colour class that most of it has, while that class holds a larger share of it than the cloud does, and the
 // search stops at the bound that belongs to the sampler in use: kappa' inside the class, kappa outside
 // (plan_sampling). The best plane is refined [C3] and its points are taken. Ends when a plane has fewer than
-// min_points. `colour_class` as colour_classes() gives it, 1 and up; empty: the classical search. Draws are made eight
-// at a time, which the bounds may overrun. O(draws x n).
+// min_points. `colour_class` as colour_classes() gives it, 1 and up; empty: the classical search. Draws are counted
+// one at a time after each improvement, then two, four, eight, which a bound may overrun. O(draws x n).
 ColourRansacPlanes colour_ransac(const OrientedPoints& points, std::span<const std::uint32_t> colour_class,
                                  const ColourRansacParams& params);
 
