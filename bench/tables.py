@@ -80,7 +80,7 @@ def scaling_table(results):
 
 
 def figure_table(results):
-    rows = [[l["kernel"], l["variant"], "; ".join(f"{k}: {number(v)}" for k, v in l["figures"].items())]
+    rows = [[l["kernel"], l["variant"], "; ".join(f"{k}: {v:.4g}" for k, v in l["figures"].items())]
             for l in results["lines"] if "figures" in l and l["kernel"] != "ceiling"]
     return table(["kernel", "what", "figures"], rows)
 
