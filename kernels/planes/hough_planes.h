@@ -29,7 +29,8 @@ struct HoughPlanesParams {
 // around it until nothing changes [C3]. Its points' votes are taken back, exactly, and the next peak is sought, until
 // no cell has a quarter of min_points votes. Cells of equal solid angle, since cells of equal steps in phi and theta
 // crowd at the pole and split its votes. Votes are integers: any order of points gives the same planes.
-// O(n x directions voted for); 4 bytes a cell of the accumulator, whose rho axis is widened to at most 4,096 cells.
+// Where there are normals, points without one are none. O(n x directions voted for); 4 bytes a cell of the accumulator,
+// whose rho axis is widened to at most 4,096 cells.
 PlaneSegments hough_planes(const OrientedPoints& points, const HoughPlanesParams& params);
 
 }  // namespace ilot
