@@ -153,7 +153,7 @@ TEST(Assignment, NamesTheFault) {
   EXPECT_EQ(set_fault("planes.epsilon=-1"),
             "--set planes.epsilon=-1: planes.epsilon = -1 is out of range: 0.0001 to 10 m");
   EXPECT_EQ(set_fault("planes.epsilon=wide"),
-            "--set planes.epsilon=wide: 'wide' is not a value; examples: 0.02, 16, true, auto, [7, 18]");
+            "--set planes.epsilon=wide: planes.epsilon must be a number (m) or \"auto\", not \"wide\"");
   EXPECT_EQ(set_fault("seed=1\nseed = 2").substr(0, 6), "--set ");
   EXPECT_EQ(set_fault("seed=").substr(0, 11), "--set seed=");
   EXPECT_EQ(set_fault("seed=99999999999999999999").substr(0, 11), "--set seed=");
