@@ -66,7 +66,7 @@ void count_points(benchmark::State& state, const Sample& sample) {
 }
 
 void decode(benchmark::State& state, const Sample& sample, std::uint32_t fields, int threads) {
-  constexpr std::size_t kCopies = 4;  // so that two threads have something to share
+  constexpr std::size_t kCopies = 16;  // so that two threads share evenly: chunks differ in size
   const std::size_t count = sample.chunks.size() * kCopies;
   std::vector<std::unique_ptr<laz::ChunkDecoder>> decoders;
   std::vector<std::vector<std::byte>> out(count);

@@ -45,8 +45,18 @@ struct Stretches {
   std::uint64_t skipped = 0;  // rows that need not be read
 };
 
+// Rows of one run: small inputs are cut too, so that all threads have work. A function of the inputs alone: a run that
+// is resumed on another number of threads finds its runs again.
+std::uint64_t rows_of_run(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
+  constexpr std::uint64_t kLeast = 1 << 16, kRuns = 16;
+  std::uint64_t points = 0;
+  for (const auto& input : inputs) points += input->info().points;
+  return std::min(params.run_points, std::max(kLeast, points / kRuns));
+}
+
 Stretches stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
   Stretches result;
+  const std::uint64_t rows = rows_of_run(inputs, params);
   for (std::uint32_t f = 0; f < inputs.size(); ++f) {
     const std::uint64_t points = inputs[f]->info().points;
     if (!inputs[f]->random_access()) {
@@ -56,7 +66,7 @@ Stretches stretches(const std::vector<std::unique_ptr<PointReader>>& inputs, con
     result.skipped += points;
     const std::vector<std::uint64_t> cuts = inputs[f]->boundaries();
     for (const RowRange& range : rows_to_read(*inputs[f], params)) {
-      cut_range(cuts, range, f, params.run_points, result.tasks);
+      cut_range(cuts, range, f, rows, result.tasks);
       result.skipped -= range.end - range.first;
     }
   }

@@ -14,7 +14,7 @@ struct IndexParams {
   double unit = 0.001;  // CRS units per lattice step
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
-  std::uint64_t run_points = 1u << 20;  // of one sorted run
+  std::uint64_t run_points = 1u << 20;  // most of one sorted run
 };
 
 struct IndexResult {
