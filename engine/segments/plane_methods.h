@@ -31,7 +31,7 @@ std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);
 
 // The method for a cell: the one asked for, else by how its surface lies. Where more than a quarter of the normals are
 // level (walls, seen from the ground) shape_ransac, whose samples are local at every scale and so find sills and bars
-// beside a wall of a million points; elsewhere (seen from the air) ransac, which finds the same roofs in half the time
+// beside a wall of a million points; elsewhere (seen from the air) ransac, which finds the same roofs in less time
 // (docs/methods.md). Depends on the cell's points alone.
 PlaneMethod choose_method(const PlanesSettings& settings, std::span<const PackedNormal> normals);
 
