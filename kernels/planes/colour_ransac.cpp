@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "kernels/core/rng.h"
+#include "kernels/planes/oriented_pool.h"
 #include "kernels/planes/ransac_iterations.h"
 #include "kernels/planes/refine.h"
 
@@ -20,33 +21,15 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::size_t kMostTogether = 8;  // hypotheses counted in one sweep
 
 // The points without a plane, compact, and by colour class.
-struct Pool {
-  std::vector<float> x, y, z, nx, ny, nz;
-  Indices index, colour;
+struct Pool : OrientedPool {
+  Indices colour;
   std::vector<Indices> of_class;
 
-  OrientedPoints view() const {
-    return {{x.data(), y.data(), z.data(), index.size()}, nx.data(), ny.data(), nz.data()};
-  }
   Vec3 position(std::uint32_t i) const { return {x[i], y[i], z[i]}; }
 };
 
 Pool pool_of(const OrientedPoints& p, std::span<const std::uint32_t> colour, const Indices& label) {
-  constexpr std::size_t kPadding = 16;
-  Pool pool;
-  for (std::uint32_t i = 0; i < p.points.size; ++i)
-    if (label[i] == 0) pool.index.push_back(i);
-  const auto gather = [&](const float* from, std::vector<float>& to) {
-    to.reserve(pool.index.size() + kPadding);
-    for (const std::uint32_t i : pool.index) to.push_back(from[i]);
-    to.resize(pool.index.size() + kPadding, 0.0f);
-  };
-  gather(p.points.x, pool.x);
-  gather(p.points.y, pool.y);
-  gather(p.points.z, pool.z);
-  gather(p.nx, pool.nx);
-  gather(p.ny, pool.ny);
-  gather(p.nz, pool.nz);
+  Pool pool{unlabelled(p, label), {}, {}};
   if (colour.empty()) return pool;
   for (std::uint32_t at = 0; at < pool.index.size(); ++at) {
     const std::uint32_t c = colour[pool.index[at]];

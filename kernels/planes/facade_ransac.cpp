@@ -5,6 +5,7 @@
 
 #include "kernels/core/portable_math.h"
 #include "kernels/neighbours/clusters.h"
+#include "kernels/planes/oriented_pool.h"
 #include "kernels/planes/ransac.h"
 #include "kernels/planes/region_planes.h"
 
@@ -33,34 +34,6 @@ PlaneSegments inclined_segments(const OrientedPoints& points, const FacadeRansac
                            {params.epsilon, params.inclined_points, params.inclined_gap, PlaneEstimate::kLeastSquares});
 }
 
-// The points without a label, and where they come from.
-struct Pool {
-  std::vector<float> x, y, z, nx, ny, nz;
-  Indices index;
-  OrientedPoints view() const {
-    return {{x.data(), y.data(), z.data(), index.size()}, nx.data(), ny.data(), nz.data()};
-  }
-};
-
-Pool pool_of(const OrientedPoints& p, const Indices& label) {
-  constexpr std::size_t kPadding = 16;
-  Pool pool;
-  for (std::uint32_t i = 0; i < p.points.size; ++i)
-    if (label[i] == 0) pool.index.push_back(i);
-  const auto gather = [&](const float* from, std::vector<float>& to) {
-    to.reserve(pool.index.size() + kPadding);
-    for (const std::uint32_t i : pool.index) to.push_back(from[i]);
-    to.resize(pool.index.size() + kPadding, 0.0f);
-  };
-  gather(p.points.x, pool.x);
-  gather(p.points.y, pool.y);
-  gather(p.points.z, pool.z);
-  gather(p.nx, pool.nx);
-  gather(p.ny, pool.ny);
-  gather(p.nz, pool.nz);
-  return pool;
-}
-
 }  // namespace
 
 FacadeRansacParams with_degrees(FacadeRansacParams params, double inclined_from, double inclined_to, double parallel) {
@@ -84,7 +57,7 @@ FacadeSegments facade_ransac(const OrientedPoints& points, const FacadeRansacPar
   if (!r.direction.found) return r;
   r.segments = inclined_segments(points, params);
   r.inclined = static_cast<std::uint32_t>(r.segments.planes.size());
-  const Pool pool = pool_of(points, r.segments.label);
+  const OrientedPool pool = unlabelled(points, r.segments.label);
   const PlaneSegments parallel = ransac_planes(pool.view(), {params.epsilon,
                                                              params.min_cos,
                                                              params.connectivity,
