@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+// From points and an outline to a closed solid: the outline is parted into cells, every cell belongs to one roof face,
+// faces end in walls where their heights differ.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/model/building.h"
+#include "engine/roofs/roof_site.h"
+
+namespace ilot {
+
+enum class RoofStatus : std::uint8_t {
+  lod22,           // a face for every plane of the roof
+  lod12,           // one level face
+  footprint_only,  // no solid
+};
+
+struct RoofParams {
+  double epsilon = 0;           // metres; farthest that a point lies from its face; 0 = from noise and density
+  int min_points = 0;           // fewest points of a face; 0 = from the density
+  double least_face_area = 0;   // m2; smaller faces go to their neighbour
+  bool superstructures = true;  // false: the main roof alone
+  double step_height = 0.2;     // metres; a smaller difference between two faces at their border is no wall
+};
+
+struct RoofModel {
+  RoofStatus status = RoofStatus::footprint_only;
+  std::string reason;                        // why not lod22; empty when it is
+  Building lod22, lod12;                     // without surfaces where there is no such solid; coordinates in the CRS
+  std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else its face, a plane_id of lod22
+};
+
+// Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
+// modelled. Never throws for what the data holds. `metres_per_unit` of the CRS.
+RoofModel model_roof(const RoofSite& site, const RoofParams& params, double metres_per_unit);
+
+}  // namespace ilot
