@@ -17,7 +17,7 @@ enum class RoofStatus : std::uint8_t {
   footprint_only,  // no solid
 };
 
-struct RoofParams {
+struct RoofModelParams {
   double epsilon = 0;           // metres; farthest that a point lies from its face; 0 = from noise and density
   int min_points = 0;           // fewest points of a face; 0 = from the density
   double least_face_area = 0;   // m2; smaller faces go to their neighbour
@@ -34,6 +34,6 @@ struct RoofModel {
 
 // Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
 // modelled. Never throws for what the data holds. `metres_per_unit` of the CRS.
-RoofModel model_roof(const RoofSite& site, const RoofParams& params, double metres_per_unit);
+RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit);
 
 }  // namespace ilot
