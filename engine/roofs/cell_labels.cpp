@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/cell_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/roofs/least_cut.h"
+
+namespace ilot {
+namespace {
+
+using Cost = std::int64_t;
+constexpr double kCostPerM2 = 1e4;
+constexpr double kNearPlane = 3;    // metres around a plane's points where it is a candidate
+constexpr double kTallestWall = 1;  // metres
+constexpr Cost kForbidden = Cost{1} << 40;
+constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
+constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
+constexpr int kRounds = 8;
+
+struct Box {
+  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
+  void add(double x, double y) {
+    x0 = std::min(x0, x);
+    x1 = std::max(x1, x);
+    y0 = std::min(y0, y);
+    y1 = std::max(y1, y);
+  }
+  bool near(const Box& o, double by) const {
+    return x0 - by <= o.x1 && o.x0 - by <= x1 && y0 - by <= o.y1 && o.y0 - by <= y1;
+  }
+};
+
+// A plane that a cell may have and what it costs.
+struct Candidate {
+  std::uint32_t plane;
+  Cost cost;
+};
+
+struct Border {
+  std::uint32_t a, b;  // cells, from 0
+  FlatPoint from, to;  // metres
+  double length;
+};
+
+FlatPoint metres(Point2 p) {
+  return {p.x / 1000.0, p.y / 1000.0};
+}
+
+Cost cost_of(double square_metres) {
+  return std::llround(square_metres * kCostPerM2);
+}
+
+// The share of its area that a point costs on a plane.
+double misfit(const RoofPlane& plane, Vec3 p, bool labelled, double epsilon) {
+  const double lean = std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy);
+  const double off = std::abs(p.z - plane.at(p.x, p.y)) / (lean * epsilon);
+  if (!labelled) return off <= 1 ? 0 : kUnlabelled * std::min(1.0, (off - 1) / 2);
+  return off <= 1 ? kForeign * off * off : kForeign + (1 - kForeign) * std::min(1.0, (off - 1) / 2);
+}
+
+class Labelling {
+ public:
+  Labelling(const RoofSite& site, const RoofPlanes& planes, const Partition& cells, const CellLabelParams& params)
+      : site_(site), planes_(planes), cells_(cells), params_(params) {
+    find_borders();
+    find_candidates();
+    add_points();
+    forbid_overshoot();
+  }
+
+  std::vector<std::uint32_t> solve() {
+    label_.resize(cells_.regions);
+    for (std::uint32_t r = 0; r < cells_.regions; ++r) label_[r] = cheapest(r);
+    bool changed = true;
+    for (int round = 0; round < kRounds && changed; ++round) {
+      changed = false;
+      for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) changed |= expand(plane);
+    }
+    std::vector<std::uint32_t> labels;
+    for (const std::uint32_t plane : label_) labels.push_back(plane + 1);
+    return labels;
+  }
+
+ private:
+  void find_borders() {
+    boxes_.resize(cells_.regions);
+    for (const PartitionEdge& e : cells_.edges) {
+      const FlatPoint p = metres(cells_.vertices[e.from]), q = metres(cells_.vertices[e.to]);
+      for (const std::uint32_t r : {e.left, e.right})
+        if (r != kOutside) {
+          boxes_[r - 1].add(p.x, p.y);
+          boxes_[r - 1].add(q.x, q.y);
+        }
+      if (e.left == kOutside || e.right == kOutside) continue;
+      const double length = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
+      borders_.push_back({e.left - 1, e.right - 1, p, q, length});
+    }
+  }
+
+  void find_candidates() {
+    std::vector<Box> around(planes_.planes.size());
+    for (std::size_t i = 0; i < site_.points.size(); ++i)
+      if (planes_.of_point[i] != 0) around[planes_.of_point[i] - 1].add(site_.points[i].x, site_.points[i].y);
+    candidates_.resize(cells_.regions);
+    for (std::uint32_t r = 0; r < cells_.regions; ++r)
+      for (double by = kNearPlane; candidates_[r].empty(); by *= 4)
+        for (std::uint32_t p = 0; p < around.size(); ++p)
+          if (around[p].near(boxes_[r], by)) candidates_[r].push_back({p, 0});
+  }
+
+  void add_points() {
+    std::vector<FlatPoint> flat;
+    for (const Vec3& p : site_.points) flat.push_back({p.x * 1000, p.y * 1000});
+    const std::vector<std::uint32_t> region = regions_of(cells_, flat);
+    const double area = planes_.step * planes_.step;
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      if (region[i] == kOutside || planes_.on_wall[i]) continue;
+      const std::uint32_t own = planes_.of_point[i];
+      for (Candidate& c : candidates_[region[i] - 1])
+        if (c.plane + 1 != own)
+          c.cost += cost_of(area * misfit(planes_.planes[c.plane], site_.points[i], own != 0, planes_.epsilon));
+    }
+  }
+
+  void forbid_overshoot() {
+    const auto check = [&](std::uint32_t region, FlatPoint at) {
+      if (region == kOutside) return;
+      for (Candidate& c : candidates_[region - 1]) {
+        const RoofPlane& plane = planes_.planes[c.plane];
+        const double over = plane.at(at.x, at.y) - plane.highest - params_.overshoot;
+        if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
+      }
+    };
+    for (const PartitionEdge& e : cells_.edges)
+      for (const std::uint32_t v : {e.from, e.to}) {
+        check(e.left, metres(cells_.vertices[v]));
+        check(e.right, metres(cells_.vertices[v]));
+      }
+  }
+
+  std::uint32_t cheapest(std::uint32_t region) const {
+    const auto& c = candidates_[region];
+    return std::min_element(c.begin(), c.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; })
+        ->plane;
+  }
+
+  const Candidate* candidate(std::uint32_t region, std::uint32_t plane) const {
+    const auto& c = candidates_[region];
+    const auto at =
+        std::lower_bound(c.begin(), c.end(), plane, [](const Candidate& a, std::uint32_t p) { return a.plane < p; });
+    return at != c.end() && at->plane == plane ? &*at : nullptr;
+  }
+
+  Cost between(const Border& border, std::uint32_t p, std::uint32_t q) const {
+    if (p == q) return 0;
+    const auto gap = [&](FlatPoint at) {
+      return std::min(kTallestWall, std::abs(planes_.planes[p].at(at.x, at.y) - planes_.planes[q].at(at.x, at.y)));
+    };
+    const double height = (gap(border.from) + gap(border.to)) / 2;
+    return cost_of(border.length * (params_.border + params_.wall * height));
+  }
+
+  // One expansion of a plane: the cheapest set of cells to take it, among all sets. True when a cell changed.
+  bool expand(std::uint32_t alpha) {
+    constexpr std::uint32_t kNone = 0xffffffffu;
+    std::vector<std::uint32_t> movable, node(cells_.regions, kNone);
+    for (std::uint32_t r = 0; r < cells_.regions; ++r)
+      if (label_[r] != alpha && candidate(r, alpha)) {
+        node[r] = static_cast<std::uint32_t>(movable.size());
+        movable.push_back(r);
+      }
+    if (movable.empty()) return false;
+    std::vector<Cost> gain(movable.size());  // of staying over moving
+    for (std::size_t i = 0; i < movable.size(); ++i)
+      gain[i] = candidate(movable[i], alpha)->cost - candidate(movable[i], label_[movable[i]])->cost;
+    std::vector<CutArc> arcs;
+    for (const Border& border : borders_) {
+      const std::uint32_t a = node[border.a], b = node[border.b];
+      if (a == kNone && b == kNone) continue;
+      const Cost stay = between(border, label_[border.a], label_[border.b]);
+      const Cost only_b = between(border, label_[border.a], alpha), only_a = between(border, alpha, label_[border.b]);
+      if (b == kNone) {
+        gain[a] += only_a - stay;
+      } else if (a == kNone) {
+        gain[b] += only_b - stay;
+      } else {
+        gain[a] += only_a - stay;
+        gain[b] -= only_a;
+        arcs.push_back({a, b, std::max<Cost>(0, only_a + only_b - stay)});
+      }
+    }
+    if (std::none_of(gain.begin(), gain.end(), [](Cost g) { return g < 0; })) return false;
+    const std::vector<std::uint8_t> taken = least_cut(gain, arcs);
+    bool changed = false;
+    for (std::size_t i = 0; i < movable.size(); ++i)
+      if (taken[i]) {
+        label_[movable[i]] = alpha;
+        changed = true;
+      }
+    return changed;
+  }
+
+  const RoofSite& site_;
+  const RoofPlanes& planes_;
+  const Partition& cells_;
+  CellLabelParams params_;
+  std::vector<Box> boxes_;
+  std::vector<Border> borders_;
+  std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
+  std::vector<std::uint32_t> label_;                // per cell, from 0
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+                                       const CellLabelParams& params) {
+  return Labelling(site, planes, cells, params).solve();
+}
+
+}  // namespace ilot

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which plane every cell of a parted outline lies on.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engine/roofs/partition.h"
+#include "engine/roofs/roof_planes.h"
+
+namespace ilot {
+
+struct CellLabelParams {
+  double border = 0.15;    // m2 of contradicting points that a metre of border between two faces is worth
+  double wall = 0.1;       // m2 that a square metre of wall between them is worth, up to a height of 1 m
+  double overshoot = 0.5;  // metres that a face may rise above its highest point
+};
+
+// A plane (1 + index) for every cell, so that the sum is least of
+//  - the points that lie off their cell's plane, each with the area it stands for,
+//  - the borders between cells with different planes, by length and by the height of the wall along them,
+//  - cells whose plane would rise above its points.
+// Alpha-expansion [Boykov, Veksler, Zabih 2001] with integer capacities, planes in the order of their numbers, until
+// nothing changes, at most 8 rounds: the answer depends on the input alone. The border's cost is a metric over planes,
+// so every expansion is one minimum cut (Boost.Graph). A plane is a candidate only near its points, so the work grows
+// with the size of the roof and not with its square.
+std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+                                       const CellLabelParams& params = {});
+
+}  // namespace ilot

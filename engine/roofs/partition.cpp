@@ -1,0 +1,374 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/partition.h"
+
+#include <geos_c.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "engine/error.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kGrid = 1;  // millimetre
+
+GEOSContextHandle_t context() {
+  struct Holder {
+    GEOSContextHandle_t handle = GEOS_init_r();
+    ~Holder() { GEOS_finish_r(handle); }
+  };
+  thread_local const Holder holder;
+  return holder.handle;
+}
+
+struct Destroy {
+  void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(context(), g); }
+};
+using Owned = std::unique_ptr<GEOSGeometry, Destroy>;
+
+Owned checked(GEOSGeometry* geometry) {
+  if (!geometry) throw Error("an outline could not be parted (GEOS gave nothing)");
+  return Owned(geometry);
+}
+
+Owned line_string(std::span<const FlatPoint> points) {
+  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(context(), static_cast<unsigned>(points.size()), 2);
+  if (!corners) throw Error("out of memory: an outline");
+  for (unsigned i = 0; i < points.size(); ++i) GEOSCoordSeq_setXY_r(context(), corners, i, points[i].x, points[i].y);
+  return checked(GEOSGeom_createLineString_r(context(), corners));
+}
+
+FlatPoint rounded(FlatPoint metres) {
+  return {std::round(metres.x * 1000), std::round(metres.y * 1000)};
+}
+
+// Outline and lines as one set that meets only in vertices.
+Owned noded(const SitePolygon& outline, std::span<const FlatEdge> lines) {
+  std::vector<Owned> owned;
+  for (const auto& ring : outline) {
+    std::vector<FlatPoint> corners;
+    for (const Point2 p : ring) corners.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
+    corners.push_back(corners.front());
+    owned.push_back(line_string(corners));
+  }
+  for (const FlatEdge& line : lines) {
+    const FlatPoint ends[2]{rounded(line.a), rounded(line.b)};
+    if (ends[0].x != ends[1].x || ends[0].y != ends[1].y) owned.push_back(line_string(ends));
+  }
+  std::vector<GEOSGeometry*> parts;
+  for (Owned& o : owned) parts.push_back(o.release());
+  const Owned all = checked(
+      GEOSGeom_createCollection_r(context(), GEOS_MULTILINESTRING, parts.data(), static_cast<unsigned>(parts.size())));
+  return checked(GEOSUnaryUnionPrec_r(context(), all.get(), kGrid));
+}
+
+Owned polygon_of(const SitePolygon& outline) {
+  const auto ring_of = [](const std::vector<Point2>& ring) {
+    GEOSCoordSequence* corners = GEOSCoordSeq_create_r(context(), static_cast<unsigned>(ring.size() + 1), 2);
+    if (!corners) throw Error("out of memory: an outline");
+    for (unsigned i = 0; i <= ring.size(); ++i) {
+      const Point2 p = ring[i == ring.size() ? 0 : i];
+      GEOSCoordSeq_setXY_r(context(), corners, i, p.x, p.y);
+    }
+    return checked(GEOSGeom_createLinearRing_r(context(), corners));
+  };
+  std::vector<GEOSGeometry*> holes;
+  for (std::size_t r = 1; r < outline.size(); ++r) holes.push_back(ring_of(outline[r]).release());
+  return checked(GEOSGeom_createPolygon_r(context(), ring_of(outline[0]).release(), holes.data(),
+                                          static_cast<unsigned>(holes.size())));
+}
+
+using Corners = std::vector<Point2>;
+
+Corners corners_of(const GEOSGeometry* ring) {
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context(), ring);
+  unsigned count = 0;
+  GEOSCoordSeq_getSize_r(context(), sequence, &count);
+  Corners corners;
+  for (unsigned i = 0; i < count; ++i) {
+    double x = 0, y = 0;
+    GEOSCoordSeq_getXY_r(context(), sequence, i, &x, &y);
+    corners.push_back({static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))});
+  }
+  return corners;
+}
+
+bool turns_left(const Corners& closed) {
+  std::int64_t area = 0;
+  for (std::size_t i = 0; i + 1 < closed.size(); ++i)
+    area += static_cast<std::int64_t>(closed[i].x - closed[0].x) * (closed[i + 1].y - closed[0].y) -
+            static_cast<std::int64_t>(closed[i + 1].x - closed[0].x) * (closed[i].y - closed[0].y);
+  return area > 0;
+}
+
+struct Cell {
+  std::vector<Corners> rings;  // closed; the cell lies to their left
+};
+
+// Cells inside the outline, in a definite order.
+std::vector<Cell> cells_of(const GEOSGeometry* polygons, const GEOSPreparedGeometry* outline) {
+  std::vector<Cell> cells;
+  const int count = GEOSGetNumGeometries_r(context(), polygons);
+  for (int i = 0; i < count; ++i) {
+    const GEOSGeometry* polygon = GEOSGetGeometryN_r(context(), polygons, i);
+    const Owned inside = checked(GEOSPointOnSurface_r(context(), polygon));
+    if (GEOSPreparedIntersects_r(context(), outline, inside.get()) != 1) continue;
+    Cell cell;
+    const auto add = [&](const GEOSGeometry* ring, bool left) {
+      Corners corners = corners_of(ring);
+      if (turns_left(corners) != left) std::reverse(corners.begin(), corners.end());
+      cell.rings.push_back(std::move(corners));
+    };
+    add(GEOSGetExteriorRing_r(context(), polygon), true);
+    for (int r = 0; r < GEOSGetNumInteriorRings_r(context(), polygon); ++r)
+      add(GEOSGetInteriorRingN_r(context(), polygon, r), false);
+    cells.push_back(std::move(cell));
+  }
+  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
+    const auto least = [](const Cell& c) { return *std::min_element(c.rings[0].begin(), c.rings[0].end()); };
+    const Point2 p = least(a), q = least(b);
+    if (p != q) return p < q;
+    return std::lexicographical_compare(a.rings[0].begin(), a.rings[0].end(), b.rings[0].begin(), b.rings[0].end());
+  });
+  return cells;
+}
+
+Partition subdivision(const std::vector<Cell>& cells) {
+  Partition p;
+  for (const Cell& cell : cells)
+    for (const Corners& ring : cell.rings) p.vertices.insert(p.vertices.end(), ring.begin(), ring.end());
+  std::sort(p.vertices.begin(), p.vertices.end());
+  p.vertices.erase(std::unique(p.vertices.begin(), p.vertices.end()), p.vertices.end());
+  const auto number = [&](Point2 v) {
+    return static_cast<std::uint32_t>(std::lower_bound(p.vertices.begin(), p.vertices.end(), v) - p.vertices.begin());
+  };
+  for (const Cell& cell : cells) {
+    ++p.regions;
+    for (const Corners& ring : cell.rings)
+      for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
+        const std::uint32_t from = number(ring[i]), to = number(ring[i + 1]);
+        if (from == to) continue;
+        p.edges.push_back(from < to ? PartitionEdge{from, to, p.regions, kOutside}
+                                    : PartitionEdge{to, from, kOutside, p.regions});
+      }
+  }
+  std::sort(p.edges.begin(), p.edges.end(), [](const PartitionEdge& a, const PartitionEdge& b) {
+    return std::tie(a.from, a.to, a.left, a.right) < std::tie(b.from, b.to, b.left, b.right);
+  });
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < p.edges.size(); ++i) {
+    PartitionEdge e = p.edges[i];
+    for (; i + 1 < p.edges.size() && p.edges[i + 1].from == e.from && p.edges[i + 1].to == e.to; ++i) {
+      e.left = std::max(e.left, p.edges[i + 1].left);
+      e.right = std::max(e.right, p.edges[i + 1].right);
+    }
+    p.edges[kept++] = e;
+  }
+  p.edges.resize(kept);
+  return p;
+}
+
+// Vertices in the middle of straight borders of the same two regions, by walking from junction to junction.
+class Straightener {
+ public:
+  Straightener(Partition& partition, std::span<const std::uint8_t> fixed) : p_(partition), fixed_(fixed) {}
+
+  void run() {
+    around_.resize(p_.vertices.size());
+    for (std::uint32_t e = 0; e < p_.edges.size(); ++e) {
+      around_[p_.edges[e].from].push_back(e);
+      around_[p_.edges[e].to].push_back(e);
+    }
+    done_.assign(p_.edges.size(), 0);
+    for (std::uint32_t v = 0; v < p_.vertices.size(); ++v)
+      if (ends(v))
+        for (const std::uint32_t e : around_[v]) walk(v, e);
+    for (std::uint32_t e = 0; e < p_.edges.size(); ++e)  // closed borders without a junction
+      if (!done_[e]) walk(p_.edges[e].from, e);
+    p_.edges = std::move(edges_);
+  }
+
+ private:
+  bool ends(std::uint32_t v) const { return around_[v].size() != 2 || fixed_[v] != 0; }
+
+  void walk(std::uint32_t start, std::uint32_t e) {
+    if (done_[e]) return;
+    std::vector<std::uint32_t> chain{start};
+    const PartitionEdge first = p_.edges[e];
+    const std::uint32_t left = first.from == start ? first.left : first.right;
+    const std::uint32_t right = first.from == start ? first.right : first.left;
+    for (;;) {
+      done_[e] = 1;
+      const PartitionEdge& edge = p_.edges[e];
+      const std::uint32_t next = edge.from == chain.back() ? edge.to : edge.from;
+      chain.push_back(next);
+      if (next == start || ends(next)) break;
+      e = around_[next][0] == e ? around_[next][1] : around_[next][0];
+    }
+    const std::size_t last = chain.size() - 1;
+    if (chain.front() != chain.back()) {
+      straighten(chain, 0, last, left, right);
+    } else {  // a closed border: from its far side on, so that it does not fall to a line
+      const auto far =
+          static_cast<std::size_t>(std::max_element(chain.begin(), chain.end(),
+                                                    [&](std::uint32_t a, std::uint32_t b) {
+                                                      return squared_distance(p_.vertices[a], p_.vertices[start]) <
+                                                             squared_distance(p_.vertices[b], p_.vertices[start]);
+                                                    }) -
+                                   chain.begin());
+      straighten(chain, 0, far, left, right);
+      straighten(chain, far, last, left, right);
+    }
+  }
+
+  // Douglas and Peucker within the bound that snap rounding leaves straight lines in.
+  void straighten(const std::vector<std::uint32_t>& chain, std::size_t from, std::size_t to, std::uint32_t left,
+                  std::uint32_t right) {
+    constexpr double kTolerance = 1.5;  // millimetres
+    const Point2 a = p_.vertices[chain[from]], b = p_.vertices[chain[to]];
+    const double length = std::sqrt(static_cast<double>(squared_distance(a, b)));
+    double worst = 0;
+    std::size_t at = from;
+    for (std::size_t i = from + 1; i < to; ++i) {
+      const double off = std::abs(static_cast<double>(orient2d(a, b, p_.vertices[chain[i]]))) / std::max(length, 1.0);
+      if (off > worst) {
+        worst = off;
+        at = i;
+      }
+    }
+    if (worst > kTolerance) {
+      straighten(chain, from, at, left, right);
+      straighten(chain, at, to, left, right);
+    } else {
+      const std::uint32_t u = chain[from], v = chain[to];
+      edges_.push_back(u < v ? PartitionEdge{u, v, left, right} : PartitionEdge{v, u, right, left});
+    }
+  }
+
+  Partition& p_;
+  std::span<const std::uint8_t> fixed_;
+  std::vector<std::vector<std::uint32_t>> around_;
+  std::vector<std::uint8_t> done_;
+  std::vector<PartitionEdge> edges_;
+};
+
+// A region of less than the tolerance's width has the same edge on both of its sides: they become one.
+void sort_edges(Partition& p) {
+  std::sort(p.edges.begin(), p.edges.end(), [](const PartitionEdge& a, const PartitionEdge& b) {
+    return std::tie(a.from, a.to, a.left, a.right) < std::tie(b.from, b.to, b.left, b.right);
+  });
+  std::vector<PartitionEdge> kept;
+  for (const PartitionEdge& e : p.edges) {
+    if (kept.empty() || kept.back().from != e.from || kept.back().to != e.to) {
+      kept.push_back(e);
+    } else if (kept.back().right == e.left) {
+      kept.back().right = e.right;
+    } else if (kept.back().left == e.right) {
+      kept.back().left = e.left;
+    }
+    if (kept.back().left == kept.back().right) kept.pop_back();
+  }
+  p.edges = std::move(kept);
+}
+
+// Vertices that no edge uses go; the others keep their order.
+void drop_unused_vertices(Partition& p) {
+  std::vector<std::uint32_t> number(p.vertices.size(), 0);
+  for (const PartitionEdge& e : p.edges) number[e.from] = number[e.to] = 1;
+  std::uint32_t kept = 0;
+  for (std::uint32_t v = 0; v < p.vertices.size(); ++v) {
+    if (number[v] == 0) continue;
+    p.vertices[kept] = p.vertices[v];
+    number[v] = kept++;
+  }
+  p.vertices.resize(kept);
+  for (PartitionEdge& e : p.edges) {
+    e.from = number[e.from];
+    e.to = number[e.to];
+  }
+}
+
+}  // namespace
+
+Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
+  const Owned net = noded(outline, lines);
+  const GEOSGeometry* nets[1]{net.get()};
+  const Owned polygons = checked(GEOSPolygonize_r(context(), nets, 1));
+  const Owned polygon = polygon_of(outline);
+  const auto release = [](const GEOSPreparedGeometry* g) { GEOSPreparedGeom_destroy_r(context(), g); };
+  const std::unique_ptr<const GEOSPreparedGeometry, decltype(release)> prepared(GEOSPrepare_r(context(), polygon.get()),
+                                                                                release);
+  return subdivision(cells_of(polygons.get(), prepared.get()));
+}
+
+std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points) {
+  std::vector<std::uint32_t> regions(points.size(), kOutside);
+  if (partition.edges.empty()) return regions;
+  // Vertices ascend by x: strips between every few of them, each with the edges that cross it.
+  const auto strips = static_cast<std::size_t>(std::sqrt(static_cast<double>(partition.edges.size()))) + 1;
+  const double low = partition.vertices.front().x, high = partition.vertices.back().x;
+  const double width = (high - low) / static_cast<double>(strips) + 1;
+  const auto strip_of = [&](double x) {
+    return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(strips - 1)));
+  };
+  std::vector<std::vector<std::uint32_t>> crossing(strips);
+  for (std::uint32_t e = 0; e < partition.edges.size(); ++e) {
+    const std::size_t last = strip_of(partition.vertices[partition.edges[e].to].x);
+    for (std::size_t s = strip_of(partition.vertices[partition.edges[e].from].x); s <= last; ++s)
+      crossing[s].push_back(e);
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const FlatPoint p = points[i];
+    if (p.x < low || p.x > high) continue;
+    double nearest = -INFINITY;
+    for (const std::uint32_t e : crossing[strip_of(p.x)]) {
+      const Point2 a = partition.vertices[partition.edges[e].from], b = partition.vertices[partition.edges[e].to];
+      if (p.x < a.x || p.x >= b.x) continue;  // from < to: never to the left; upright edges are never below
+      const double y = a.y + (p.x - a.x) / static_cast<double>(b.x - a.x) * (b.y - a.y);
+      if (y > p.y || y <= nearest) continue;
+      nearest = y;
+      regions[i] = partition.edges[e].left;  // towards +x, so its left is above it
+    }
+  }
+  return regions;
+}
+
+Partition merged(const Partition& partition, std::span<const std::uint32_t> label, std::uint32_t labels,
+                 std::span<const std::uint8_t> fixed) {
+  Partition m;
+  m.vertices = partition.vertices;
+  m.regions = labels;
+  const auto region = [&](std::uint32_t r) { return r == kOutside ? kOutside : label[r - 1]; };
+  for (const PartitionEdge& e : partition.edges) {
+    const PartitionEdge kept{e.from, e.to, region(e.left), region(e.right)};
+    if (kept.left != kept.right) m.edges.push_back(kept);
+  }
+  Straightener(m, fixed).run();
+  sort_edges(m);
+  drop_unused_vertices(m);
+  return m;
+}
+
+std::vector<double> region_areas(const Partition& partition) {
+  std::vector<std::int64_t> twice(partition.regions + 1, 0);
+  const Point2 o = partition.vertices.empty() ? Point2{} : partition.vertices.front();
+  for (const PartitionEdge& e : partition.edges) {
+    const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
+    const std::int64_t part =
+        static_cast<std::int64_t>(a.x - o.x) * (b.y - o.y) - static_cast<std::int64_t>(b.x - o.x) * (a.y - o.y);
+    twice[e.left] += part;
+    twice[e.right] -= part;
+  }
+  twice[kOutside] = 0;
+  std::vector<double> areas;
+  for (const std::int64_t t : twice) areas.push_back(static_cast<double>(t) * 0.5e-6);
+  return areas;
+}
+
+}  // namespace ilot

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/roof_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <span>
+#include <tuple>
+
+#include "kernels/delaunay/delaunay.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kCreaseSteps = 1.5;        // farthest, in steps, that a border is seen beside the line of its planes
+constexpr double kLeastSlopeChange = 0.05;  // of two planes that cross in a line worth drawing
+constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a border
+constexpr double kShadowSteps = 3;                       // longer edges cross a strip without points
+constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
+constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
+constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
+constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
+constexpr std::size_t kMostDirections = 16;
+
+// A place on the border of two planes.
+struct Sighting {
+  FlatPoint at;
+  std::uint32_t a = 0, b = 0;  // planes, a < b
+};
+
+double cross(FlatPoint a, FlatPoint b) {
+  return a.x * b.y - a.y * b.x;
+}
+double dot(FlatPoint a, FlatPoint b) {
+  return a.x * b.x + a.y * b.y;
+}
+
+Point2 millimetres(Vec3 p) {
+  return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
+}
+
+struct Borders {
+  std::vector<Sighting> creases, steps;
+};
+
+class BorderFinder {
+ public:
+  BorderFinder(const RoofSite& site, const RoofPlanes& planes) : site_(site), planes_(planes) {
+    for (std::uint32_t i = 0; i < site.points.size(); ++i)
+      if (planes.of_point[i] != 0) {
+        points_.push_back(millimetres(site.points[i]));
+        from_.push_back(i);
+      }
+  }
+
+  Borders find() {
+    const Triangulation t = delaunay(points_);
+    for (std::uint32_t e = 0; e < t.corner.size(); ++e) {
+      const std::uint32_t from = t.corner[e], to = t.corner[next_edge(e)];
+      if (t.twin[e] != kNoEdge && t.twin[e] < e) continue;
+      if (planes_.of_point[from_[from]] != planes_.of_point[from_[to]]) see(from_[from], from_[to]);
+    }
+    return std::move(borders_);
+  }
+
+ private:
+  void see(std::uint32_t p, std::uint32_t q) {
+    const double longest = std::max(kLongestSteps * planes_.step, kLongestMetres);
+    const Vec3 along = site_.points[q] - site_.points[p];
+    const double length = std::sqrt(along.x * along.x + along.y * along.y);
+    if (length > longest) return;
+    std::uint32_t a = planes_.of_point[p] - 1, b = planes_.of_point[q] - 1;
+    const RoofPlane& pa = planes_.planes[a];
+    const RoofPlane& pb = planes_.planes[b];
+    const Vec3 middle = site_.points[p] + 0.5 * along;
+    const double apart = std::abs(pa.at(middle.x, middle.y) - pb.at(middle.x, middle.y));
+    const double slope = std::sqrt((pa.gx - pb.gx) * (pa.gx - pb.gx) + (pa.gy - pb.gy) * (pa.gy - pb.gy));
+    const double reach = std::max(kCreaseSteps * planes_.step, length);
+    const bool crosses = slope >= kLeastSlopeChange && apart <= slope * reach;
+    FlatPoint at{middle.x, middle.y};
+    if (!crosses && length > kShadowSteps * planes_.step) at = beside_the_higher(p, q, length);
+    if (a > b) std::swap(a, b);
+    (crosses ? borders_.creases : borders_.steps).push_back({at, a, b});
+  }
+
+  FlatPoint beside_the_higher(std::uint32_t p, std::uint32_t q, double length) const {
+    if (site_.points[q].z > site_.points[p].z) std::swap(p, q);
+    const double share = 0.5 * planes_.step / length;
+    const Vec3 at = site_.points[p] + share * (site_.points[q] - site_.points[p]);
+    return {at.x, at.y};
+  }
+
+  const RoofSite& site_;
+  const RoofPlanes& planes_;
+  std::vector<Point2> points_;
+  std::vector<std::uint32_t> from_;
+  Borders borders_;
+};
+
+double extension(const RoofPlanes& planes) {
+  return std::max(kExtendSteps * planes.step, kExtendMetres);
+}
+
+// Where two planes have the same height: point and direction of unit length.
+struct Line {
+  FlatPoint at, along;
+};
+
+Line crossing(const RoofPlane& a, const RoofPlane& b, FlatPoint near) {
+  const FlatPoint g{a.gx - b.gx, a.gy - b.gy};
+  const double slope2 = dot(g, g), difference = a.at(near.x, near.y) - b.at(near.x, near.y);
+  const double slope = std::sqrt(slope2);
+  return {{near.x - difference * g.x / slope2, near.y - difference * g.y / slope2}, {-g.y / slope, g.x / slope}};
+}
+
+// A crease for every pair of planes that were seen to cross, as far as that was seen.
+void add_creases(std::vector<Sighting> seen, const RoofPlanes& planes, std::vector<FlatEdge>& lines) {
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Sighting& s, const Sighting& t) { return std::tie(s.a, s.b) < std::tie(t.a, t.b); });
+  for (std::size_t first = 0; first < seen.size();) {
+    std::size_t last = first;
+    while (last < seen.size() && seen[last].a == seen[first].a && seen[last].b == seen[first].b) ++last;
+    if (last - first >= kFewestOnCrease) {
+      const Line line = crossing(planes.planes[seen[first].a], planes.planes[seen[first].b], seen[first].at);
+      double low = INFINITY, high = -INFINITY;
+      for (std::size_t i = first; i < last; ++i) {
+        const double t = dot({seen[i].at.x - line.at.x, seen[i].at.y - line.at.y}, line.along);
+        low = std::min(low, t);
+        high = std::max(high, t);
+      }
+      low -= extension(planes);
+      high += extension(planes);
+      lines.push_back({{line.at.x + low * line.along.x, line.at.y + low * line.along.y},
+                       {line.at.x + high * line.along.x, line.at.y + high * line.along.y}});
+    }
+    first = last;
+  }
+}
+
+// Directions in which steps are likely to run, the likeliest first: those of the outline and across it, by length; then
+// down the planes and along them.
+std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<std::pair<double, FlatPoint>> weighted;  // by length
+  const auto add = [&](FlatPoint d, double weight) {
+    const double length = std::sqrt(dot(d, d));
+    if (length <= 0) return;
+    d = {d.x / length, d.y / length};
+    for (auto& [w, known] : weighted)
+      if (std::abs(dot(known, d)) >= kSameDirection) {
+        w += weight;
+        return;
+      }
+    weighted.push_back({weight, d});
+  };
+  std::vector<FlatEdge> edges;
+  for (const auto& ring : site.outline)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2 p = ring[i], q = ring[(i + 1) % ring.size()];
+      edges.push_back({{p.x / 1000.0, p.y / 1000.0}, {q.x / 1000.0, q.y / 1000.0}});
+    }
+  const auto length = [](const FlatEdge& e) {
+    return std::sqrt((e.b.x - e.a.x) * (e.b.x - e.a.x) + (e.b.y - e.a.y) * (e.b.y - e.a.y));
+  };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const FlatEdge& e, const FlatEdge& f) { return length(e) > length(f); });
+  for (const FlatEdge& e : edges) {
+    const FlatPoint d{e.b.x - e.a.x, e.b.y - e.a.y};
+    add(d, length(e));
+    add({-d.y, d.x}, length(e) / 2);
+  }
+  for (const RoofPlane& p : planes.planes) {
+    if (p.gx * p.gx + p.gy * p.gy < kLeastSlopeChange * kLeastSlopeChange) continue;
+    const double weight = std::sqrt(static_cast<double>(p.points)) * planes.step;
+    add({p.gx, p.gy}, weight);
+    add({-p.gy, p.gx}, weight);
+  }
+  std::stable_sort(weighted.begin(), weighted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<FlatPoint> directions;
+  for (const auto& [w, d] : weighted)
+    if (directions.size() < kMostDirections) directions.push_back(d);
+  return directions;
+}
+
+// Consecutive sightings of one straight step.
+struct Run {
+  std::vector<std::uint32_t> members;
+  FlatPoint along;
+  double offset = 0, low = 0, high = 0;
+};
+
+class StepFinder {
+ public:
+  StepFinder(std::vector<Sighting> seen, std::vector<FlatPoint> directions, double step)
+      : seen_(std::move(seen)), directions_(std::move(directions)), step_(step), used_(seen_.size(), 0) {}
+
+  // The longest runs first, until none has enough sightings.
+  std::vector<Run> find() {
+    std::vector<Run> runs;
+    std::vector<std::optional<Run>> best(directions_.size());
+    std::vector<std::uint8_t> stale(directions_.size(), 1);
+    for (;;) {
+      std::size_t chosen = directions_.size();
+      for (std::size_t d = 0; d < directions_.size(); ++d) {
+        if (stale[d]) best[d] = best_run(directions_[d]);
+        stale[d] = 0;
+        if (best[d] && (chosen == directions_.size() || best[d]->members.size() > best[chosen]->members.size()))
+          chosen = d;
+      }
+      if (chosen == directions_.size()) return runs;
+      runs.push_back(*best[chosen]);
+      for (const std::uint32_t i : runs.back().members) used_[i] = 1;
+      for (std::size_t d = 0; d < directions_.size(); ++d)
+        stale[d] = best[d] && std::any_of(best[d]->members.begin(), best[d]->members.end(),
+                                          [&](std::uint32_t i) { return used_[i] != 0; });
+    }
+  }
+
+ private:
+  struct Place {
+    double offset, along;
+    std::uint32_t sighting;
+  };
+
+  std::optional<Run> best_run(FlatPoint direction) const {
+    std::vector<Place> places;
+    for (std::uint32_t i = 0; i < seen_.size(); ++i)
+      if (!used_[i]) places.push_back({cross(direction, seen_[i].at), dot(direction, seen_[i].at), i});
+    std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
+      return std::tie(p.offset, p.along, p.sighting) < std::tie(q.offset, q.along, q.sighting);
+    });
+    std::optional<Run> best;
+    std::size_t end = 0;
+    for (std::size_t first = 0; first < places.size(); ++first) {
+      while (end < places.size() && places[end].offset - places[first].offset <= step_) ++end;
+      if (end - first < std::max<std::size_t>(kFewestOnStep, best ? best->members.size() + 1 : 0)) continue;
+      const std::optional<Run> run = longest(std::vector<Place>(places.begin() + static_cast<std::ptrdiff_t>(first),
+                                                                places.begin() + static_cast<std::ptrdiff_t>(end)));
+      if (run && (!best || run->members.size() > best->members.size())) best = run;
+    }
+    if (best) best->along = direction;
+    return best;
+  }
+
+  // The most sightings of a window without a gap.
+  std::optional<Run> longest(std::vector<Place> window) const {
+    std::sort(window.begin(), window.end(), [](const Place& p, const Place& q) {
+      return std::tie(p.along, p.offset, p.sighting) < std::tie(q.along, q.offset, q.sighting);
+    });
+    std::size_t best_first = 0, best_last = 0, first = 0;
+    for (std::size_t i = 0; i < window.size(); ++i) {
+      if (i > first && window[i].along - window[i - 1].along > kGapSteps * step_) first = i;
+      if (i + 1 - first > best_last - best_first) {
+        best_first = first;
+        best_last = i + 1;
+      }
+    }
+    if (best_last - best_first < kFewestOnStep) return std::nullopt;
+    Run run;
+    std::vector<double> offsets;
+    for (std::size_t i = best_first; i < best_last; ++i) {
+      run.members.push_back(window[i].sighting);
+      offsets.push_back(window[i].offset);
+    }
+    run.low = window[best_first].along;
+    run.high = window[best_last - 1].along;
+    if (run.high - run.low < 2 * step_) return std::nullopt;
+    std::sort(offsets.begin(), offsets.end());
+    run.offset = (offsets[(offsets.size() - 1) / 2] + offsets[offsets.size() / 2]) / 2;
+    return run;
+  }
+
+  std::vector<Sighting> seen_;
+  std::vector<FlatPoint> directions_;
+  double step_;
+  std::vector<std::uint8_t> used_;
+};
+
+void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge>& lines) {
+  for (const Run& run : runs) {
+    const auto at = [&](double t) {
+      return FlatPoint{t * run.along.x - run.offset * run.along.y, t * run.along.y + run.offset * run.along.x};
+    };
+    lines.push_back({at(run.low - extend), at(run.high + extend)});
+  }
+}
+
+}  // namespace
+
+std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<FlatEdge> lines;
+  if (planes.planes.size() < 2) return lines;
+  Borders borders = BorderFinder(site, planes).find();
+  add_creases(std::move(borders.creases), planes, lines);
+  if (borders.steps.empty()) return lines;
+  StepFinder steps(std::move(borders.steps), likely_directions(site, planes), planes.step);
+  add_steps(steps.find(), extension(planes), lines);
+  return lines;
+}
+
+}  // namespace ilot

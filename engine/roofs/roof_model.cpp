@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/roof_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/roofs/cell_labels.h"
+#include "engine/roofs/partition.h"
+#include "engine/roofs/roof_faces.h"
+#include "engine/roofs/roof_lines.h"
+#include "engine/roofs/roof_planes.h"
+#include "engine/roofs/roof_solid.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLeastFaceArea = 0.5;  // m2
+constexpr double kBlockHeight = 0.7;    // quantile of the points' heights that a block of LoD1.2 ends at
+constexpr double kLeastOutline = 0.01;  // m2
+constexpr std::size_t kFewestPoints = 3;
+
+Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {
+  Building b;
+  b.id = site.id;
+  b.lod = lod;
+  for (const Vec3& v : solid.vertices) b.vertices.push_back(site.anchor + (1 / metres_per_unit) * v);
+  b.surfaces = std::move(solid.surfaces);
+  return b;
+}
+
+RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<double> z;
+  for (std::size_t i = 0; i < site.points.size(); ++i)
+    if (!planes.on_wall[i]) z.push_back(site.points[i].z);
+  if (z.empty())
+    for (const Vec3& p : site.points) z.push_back(p.z);
+  const auto at = z.begin() + static_cast<std::ptrdiff_t>(kBlockHeight * static_cast<double>(z.size() - 1));
+  std::nth_element(z.begin(), at, z.end());
+  RoofPlane plane;
+  plane.c = *at;
+  return plane;
+}
+
+double outline_area(const SitePolygon& outline) {
+  std::int64_t twice = 0;
+  for (const auto& ring : outline)
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += orient2d(ring[0], ring[i], ring[i + 1]);
+  return static_cast<double>(twice) * 0.5e-6;
+}
+
+RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
+  const std::vector<FlatEdge> lines = roof_lines(site, planes);
+  const Partition cells = part(site.outline, lines);
+  const double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
+  return roof_faces(site, planes, cells, label_cells(site, planes, cells), least);
+}
+
+}  // namespace
+
+RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit) {
+  RoofModel model;
+  model.face_of_point.assign(site.points.size(), 0);
+  if (site.outline.empty() || outline_area(site.outline) < kLeastOutline) {
+    model.reason = "the outline has no area";
+    return model;
+  }
+  if (site.points.size() < kFewestPoints) {
+    model.reason = "fewer than 3 points";
+    return model;
+  }
+  const RoofPlanes planes = find_roof_planes(site, params);
+  const std::vector<RoofPlane> level{level_roof(site, planes)};
+  const Partition whole = part(site.outline, {});
+  if (whole.regions != 1) {
+    model.reason = "the outline is not one polygon on a grid of 1 mm";
+    return model;
+  }
+  model.lod12 = building_of(site, raise_roof(whole, level, site.ground), "1.2", metres_per_unit);
+  model.status = RoofStatus::lod12;
+  if (planes.planes.empty()) {
+    model.reason = "no plane has enough points";
+    return model;
+  }
+  RoofFaces faces = faces_of(site, planes, params);
+  model.lod22 =
+      building_of(site, raise_roof(std::move(faces.faces), faces.planes, site.ground), "2.2", metres_per_unit);
+  model.face_of_point = std::move(faces.of_point);
+  model.status = RoofStatus::lod22;
+  return model;
+}
+
+}  // namespace ilot

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/roof_planes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "engine/segments/auto_params.h"
+#include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "kernels/core/union_find.h"
+#include "kernels/neighbours/hough_normals.h"
+#include "kernels/neighbours/knn.h"
+#include "kernels/planes/plane_fit.h"
+#include "kernels/planes/ransac.h"
+#include "kernels/planes/relabel.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kUnit = 0.001;            // metres per unit of the kernels' points
+constexpr std::uint32_t kNeighbours = 16;  // of the borders
+constexpr int kNormalNeighbours = 24;
+constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
+constexpr double kLeastFaceArea = 1.0;  // m2 that the points of the smallest face cover
+constexpr int kFewestPoints = 8;
+constexpr double kGapSteps = 3, kLeastGap = 0.6;   // metres
+constexpr double kSteepest = 0.25881904510252074;  // cosine of 75 degrees
+constexpr double kSameAngle = 3.5;                 // degrees
+constexpr double kNormalAngle = 25;                // degrees
+
+// A site's points as the kernels want them: whole millimetres from their lowest corner, padded.
+struct Cloud {
+  std::vector<float> x, y, z, nx, ny, nz;
+  Vec3 corner;  // metres
+  std::size_t size = 0;
+  Points points() const { return {x.data(), y.data(), z.data(), size}; }
+  OrientedPoints oriented() const { return {points(), nx.data(), ny.data(), nz.data()}; }
+};
+
+Cloud cloud_of(const std::vector<Vec3>& points) {
+  constexpr std::size_t kPadding = 16;
+  Cloud c;
+  c.size = points.size();
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  c.corner = {kFar, kFar, kFar};
+  for (const Vec3& p : points)
+    c.corner = {std::min(c.corner.x, p.x), std::min(c.corner.y, p.y), std::min(c.corner.z, p.z)};
+  for (auto* v : {&c.x, &c.y, &c.z, &c.nx, &c.ny, &c.nz}) v->assign(c.size + kPadding, 0.0f);
+  for (std::size_t i = 0; i < c.size; ++i) {
+    const Vec3 p = points[i] - c.corner;
+    c.x[i] = static_cast<float>(std::round(p.x / kUnit));
+    c.y[i] = static_cast<float>(std::round(p.y / kUnit));
+    c.z[i] = static_cast<float>(std::round(p.z / kUnit));
+  }
+  return c;
+}
+
+std::uint64_t content_key(const Cloud& c) {
+  std::uint64_t key = c.size;
+  for (std::size_t i = 0; i < c.size; ++i)
+    key += mix64(mix64(static_cast<std::uint64_t>(c.x[i]) << 32 | static_cast<std::uint64_t>(c.y[i])) ^
+                 static_cast<std::uint64_t>(c.z[i]));
+  return key;
+}
+
+void give_normals(const NeighbourIndex& index, Cloud& c) {
+  std::vector<std::uint32_t> all(c.size);
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<PackedNormal> packed(c.size);
+  std::vector<std::int64_t> reach2(c.size);
+  hough_normals(index, all, {kNormalNeighbours, kMaxSquaredReach}, packed, reach2);
+  constexpr float kScale = 1.0f / 32767;
+  for (std::size_t i = 0; i < c.size; ++i) {
+    c.nx[i] = static_cast<float>(packed[i].x) * kScale;
+    c.ny[i] = static_cast<float>(packed[i].y) * kScale;
+    c.nz[i] = static_cast<float>(packed[i].z) * kScale;
+  }
+}
+
+std::vector<std::uint32_t> neighbours_of_all(const NeighbourIndex& index) {
+  std::vector<std::uint32_t> all(index.points.size), lists(index.points.size * kNeighbours);
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<std::int64_t> reach2(index.points.size);
+  knn(index, all, {kNeighbours, kMaxSquaredReach}, lists, reach2);
+  return lists;
+}
+
+std::vector<Moments> moments_of_planes(const Cloud& c, const PlaneSegments& s) {
+  std::vector<std::vector<std::uint32_t>> members(s.planes.size());
+  for (std::uint32_t i = 0; i < c.size; ++i)
+    if (s.label[i] != 0) members[s.label[i] - 1].push_back(i);
+  std::vector<Moments> moments;
+  for (const auto& m : members) moments.push_back(moments_of(c.points(), m));
+  return moments;
+}
+
+// Pairs of planes by how often points of one have points of the other for neighbours, most often first.
+std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts(const NeighbourLists& neighbours,
+                                                              const PlaneSegments& s) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> count;
+  for (std::uint32_t i = 0; i < s.label.size(); ++i) {
+    if (s.label[i] == 0) continue;
+    for (const std::uint32_t j : neighbours.of(i)) {
+      if (j == kNoNeighbour) break;
+      if (s.label[j] > s.label[i]) ++count[{s.label[i] - 1, s.label[j] - 1}];
+    }
+  }
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;
+  for (const auto& [pair, n] : count) pairs.push_back(pair);
+  std::stable_sort(pairs.begin(), pairs.end(), [&](auto a, auto b) { return count.at(a) > count.at(b); });
+  return pairs;
+}
+
+// Planes that touch, lean alike and stay within half of epsilon of their common plane become one.
+void join_alike(const Cloud& c, const NeighbourLists& neighbours, double epsilon, PlaneSegments& s) {
+  std::vector<Moments> moments = moments_of_planes(c, s);
+  std::vector<std::uint32_t> parents(s.planes.size());
+  UnionFind groups(parents);
+  const double min_cos = cos_degrees(kSameAngle);
+  std::vector<Plane> planes = s.planes;
+  for (const auto& [a, b] : contacts(neighbours, s)) {
+    const std::uint32_t g = groups.find(a), h = groups.find(b);
+    if (g == h || std::abs(dot(planes[g].n, planes[h].n)) < min_cos) continue;
+    Moments both = moments[g];
+    both.add(moments[h]);
+    const PlaneFit fit = fit_plane(both);
+    if (!fit.unique || rms_to_plane(moments[g], fit.plane) > epsilon / 2 ||
+        rms_to_plane(moments[h], fit.plane) > epsilon / 2)
+      continue;
+    groups.unite(g, h);
+    moments[groups.find(g)] = both;
+    planes[groups.find(g)] = fit.plane;
+  }
+  std::vector<std::uint32_t> number(s.planes.size() + 1, 0);
+  std::vector<Plane> kept;
+  for (std::uint32_t p = 0; p < s.planes.size(); ++p) {
+    if (groups.find(p) == p) {
+      kept.push_back(planes[p]);
+      number[p + 1] = static_cast<std::uint32_t>(kept.size());
+    } else {
+      number[p + 1] = number[groups.find(p) + 1];
+    }
+  }
+  for (std::uint32_t& label : s.label) label = number[label];
+  s.planes = std::move(kept);
+}
+
+RoofPlane roof_plane(const Plane& plane, Vec3 corner) {
+  RoofPlane r;
+  r.gx = -plane.n.x / plane.n.z;
+  r.gy = -plane.n.y / plane.n.z;
+  r.c = corner.z - plane.d * kUnit / plane.n.z - r.gx * corner.x - r.gy * corner.y;
+  r.lowest = std::numeric_limits<double>::infinity();
+  r.highest = -r.lowest;
+  return r;
+}
+
+// Planes of the segments that a roof can have, and who lies on them.
+void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, RoofPlanes& r) {
+  std::vector<std::uint32_t> number(s.planes.size() + 1, 0);
+  for (std::size_t p = 0; p < s.planes.size(); ++p) {
+    if (s.planes[p].n.z < kSteepest) continue;
+    r.planes.push_back(roof_plane(s.planes[p], c.corner));
+    number[p + 1] = static_cast<std::uint32_t>(r.planes.size());
+  }
+  for (std::size_t i = 0; i < c.size; ++i) {
+    const std::uint32_t label = number[s.label[i]];
+    r.of_point[i] = label;
+    r.on_wall[i] = s.label[i] != 0 && label == 0;
+    if (label == 0) continue;
+    RoofPlane& plane = r.planes[label - 1];
+    ++plane.points;
+    plane.lowest = std::min(plane.lowest, site.points[i].z);
+    plane.highest = std::max(plane.highest, site.points[i].z);
+  }
+}
+
+}  // namespace
+
+RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params) {
+  RoofPlanes r;
+  r.of_point.assign(site.points.size(), 0);
+  r.on_wall.assign(site.points.size(), 0);
+  if (site.points.size() < 3) return r;
+  Cloud c = cloud_of(site.points);
+  const NeighbourIndex index = build_neighbour_index(c.points());
+  const Sampling sampling = measure_sampling(index);
+  r.step = sampling.step * kUnit;
+  r.epsilon = params.epsilon > 0 ? params.epsilon
+                                 : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
+  give_normals(index, c);
+  const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
+  const auto min_points = static_cast<std::uint32_t>(
+      params.min_points > 0 ? params.min_points : std::max<double>(kFewestPoints, std::min(by_area, 1e6)));
+  const double epsilon = r.epsilon / kUnit;
+  const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kGapSteps * r.step, kLeastGap) / kUnit));
+  PlaneSegments s =
+      ransac_planes(c.oriented(), {epsilon, cos_degrees(kNormalAngle), gap, min_points, 0.99, content_key(c)});
+  const std::vector<std::uint32_t> lists = neighbours_of_all(index);
+  const NeighbourLists neighbours{lists, kNeighbours};
+  const RelabelParams relabel{epsilon, gap};
+  settle_planes(c.points(), neighbours, relabel, min_points, s);
+  join_alike(c, neighbours, epsilon, s);
+  settle_planes(c.points(), neighbours, relabel, min_points, s);
+  sort_out(site, c, s, r);
+  return r;
+}
+
+}  // namespace ilot
