@@ -158,19 +158,7 @@ Partition subdivision(const std::vector<Cell>& cells) {
                                     : PartitionEdge{to, from, kOutside, p.regions});
       }
   }
-  std::sort(p.edges.begin(), p.edges.end(), [](const PartitionEdge& a, const PartitionEdge& b) {
-    return std::tie(a.from, a.to, a.left, a.right) < std::tie(b.from, b.to, b.left, b.right);
-  });
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < p.edges.size(); ++i) {
-    PartitionEdge e = p.edges[i];
-    for (; i + 1 < p.edges.size() && p.edges[i + 1].from == e.from && p.edges[i + 1].to == e.to; ++i) {
-      e.left = std::max(e.left, p.edges[i + 1].left);
-      e.right = std::max(e.right, p.edges[i + 1].right);
-    }
-    p.edges[kept++] = e;
-  }
-  p.edges.resize(kept);
+  tidy(p);
   return p;
 }
 
@@ -258,23 +246,19 @@ class Straightener {
   std::vector<PartitionEdge> edges_;
 };
 
-// A region of less than the tolerance's width has the same edge on both of its sides: they become one.
-void sort_edges(Partition& p) {
-  std::sort(p.edges.begin(), p.edges.end(), [](const PartitionEdge& a, const PartitionEdge& b) {
-    return std::tie(a.from, a.to, a.left, a.right) < std::tie(b.from, b.to, b.left, b.right);
-  });
-  std::vector<PartitionEdge> kept;
-  for (const PartitionEdge& e : p.edges) {
-    if (kept.empty() || kept.back().from != e.from || kept.back().to != e.to) {
-      kept.push_back(e);
-    } else if (kept.back().right == e.left) {
-      kept.back().right = e.right;
-    } else if (kept.back().left == e.right) {
-      kept.back().left = e.left;
-    }
-    if (kept.back().left == kept.back().right) kept.pop_back();
+// Vertices in their order, one for those at one place.
+void join_vertices(Partition& p) {
+  std::vector<Point2> places = p.vertices;
+  std::sort(places.begin(), places.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+  const auto number = [&](std::uint32_t v) {
+    return static_cast<std::uint32_t>(std::lower_bound(places.begin(), places.end(), p.vertices[v]) - places.begin());
+  };
+  for (PartitionEdge& e : p.edges) {
+    e.from = number(e.from);
+    e.to = number(e.to);
   }
-  p.edges = std::move(kept);
+  p.vertices = std::move(places);
 }
 
 // Vertices that no edge uses go; the others keep their order.
@@ -295,6 +279,29 @@ void drop_unused_vertices(Partition& p) {
 }
 
 }  // namespace
+
+void tidy(Partition& p) {
+  join_vertices(p);
+  for (PartitionEdge& e : p.edges)
+    if (e.from > e.to) e = {e.to, e.from, e.right, e.left};
+  std::sort(p.edges.begin(), p.edges.end(), [](const PartitionEdge& a, const PartitionEdge& b) {
+    return std::tie(a.from, a.to, a.left, a.right) < std::tie(b.from, b.to, b.left, b.right);
+  });
+  std::vector<PartitionEdge> kept;
+  for (const PartitionEdge& e : p.edges) {
+    if (e.from == e.to) continue;
+    if (kept.empty() || kept.back().from != e.from || kept.back().to != e.to) {
+      kept.push_back(e);
+    } else if (kept.back().right == e.left) {
+      kept.back().right = e.right;
+    } else if (kept.back().left == e.right) {
+      kept.back().left = e.left;
+    }
+    if (kept.back().left == kept.back().right) kept.pop_back();
+  }
+  p.edges = std::move(kept);
+  drop_unused_vertices(p);
+}
 
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
   const Owned net = noded(outline, lines);
@@ -350,8 +357,7 @@ Partition merged(const Partition& partition, std::span<const std::uint32_t> labe
     if (kept.left != kept.right) m.edges.push_back(kept);
   }
   Straightener(m, fixed).run();
-  sort_edges(m);
-  drop_unused_vertices(m);
+  tidy(m);
   return m;
 }
 

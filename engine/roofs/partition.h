@@ -26,6 +26,10 @@ struct Partition {
   std::uint32_t regions = 0;
 };
 
+// Brings a subdivision into that form after vertices were moved or added: those at one place become one, edges without
+// length go, and where a region has lost its width its two sides become one edge.
+void tidy(Partition& partition);
+
 // Cuts the polygon by the lines (metres). Ends of lines that lead nowhere are dropped. Snap rounding [Hobby 1999] keeps
 // vertices on the grid, so lines move by up to a millimetre, and those of the outline too where a line passes within
 // one. Without lines the polygon itself, region 1. By GEOS. Throws Error when it finds the polygon invalid.

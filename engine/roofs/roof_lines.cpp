@@ -3,9 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
-#include <span>
+#include <iterator>
+#include <queue>
 #include <tuple>
 
 #include "kernels/delaunay/delaunay.h"
@@ -19,6 +18,7 @@ constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a
 constexpr double kShadowSteps = 3;                       // longer edges cross a strip without points
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
+constexpr double kLeastRunSteps = 2;
 constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
@@ -189,82 +189,109 @@ struct Run {
   double offset = 0, low = 0, high = 0;
 };
 
+// Takes runs, those with the most sightings first, each sighting once. Sightings lie in strips of half a step along
+// every direction; a run lies in two neighbouring strips. What a window of two strips can give only shrinks as
+// sightings are taken, so a window is looked at again only when it comes to the top.
 class StepFinder {
  public:
   StepFinder(std::vector<Sighting> seen, std::vector<FlatPoint> directions, double step)
-      : seen_(std::move(seen)), directions_(std::move(directions)), step_(step), used_(seen_.size(), 0) {}
+      : seen_(std::move(seen)), directions_(std::move(directions)), step_(step), used_(seen_.size(), 0) {
+    for (std::uint32_t d = 0; d < directions_.size(); ++d) add_strips(d);
+  }
 
-  // The longest runs first, until none has enough sightings.
   std::vector<Run> find() {
     std::vector<Run> runs;
-    std::vector<std::optional<Run>> best(directions_.size());
-    std::vector<std::uint8_t> stale(directions_.size(), 1);
-    for (;;) {
-      std::size_t chosen = directions_.size();
-      for (std::size_t d = 0; d < directions_.size(); ++d) {
-        if (stale[d]) best[d] = best_run(directions_[d]);
-        stale[d] = 0;
-        if (best[d] && (chosen == directions_.size() || best[d]->members.size() > best[chosen]->members.size()))
-          chosen = d;
+    while (!windows_.empty()) {
+      const Window window = windows_.top();
+      windows_.pop();
+      Run run = longest(window);
+      if (run.members.size() < kFewestOnStep) continue;
+      if (run.members.size() < window.size) {
+        windows_.push({run.members.size(), window.direction, window.strip});
+        continue;
       }
-      if (chosen == directions_.size()) return runs;
-      runs.push_back(*best[chosen]);
-      for (const std::uint32_t i : runs.back().members) used_[i] = 1;
-      for (std::size_t d = 0; d < directions_.size(); ++d)
-        stale[d] = best[d] && std::any_of(best[d]->members.begin(), best[d]->members.end(),
-                                          [&](std::uint32_t i) { return used_[i] != 0; });
+      for (const std::uint32_t i : run.members) used_[i] = 1;
+      runs.push_back(std::move(run));
+      windows_.push(window);
     }
+    return runs;
   }
 
  private:
   struct Place {
-    double offset, along;
+    std::int64_t strip;
+    double along, offset;
     std::uint32_t sighting;
   };
-
-  std::optional<Run> best_run(FlatPoint direction) const {
-    std::vector<Place> places;
-    for (std::uint32_t i = 0; i < seen_.size(); ++i)
-      if (!used_[i]) places.push_back({cross(direction, seen_[i].at), dot(direction, seen_[i].at), i});
-    std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
-      return std::tie(p.offset, p.along, p.sighting) < std::tie(q.offset, q.along, q.sighting);
-    });
-    std::optional<Run> best;
-    std::size_t end = 0;
-    for (std::size_t first = 0; first < places.size(); ++first) {
-      while (end < places.size() && places[end].offset - places[first].offset <= step_) ++end;
-      if (end - first < std::max<std::size_t>(kFewestOnStep, best ? best->members.size() + 1 : 0)) continue;
-      const std::optional<Run> run = longest(std::vector<Place>(places.begin() + static_cast<std::ptrdiff_t>(first),
-                                                                places.begin() + static_cast<std::ptrdiff_t>(end)));
-      if (run && (!best || run->members.size() > best->members.size())) best = run;
+  struct Window {
+    std::size_t size;
+    std::uint32_t direction;
+    std::size_t strip;                       // among those of the direction
+    bool operator<(const Window& o) const {  // the top is the largest, ties by place
+      return std::tie(size, o.direction, o.strip) < std::tie(o.size, direction, strip);
     }
-    if (best) best->along = direction;
-    return best;
+  };
+
+  void add_strips(std::uint32_t d) {
+    std::vector<Place> places;
+    for (std::uint32_t i = 0; i < seen_.size(); ++i) {
+      const double offset = cross(directions_[d], seen_[i].at);
+      places.push_back(
+          {static_cast<std::int64_t>(std::floor(2 * offset / step_)), dot(directions_[d], seen_[i].at), offset, i});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
+      return std::tie(p.strip, p.along, p.offset, p.sighting) < std::tie(q.strip, q.along, q.offset, q.sighting);
+    });
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (i == 0 || places[i].strip != places[i - 1].strip) starts.push_back(i);
+    starts.push_back(places.size());
+    places_.push_back(std::move(places));
+    starts_.push_back(std::move(starts));
+    for (std::size_t s = 0; s + 1 < starts_[d].size(); ++s) {
+      const Run run = longest({0, d, s});
+      if (run.members.size() >= kFewestOnStep) windows_.push({run.members.size(), d, s});
+    }
   }
 
-  // The most sightings of a window without a gap.
-  std::optional<Run> longest(std::vector<Place> window) const {
-    std::sort(window.begin(), window.end(), [](const Place& p, const Place& q) {
-      return std::tie(p.along, p.offset, p.sighting) < std::tie(q.along, q.offset, q.sighting);
-    });
+  // Places of a strip and of the next one, along them, that are not taken.
+  std::vector<Place> places_in(const Window& window) const {
+    const std::vector<Place>& places = places_[window.direction];
+    const std::vector<std::size_t>& starts = starts_[window.direction];
+    const std::size_t first = starts[window.strip], middle = starts[window.strip + 1];
+    std::size_t last = middle;
+    if (middle < places.size() && places[middle].strip == places[first].strip + 1) last = starts[window.strip + 2];
+    std::vector<Place> merged;
+    const auto place = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged),
+               [](const Place& p, const Place& q) {
+                 return std::tie(p.along, p.offset, p.sighting) < std::tie(q.along, q.offset, q.sighting);
+               });
+    std::erase_if(merged, [&](const Place& p) { return used_[p.sighting] != 0; });
+    return merged;
+  }
+
+  // The most sightings of a window without a gap; none when they lie too close together to give a direction.
+  Run longest(const Window& window) const {
+    const std::vector<Place> places = places_in(window);
     std::size_t best_first = 0, best_last = 0, first = 0;
-    for (std::size_t i = 0; i < window.size(); ++i) {
-      if (i > first && window[i].along - window[i - 1].along > kGapSteps * step_) first = i;
-      if (i + 1 - first > best_last - best_first) {
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i > first && places[i].along - places[i - 1].along > kGapSteps * step_) first = i;
+      if (i + 1 - first > best_last - best_first && places[i].along - places[first].along >= kLeastRunSteps * step_) {
         best_first = first;
         best_last = i + 1;
       }
     }
-    if (best_last - best_first < kFewestOnStep) return std::nullopt;
     Run run;
+    if (best_last - best_first < kFewestOnStep) return run;
     std::vector<double> offsets;
     for (std::size_t i = best_first; i < best_last; ++i) {
-      run.members.push_back(window[i].sighting);
-      offsets.push_back(window[i].offset);
+      run.members.push_back(places[i].sighting);
+      offsets.push_back(places[i].offset);
     }
-    run.low = window[best_first].along;
-    run.high = window[best_last - 1].along;
-    if (run.high - run.low < 2 * step_) return std::nullopt;
+    run.along = directions_[window.direction];
+    run.low = places[best_first].along;
+    run.high = places[best_last - 1].along;
     std::sort(offsets.begin(), offsets.end());
     run.offset = (offsets[(offsets.size() - 1) / 2] + offsets[offsets.size() / 2]) / 2;
     return run;
@@ -274,6 +301,9 @@ class StepFinder {
   std::vector<FlatPoint> directions_;
   double step_;
   std::vector<std::uint8_t> used_;
+  std::vector<std::vector<Place>> places_;        // per direction
+  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end
+  std::priority_queue<Window> windows_;
 };
 
 void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge>& lines) {

@@ -38,9 +38,12 @@ class Solid {
   }
 
   RoofSolid raise() {
+    find_spokes();
     split_crossings();
+    tidy(p_);
     find_spokes();
     part_pinches();
+    tidy(p_);
     find_spokes();
     number_vertices();
     add_roofs();
@@ -63,9 +66,11 @@ class Solid {
   }
 
   // Above 0: the left face is higher. 0: they meet.
-  int order_at(const PartitionEdge& e, std::uint32_t vertex) const {
-    const double gap = height(e.left, p_.vertices[vertex]) - height(e.right, p_.vertices[vertex]);
-    return std::abs(gap) <= kSameHeight ? 0 : gap > 0 ? 1 : -1;
+  int order_at(const PartitionEdge& e, std::uint32_t v) const {
+    const std::vector<double> groups = heights_around(v);
+    const std::size_t left = nearest(groups, height(e.left, p_.vertices[v]));
+    const std::size_t right = nearest(groups, height(e.right, p_.vertices[v]));
+    return left == right ? 0 : left > right ? 1 : -1;
   }
 
   void split_crossings() {
