@@ -63,7 +63,7 @@ std::string rings_text(const BuildingSurface& surface, std::span<const std::uint
   return "[" + text + "]";
 }
 
-std::string object_text(const Building& building, std::span<const std::uint32_t> numbers) {
+std::string geometry_text(const Building& building, std::span<const std::uint32_t> numbers) {
   std::string faces, semantics, values;
   for (std::size_t i = 0; i < building.surfaces.size(); ++i) {
     const BuildingSurface& surface = building.surfaces[i];
@@ -74,10 +74,21 @@ std::string object_text(const Building& building, std::span<const std::uint32_t>
     semantics += "}";
     values += fmt::format("{}{}", comma, i);
   }
+  const bool flat = building.lod.starts_with('0');
+  const char *type = flat ? "MultiSurface" : "Solid", *open = flat ? "" : "[", *close = flat ? "" : "]";
   return fmt::format(
-      R"({}:{{"type":"Building","attributes":{{{}}},"geometry":[{{"type":"Solid","lod":"{}","boundaries":[[{}]],)"
-      R"("semantics":{{"surfaces":[{}],"values":[[{}]]}}}}]}})",
-      quoted(building.id), attributes_text(building), building.lod, faces, semantics, values);
+      R"({{"type":"{}","lod":"{}","boundaries":{}[{}]{},"semantics":{{"surfaces":[{}],"values":{}[{}]{}}}}})", type,
+      building.lod, open, faces, close, semantics, open, values, close);
+}
+
+std::string object_text(std::span<const Building> levels, std::span<const std::vector<std::uint32_t>> numbers) {
+  std::string geometry;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i].surfaces.empty()) continue;
+    geometry += (geometry.empty() ? "" : ",") + geometry_text(levels[i], numbers[i]);
+  }
+  return fmt::format(R"({}:{{"type":"Building","attributes":{{{}}},"geometry":[{}]}})", quoted(levels[0].id),
+                     attributes_text(levels[0]), geometry);
 }
 
 template <class Steps>
@@ -122,17 +133,17 @@ std::vector<std::uint32_t> CityJsonWriter::number_vertices(const Building& build
   return numbers;
 }
 
-void CityJsonWriter::add(const Building& building) {
+void CityJsonWriter::add(std::span<const Building> levels) {
+  std::vector<Steps> own;
+  std::vector<std::vector<std::uint32_t>> numbers;
+  for (const Building& level : levels) numbers.push_back(number_vertices(level, sequence_ ? own : vertices_));
   if (sequence_) {
-    std::vector<Steps> vertices;
-    const std::vector<std::uint32_t> numbers = number_vertices(building, vertices);
     append(fmt::format(R"({{"type":"CityJSONFeature","id":{},"CityObjects":{{{}}},"vertices":{}}})",
-                       quoted(building.id), object_text(building, numbers), vertices_text(vertices)) +
+                       quoted(levels[0].id), object_text(levels, numbers), vertices_text(own)) +
            "\n");
     return;
   }
-  const std::vector<std::uint32_t> numbers = number_vertices(building, vertices_);
-  append((first_ ? "" : ",\n") + object_text(building, numbers));
+  append((first_ ? "" : ",\n") + object_text(levels, numbers));
   first_ = false;
 }
 

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// CityJSON 2.0 (cityjson.org/specs/2.0.1): buildings as solids with roof, wall and ground surfaces.
+// CityJSON 2.0 (cityjson.org/specs/2.0.1): buildings as solids with roof, wall and ground surfaces, or as flat
+// outlines.
 #pragma once
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -26,8 +28,14 @@ class CityJsonWriter {
  public:
   CityJsonWriter(const std::filesystem::path& path, const CityJsonParams& params);
 
-  void add(const Building& building);
+  void add(const Building& building) { add(std::span(&building, 1)); }
+
+  // One building at several levels of detail, at least one; its id and attributes are those of the first. A level of 0
+  // to 0.9 becomes a MultiSurface, others a Solid; one without surfaces is left out.
+  void add(std::span<const Building> levels);
   void finish();
+
+  std::uint64_t bytes() const { return file_.position(); }  // written so far
 
  private:
   using Steps = std::array<std::int32_t, 3>;

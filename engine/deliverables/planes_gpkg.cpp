@@ -3,9 +3,9 @@
 
 #include <cpl_conv.h>
 #include <fmt/format.h>
-#include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
+#include "engine/deliverables/spatial_reference.h"
 #include "engine/error.h"
 
 namespace ilot {
@@ -16,14 +16,6 @@ namespace fs = std::filesystem;
 constexpr int kFeaturesPerTransaction = 4096;
 
 void keep_silent(CPLErr, CPLErrorNum, const char*) {}
-
-std::unique_ptr<OGRSpatialReference> reference_of(const Crs& crs) {
-  auto reference = std::make_unique<OGRSpatialReference>();
-  reference->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const bool known = !crs.wkt.empty() ? reference->importFromWkt(crs.wkt.c_str()) == OGRERR_NONE
-                                      : crs.epsg != 0 && reference->importFromEPSG(crs.epsg) == OGRERR_NONE;
-  return known ? std::move(reference) : nullptr;
-}
 
 void add_field(OGRLayer& layer, const char* name, OGRFieldType type) {
   OGRFieldDefn field(name, type);
@@ -67,7 +59,7 @@ PlanesGpkg::PlanesGpkg(const fs::path& path, const Crs& crs) : layer_(std::make_
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
   layer_->file.reset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
   if (!layer_->file) layer_->fail();
-  const auto reference = reference_of(crs);
+  const auto reference = spatial_reference(crs);
   layer_->layer = layer_->file->CreateLayer("planes", reference.get(), wkbMultiPolygon25D, nullptr);
   if (layer_->layer == nullptr) layer_->fail();
   add_field(*layer_->layer, "plane_id", OFTInteger64);

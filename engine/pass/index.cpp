@@ -126,7 +126,7 @@ std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const IndexPar
       blocks[i] = read_column<Block>(summary).at(0);
       return;
     }
-    blocks[i] = build_block(plan[i], runs, folder / "blocks");
+    blocks[i] = build_block(plan[i], runs, params.classes, folder / "blocks");
     write_column<Block>(summary, std::span(&blocks[i], 1));
   });
   return blocks;

@@ -15,6 +15,7 @@ struct IndexParams {
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // most of one sorted run
+  ClassColumns classes = ClassColumns::none;
 };
 
 struct IndexResult {

@@ -46,7 +46,21 @@ Json counts_json(const RunRecord& record) {
                       {"unlabelled", record.points.unlabelled},
                       {"rejected", record.points.rejected_total()}};
   if (record.planes) counts["planes"] = *record.planes;
+  if (record.roofs)
+    counts["roofs"] = {{"buildings", record.roofs->buildings}, {"lod22", record.roofs->lod22},
+                       {"lod12", record.roofs->lod12},         {"footprint_only", record.roofs->footprint_only},
+                       {"valid", record.roofs->valid},         {"invalid", record.roofs->invalid}};
   return counts;
+}
+
+Json footprints_json(const FootprintsRecord& f) {
+  return {{"path", f.path},
+          {"footprints", f.footprints},
+          {"id_attribute", f.id_attribute},
+          {"transformed", f.transformed},
+          {"mended", f.mended},
+          {"without_outline", f.without_outline},
+          {"overlapping", f.overlapping}};
 }
 
 Json skipped_json(const RunRecord& record) {
@@ -92,6 +106,7 @@ std::string run_json(const RunRecord& record) {
   json["peak_rss_bytes"] = record.peak_rss_bytes;
   json["blocks"] = record.blocks;
   json["counts"] = counts_json(record);
+  if (record.footprints) json["footprints"] = footprints_json(*record.footprints);
   json["rejected"] = record.points.rejected;
   json["skipped"] = skipped_json(record);
   json["warnings"] = record.warnings;

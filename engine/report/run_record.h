@@ -43,6 +43,19 @@ struct PointCounts {
   std::uint64_t rejected_total() const;
 };
 
+struct RoofCounts {
+  std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
+  std::uint64_t valid = 0, invalid = 0;                                   // solids of either level
+};
+
+// What was found in a file of footprints.
+struct FootprintsRecord {
+  std::string path, id_attribute;  // no attribute: features were numbered
+  std::uint64_t footprints = 0;
+  std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that came of them
+  bool transformed = false;                                        // from another CRS
+};
+
 struct RunRecord {
   ExitCode exit = ExitCode::ok;
   Settings settings;
@@ -56,6 +69,8 @@ struct RunRecord {
   std::uint64_t blocks = 0;
   PointCounts points;
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
+  std::optional<RoofCounts> roofs;
+  std::optional<FootprintsRecord> footprints;
   std::vector<SkippedRecord> skipped;
   std::vector<ChosenRecord> chosen;
   std::vector<std::string> warnings;

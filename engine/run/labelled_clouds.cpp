@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
+#include "engine/run/roof_labels.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/radix_sort.h"
@@ -22,36 +23,48 @@ constexpr std::uint64_t kBytesPerPoint = 64;
 constexpr std::uint32_t kRowSample = 1024;
 constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk of the output
 
-// What is known of one input row.
+// What the planes say of one input row.
 struct RowLabel {
   std::uint32_t plane = 0;
   PackedNormal normal;
   std::uint8_t boundary = 0;
 };
 
-// One block's rows in input order: the column "rows", and every 1,024th order kept in memory.
+// One block's rows in input order, and every 1,024th order kept in memory.
 struct BlockRows {
   std::vector<InputOrder> samples;
   InputOrder last = 0;
   std::uint32_t points = 0;
 };
 
+void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams& params,
+                     std::span<const std::uint32_t> sorted) {
+  const auto plane = store.read<std::uint32_t>(block, "plane");
+  const auto boundary = store.read<std::uint8_t>(block, "boundary");
+  std::vector<PackedNormal> normals(sorted.size());
+  if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
+  std::vector<RowLabel> rows(sorted.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    const std::uint32_t from = sorted[i];
+    rows[i] = {params.final_id[plane[from]], normals[from], boundary[from]};
+  }
+  store.write<RowLabel>(block, "rows", rows);
+}
+
+// "row_order" is written first: whoever looks for finished blocks asks for what is written last.
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
   const auto order = store.read<InputOrder>(block, "order");
   const std::vector<std::uint32_t> sorted = sorted_order(order);
-  const auto plane = store.read<std::uint32_t>(block, "plane");
-  const auto boundary = store.read<std::uint8_t>(block, "boundary");
-  std::vector<PackedNormal> normals(order.size());
-  if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
   std::vector<InputOrder> orders(order.size());
-  std::vector<RowLabel> rows(order.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const std::uint32_t from = sorted[i];
-    orders[i] = order[from];
-    rows[i] = {params.final_id[plane[from]], normals[from], boundary[from]};
-  }
+  for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
   store.write<InputOrder>(block, "row_order", orders);
-  store.write<RowLabel>(block, "rows", rows);
+  if (params.with_planes) sort_plane_rows(store, block, params, sorted);
+  if (params.with_roofs) {
+    const auto labels = store.read<RoofLabel>(block, "roof");
+    std::vector<RoofLabel> rows(labels.size());
+    for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
+    store.write<RoofLabel>(block, "roof_rows", rows);
+  }
 }
 
 std::vector<BlockRows> sample_rows(const Store& store) {
@@ -69,12 +82,28 @@ std::vector<BlockRows> sample_rows(const Store& store) {
   return all;
 }
 
-// Labels of rows [first, first + labels.size()) of a file.
-void collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
-                    std::span<RowLabel> labels) {
-  const InputOrder end = first + labels.size();
+// Labels of consecutive rows of a file.
+struct StretchLabels {
+  std::vector<RowLabel> planes;
+  std::vector<RoofLabel> roofs;
+};
+
+// What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
+template <class T>
+void collect(const Store& store, std::uint32_t block, const char* column, std::uint32_t from,
+             std::span<const InputOrder> orders, InputOrder first, std::span<T> labels) {
+  std::vector<T> rows(orders.size());
+  ColumnReader(store.path(block, column)).read<T>(from, rows);
+  for (std::size_t i = 0; i < orders.size(); ++i)
+    if (orders[i] >= first && orders[i] < first + labels.size()) labels[orders[i] - first] = rows[i];
+}
+
+StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
+                             std::size_t count, const LabelParams& params) {
+  StretchLabels labels{std::vector<RowLabel>(params.with_planes ? count : 0),
+                       std::vector<RoofLabel>(params.with_roofs ? count : 0)};
+  const InputOrder end = first + count;
   std::vector<InputOrder> orders;
-  std::vector<RowLabel> rows;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
     const BlockRows& block = blocks[b];
     if (block.samples.front() >= end || block.last < first) continue;
@@ -84,24 +113,32 @@ void collect_labels(const Store& store, const std::vector<BlockRows>& blocks, In
         static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
     const auto to = std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample);
     orders.resize(to - from);
-    rows.resize(to - from);
     ColumnReader(store.path(b, "row_order")).read<InputOrder>(from, orders);
-    ColumnReader(store.path(b, "rows")).read<RowLabel>(from, rows);
-    for (std::size_t i = 0; i < orders.size(); ++i)
-      if (orders[i] >= first && orders[i] < end) labels[orders[i] - first] = rows[i];
+    if (params.with_planes) collect<RowLabel>(store, b, "rows", from, orders, first, labels.planes);
+    if (params.with_roofs) collect<RoofLabel>(store, b, "roof_rows", from, orders, first, labels.roofs);
   }
+  return labels;
 }
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
   spec.like = input.info();
   spec.software = "ilot " + version();
-  spec.appended.push_back({"plane_id", "0 = none", FieldType::u32});
-  spec.appended.push_back({"residual", "signed distance to plane, m", FieldType::f32});
-  spec.appended.push_back({"boundary", "1 = on its plane's outline", FieldType::u8});
+  const auto add = [&](const char* name, const char* meaning, FieldType type) {
+    spec.appended.push_back({name, meaning, type});
+  };
+  add("plane_id", "0 = none", FieldType::u32);
+  if (params.with_planes) {
+    add("residual", "signed distance to plane, m", FieldType::f32);
+    add("boundary", "1 = on its plane's outline", FieldType::u8);
+  }
+  if (params.with_roofs) {
+    add("unit_id", "building, 0 = none", FieldType::u32);
+    add("label", "1 ground, 2 roof, 3 wall", FieldType::u8);
+    if (params.with_planes) add("roof_plane_id", "roof face, 0 = none", FieldType::u32);
+  }
   if (params.write_normals)
-    for (const char* name : {"NormalX", "NormalY", "NormalZ"})
-      spec.appended.push_back({name, "unit normal, 0 0 0 = none", FieldType::f32});
+    for (const char* name : {"NormalX", "NormalY", "NormalZ"}) add(name, "unit normal, 0 0 0 = none", FieldType::f32);
   return spec;
 }
 
@@ -112,13 +149,37 @@ double residual(const std::byte* record, const LatticeMap& lattice, const Joined
   return signed_distance(plane.plane, offset);
 }
 
-void append_label(const RowLabel& label, double residual_m, const LabelParams& params, std::byte* to) {
-  store<std::uint32_t>(to, label.plane);
-  store<float>(to + 4, static_cast<float>(residual_m));
-  store<std::uint8_t>(to + 8, label.boundary);
-  if (!params.write_normals) return;
-  const std::int16_t n[3]{label.normal.x, label.normal.y, label.normal.z};
-  for (int axis = 0; axis < 3; ++axis) store<float>(to + 9 + 4 * axis, static_cast<float>(n[axis]) / 32767.0f);
+// Appends values behind a record, one after the other.
+class Appender {
+ public:
+  explicit Appender(std::byte* to) : to_(to) {}
+  template <class T>
+  void add(T value) {
+    store<T>(to_, value);
+    to_ += sizeof value;
+  }
+
+ private:
+  std::byte* to_;
+};
+
+// In the order of labelled_spec().
+void append_labels(const RowLabel* row, double residual_m, const RoofLabel* roof, const LabelParams& params,
+                   std::byte* to) {
+  Appender out(to);
+  out.add<std::uint32_t>(row != nullptr ? row->plane : roof->plane);
+  if (row != nullptr) {
+    out.add<float>(static_cast<float>(residual_m));
+    out.add<std::uint8_t>(row->boundary);
+  }
+  if (roof != nullptr) {
+    out.add<std::uint32_t>(roof->unit);
+    out.add<std::uint8_t>(static_cast<std::uint8_t>(roof->label));
+    if (row != nullptr) out.add<std::uint32_t>(roof->plane);
+  }
+  if (row == nullptr || !params.write_normals) return;
+  for (const std::int16_t n : {row->normal.x, row->normal.y, row->normal.z})
+    out.add<float>(static_cast<float>(n) / 32767.0f);
 }
 
 // A stretch of one input on its way to the output.
@@ -138,10 +199,9 @@ class Labeller {
     const std::size_t in_length = input.info().layout.record_length;
     std::vector<std::byte> in(s.count * in_length);
     std::vector<std::uint8_t> valid(s.count);
-    std::vector<RowLabel> labels(s.count);
     if (input.read(s.first, in, valid) != s.count)
       throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");
-    collect_labels(store_, blocks_, input_order(file, s.first), labels);
+    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file, s.first), s.count, params_);
     const LatticeMap lattice(input.info().layout, store_.unit());
     const double metres = store_.unit() * context_.metres_per_unit;
     s.rows.resize(s.count * out_length);
@@ -149,10 +209,12 @@ class Labeller {
     for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
       std::copy_n(in.data() + i * in_length, in_length, row);
-      const std::uint32_t plane = labels[i].plane;
-      const double distance = plane == 0 ? 0 : metres * residual(row, lattice, params_.planes[plane - 1]);
-      append_label(labels[i], distance, params_, row + in_length);
-      s.labelled += plane != 0;
+      const RowLabel* plane = params_.with_planes ? &labels.planes[i] : nullptr;
+      const RoofLabel* roof = params_.with_roofs ? &labels.roofs[i] : nullptr;
+      const bool on_plane = plane != nullptr && plane->plane != 0;
+      const double distance = on_plane ? metres * residual(row, lattice, params_.planes[plane->plane - 1]) : 0;
+      append_labels(plane, distance, roof, params_, row + in_length);
+      s.labelled += on_plane || (roof != nullptr && (roof->unit != 0 || roof->label != PointLabel::none));
       row += out_length;
     }
     s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));
@@ -213,7 +275,8 @@ void rows_pass(const Store& store, const LabelParams& params, const PassContext&
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "rows")) sort_rows(store, block, params);
+    const char* last = params.with_roofs ? "roof_rows" : "rows";
+    if (!store.has(block, last)) sort_rows(store, block, params);
   });
 }
 

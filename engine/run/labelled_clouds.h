@@ -15,17 +15,21 @@
 
 namespace ilot {
 
+// Which products ran: each has its columns in the store and its extra bytes in the clouds.
 struct LabelParams {
+  bool with_planes = true;
   std::vector<std::uint32_t> final_id;  // per joined plane + 1: the id that is written, 0 = none; [0] = 0
   std::vector<JoinedPlane> planes;      // by final id - 1: what residuals are measured to
-  bool write_normals = false;
+  bool write_normals = false;           // with planes only
+  bool with_roofs = false;              // column "roof"
 };
 
-// Sorts the labels of each block by input order ("rows"), so that a stretch of an input finds its own in a few reads.
+// Sorts the labels of each block by input order ("rows", "roof_rows"), so that a stretch of an input finds its own in a
+// few reads.
 void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
 
 // Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the
-// number of points with a label.
+// number of points with a plane, a unit or a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);

@@ -24,6 +24,7 @@ struct RunOptions {
   int threads = 0;                                      // 0 = all that the process may use
   std::filesystem::path store;                          // empty = output/.store
   std::optional<Area> area;                             // products inside only, neighbours as halo
+  std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::string crs;                                      // overrides the inputs'; "EPSG:2154" or empty
   Existing existing = Existing::refuse;
   bool strict = false;      // the first skipped file or unit ends the run with exit 1

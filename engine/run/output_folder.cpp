@@ -35,6 +35,13 @@ json inputs_json(const RunInputs& inputs) {
   return list;
 }
 
+json footprints_json(const std::filesystem::path& path) {
+  if (path.empty()) return nullptr;
+  std::error_code ignored;
+  return {fs::absolute(path).lexically_normal().string(), fs::file_size(path, ignored),
+          fs::last_write_time(path, ignored).time_since_epoch().count()};
+}
+
 json area_json(const std::optional<Area>& area) {
   if (!area) return nullptr;
   return {area->min_x, area->min_y, area->max_x, area->max_y, area->rings};
@@ -49,6 +56,7 @@ json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t 
           {"inputs", inputs_json(inputs)},
           {"settings", json::parse(settings_json(settings))},
           {"area", area_json(options.area)},
+          {"footprints", footprints_json(options.footprints)},
           {"products", options.products},
           {"crs", options.crs},
           {"block_points", block_points}};
@@ -97,13 +105,14 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name : {"runs", "blocks", "cells", "index", "rejected"}) fs::remove_all(store / name);
+  for (const char* name : {"runs", "blocks", "cells", "roofs", "index", "rejected"}) fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }
 
 void remove_products(const fs::path& folder) {
   clear_store(folder / ".store");
-  for (const char* name : {"points", "planes.csv", "run.json", ".new", ".store"}) fs::remove_all(folder / name);
+  for (const char* name : {"points", "planes.csv", "planes.gpkg", "roofs", "run.json", ".new", ".store"})
+    fs::remove_all(folder / name);
 }
 
 bool lies_in(const fs::path& file, const fs::path& folder) {
@@ -118,10 +127,12 @@ void check_existing(const fs::path& folder, const RunOptions& options, const Run
   if (!fs::is_directory(folder)) throw Error(folder.string() + ": is not a folder", ExitCode::usage);
   if (!is_ours(folder))
     throw Error(folder.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
-  for (const auto& reader : inputs.readers)
-    if (lies_in(reader->info().path, folder))
-      throw Error(reader->info().path.string() +
-                      ": lies in the output folder, whose content would be replaced; give another -o",
+  std::vector<fs::path> read;
+  for (const auto& reader : inputs.readers) read.push_back(reader->info().path);
+  if (!options.footprints.empty() && fs::exists(options.footprints)) read.push_back(options.footprints);
+  for (const fs::path& path : read)
+    if (lies_in(path, folder))
+      throw Error(path.string() + ": lies in the output folder, whose content would be replaced; give another -o",
                   ExitCode::usage);
 }
 
@@ -159,6 +170,7 @@ bool is_finished(const RunOptions& options, const RunInputs& inputs) {
   if (!record || fs::exists(store / kManifest) ||
       record->value("parameters_hash", "") != fmt::format("{:016x}", settings_hash(options.settings)))
     return false;
+  if ((*record)["products"] != json(options.products)) return false;
   const json& read = (*record)["inputs"];
   if (read.size() != inputs.readers.size()) return false;
   for (std::size_t i = 0; i < read.size(); ++i) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/run.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -11,10 +12,12 @@
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
+#include "engine/run/footprint_plan.h"
 #include "engine/run/labelled_clouds.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
 #include "engine/run/planes_product.h"
+#include "engine/run/roofs_product.h"
 #include "engine/segments/cells.h"
 #include "kernels/core/parallel.h"
 
@@ -27,6 +30,10 @@ double now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
+bool makes(const RunOptions& options, const char* product) {
+  return std::find(options.products.begin(), options.products.end(), product) != options.products.end();
+}
+
 // Everything that an area needs to come out as in a run over all: its own cells and a ring of cells around them.
 std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double unit, double metres_per_unit) {
   if (!area) return std::nullopt;
@@ -37,11 +44,35 @@ std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double u
   return IndexBox{{low(area->min_x), low(area->min_y), -kFar}, {high(area->max_x), high(area->max_y), kFar}};
 }
 
-IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points) {
+// Grown to what buildings need that stand in the area and reach beyond it.
+void grow_to_sites(IndexBox& keep, const RunOptions& options, std::span<const PlannedSite> sites, double unit,
+                   double metres_per_unit) {
+  constexpr double kAround = 10;  // metres
+  const auto at = [&](std::int64_t mm, double more) {
+    return (static_cast<double>(mm) * 0.001 + more) / metres_per_unit;
+  };
+  for (const PlannedSite& site : sites) {
+    if (site.outline.polygon.empty()) continue;
+    const GridBox& b = site.outline.box;
+    const double x0 = at(b.min_x, -kAround), y0 = at(b.min_y, -kAround), x1 = at(b.max_x, kAround),
+                 y1 = at(b.max_y, kAround);
+    if (x1 < options.area->min_x || x0 > options.area->max_x || y1 < options.area->min_y || y0 > options.area->max_y)
+      continue;
+    keep.min.x = std::min(keep.min.x, static_cast<std::int64_t>(std::floor(x0 / unit)));
+    keep.min.y = std::min(keep.min.y, static_cast<std::int64_t>(std::floor(y0 / unit)));
+    keep.max.x = std::max(keep.max.x, static_cast<std::int64_t>(std::ceil(x1 / unit)));
+    keep.max.y = std::max(keep.max.y, static_cast<std::int64_t>(std::ceil(y1 / unit)));
+  }
+}
+
+IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
+                         std::uint64_t block_points) {
   IndexParams p;
   p.unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.filter.keep = area_with_halo(options.area, p.unit, inputs.crs.metres_per_unit);
+  if (p.filter.keep) grow_to_sites(*p.filter.keep, options, sites, p.unit, inputs.crs.metres_per_unit);
+  if (makes(options, "roofs")) p.classes = ClassColumns::written;
   p.block_points = block_points;
   p.run_points = block_points;
   return p;
@@ -90,6 +121,7 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
   record.blocks = index.store.blocks().size();
 }
 
+constexpr const char* kNoBuilding = "there is no building";
 constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
 
 void skip_product(const std::string& product, const std::string& reason, Progress& progress, RunRecord& record) {
@@ -108,45 +140,59 @@ void make_boundaries(const Store& store, const PlanesResult& planes, const Setti
 }
 
 // The run, step by step. Everything lands in the staging folder.
-void make_products(const RunOptions& options, const RunInputs& inputs, const OutputFolder& out, Progress& progress,
-                   RunRecord& record) {
+void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
+                   const OutputFolder& out, Progress& progress, RunRecord& record) {
   const PassContext context = pass_context(options, inputs, out.block_points(), progress);
   progress.begin_stage("index", inputs.points);
   const IndexResult index =
-      build_index(inputs.readers, index_params(options, inputs, out.block_points()), out.store(), context);
+      build_index(inputs.readers, index_params(options, inputs, sites, out.block_points()), out.store(), context);
   if (index.store.points() == 0) {
     out.discard();
     throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
   }
 
-  const PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
-
-  progress.begin_stage("boundaries", index.store.points());
-  make_boundaries(index.store, planes, options.settings, inputs.crs, context, out.staging());
+  std::filesystem::create_directories(out.staging());
+  LabelParams labels;
+  labels.with_planes = makes(options, "planes");
+  labels.with_roofs = makes(options, "roofs");
+  if (labels.with_planes) {
+    PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
+    progress.begin_stage("boundaries", index.store.points());
+    make_boundaries(index.store, planes, options.settings, inputs.crs, context, out.staging());
+    write_planes_csv(out.staging() / "planes.csv", planes.segments);
+    record.planes = planes.segments.size();
+    if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
+    labels.final_id = std::move(planes.final_id);
+    labels.planes = std::move(planes.planes);
+    labels.write_normals = options.settings.normals.write;
+  }
+  if (labels.with_roofs) {
+    make_roofs(index.store, sites, options.settings, inputs.crs, context, out.staging() / "roofs", progress, record);
+    if (record.roofs->buildings == 0) skip_product("roofs", kNoBuilding, progress, record);
+  }
 
   progress.begin_stage("write", inputs.points);
-  const LabelParams labels{planes.final_id, planes.planes, options.settings.normals.write};
   rows_pass(index.store, labels, context);
   const std::uint64_t labelled =
       write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
-  write_planes_csv(out.staging() / "planes.csv", planes.segments);
   progress.end_stage();
-
-  record.planes = planes.segments.size();
   count_points(index, inputs, labelled, record);
-  if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
 }
 
 std::string summary(const RunRecord& record) {
-  return grouped(record.points.read) + " points, " + grouped(record.planes.value_or(0)) + " planes, " +
+  std::string made;
+  if (record.planes) made += grouped(*record.planes) + " planes, ";
+  if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
+  return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +
          std::to_string(record.peak_rss_bytes >> 20) + " MiB, " + std::to_string(record.skipped.size()) + " skipped";
 }
 
-int dry_run(const RunOptions& options, const RunInputs& inputs, Progress& progress) {
+int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t sites, Progress& progress) {
   const std::uint64_t block_points = affordable_block_points(options, thread_count());
   progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
                 " files into blocks of at most " + grouped(block_points));
+  if (sites > 0) progress.note("would model " + grouped(sites) + " outlines of buildings");
   progress.note("would need about " + std::to_string((inputs.points * 72 >> 20) + 1) +
                 " MiB of disk for the store and " + std::to_string((output_bytes(inputs) >> 20) + 1) +
                 " MiB for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
@@ -157,14 +203,17 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   RunRecord record;
   const double start = now();
   const RunInputs inputs = open_inputs(options, progress, record);
-  if (options.dry_run) return dry_run(options, inputs, progress);
+  const std::vector<PlannedSite> sites = options.footprints.empty()
+                                             ? std::vector<PlannedSite>{}
+                                             : plan_footprints(options.footprints, inputs.crs, progress, record);
+  if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
   if (options.existing == Existing::resume && is_finished(options, inputs)) {
     progress.note(options.output.string() + ": is finished, nothing is left to do");
     return 0;
   }
   const OutputFolder out(options, inputs);
   out.check_space(inputs.points, output_bytes(inputs));
-  make_products(options, inputs, out, progress, record);
+  make_products(options, inputs, sites, out, progress, record);
   out.publish();
 
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;

@@ -52,6 +52,15 @@ struct BoundariesSettings {
   double tolerance = 0.001;  // metres; outlines are thinned to within it
 };
 
+struct RoofsSettings {
+  double margin = 0.5;                    // metres; points outside all outlines but so near to one are its own
+  std::optional<double> epsilon;          // metres; farthest that a point lies from its roof face
+  std::optional<int> min_points;          // fewest points of a roof face
+  std::optional<double> least_face_area;  // m2; smaller faces go to their neighbour
+  bool superstructures = true;            // false: the main roof alone
+  double step_height = 0.2;               // metres; a smaller difference between two faces is no wall
+};
+
 struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
@@ -64,6 +73,7 @@ struct Settings {
   NormalsSettings normals;
   PlanesSettings planes;
   BoundariesSettings boundaries;
+  RoofsSettings roofs;
   ClassesSettings classes;
 };
 

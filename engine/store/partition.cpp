@@ -93,16 +93,17 @@ std::vector<ChunkBox> chunk_boxes(std::span<const KeyValue> points) {
   return boxes;
 }
 
-// Writes one member of the points as a column, through a small buffer.
-void write_member(const std::filesystem::path& path, std::span<const KeyValue> points,
-                  std::uint64_t KeyValue::*member) {
+// Writes a value of each point as a column, through a small buffer.
+template <class Get>
+void write_values(const std::filesystem::path& path, std::span<const KeyValue> points, const Get& get) {
+  using T = decltype(get(points[0]));
   constexpr std::size_t kBuffer = 1 << 13;
   ColumnWriter file(path);
-  std::vector<std::uint64_t> buffer(kBuffer);
+  std::vector<T> buffer(kBuffer);
   for (std::size_t first = 0; first < points.size(); first += kBuffer) {
     const std::size_t n = std::min(kBuffer, points.size() - first);
-    for (std::size_t i = 0; i < n; ++i) buffer[i] = points[first + i].*member;
-    file.append<std::uint64_t>(std::span(buffer).first(n));
+    for (std::size_t i = 0; i < n; ++i) buffer[i] = get(points[first + i]);
+    file.append<T>(std::span<const T>(buffer).first(n));
   }
   file.commit();
 }
@@ -137,15 +138,20 @@ std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint
   return leaves;
 }
 
-Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, const std::filesystem::path& folder) {
+Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, ClassColumns classes,
+                  const std::filesystem::path& folder) {
   if (plan.points > UINT32_MAX)
     throw Error("more than 4 billion points coincide at one place; remove duplicates from the input first");
   const auto memory = std::make_unique_for_overwrite<KeyValue[]>(2 * plan.points);
   const std::span<const KeyValue> points = merge(plan, runs, {memory.get(), 2 * plan.points});
   const std::vector<ChunkBox> chunks = chunk_boxes(points);
   const std::string stem = folder / (plan.node.name() + ".");
-  write_member(stem + "codes", points, &KeyValue::key);
-  write_member(stem + "order", points, &KeyValue::value);
+  write_values(stem + "codes", points, [](const KeyValue& p) { return p.key; });
+  write_values(stem + "order", points, [](const KeyValue& p) { return order_of(p.value); });
+  if (classes == ClassColumns::written) {
+    write_values(stem + "class", points, [](const KeyValue& p) { return class_of(p.value); });
+    write_values(stem + "echoes", points, [](const KeyValue& p) { return echoes_of(p.value); });
+  }
   write_column<ChunkBox>(stem + "chunks", chunks);
   return {plan.node, static_cast<std::uint32_t>(plan.points), bounds(chunks, plan.node.tile)};
 }

@@ -25,7 +25,11 @@ struct PlannedBlock {
 // lattice point), in global order. Counts are exact. Reads a page of codes per run and split.
 std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points);
 
-// Merges the ranges and writes the columns "codes", "order" and "chunks". 64 bytes of memory a point.
-Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, const std::filesystem::path& folder);
+enum class ClassColumns : std::uint8_t { none, written };
+
+// Merges the ranges and writes the columns "codes", "order" and "chunks", on request "class" and "echoes". 64 bytes of
+// memory a point.
+Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, ClassColumns classes,
+                  const std::filesystem::path& folder);
 
 }  // namespace ilot

@@ -7,25 +7,24 @@
 
 #include "engine/error.h"
 #include "engine/store/column_file.h"
-#include "engine/store/store.h"
 #include "kernels/core/radix_sort.h"
 
 namespace ilot {
 namespace {
 
-// Points of one run gathered by tile: code and input order. Neighbours in a file mostly share a tile, so the last one
+// Points of one run gathered by tile: code and value. Neighbours in a file mostly share a tile, so the last one
 // is remembered.
 class Gatherer {
  public:
   explicit Gatherer(std::uint64_t points) : points_(points) {}
 
-  void add(const PointKey& key, InputOrder order) {
+  void add(const PointKey& key, RunValue value) {
     if (last_ == nullptr || key.tile != last_tile_) {
       last_ = &tiles_[key.tile];
       last_tile_ = key.tile;
       if (tiles_.size() == 1) last_->reserve(points_);  // mostly the only one
     }
-    last_->push_back({key.code, order});
+    last_->push_back({key.code, value});
   }
   std::map<Tile, std::vector<KeyValue>>& tiles() { return tiles_; }
 
@@ -63,10 +62,14 @@ void write_table(const SortedRun& run) {
   table.commit();
 }
 
-std::optional<Rejection> judge(std::span<const std::byte> record, std::uint8_t format, bool valid,
-                               const LatticeMap& lattice, const IndexFilter& filter, Index3& at) {
+std::uint8_t echoes(const PointFields& f) {
+  return static_cast<std::uint8_t>((f.return_count > 1 ? kOneOfSeveral : 0) |
+                                   (f.return_number < f.return_count ? kNotTheLast : 0));
+}
+
+std::optional<Rejection> judge(const PointFields& f, bool valid, const LatticeMap& lattice, const IndexFilter& filter,
+                               Index3& at) {
   if (!valid) return Rejection::invalid;
-  const PointFields f = decode_fields(record, format);
   if (!lattice.map(f.x, f.y, f.z, at)) return Rejection::invalid;
   if (f.withheld) return Rejection::withheld;
   if (filter.noise[f.classification]) return Rejection::noise;
@@ -82,6 +85,8 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
   const CloudInfo& info = source.reader.info();
   const std::size_t length = info.layout.record_length;
   const LatticeMap lattice(info.layout, unit);
+  if (source.first + source.count > kMostRowsOfInput)
+    throw Error(info.path.string() + ": holds more than 17 billion points; cut it into several files first");
   SortedRun run{stem, {}, {}, {}};
   Gatherer gatherer(source.count);
   std::vector<std::byte> records(kBatch * length);
@@ -95,12 +100,14 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
                   " can no longer be read; the file changed during the run");
     for (std::size_t i = 0; i < got; ++i) {
       Index3 at;
-      const auto rejection = judge(std::span(records).subspan(i * length, length), info.layout.point_format,
-                                   valid[i] != 0, lattice, filter, at);
+      const PointFields fields =
+          decode_fields(std::span(records).subspan(i * length, length), info.layout.point_format);
+      const auto rejection = judge(fields, valid[i] != 0, lattice, filter, at);
       if (rejection) {
         ++run.rejected[static_cast<std::size_t>(*rejection)];
       } else {
-        gatherer.add(key_of(at), input_order(source.file, source.first + done + i));
+        const InputOrder order = input_order(source.file, source.first + done + i);
+        gatherer.add(key_of(at), run_value(order, fields.classification, echoes(fields)));
       }
     }
     done += got;

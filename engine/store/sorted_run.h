@@ -12,6 +12,7 @@
 
 #include "engine/formats/reader.h"
 #include "engine/store/lattice.h"
+#include "engine/store/store.h"
 
 namespace ilot {
 
@@ -35,11 +36,29 @@ struct RunTile {
 constexpr std::uint64_t kRunSample = 1024;  // every 1,024th code of the run is kept in memory
 
 struct SortedRun {
-  std::filesystem::path stem;  // stem.points: KeyValue of code and input order; stem.table is written last
+  std::filesystem::path stem;  // stem.points: KeyValue of code and RunValue; stem.table is written last
   std::array<std::uint64_t, kRejections> rejected{};
   std::vector<RunTile> tiles;          // ascending
   std::vector<std::uint64_t> samples;  // code at position i * kRunSample
 };
+
+// What a run keeps of a point beside its code, so that sorting carries it along: the input order in the upper 54 bits,
+// then 8 bits of class and 2 of echoes.
+using RunValue = std::uint64_t;
+constexpr int kRunRowBits = 34;
+constexpr std::uint64_t kMostRowsOfInput = std::uint64_t{1} << kRunRowBits;
+constexpr RunValue run_value(InputOrder order, std::uint8_t classification, std::uint8_t echoes) {
+  return (file_of(order) << kRunRowBits | row_of(order)) << 10 | std::uint64_t{classification} << 2 | echoes;
+}
+constexpr InputOrder order_of(RunValue value) {
+  return input_order(value >> (kRunRowBits + 10), value >> 10 & (kMostRowsOfInput - 1));
+}
+constexpr std::uint8_t class_of(RunValue value) {
+  return static_cast<std::uint8_t>(value >> 2);
+}
+constexpr std::uint8_t echoes_of(RunValue value) {
+  return value & 3;
+}
 
 struct RunSource {
   PointReader& reader;

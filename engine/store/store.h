@@ -20,8 +20,8 @@ struct Block {
 
 // Blocks on disk: one immutable file per block and column. Which points fall into which block is never visible in a
 // result; the global order of points (tile, code) is.
-// Columns: "codes" u64 Morton codes, "order" u64 input order (InputOrder), "chunks" ChunkBox per 1,024 points, and
-// those that passes add.
+// Columns: "codes" u64 Morton codes, "order" u64 input order (InputOrder), "chunks" ChunkBox per 1,024 points; where
+// the index was asked for them "class" u8 and "echoes" u8 (kOneOfSeveral, kNotTheLast); and those that passes add.
 class Store {
  public:
   Store(std::filesystem::path folder, double unit, std::vector<Block> blocks);
@@ -60,6 +60,10 @@ class Store {
 };
 
 constexpr std::uint32_t kChunkPoints = 1024;
+
+// Bits of "echoes".
+constexpr std::uint8_t kOneOfSeveral = 1;  // the pulse came back more than once
+constexpr std::uint8_t kNotTheLast = 2;    // and this is not its last echo
 
 // Bounding box of 1,024 consecutive points of a block, relative to its tile's corner.
 struct ChunkBox {

@@ -14,13 +14,13 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kProducts[] = {"planes"};
+constexpr const char* kProducts[] = {"planes", "roofs"};
 constexpr std::uint64_t kLeastMemory = 96u << 20;
 
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory = "2G", store, bounds, within, crs, log;
+  std::string output, config, memory = "2G", store, bounds, within, footprints, crs, log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false;
@@ -44,7 +44,7 @@ std::vector<std::string> products_of(const RunArguments& given) {
   std::vector<std::string> products = given.products;
   for (const std::string& product : products) {
     if (std::find(std::begin(kProducts), std::end(kProducts), product) == std::end(kProducts)) {
-      throw Error("--products " + product + ": there is no such product; there is: planes", ExitCode::usage);
+      throw Error("--products " + product + ": there is no such product; there is: planes, roofs", ExitCode::usage);
     }
   }
   std::sort(products.begin(), products.end());
@@ -56,6 +56,7 @@ RunOptions options_of(const RunArguments& given) {
   RunOptions options;
   options.settings = settings_of(given);
   options.products = products_of(given);
+  options.footprints = given.footprints;
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
@@ -89,7 +90,7 @@ int run_command(const RunArguments& given) {
 void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")->option_text("OUT");
-  command.add_option("--products", given.products, "what to make, comma separated: planes [planes]")
+  command.add_option("--products", given.products, "what to make, comma separated: planes, roofs [planes]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");
@@ -103,6 +104,8 @@ void add_work_options(CLI::App& command, RunArguments& given) {
   bounds->option_text("X0,Y0,X1,Y1");
   command.add_option("--within", given.within, "products in these polygons only, GeoJSON or WKT [everything]")
       ->excludes(bounds)
+      ->option_text("FILE");
+  command.add_option("--footprints", given.footprints, "outlines of buildings, any vector file, for roofs [none]")
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
 }

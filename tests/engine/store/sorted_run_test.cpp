@@ -39,7 +39,7 @@ TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
   const auto stored = read_column<KeyValue>(with(run.stem, ".points"));
   ASSERT_EQ(stored.size(), count);
   for (std::size_t i = 0; i < count; ++i) {
-    ASSERT_EQ(stored[i].value, input_order(3, rows[i]));
+    ASSERT_EQ(order_of(stored[i].value), input_order(3, rows[i]));
     ASSERT_EQ(stored[i].key, key_of(points[rows[i]]).code);
   }
   std::uint64_t at = 0;

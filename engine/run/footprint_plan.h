@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/roofs/site_plan.h"
+
+namespace ilot {
+
+// The sites that a file of footprints asks for, in the order in which they are written; what was found and mended goes
+// into the record and to the progress. Error of ExitCode::usage when the file cannot be used.
+std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const Crs& crs, Progress& progress,
+                                         RunRecord& record);
+
+// Per site the sites that share at least a square metre with it, ascending. On all threads.
+std::vector<std::vector<std::uint32_t>> overlaps(std::span<const PlannedSite> sites, const OutlineMap& map);
+
+}  // namespace ilot
