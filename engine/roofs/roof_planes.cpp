@@ -22,11 +22,13 @@ namespace {
 
 constexpr double kUnit = 0.001;            // metres per unit of the kernels' points
 constexpr std::uint32_t kNeighbours = 16;  // of the borders
-constexpr int kNormalNeighbours = 24;
+constexpr int kNormalNeighbours = 20;
+constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
 constexpr double kLeastFaceArea = 1.0;  // m2 that the points of the smallest face cover
 constexpr int kFewestPoints = 8;
-constexpr double kGapSteps = 3, kLeastGap = 0.6;   // metres
+constexpr double kGapSteps = 3, kLeastGap = 0.6;  // metres
+constexpr int kSettleRounds = 3;
 constexpr double kSteepest = 0.25881904510252074;  // cosine of 75 degrees
 constexpr double kSameAngle = 3.5;                 // degrees
 constexpr double kNormalAngle = 25;                // degrees
@@ -71,7 +73,7 @@ void give_normals(const NeighbourIndex& index, Cloud& c) {
   std::iota(all.begin(), all.end(), 0u);
   std::vector<PackedNormal> packed(c.size);
   std::vector<std::int64_t> reach2(c.size);
-  hough_normals(index, all, {kNormalNeighbours, kMaxSquaredReach}, packed, reach2);
+  hough_normals(index, all, {kNormalNeighbours, kMaxSquaredReach, 0.95, kVoteDeviation}, packed, reach2);
   constexpr float kScale = 1.0f / 32767;
   for (std::size_t i = 0; i < c.size; ++i) {
     c.nx[i] = static_cast<float>(packed[i].x) * kScale;
@@ -201,7 +203,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
       ransac_planes(c.oriented(), {epsilon, cos_degrees(kNormalAngle), gap, min_points, 0.99, content_key(c)});
   const std::vector<std::uint32_t> lists = neighbours_of_all(index);
   const NeighbourLists neighbours{lists, kNeighbours};
-  const RelabelParams relabel{epsilon, gap};
+  const RelabelParams relabel{epsilon, gap, 2, kSettleRounds};
   settle_planes(c.points(), neighbours, relabel, min_points, s);
   join_alike(c, neighbours, epsilon, s);
   settle_planes(c.points(), neighbours, relabel, min_points, s);
