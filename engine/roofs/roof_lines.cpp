@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <queue>
 #include <tuple>
 
@@ -17,6 +18,7 @@ constexpr double kLeastSlopeChange = 0.05;  // of two planes that cross in a lin
 constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a border
 constexpr double kShadowSteps = 3;                       // longer edges cross a strip without points
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
+constexpr double kFarthest = 15;                         // metres that a line goes on to meet another
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
 constexpr double kLeastRunSteps = 2;
 constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
@@ -138,6 +140,16 @@ void add_creases(std::vector<Sighting> seen, const RoofPlanes& planes, std::vect
   }
 }
 
+std::vector<FlatEdge> outline_edges(const SitePolygon& outline) {
+  std::vector<FlatEdge> edges;
+  for (const auto& ring : outline)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2 p = ring[i], q = ring[(i + 1) % ring.size()];
+      edges.push_back({{p.x / 1000.0, p.y / 1000.0}, {q.x / 1000.0, q.y / 1000.0}});
+    }
+  return edges;
+}
+
 // Directions in which steps are likely to run, the likeliest first: those of the outline and across it, by length; then
 // down the planes and along them.
 std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes& planes) {
@@ -153,12 +165,7 @@ std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes&
       }
     weighted.push_back({weight, d});
   };
-  std::vector<FlatEdge> edges;
-  for (const auto& ring : site.outline)
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Point2 p = ring[i], q = ring[(i + 1) % ring.size()];
-      edges.push_back({{p.x / 1000.0, p.y / 1000.0}, {q.x / 1000.0, q.y / 1000.0}});
-    }
+  std::vector<FlatEdge> edges = outline_edges(site.outline);
   const auto length = [](const FlatEdge& e) {
     return std::sqrt((e.b.x - e.a.x) * (e.b.x - e.a.x) + (e.b.y - e.a.y) * (e.b.y - e.a.y));
   };
@@ -315,6 +322,41 @@ void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge
   }
 }
 
+// How far a ray of unit direction runs until it meets an edge; nothing when it does not.
+std::optional<double> distance_along(FlatPoint from, FlatPoint direction, const FlatEdge& edge) {
+  const FlatPoint along{edge.b.x - edge.a.x, edge.b.y - edge.a.y}, to{edge.a.x - from.x, edge.a.y - from.y};
+  const double turn = cross(direction, along);
+  if (turn == 0) return std::nullopt;
+  const double t = cross(to, along) / turn, u = cross(to, direction) / turn;
+  if (t < 0 || u < 0 || u > 1) return std::nullopt;
+  return t;
+}
+
+// Both ends of every line go on to the next line or to the outline, where one is near enough.
+std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, const std::vector<FlatEdge>& outline) {
+  constexpr double kBeyond = 0.01;  // metres past what is met, so that rounding leaves no gap
+  std::vector<FlatEdge> longer = lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const FlatPoint d{lines[i].b.x - lines[i].a.x, lines[i].b.y - lines[i].a.y};
+    const double length = std::sqrt(dot(d, d));
+    if (length <= 0) continue;
+    const auto reach = [&](FlatPoint from, FlatPoint direction) {
+      double nearest = kFarthest;
+      const auto meet = [&](const FlatEdge& edge) {
+        nearest = std::min(nearest, distance_along(from, direction, edge).value_or(kFarthest));
+      };
+      for (const FlatEdge& edge : outline) meet(edge);
+      for (std::size_t j = 0; j < lines.size(); ++j)
+        if (j != i) meet(lines[j]);
+      if (nearest >= kFarthest) return from;
+      return FlatPoint{from.x + (nearest + kBeyond) * direction.x, from.y + (nearest + kBeyond) * direction.y};
+    };
+    longer[i].a = reach(lines[i].a, {-d.x / length, -d.y / length});
+    longer[i].b = reach(lines[i].b, {d.x / length, d.y / length});
+  }
+  return longer;
+}
+
 }  // namespace
 
 std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
@@ -322,10 +364,11 @@ std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes)
   if (planes.planes.size() < 2) return lines;
   Borders borders = BorderFinder(site, planes).find();
   add_creases(std::move(borders.creases), planes, lines);
-  if (borders.steps.empty()) return lines;
-  StepFinder steps(std::move(borders.steps), likely_directions(site, planes), planes.step);
-  add_steps(steps.find(), extension(planes), lines);
-  return lines;
+  if (!borders.steps.empty()) {
+    StepFinder steps(std::move(borders.steps), likely_directions(site, planes), planes.step);
+    add_steps(steps.find(), extension(planes), lines);
+  }
+  return reaching_the_next(lines, outline_edges(site.outline));
 }
 
 }  // namespace ilot
