@@ -15,9 +15,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeastFaceArea = 0.5;  // m2
-constexpr double kBlockHeight = 0.7;    // quantile of the points' heights that a block of LoD1.2 ends at
-constexpr double kLeastOutline = 0.01;  // m2
+constexpr double kLeastFaceArea = 0.25;  // m2
+constexpr double kBlockHeight = 0.7;     // quantile of the points' heights that a block of LoD1.2 ends at
+constexpr double kLeastOutline = 0.01;   // m2
 constexpr std::size_t kFewestPoints = 3;
 
 Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {

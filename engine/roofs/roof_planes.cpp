@@ -25,8 +25,8 @@ constexpr std::uint32_t kNeighbours = 16;  // of the borders
 constexpr int kNormalNeighbours = 20;
 constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
-constexpr double kLeastFaceArea = 1.0;  // m2 that the points of the smallest face cover
-constexpr int kFewestPoints = 8;
+constexpr double kLeastFaceArea = 0.5;  // m2 that the points of the smallest face cover
+constexpr int kFewestPoints = 6;
 constexpr double kGapSteps = 3, kLeastGap = 0.6;  // metres
 constexpr int kSettleRounds = 3;
 constexpr double kSteepest = 0.25881904510252074;  // cosine of 75 degrees
