@@ -122,6 +122,22 @@ Faults validate_flat(std::vector<std::vector<Point2>> flat) {
   return faults;
 }
 
+// The triangles inside, in the order in which rings come by their last corners. It counts where a shell is no manifold:
+// the first triangle at an edge stays, later ones are at fault.
+std::vector<std::size_t> by_last_corner(const Triangulation& t, const std::vector<std::uint8_t>& inside) {
+  std::vector<std::pair<TriangleCorners, std::size_t>> order;
+  for (std::size_t i = 0; i < t.triangles(); ++i) {
+    if (!inside[i]) continue;
+    TriangleCorners c{t.corner[3 * i], t.corner[3 * i + 1], t.corner[3 * i + 2]};
+    std::sort(c.rbegin(), c.rend());
+    order.push_back({c, i});
+  }
+  std::sort(order.begin(), order.end());
+  std::vector<std::size_t> triangles;
+  for (const auto& [corners, i] : order) triangles.push_back(i);
+  return triangles;
+}
+
 // Corners that lie at one place on the plane (rings may touch in a vertex) are one.
 std::vector<TriangleCorners> constrained_triangles(const std::vector<std::vector<Point2>>& flat,
                                                    const FaceRings& rings) {
@@ -148,8 +164,7 @@ std::vector<TriangleCorners> constrained_triangles(const std::vector<std::vector
   const Constraints constraints = insert_segments(t, points, segments);
   const std::vector<std::uint8_t> inside = triangles_inside(t, constraints, segments);
   std::vector<TriangleCorners> out;
-  for (std::size_t i = 0; i < t.triangles(); ++i) {
-    if (!inside[i]) continue;
+  for (const std::size_t i : by_last_corner(t, inside)) {
     TriangleCorners c{corners[t.corner[3 * i]], corners[t.corner[3 * i + 1]], corners[t.corner[3 * i + 2]]};
     if (turned) std::swap(c[1], c[2]);
     out.push_back(c);
