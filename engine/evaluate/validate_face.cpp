@@ -138,6 +138,19 @@ std::vector<std::size_t> by_last_corner(const Triangulation& t, const std::vecto
   return triangles;
 }
 
+// The same for the most common face, four corners in one ring: which diagonal lies inside, and if both do, which of
+// them is Delaunay.
+std::vector<TriangleCorners> quadrangle_triangles(const std::vector<Point2>& p, const std::vector<std::uint32_t>& ring) {
+  const bool left = doubled_area(p) > 0;
+  const auto turns = [&](std::size_t a, std::size_t b, std::size_t c) {
+    return left ? orient2d(p[a], p[b], p[c]) > 0 : orient2d(p[a], p[c], p[b]) > 0;
+  };
+  const bool even = turns(0, 1, 2) && turns(0, 2, 3), odd = turns(0, 1, 3) && turns(1, 2, 3);
+  const auto round = [&] { return left ? in_circle(p[0], p[1], p[2], p[3]) : in_circle(p[0], p[2], p[1], p[3]); };
+  if (odd && (!even || round())) return {{ring[0], ring[1], ring[3]}, {ring[1], ring[2], ring[3]}};
+  return {{ring[0], ring[1], ring[2]}, {ring[0], ring[2], ring[3]}};
+}
+
 // Corners that lie at one place on the plane (rings may touch in a vertex) are one.
 std::vector<TriangleCorners> constrained_triangles(const std::vector<std::vector<Point2>>& flat,
                                                    const FaceRings& rings) {
@@ -190,7 +203,9 @@ Faults validate_face(const LatticeVertices& vertices, const FaceRings& rings, co
 
 std::vector<TriangleCorners> triangulate_face(const LatticeVertices& vertices, const FaceRings& rings) {
   if (is_one_triangle(rings)) return {{rings[0][0], rings[0][1], rings[0][2]}};
-  return constrained_triangles(flattened(plane_of(vertices, rings), vertices, rings), rings);
+  const std::vector<std::vector<Point2>> flat = flattened(plane_of(vertices, rings), vertices, rings);
+  if (rings.size() == 1 && rings[0].size() == 4) return quadrangle_triangles(flat[0], rings[0]);
+  return constrained_triangles(flat, rings);
 }
 
 double least_normals_cosine(const LatticeVertices& vertices, std::span<const TriangleCorners> triangles) {
