@@ -4,10 +4,10 @@
 
 #include <charconv>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <unordered_map>
 
+#include "engine/deliverables/json_parts.h"
 #include "engine/deliverables/model_file.h"
 #include "engine/error.h"
 
@@ -20,16 +20,8 @@ struct Transform {
   Vec3 scale{1, 1, 1}, translate;
 };
 
-// A field or null.
-const Json& field(const Json& object, const char* key) {
-  static const Json nothing;
-  if (!object.is_object()) return nothing;
-  const auto found = object.find(key);
-  return found == object.end() ? nothing : *found;
-}
-
 double lod_of(const Json& geometry) {
-  const Json& lod = field(geometry, "lod");
+  const Json& lod = json_field(geometry, "lod");
   if (lod.is_number()) return lod.get<double>();
   double value = -1;
   if (lod.is_string()) {
@@ -50,13 +42,13 @@ class CityJsonParser {
   explicit CityJsonParser(const std::string& name) : name_(name) {}
 
   void document(const Json& root) {
-    const Json& type = field(root, "type");
+    const Json& type = json_field(root, "type");
     if (type == "CityJSON")
-      transform_ = transform_of(field(root, "transform"));
+      transform_ = transform_of(json_field(root, "transform"));
     else if (type != "CityJSONFeature")
       fail("neither a CityJSON object nor a CityJSONFeature");
-    vertices_ = vertices_of(field(root, "vertices"));
-    const Json& objects = field(root, "CityObjects");
+    vertices_ = vertices_of(json_field(root, "vertices"));
+    const Json& objects = json_field(root, "CityObjects");
     if (!objects.is_object()) fail("CityObjects is missing or no object");
     for (const auto& [id, object] : objects.items()) add_object(objects, id, object);
   }
@@ -72,9 +64,9 @@ class CityJsonParser {
     return file;
   }
 
-  [[noreturn]] void fail(const std::string& what) const {
-    throw Error(line_ ? fmt::format("{}:{}: {}", name_, line_, what) : name_ + ": " + what);
-  }
+  std::string place() const { return line_ ? fmt::format("{}:{}", name_, line_) : name_; }
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(place() + ": " + what); }
 
  private:
   Vec3 vector_of(const Json& list, const std::string& what) const {
@@ -89,8 +81,8 @@ class CityJsonParser {
 
   Transform transform_of(const Json& json) const {
     if (json.is_null()) return {};
-    return {vector_of(field(json, "scale"), "transform.scale"),
-            vector_of(field(json, "translate"), "transform.translate")};
+    return {vector_of(json_field(json, "scale"), "transform.scale"),
+            vector_of(json_field(json, "translate"), "transform.translate")};
   }
 
   std::vector<Vec3> vertices_of(const Json& list) const {
@@ -110,7 +102,7 @@ class CityJsonParser {
   // The building an object is part of: parents are followed upwards, a loop of them ends.
   static std::string root_of(const Json& objects, std::string id) {
     for (std::size_t step = 0; step < 16; ++step) {
-      const Json& parents = field(field(objects, id.c_str()), "parents");
+      const Json& parents = json_field(json_field(objects, id.c_str()), "parents");
       if (!parents.is_array() || parents.empty() || !parents[0].is_string()) break;
       id = parents[0].get<std::string>();
     }
@@ -118,19 +110,19 @@ class CityJsonParser {
   }
 
   void add_object(const Json& objects, const std::string& id, const Json& object) {
-    const Json& geometries = field(object, "geometry");
+    const Json& geometries = json_field(object, "geometry");
     if (geometries.is_null()) return;
     if (!geometries.is_array()) fail("geometry of '" + id + "' is no list");
     const Json* best = nullptr;
     for (const Json& geometry : geometries) {
-      if (field(geometry, "type") == "GeometryInstance") {
+      if (json_field(geometry, "type") == "GeometryInstance") {
         ++templates_;
       } else if (!best || lod_of(geometry) > lod_of(*best)) {
         best = &geometry;
       }
     }
     if (!best) return;
-    const Json& type = field(object, "type");
+    const Json& type = json_field(object, "type");
     enter_model(root_of(objects, id), type.is_string() && type.get_ref<const std::string&>().starts_with("Building"));
     local_.clear();
     add_geometry(*best);
@@ -149,11 +141,11 @@ class CityJsonParser {
   }
 
   void add_geometry(const Json& geometry) {
-    const Json& type = field(geometry, "type");
-    const Json& boundaries = field(geometry, "boundaries");
-    const Json& semantics = field(geometry, "semantics");
-    surfaces_ = &field(semantics, "surfaces");
-    const Json& values = field(semantics, "values");
+    const Json& type = json_field(geometry, "type");
+    const Json& boundaries = json_field(geometry, "boundaries");
+    const Json& semantics = json_field(geometry, "semantics");
+    surfaces_ = &json_field(semantics, "surfaces");
+    const Json& values = json_field(semantics, "values");
     if (type == "MultiSurface" || type == "CompositeSurface")
       add_shell(boundaries, values);
     else if (type == "Solid")
@@ -194,7 +186,7 @@ class CityJsonParser {
     }
     if (face.rings.empty()) fail("a face has no ring");
     const Json& surface = value.is_number_integer() && value >= 0 ? child(*surfaces_, value.get<std::size_t>()) : value;
-    if (const Json& type = field(surface, "type"); type.is_string()) face.kind = kind_of(type.get<std::string>());
+    if (const Json& type = json_field(surface, "type"); type.is_string()) face.kind = kind_of(type.get<std::string>());
     models_[current_].faces.push_back(std::move(face));
   }
 
@@ -223,40 +215,19 @@ class CityJsonParser {
   bool any_building_ = false;
 };
 
-// Depth is bounded: what nests deeper is no CityJSON, and would only be hostile.
-Json parse(std::string_view text, const CityJsonParser& parser) {
-  constexpr int kMaxDepth = 64;
-  const auto shallow = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxDepth) parser.fail("values nest too deeply");
-    return true;
-  };
-  try {
-    return Json::parse(text.begin(), text.end(), shallow);
-  } catch (const Json::exception& fault) {
-    parser.fail(std::string("broken JSON: ") + fault.what());
-  }
-}
-
-// A sequence has its second value on a line of its own.
-bool is_sequence(std::string_view text) {
-  const std::size_t end = text.find('\n');
-  return end != text.npos && text.find('{', end) != text.npos &&
-         Json::accept(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(end));
-}
-
 }  // namespace
 
 ModelFile parse_city_json(std::string_view text, const std::string& name) {
   CityJsonParser parser(name);
-  if (!is_sequence(text)) {
-    parser.document(parse(text, parser));
+  if (!is_json_sequence(text)) {
+    parser.document(parse_json(text, parser.place()));
     return parser.finish();
   }
   for (std::uint64_t line = 1; !text.empty(); ++line) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     const std::string_view one = text.substr(0, end);
     parser.set_line(line);
-    if (one.find_first_not_of(" \t\r") != one.npos) parser.document(parse(one, parser));
+    if (one.find_first_not_of(" \t\r") != one.npos) parser.document(parse_json(one, parser.place()));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   return parser.finish();

@@ -27,8 +27,9 @@ ModelFile read_models(const std::filesystem::path& path);
 bool is_model_file(const std::filesystem::path& path);
 
 // One model per `o` or `g` (equal names are one model), or one named `stem` where there is neither. Only v, f, o and g
-// are looked at; `name` stands in messages.
-ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem);
+// are looked at; `name` stands in messages. Faces of fewer corners than `least_corners` are a fault of the file.
+ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem,
+                    std::size_t least_corners = 3);
 
 // One model per building, its parts included, of the highest level of detail of each object; where the file has no
 // buildings, one per object that has a geometry. Geometry templates are left out with a warning. 1.0 to 2.0.

@@ -15,7 +15,8 @@ namespace {
 
 class ObjParser {
  public:
-  ObjParser(const std::string& name, std::string stem) : name_(name), group_(std::move(stem)) {}
+  ObjParser(const std::string& name, std::string stem, std::size_t least_corners)
+      : name_(name), group_(std::move(stem)), least_corners_(least_corners) {}
 
   void line(std::string_view text) {
     ++number_;
@@ -81,7 +82,7 @@ class ObjParser {
       if (corners.size() == kMaxCorners) fail(fmt::format("a face has more than {} corners", kMaxCorners));
       corners.push_back(corner(word));
     }
-    if (corners.size() < 3) fail("a face has fewer than three corners");
+    if (corners.size() < least_corners_) fail("a face has fewer than three corners");
     enter_group();
     PolygonModel& model = file_.models[*current_];
     std::unordered_map<std::uint32_t, std::uint32_t>& known = local_[*current_];
@@ -106,6 +107,7 @@ class ObjParser {
 
   const std::string& name_;
   std::string group_;
+  std::size_t least_corners_;
   std::uint64_t number_ = 0;
   std::vector<Vec3> vertices_;
   std::optional<std::size_t> current_;
@@ -116,8 +118,9 @@ class ObjParser {
 
 }  // namespace
 
-ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem) {
-  ObjParser parser(name, stem);
+ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem,
+                    std::size_t least_corners) {
+  ObjParser parser(name, stem, least_corners);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());
     parser.line(text.substr(0, end));

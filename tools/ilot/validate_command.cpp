@@ -1,18 +1,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "engine/deliverables/solid_file.h"
 #include "engine/error.h"
 #include "engine/evaluate/validate_las.h"
 #include "engine/run/inputs.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
+#include "tools/ilot/validate_models.h"
 
 namespace ilot {
 namespace {
 
 struct ValidateArguments {
   std::vector<std::string> inputs;
-  bool quiet = false;
+  bool quiet = false, json = false;
 };
 
 std::vector<Finding> findings_of(const std::filesystem::path& file, bool quiet) {
@@ -37,31 +42,50 @@ std::string one_line(std::string text) {
   return text + "\n";
 }
 
-// True when nothing is severe.
-bool print_findings(const std::filesystem::path& file, const std::vector<Finding>& findings) {
-  bool valid = true;
-  for (const Finding& finding : findings) {
-    print(one_line(
-        fmt::format("{}: {}: {}: {}", file.string(), finding.severe ? "invalid" : "note", finding.rule, finding.text)));
-    valid = valid && !finding.severe;
-  }
-  if (valid) print(one_line(file.string() + ": valid"));
-  return valid;
+bool is_valid(const std::vector<Finding>& findings) {
+  return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severe; });
 }
 
-// One line per finding, one for a file without severe ones; all files are looked at, those of other formats named.
+void print_findings(const std::filesystem::path& file, const std::vector<Finding>& findings) {
+  for (const Finding& finding : findings)
+    print(one_line(
+        fmt::format("{}: {}: {}: {}", file.string(), finding.severe ? "invalid" : "note", finding.rule, finding.text)));
+  if (is_valid(findings)) print(one_line(file.string() + ": valid"));
+}
+
+std::string findings_json(const std::filesystem::path& file, const std::vector<Finding>& findings) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const Finding& f : findings) list.push_back({{"rule", f.rule}, {"text", f.text}, {"severe", f.severe}});
+  const nlohmann::json entry{{"file", file.string()}, {"valid", is_valid(findings)}, {"findings", std::move(list)}};
+  return entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// Prints what is found, or appends it to `json` when there is one.
+bool validate_file(const std::filesystem::path& file, bool quiet, std::string* json) {
+  if (is_solid_file(file)) return print_models_validity(file, json);
+  const std::vector<Finding> findings = findings_of(file, quiet);
+  if (json)
+    *json += (json->empty() ? "" : ",\n") + findings_json(file, findings);
+  else
+    print_findings(file, findings);
+  return is_valid(findings);
+}
+
+// All files are looked at; those of other formats are named.
 int validate_command(const ValidateArguments& given) {
   if (given.inputs.empty()) throw Error("validate: no FILE given (ilot validate --help)", ExitCode::usage);
   bool all_valid = true, all_judged = true;
+  std::string json;
   for (const auto& file : expand_inputs(given.inputs)) {
     try {
-      all_valid = print_findings(file, findings_of(file, given.quiet)) && all_valid;
+      all_valid = validate_file(file, given.quiet || given.json, given.json ? &json : nullptr) && all_valid;
     } catch (const Error& fault) {
       if (fault.code() != ExitCode::usage) throw;
       say(one_line(std::string("ilot: ") + fault.what()));
       all_judged = false;
     }
   }
+  if (given.json) print(fmt::format("{{\"valid\":{},\"files\":[\n{}\n]}}\n", all_valid, json));
   if (!all_valid) return static_cast<int>(ExitCode::failed);
   return static_cast<int>(all_judged ? ExitCode::ok : ExitCode::usage);
 }
@@ -69,11 +93,16 @@ int validate_command(const ValidateArguments& given) {
 }  // namespace
 
 void add_validate_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("validate", "Checks LAS and LAZ files: headers against points");
+  CLI::App* command = app.add_subcommand(
+      "validate", "Checks files: geometries of CityJSON, OBJ, OFF and POLY against ISO 19107, LAS headers against points");
   auto given = std::make_shared<ValidateArguments>();
-  command->add_option("FILE", given->inputs, "LAS and LAZ files, folders, patterns")->option_text("...");
+  command->add_option("FILE", given->inputs, "CityJSON, CityJSONSeq, OBJ, OFF, POLY, LAS and LAZ files, patterns")
+      ->option_text("...");
+  command->add_flag("--json", given->json, "one JSON object on standard output [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");
-  command->footer("Exit codes: 0 all valid, 1 one is not, 2 usage.\nExample: ilot validate district.las");
+  command->footer(
+      "Codes and tolerances are those of val3dity 2.6 (docs/validity.md).\n"
+      "Exit codes: 0 all valid, 1 one is not, 2 usage.\nExample: ilot validate out/roofs/roofs.city.json");
   command->callback([given, &action] { action = [given] { return validate_command(*given); }; });
 }
 

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernels/meshes/manifold.h"
+#include "kernels/meshes/predicates3.h"
+
+namespace ilot {
+
+// Triangles that meet another one elsewhere than in the corners and edges they share, in order. Two with a common edge
+// meet when they lie on the same side of it in one plane; touching counts as meeting. Triangles without area are left
+// out. Exact: coordinates within kMaxSpaceCoordinate. Boxes are swept along x: about n log n for buildings, n^2 at
+// worst.
+std::vector<std::uint32_t> meeting_triangles(std::span<const TriangleCorners> triangles,
+                                             std::span<const Index3> vertices);
+
+}  // namespace ilot

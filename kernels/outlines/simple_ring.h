@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "kernels/delaunay/predicates.h"
+
+namespace ilot {
+
+// Does the closed ring, its last corner not repeated, have an area and nowhere touch itself? Exact.
+// O(n^2) at worst, less where edges are short.
+bool is_simple_ring(std::span<const Point2> ring);
+
+// Twice the signed area, positive when the ring turns left. Exact: rings within kMaxPlaneCoordinate.
+__int128 doubled_area(std::span<const Point2> ring);
+
+}  // namespace ilot
