@@ -15,8 +15,9 @@ namespace ilot::test {
 
 constexpr double kUnit = 0.001;
 
-// Raw coordinates are lattice coordinates, so they must fit 32 bits.
-inline void write_cloud(const std::filesystem::path& path, const std::vector<Index3>& points) {
+// Raw coordinates are lattice coordinates, so they must fit 32 bits. Without classes all are 0.
+inline void write_cloud(const std::filesystem::path& path, const std::vector<Index3>& points,
+                        const std::vector<std::uint8_t>& classes = {}) {
   CloudSpec spec;
   spec.like.layout.scale = {kUnit, kUnit, kUnit};
   const std::size_t length = spec.like.layout.record_length;
@@ -27,6 +28,7 @@ inline void write_cloud(const std::filesystem::path& path, const std::vector<Ind
     f.y = static_cast<std::int32_t>(points[i].y);
     f.z = static_cast<std::int32_t>(points[i].z);
     f.intensity = static_cast<std::uint16_t>(i);
+    if (!classes.empty()) f.classification = classes[i];
     encode_fields(f, std::span(records).subspan(i * length, length), 0);
   }
   const auto writer = create_cloud(path, spec);

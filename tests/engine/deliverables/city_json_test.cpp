@@ -82,6 +82,30 @@ TEST_F(CityJson, ASequenceHasAFeaturePerLine) {
   EXPECT_EQ(lines[2]["CityObjects"]["b"]["geometry"][0]["boundaries"][0][0][0], json({0, 2, 1}));
 }
 
+TEST_F(CityJson, OneBuildingHasSeveralLevels) {
+  Building flat = tetrahedron("a", 0), none = tetrahedron("a", 0), solid = tetrahedron("a", 0);
+  flat.lod = "0";
+  flat.surfaces.resize(1);
+  none.surfaces.clear();
+  CityJsonWriter writer(folder_ / "a.city.jsonl", {0, {100, 200, 0}, 0.001});
+  writer.add(std::vector<Building>{flat, none, solid});
+  EXPECT_GT(writer.bytes(), 100u);
+  writer.finish();
+  std::ifstream file(folder_ / "a.city.jsonl");
+  std::string line;
+  std::getline(file, line);
+  std::getline(file, line);
+  const json feature = json::parse(line);
+  const json& geometry = feature["CityObjects"]["a"]["geometry"];
+  ASSERT_EQ(geometry.size(), 2u);
+  EXPECT_EQ(geometry[0]["type"], "MultiSurface");
+  EXPECT_EQ(geometry[0]["lod"], "0");
+  EXPECT_EQ(geometry[0]["boundaries"], json::parse("[[[0,2,1]]]"));
+  EXPECT_EQ(geometry[0]["semantics"]["values"], json::parse("[0]"));
+  EXPECT_EQ(geometry[1]["type"], "Solid");
+  EXPECT_EQ(geometry[1]["boundaries"].size(), 1u);
+}
+
 TEST_F(CityJson, NothingStaysWithoutFinishAndFarPlacesAreRefused) {
   {
     CityJsonWriter writer(folder_ / "a.city.json", {});

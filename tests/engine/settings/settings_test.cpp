@@ -182,7 +182,7 @@ TEST(SettingsHash, ChangesWithEveryParameter) {
   for (const Parameter& p : parameters()) {
     Settings changed;
     Value value = std::int64_t{static_cast<std::int64_t>(p.range.max)};
-    if (p.kind == ValueKind::boolean) value = true;
+    if (p.kind == ValueKind::boolean) value = !std::get<bool>(p.get(Settings{}));
     if (p.kind == ValueKind::number) value = p.range.max;
     if (p.kind == ValueKind::integers) value = std::vector<std::int64_t>{1};
     if (p.kind == ValueKind::choice) value = std::string(p.choices.back());

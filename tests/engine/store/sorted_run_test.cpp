@@ -54,6 +54,16 @@ TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
   for (std::size_t s = 0; s < run.samples.size(); ++s) EXPECT_EQ(run.samples[s], stored[s * kRunSample].key);
 }
 
+TEST(SortedRun, AValueHoldsOrderClassAndEchoes) {
+  const InputOrder order = input_order((1u << 20) - 1, kMostRowsOfInput - 1);
+  const RunValue value = run_value(order, 255, 3);
+  EXPECT_EQ(order_of(value), order);
+  EXPECT_EQ(class_of(value), 255);
+  EXPECT_EQ(echoes_of(value), 3);
+  EXPECT_EQ(order_of(run_value(input_order(7, 12), 0, 0)), input_order(7, 12));
+  EXPECT_LT(run_value(input_order(7, 12), 255, 3), run_value(input_order(7, 13), 0, 0)) << "sorted by input order";
+}
+
 TEST(SortedRun, IsFoundAgainAsItWas) {
   const TemporaryFolder folder;
   EXPECT_FALSE(find_sorted_run(folder.path() / "run"));
