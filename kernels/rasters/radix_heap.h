@@ -28,13 +28,23 @@ class RadixHeap {
     ++size_;
   }
 
-  // Precondition: not empty.
+  // Precondition of both: not empty.
   Item pop() {
     if (buckets_[0].empty()) refill();
     const Item item = buckets_[0].back();
     buckets_[0].pop_back();
     --size_;
     return item;
+  }
+
+  // All pixels of the least height at once, in no promised order.
+  Height pop_level(std::vector<std::uint32_t>& pixels) {
+    if (buckets_[0].empty()) refill();
+    pixels.clear();
+    for (const Item& item : buckets_[0]) pixels.push_back(item.pixel);
+    size_ -= pixels.size();
+    buckets_[0].clear();
+    return static_cast<Height>(last_ ^ kSign);
   }
 
  private:

@@ -53,6 +53,15 @@ void scan_forward(const PaddedFrame& frame, const Height* f, Height* g) {
 }
 
 template <Adjacency kAdjacency>
+void scan_backward(const PaddedFrame& frame, const Height* f, Height* g) {
+  for (std::uint32_t y = frame.height; y-- > 0;) {
+    Height* row = g + frame.row(y);
+    lower_from<kAdjacency>(row + frame.stride, row, frame.width);
+    sweep_left(f + frame.row(y), row, frame.width);
+  }
+}
+
+template <Adjacency kAdjacency>
 void scan_backward(const PaddedFrame& frame, const Height* f, Height* g, RadixHeap& queue) {
   std::vector<std::uint8_t> unsettled(frame.width);
   for (std::uint32_t y = frame.height; y-- > 0;) {
@@ -81,9 +90,12 @@ void flood(const PaddedFrame& frame, std::size_t neighbours, const Height* f, He
   }
 }
 
+// A second pair of scans costs less than the two thirds of the queue that it saves on noisy ground.
 template <Adjacency kAdjacency>
 void settle(const PaddedFrame& frame, const Height* f, Height* g) {
   RadixHeap queue;
+  scan_forward<kAdjacency>(frame, f, g);
+  scan_backward<kAdjacency>(frame, f, g);
   scan_forward<kAdjacency>(frame, f, g);
   scan_backward<kAdjacency>(frame, f, g, queue);
   flood(frame, step_count(kAdjacency), f, g, queue);
