@@ -3,8 +3,11 @@
 // sides, a pavement, noise of 2 cm, a slope of 2 %, cars, posts and walkers every few metres with the shadows that they
 // throw, and one pixel in ten that no pulse met. Made from a counter, so it is the same everywhere.
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <string>
 
+#include "bench/compare.h"
 #include "kernels/core/rng.h"
 #include "kernels/rasters/image.h"
 
@@ -40,8 +43,7 @@ inline void put_object(Image& image, Box box, Height height) {
 inline Image make_street_image(std::size_t pixels) {
   Image image = filled_image(static_cast<std::uint32_t>(pixels / kStreetWidth), kStreetWidth, 0);
   for (std::uint32_t y = 0; y < image.height; ++y)
-    for (std::uint32_t x = 0; x < image.width; ++x)
-      image.values[std::size_t{y} * image.width + x] = bare_height(x, y);
+    for (std::uint32_t x = 0; x < image.width; ++x) image.values[std::size_t{y} * image.width + x] = bare_height(x, y);
   for (std::uint32_t x = 20; x + 100 < image.width; x += 130) {
     put_object(image, {x, 260, 84, 36}, 1500);
     put_object(image, {x + 40, 200, 10, 10}, 1750);
@@ -53,6 +55,11 @@ inline Image make_street_image(std::size_t pixels) {
     if (v != kNoHeight) v += static_cast<Height>(rng.below(41) + rng.below(41)) - 40;
   }
   return image;
+}
+
+inline std::string in_megapixels(double n) {
+  const std::string points = in_millions(n);
+  return points.substr(0, points.find(" points")) + " pixels";
 }
 
 }  // namespace ilot::bench

@@ -9,50 +9,75 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kUnseen = 0xffffffffu;
+constexpr std::int32_t kUnseen = 0;
+constexpr std::size_t kAhead = 24;  // pixels
 
 // The parts of the image above a height that sinks. A root is the last, so the lowest, pixel of its part.
-struct Parts {
-  std::vector<std::uint32_t> parent;  // kUnseen until the height has reached the pixel
-  std::vector<std::uint32_t> area;    // of roots; `enough` and more are the same
+// Of a pixel: kUnseen until the height has reached it (no pixel has the index 0: that is border), the index of its
+// parent, or, of a root, minus its area.
+class Parts {
+ public:
+  Parts(std::span<const Height> f, std::int32_t enough) : f_(f), enough_(enough), link_(f.size(), kUnseen) {}
 
+  // Brings the three rows around a pixel that comes later: heights in order are all over the image.
+  void expect(std::uint32_t p, std::uint32_t stride) const {
+    for (const std::uint32_t at : {p - stride, p, p + stride}) __builtin_prefetch(&link_[at]);
+    __builtin_prefetch(&f_[p]);
+  }
+  void start(std::uint32_t p) { link_[p] = -1; }
+  bool seen(std::uint32_t p) const { return link_[p] != kUnseen; }
+
+  // A part that is big enough keeps its heights: it is cut off there, and what joins it is big enough too.
+  void join(std::uint32_t p, std::uint32_t neighbour) {
+    const std::uint32_t r = root(neighbour);
+    if (r == p) return;
+    if (-link_[r] < enough_ || f_[r] == f_[p]) {
+      link_[p] = std::max(link_[p] + link_[r], -enough_);
+      link_[r] = static_cast<std::int32_t>(p);
+    } else {
+      link_[p] = -enough_;
+    }
+  }
+
+  // Of a pixel whose parent is settled already.
+  Height settled(std::uint32_t p) const {
+    if (link_[p] > 0) return f_[static_cast<std::size_t>(link_[p])];
+    return -link_[p] >= enough_ ? f_[p] : kNoHeight;
+  }
+
+ private:
   std::uint32_t root(std::uint32_t i) {
-    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    while (link_[i] > 0) {
+      const auto up = static_cast<std::uint32_t>(link_[i]);
+      if (link_[up] <= 0) return up;
+      link_[i] = link_[up];
+      i = static_cast<std::uint32_t>(link_[i]);
+    }
     return i;
   }
-};
 
-// A part that is big enough keeps its heights: it is cut off there, and what joins it later is big enough too.
-void take_in(Parts& parts, const std::vector<Height>& f, std::uint32_t p, std::uint32_t neighbour,
-             std::uint32_t enough) {
-  const std::uint32_t r = parts.root(neighbour);
-  if (r == p) return;
-  if (f[r] == f[p] || parts.area[r] < enough) {
-    parts.area[p] = std::min(enough, parts.area[p] + parts.area[r]);
-    parts.parent[r] = p;
-  } else {
-    parts.area[p] = enough;
-  }
-}
+  std::span<const Height> f_;
+  std::int32_t enough_;
+  std::vector<std::int32_t> link_;
+};
 
 }  // namespace
 
 Image area_opening(const Image& image, std::uint32_t area, Adjacency adjacency) {
-  assert(area >= 1 && area < (1u << 31));
+  assert(area >= 1 && area < (1u << 30));
   const PaddedFrame frame(image.width, image.height);
   std::vector<Height> f = padded(image, kNoHeight);
   const std::vector<std::uint32_t> order = pixels_from_the_top({frame.stride, image.height + 2, f});
-  Parts parts{std::vector<std::uint32_t>(f.size(), kUnseen), std::vector<std::uint32_t>(f.size(), 1)};
+  Parts parts(f, static_cast<std::int32_t>(area));
   const auto steps = frame.steps();
-  for (const std::uint32_t p : order) {
-    parts.parent[p] = p;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (i + kAhead < order.size()) parts.expect(order[i + kAhead], frame.stride);
+    const std::uint32_t p = order[i];
+    parts.start(p);
     for (std::size_t s = 0; s < step_count(adjacency); ++s)
-      if (const std::uint32_t q = p + steps[s]; parts.parent[q] != kUnseen) take_in(parts, f, p, q, area);
+      if (parts.seen(p + steps[s])) parts.join(p, p + steps[s]);
   }
-  for (std::size_t i = order.size(); i-- > 0;) {
-    const std::uint32_t p = order[i], parent = parts.parent[p];
-    f[p] = parent != p ? f[parent] : parts.area[p] >= area ? f[p] : kNoHeight;
-  }
+  for (std::size_t i = order.size(); i-- > 0;) f[order[i]] = parts.settled(order[i]);
   return {image.width, image.height, unpadded<Height>(frame, f)};
 }
 

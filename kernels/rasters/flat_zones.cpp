@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <span>
 
 #include "kernels/core/union_find.h"
@@ -16,56 +17,98 @@ bool near(Height a, Height b, Height lambda) {
   return (a < b ? ub - ua : ua - ub) <= static_cast<std::uint32_t>(lambda);
 }
 
-// Gives every pixel the number of its run from 1, 0 where there is no height. Returns the number of runs.
-std::uint32_t number_runs(const Image& image, Height lambda, std::span<std::uint32_t> run_of) {
-  std::uint32_t runs = 0;
+// Pixels [from, to) of a row, each within lambda of the next.
+struct Run {
+  std::uint32_t from, to;
+};
+
+// Runs of all rows; those of row y from first[y] to first[y + 1].
+struct Runs {
+  std::vector<Run> all;
+  std::vector<std::uint32_t> first;
+};
+
+// breaks[x] = whether a run cannot go on from x - 1 to x; breaks[0] and breaks[width] = 1.
+void find_breaks(const Height* row, std::uint32_t width, Height lambda, std::uint8_t* __restrict breaks) {
+  for (std::uint32_t x = 1; x < width; ++x) {
+    const Height a = row[x - 1], b = row[x];
+    const unsigned missing = (a == kNoHeight) | (b == kNoHeight);
+    breaks[x] = static_cast<std::uint8_t>(missing | !near(a, b, lambda));
+  }
+  breaks[0] = breaks[width] = 1;
+}
+
+// The next break at or after x; eight at a time over what has none. Readable to eight beyond the last.
+std::uint32_t next_break(const std::uint8_t* breaks, std::uint32_t x) {
+  for (;; x += 8) {
+    std::uint64_t eight;
+    std::memcpy(&eight, breaks + x, 8);
+    if (eight != 0) break;
+  }
+  while (breaks[x] == 0) ++x;
+  return x;
+}
+
+Runs find_runs(const Image& image, Height lambda) {
+  Runs runs;
+  runs.first.push_back(0);
+  std::vector<std::uint8_t> breaks(std::size_t{image.width} + 9, 0);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     const Height* row = image.values.data() + std::size_t{y} * image.width;
-    std::uint32_t* out = run_of.data() + std::size_t{y} * image.width;
-    Height last = kNoHeight;
-    for (std::uint32_t x = 0; x < image.width; ++x) {
-      const bool present = row[x] != kNoHeight;
-      runs += present && (last == kNoHeight || !near(row[x], last, lambda));
-      out[x] = present ? runs : 0;
-      last = row[x];
+    find_breaks(row, image.width, lambda, breaks.data());
+    for (std::uint32_t x = 0; x < image.width;) {
+      const std::uint32_t to = next_break(breaks.data(), x + 1);
+      if (row[x] != kNoHeight) runs.all.push_back({x, to});
+      x = to;
     }
+    runs.first.push_back(static_cast<std::uint32_t>(runs.all.size()));
   }
   return runs;
 }
 
-// Joins the runs of two rows along the pairs (x, x + shift); a pair of runs met twice in a row is asked once.
-void join_rows(const Image& image, std::uint32_t y, int shift, Height lambda, std::span<const std::uint32_t> run_of,
+// Whether a pixel of run a has a neighbour within lambda in run b of the row above.
+bool touch(const Height* row, Run a, const Height* above, Run b, Height lambda, std::uint32_t reach) {
+  for (std::uint32_t x = std::max(a.from, b.from - std::min(b.from, reach)); x < std::min(a.to, b.to + reach); ++x)
+    for (std::uint32_t q = std::max(b.from, x - std::min(x, reach)); q < std::min(b.to, x + reach + 1); ++q)
+      if (near(row[x], above[q], lambda)) return true;
+  return false;
+}
+
+void join_rows(const Image& image, const Runs& runs, std::uint32_t y, Height lambda, std::uint32_t reach,
                UnionFind& sets) {
-  const std::size_t upper = std::size_t{y - 1} * image.width, lower = upper + image.width;
-  const std::uint32_t from = shift < 0 ? 1 : 0, to = image.width - (shift > 0 ? 1 : 0);
-  std::uint32_t last_a = 0, last_b = 0;
-  for (std::uint32_t x = from; x < to; ++x) {
-    const std::size_t p = lower + x, q = upper + x + static_cast<std::size_t>(static_cast<std::ptrdiff_t>(shift));
-    const std::uint32_t a = run_of[p], b = run_of[q];
-    if ((a == last_a && b == last_b) || a == 0 || b == 0 || !near(image.values[p], image.values[q], lambda)) continue;
-    sets.unite(a, b);
-    last_a = a;
-    last_b = b;
+  const Height* row = image.values.data() + std::size_t{y} * image.width;
+  const Height* above = row - image.width;
+  std::uint32_t first = runs.first[y - 1];
+  for (std::uint32_t a = runs.first[y]; a < runs.first[y + 1]; ++a) {
+    const Run run = runs.all[a];
+    while (first < runs.first[y] && runs.all[first].to + reach <= run.from) ++first;
+    for (std::uint32_t b = first; b < runs.first[y] && runs.all[b].from < run.to + reach; ++b)
+      if (!sets.same(a, b) && touch(row, run, above, runs.all[b], lambda, reach)) sets.unite(a, b);
   }
+}
+
+// A root is the first run of its set, so numbers rise with first pixels, and a parent is numbered before its child.
+std::uint32_t number_zones(std::span<std::uint32_t> zone) {
+  std::uint32_t count = 0;
+  for (std::uint32_t r = 0; r < zone.size(); ++r) zone[r] = zone[r] == r ? ++count : zone[zone[r]];
+  return count;
 }
 
 }  // namespace
 
 PixelLabels flat_zones(const Image& image, Height lambda, Adjacency adjacency) {
   assert(lambda >= 0);
-  PixelLabels labels{image.width, image.height, 0, std::vector<std::uint32_t>(image.size())};
-  const std::uint32_t runs = number_runs(image, lambda, labels.of);
-  std::vector<std::uint32_t> zone(std::size_t{runs} + 1);
+  const Runs runs = find_runs(image, lambda);
+  std::vector<std::uint32_t> zone(runs.all.size());
   UnionFind sets(zone);
-  for (std::uint32_t y = 1; y < image.height; ++y) {
-    join_rows(image, y, 0, lambda, labels.of, sets);
-    if (adjacency == Adjacency::four) continue;
-    join_rows(image, y, -1, lambda, labels.of, sets);
-    join_rows(image, y, 1, lambda, labels.of, sets);
+  const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
+  for (std::uint32_t y = 1; y < image.height; ++y) join_rows(image, runs, y, lambda, reach, sets);
+  PixelLabels labels{image.width, image.height, number_zones(zone), std::vector<std::uint32_t>(image.size(), 0)};
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    std::uint32_t* out = labels.of.data() + std::size_t{y} * image.width;
+    for (std::uint32_t r = runs.first[y]; r < runs.first[y + 1]; ++r)
+      std::fill(out + runs.all[r].from, out + runs.all[r].to, zone[r]);
   }
-  // A root is the first run of its set, so numbers rise with first pixels, and a parent is numbered before its child.
-  for (std::uint32_t r = 1; r <= runs; ++r) zone[r] = zone[r] == r ? ++labels.count : zone[zone[r]];
-  for (std::uint32_t& label : labels.of) label = zone[label];
   return labels;
 }
 

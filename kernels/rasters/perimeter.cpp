@@ -56,7 +56,7 @@ class Flood {
         } else {
           shores_.push(level_[q], q);
         }
-      } else if (passed_[q] != 0 && trees_.unite(basin_[p], basin_[q])) {
+      } else if (basin_[q] != basin_[p] && passed_[q] != 0 && trees_.unite(basin_[p], basin_[q])) {
         edges_.push_back({basin_[p], basin_[q], level});
       }
     }

@@ -7,19 +7,19 @@
 namespace ilot {
 namespace {
 
-constexpr int kDigitBits = 12;
-constexpr std::size_t kDigits = std::size_t{1} << kDigitBits;
+constexpr int kMostDigitBits = 16;
 
 // One stable pass by a digit of how far below the top a pixel is.
-void sort_by_digit(const Image& image, Height top, int shift, const std::vector<std::uint32_t>& from,
+void sort_by_digit(const Image& image, Height top, int shift, int bits, const std::vector<std::uint32_t>& from,
                    std::vector<std::uint32_t>& to) {
+  const std::uint32_t digits = 1u << bits;
   const auto digit = [&](std::uint32_t i) {
     const auto depth = static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(image.values[i]);
-    return depth >> shift & (kDigits - 1);
+    return depth >> shift & (digits - 1);
   };
-  std::vector<std::uint32_t> at(kDigits + 1, 0);
+  std::vector<std::uint32_t> at(std::size_t{digits} + 1, 0);
   for (const std::uint32_t i : from) ++at[digit(i) + 1];
-  for (std::size_t d = 1; d <= kDigits; ++d) at[d] += at[d - 1];
+  for (std::uint32_t d = 1; d <= digits; ++d) at[d] += at[d - 1];
   for (const std::uint32_t i : from) to[at[digit(i)]++] = i;
 }
 
@@ -39,8 +39,10 @@ std::vector<std::uint32_t> pixels_from_the_top(const Image& image) {
   if (order.empty()) return order;
   const int bits = std::bit_width(static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(low));
   std::vector<std::uint32_t> scratch(order.size());
-  for (int shift = 0; shift < bits; shift += kDigitBits) {
-    sort_by_digit(image, top, shift, order, scratch);
+  const int passes = (bits + kMostDigitBits - 1) / kMostDigitBits;
+  for (int pass = 0; pass < passes; ++pass) {
+    const int digit_bits = (bits + passes - 1) / passes;
+    sort_by_digit(image, top, pass * digit_bits, digit_bits, order, scratch);
     order.swap(scratch);
   }
   return order;

@@ -8,8 +8,9 @@
 
 namespace ilot {
 
-// Indices of the pixels that have a height, the highest first, equal ones by position. Counting sort over 12 bits of
-// the height at a time: O(n) a pass, one or two for the heights of a street. 4 to 12 bytes a pixel.
+// Indices of the pixels that have a height, the highest first, equal ones by position. Counting sort over up to 16
+// bits of the height at a time: one pass when the heights of the image differ by less than 2^16, else two. O(n); 8
+// bytes a pixel.
 std::vector<std::uint32_t> pixels_from_the_top(const Image& image);
 
 }  // namespace ilot

@@ -18,9 +18,11 @@ struct Border {
   std::vector<SpillEdge> spills;
 };
 
-bool says_something(const Image& marker) {
-  return std::any_of(marker.values.begin(), marker.values.end(), [](Height v) { return v != kAboveAll; });
-}
+// Marker and mask of one tile.
+struct TileImages {
+  Image marker, mask;
+};
+using ReadImages = std::function<TileImages(std::size_t tile)>;
 
 std::vector<Height> border_of(const Image& image) {
   const Perimeter perimeter{image.width, image.height};
@@ -32,10 +34,21 @@ std::vector<Height> border_of(const Image& image) {
   return out;
 }
 
-Border told_by(const Image& marker, const Image& mask, Adjacency adjacency) {
-  Border border{border_of(mask), {}, spill_tree(mask, adjacency)};
-  border.reached = says_something(marker) ? border_of(reconstruct_by_erosion(marker, mask, adjacency))
-                                          : std::vector<Height>(border.mask.size(), kAboveAll);
+bool silent_inside(const Image& marker) {
+  for (std::uint32_t y = 1; y + 1 < marker.height; ++y) {
+    const Height* row = marker.values.data() + std::size_t{y} * marker.width;
+    for (std::uint32_t x = 1; x + 1 < marker.width; ++x)
+      if (row[x] != kAboveAll) return false;
+  }
+  return true;
+}
+
+// From the marker's border alone the spills go on; what it says inside has to be carried to the border first.
+Border told_by(const TileImages& tile, Adjacency adjacency) {
+  Border border{border_of(tile.mask), {}, spill_tree(tile.mask, adjacency)};
+  border.reached =
+      border_of(silent_inside(tile.marker) ? tile.marker : reconstruct_by_erosion(tile.marker, tile.mask, adjacency));
+  for (std::size_t i = 0; i < border.mask.size(); ++i) border.reached[i] = std::max(border.reached[i], border.mask[i]);
   return border;
 }
 
@@ -142,14 +155,6 @@ Image with_border(Image marker, const BorderGraph& graph, std::size_t tile) {
   return marker;
 }
 
-ReadTile turned_over(const ReadTile& read) {
-  return [&read](std::size_t tile) {
-    Image image = read(tile);
-    for (Height& v : image.values) v = ~v;
-    return image;
-  };
-}
-
 // The image on the border of the whole, above all inside.
 Image border_marker(const TileGrid& grid, std::size_t tile, Image image) {
   const TileFrame frame = tile_frame(grid, tile);
@@ -161,32 +166,44 @@ Image border_marker(const TileGrid& grid, std::size_t tile, Image image) {
   return image;
 }
 
+Image turned_over(Image image) {
+  for (Height& v : image.values) v = ~v;
+  return image;
+}
+
+void settle_tiles(const TileGrid& grid, Adjacency adjacency, const ReadImages& read, const WriteTile& write) {
+  std::vector<Border> borders(grid.count());
+  parallel_for(grid.count(), [&](std::size_t tile) { borders[tile] = told_by(read(tile), adjacency); });
+  BorderGraph graph(grid, std::move(borders));
+  graph.settle(adjacency);
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    TileImages images = read(tile);
+    write(tile, reconstruct_by_erosion(with_border(std::move(images.marker), graph, tile), images.mask, adjacency));
+  });
+}
+
 }  // namespace
 
 void reconstruct_by_erosion_tiled(const TileGrid& grid, Adjacency adjacency, const ReadTile& read_marker,
                                   const ReadTile& read_mask, const WriteTile& write) {
-  std::vector<Border> borders(grid.count());
-  parallel_for(grid.count(),
-               [&](std::size_t tile) { borders[tile] = told_by(read_marker(tile), read_mask(tile), adjacency); });
-  BorderGraph graph(grid, std::move(borders));
-  graph.settle(adjacency);
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    write(tile, reconstruct_by_erosion(with_border(read_marker(tile), graph, tile), read_mask(tile), adjacency));
-  });
+  const auto read = [&](std::size_t tile) { return TileImages{read_marker(tile), read_mask(tile)}; };
+  settle_tiles(grid, adjacency, read, write);
 }
 
 void reconstruct_by_dilation_tiled(const TileGrid& grid, Adjacency adjacency, const ReadTile& read_marker,
                                    const ReadTile& read_mask, const WriteTile& write) {
-  const auto turn_and_write = [&](std::size_t tile, Image image) {
-    for (Height& v : image.values) v = ~v;
-    write(tile, image);
+  const auto read = [&](std::size_t tile) {
+    return TileImages{turned_over(read_marker(tile)), turned_over(read_mask(tile))};
   };
-  reconstruct_by_erosion_tiled(grid, adjacency, turned_over(read_marker), turned_over(read_mask), turn_and_write);
+  settle_tiles(grid, adjacency, read, [&](std::size_t tile, const Image& image) { write(tile, turned_over(image)); });
 }
 
 void fill_holes_tiled(const TileGrid& grid, Adjacency adjacency, const ReadTile& read, const WriteTile& write) {
-  const auto marker = [&](std::size_t tile) { return border_marker(grid, tile, read(tile)); };
-  reconstruct_by_erosion_tiled(grid, adjacency, marker, read, write);
+  const auto both = [&](std::size_t tile) {
+    Image mask = read(tile);
+    return TileImages{border_marker(grid, tile, mask), std::move(mask)};
+  };
+  settle_tiles(grid, adjacency, both, write);
 }
 
 }  // namespace ilot
