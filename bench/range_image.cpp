@@ -50,7 +50,8 @@ int main(int argc, char** argv) {
     std::vector<Vec3> structures;
     for (std::size_t i = 0; i < p.size; ++i) structures.push_back({p.x[i], p.y[i], p.z[i]});
     // 12 points a square metre: 300 mm is about one point a pixel, as 50 mm is in a street.
-    for (const auto& [name, pixel] : {std::pair{"1 point a pixel, ", 300}, {"16 points a pixel, ", 1200}}) {
+    for (const auto& [name, pixel] :
+         {std::pair<std::string, std::int64_t>{"1 point a pixel, ", 300}, {"16 points a pixel, ", 1200}}) {
       const GridFrame frame = frame_of(p, pixel);
       const RangeImage got = range_image(p, frame);
       const std::vector<Pixel> want = plain(structures, frame);

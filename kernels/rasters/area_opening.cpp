@@ -10,7 +10,6 @@ namespace ilot {
 namespace {
 
 constexpr std::int32_t kUnseen = 0;
-constexpr std::size_t kAhead = 24;  // pixels
 
 // The parts of the image above a height that sinks. A root is the last, so the lowest, pixel of its part.
 // Of a pixel: kUnseen until the height has reached it (no pixel has the index 0: that is border), the index of its
@@ -19,11 +18,6 @@ class Parts {
  public:
   Parts(std::span<const Height> f, std::int32_t enough) : f_(f), enough_(enough), link_(f.size(), kUnseen) {}
 
-  // Brings the three rows around a pixel that comes later: heights in order are all over the image.
-  void expect(std::uint32_t p, std::uint32_t stride) const {
-    for (const std::uint32_t at : {p - stride, p, p + stride}) __builtin_prefetch(&link_[at]);
-    __builtin_prefetch(&f_[p]);
-  }
   void start(std::uint32_t p) { link_[p] = -1; }
   bool seen(std::uint32_t p) const { return link_[p] != kUnseen; }
 
@@ -70,9 +64,7 @@ Image area_opening(const Image& image, std::uint32_t area, Adjacency adjacency) 
   const std::vector<std::uint32_t> order = pixels_from_the_top({frame.stride, image.height + 2, f});
   Parts parts(f, static_cast<std::int32_t>(area));
   const auto steps = frame.steps();
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    if (i + kAhead < order.size()) parts.expect(order[i + kAhead], frame.stride);
-    const std::uint32_t p = order[i];
+  for (const std::uint32_t p : order) {
     parts.start(p);
     for (std::size_t s = 0; s < step_count(adjacency); ++s)
       if (parts.seen(p + steps[s])) parts.join(p, p + steps[s]);

@@ -43,7 +43,9 @@ TEST(HMaxima, PeaksByHand) {
 }
 
 TEST(HMaxima, EqualTheirDefinition) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     if (image.size() > 300 || name.starts_with("wide") || name.starts_with("many")) continue;
     for (const Adjacency adjacency : kAdjacencies) {
       for (const Height h : {0, 1, 3, 10}) {
@@ -58,7 +60,9 @@ TEST(HMaxima, EqualTheirDefinition) {
 }
 
 TEST(HMaxima, FollowSymmetriesAndConstants) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     if (name.starts_with("wide")) continue;  // 77 more would leave the range of heights
     const Image got = h_maxima(image, 2, Adjacency::eight);
     EXPECT_EQ(h_maxima(test::transposed(image), 2, Adjacency::eight).values, test::transposed(got).values) << name;
@@ -68,7 +72,9 @@ TEST(HMaxima, FollowSymmetriesAndConstants) {
 }
 
 TEST(RegionalMaxima, AreTheZonesFromWhichNothingHigherIsReached) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     for (const Adjacency adjacency : kAdjacencies) {
       const PixelLabels got = regional_maxima(image, adjacency);
       std::uint32_t count = 0;

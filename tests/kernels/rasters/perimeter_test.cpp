@@ -30,7 +30,9 @@ TEST(Perimeter, ListsEveryBorderPixelOnce) {
 // Oracle: for one pixel of the perimeter at a time, reconstruction from it alone; in the tree, relaxing its edges until
 // nothing changes.
 TEST(SpillTree, GivesTheSpillHeightBetweenAnyTwoPixels) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     if (image.size() == 0) continue;
     const Perimeter perimeter{image.width, image.height};
     const auto at = [&](std::uint32_t i) {

@@ -53,7 +53,9 @@ TEST(Watershed, TwoBasinsByHand) {
 }
 
 TEST(Watershed, EqualsItsDefinition) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     for (const Adjacency adjacency : kAdjacencies) {
       for (const std::uint32_t one_in : {4u, 25u, 150u}) {
         const PixelLabels markers = random_markers(image, one_in, one_in);
@@ -64,7 +66,9 @@ TEST(Watershed, EqualsItsDefinition) {
 }
 
 TEST(Watershed, FollowsTransposingMirroringAndConstants) {
-  for (const auto& [name, image] : test::small_images()) {
+  for (const test::NamedImage& named : test::small_images()) {
+    const auto& name = named.name;
+    const Image& image = named.image;
     if (name.starts_with("wide")) continue;  // 77 more would leave the range of heights
     const PixelLabels markers = random_markers(image, 30, 1);
     const auto as_image = [&](const std::vector<std::uint32_t>& of) {
