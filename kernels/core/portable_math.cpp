@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kRadian = 0.017453292519943295;
 constexpr double kLog2 = 0.69314718055994531;
+// Its leading 32 bits, whose product with a small whole number is exact, and the rest.
+constexpr double kLog2High = 0x1.62e42feep-1, kLog2Low = 0x1.a39ef35793c76p-33;
 
 // Taylor series for |x| <= pi / 4.
 double cos_series(double x) {
@@ -67,6 +69,18 @@ double natural_log(double v) {
     power *= s;
   }
   return 2 * sum + static_cast<double>(exponent) * kLog2;
+}
+
+double natural_exp(double v) {
+  if (v < -700) return 0;
+  const double turns = std::nearbyint(v / kLog2);
+  const double rest = (v - turns * kLog2High) - turns * kLog2Low;  // |rest| < 0.35
+  double term = 1, sum = 1;
+  for (int i = 1; i <= 16; ++i) {
+    term *= rest / i;
+    sum += term;
+  }
+  return std::ldexp(sum, static_cast<int>(turns));
 }
 
 }  // namespace ilot

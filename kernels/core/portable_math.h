@@ -11,4 +11,7 @@ double cos_degrees(double degrees);
 // Natural logarithm of a positive normal number; relative error below 1e-14.
 double natural_log(double v);
 
+// e to the power of v; relative error below 1e-14. 0 below -700, where it is less than 1e-304; v at most 700.
+double natural_exp(double v);
+
 }  // namespace ilot

@@ -72,5 +72,11 @@ TEST(PortableMath, LogarithmStaysWithinItsRelativeError) {
   for (const double v : {DBL_MIN, DBL_MAX, 2.0, 0.5, std::sqrt(2.0), std::sqrt(0.5), 0.01, 1e-300}) check(v);
 }
 
+TEST(PortableMath, ExponentialsAreTheLibrarysToRounding) {
+  for (double v = -699; v < 700; v += 0.37) EXPECT_NEAR(natural_exp(v) / std::exp(v), 1, 1e-14) << v;
+  EXPECT_EQ(natural_exp(0), 1);
+  EXPECT_EQ(natural_exp(-1000), 0);
+}
+
 }  // namespace
 }  // namespace ilot

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "kernels/rasters/image.h"
+
+namespace ilot {
+
+// The lowest height within `reach` pixels of each pixel, both ways along both axes (a square of 2 reach + 1); kNoHeight
+// where there is none in it. Rows, then columns, with running minima of blocks (van Herk 1992): O(n) for any reach.
+Image box_minimum(const Image& image, std::uint32_t reach);
+
+}  // namespace ilot

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/rasters/flat_zones.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <span>
+
+#include "kernels/core/union_find.h"
+
+namespace ilot {
+namespace {
+
+// Unsigned, so that no difference overflows.
+bool near(Height a, Height b, Height lambda) {
+  const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);
+  return (a < b ? ub - ua : ua - ub) <= static_cast<std::uint32_t>(lambda);
+}
+
+// Pixels [from, to) of a row, each within lambda of the next.
+struct Run {
+  std::uint32_t from, to;
+};
+
+// Runs of all rows; those of row y from first[y] to first[y + 1].
+struct Runs {
+  std::vector<Run> all;
+  std::vector<std::uint32_t> first;
+};
+
+// breaks[x] = whether a run cannot go on from x - 1 to x; breaks[0] and breaks[width] = 1.
+void find_breaks(const Height* row, std::uint32_t width, Height lambda, std::uint8_t* __restrict breaks) {
+  for (std::uint32_t x = 1; x < width; ++x) {
+    const Height a = row[x - 1], b = row[x];
+    const unsigned missing = (a == kNoHeight) | (b == kNoHeight);
+    breaks[x] = static_cast<std::uint8_t>(missing | !near(a, b, lambda));
+  }
+  breaks[0] = breaks[width] = 1;
+}
+
+// The next break at or after x; eight at a time over what has none. Readable to eight beyond the last.
+std::uint32_t next_break(const std::uint8_t* breaks, std::uint32_t x) {
+  for (;; x += 8) {
+    std::uint64_t eight;
+    std::memcpy(&eight, breaks + x, 8);
+    if (eight != 0) break;
+  }
+  while (breaks[x] == 0) ++x;
+  return x;
+}
+
+Runs find_runs(const Image& image, Height lambda) {
+  Runs runs;
+  runs.first.push_back(0);
+  std::vector<std::uint8_t> breaks(std::size_t{image.width} + 9, 0);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const Height* row = image.values.data() + std::size_t{y} * image.width;
+    find_breaks(row, image.width, lambda, breaks.data());
+    for (std::uint32_t x = 0; x < image.width;) {
+      const std::uint32_t to = next_break(breaks.data(), x + 1);
+      if (row[x] != kNoHeight) runs.all.push_back({x, to});
+      x = to;
+    }
+    runs.first.push_back(static_cast<std::uint32_t>(runs.all.size()));
+  }
+  return runs;
+}
+
+// Whether a pixel of run a has a neighbour within lambda in run b of the row above.
+bool touch(const Height* row, Run a, const Height* above, Run b, Height lambda, std::uint32_t reach) {
+  for (std::uint32_t x = std::max(a.from, b.from - std::min(b.from, reach)); x < std::min(a.to, b.to + reach); ++x)
+    for (std::uint32_t q = std::max(b.from, x - std::min(x, reach)); q < std::min(b.to, x + reach + 1); ++q)
+      if (near(row[x], above[q], lambda)) return true;
+  return false;
+}
+
+void join_rows(const Image& image, const Runs& runs, std::uint32_t y, Height lambda, std::uint32_t reach,
+               UnionFind& sets) {
+  const Height* row = image.values.data() + std::size_t{y} * image.width;
+  const Height* above = row - image.width;
+  std::uint32_t first = runs.first[y - 1];
+  for (std::uint32_t a = runs.first[y]; a < runs.first[y + 1]; ++a) {
+    const Run run = runs.all[a];
+    while (first < runs.first[y] && runs.all[first].to + reach <= run.from) ++first;
+    for (std::uint32_t b = first; b < runs.first[y] && runs.all[b].from < run.to + reach; ++b)
+      if (!sets.same(a, b) && touch(row, run, above, runs.all[b], lambda, reach)) sets.unite(a, b);
+  }
+}
+
+// A root is the first run of its set, so numbers rise with first pixels, and a parent is numbered before its child.
+std::uint32_t number_zones(std::span<std::uint32_t> zone) {
+  std::uint32_t count = 0;
+  for (std::uint32_t r = 0; r < zone.size(); ++r) zone[r] = zone[r] == r ? ++count : zone[zone[r]];
+  return count;
+}
+
+}  // namespace
+
+PixelLabels flat_zones(const Image& image, Height lambda, Adjacency adjacency) {
+  assert(lambda >= 0);
+  const Runs runs = find_runs(image, lambda);
+  std::vector<std::uint32_t> zone(runs.all.size());
+  UnionFind sets(zone);
+  const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
+  for (std::uint32_t y = 1; y < image.height; ++y) join_rows(image, runs, y, lambda, reach, sets);
+  PixelLabels labels{image.width, image.height, number_zones(zone), std::vector<std::uint32_t>(image.size(), 0)};
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    std::uint32_t* out = labels.of.data() + std::size_t{y} * image.width;
+    for (std::uint32_t r = runs.first[y]; r < runs.first[y + 1]; ++r)
+      std::fill(out + runs.all[r].from, out + runs.all[r].to, zone[r]);
+  }
+  return labels;
+}
+
+std::vector<std::uint32_t> zone_sizes(const PixelLabels& labels) {
+  std::vector<std::uint32_t> sizes(std::size_t{labels.count} + 1, 0);
+  for (const std::uint32_t label : labels.of) ++sizes[label];
+  return sizes;
+}
+
+std::uint32_t largest_zone(const PixelLabels& labels) {
+  if (labels.count == 0) return 0;
+  const auto sizes = zone_sizes(labels);
+  return static_cast<std::uint32_t>(std::max_element(sizes.begin() + 1, sizes.end()) - sizes.begin());
+}
+
+}  // namespace ilot

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+// A whole image behind the access that tiled kernels ask for.
+#pragma once
+#include "kernels/rasters/tiles.h"
+
+namespace ilot::test {
+
+inline ReadTile tiles_of(const Image& image, const TileGrid& grid) {
+  return [&image, grid](std::size_t tile) {
+    const TileFrame frame = tile_frame(grid, tile);
+    Image out = filled_image(frame.width, frame.height, 0);
+    for (std::uint32_t y = 0; y < frame.height; ++y)
+      for (std::uint32_t x = 0; x < frame.width; ++x)
+        out.values[std::size_t{y} * frame.width + x] =
+            image.values[std::size_t{frame.y + y} * image.width + frame.x + x];
+    return out;
+  };
+}
+
+inline WriteTile into(Image& image, const TileGrid& grid) {
+  return [&image, grid](std::size_t tile, const Image& part) {
+    const TileFrame frame = tile_frame(grid, tile);
+    for (std::uint32_t y = 0; y < frame.height; ++y)
+      for (std::uint32_t x = 0; x < frame.width; ++x)
+        image.values[std::size_t{frame.y + y} * image.width + frame.x + x] =
+            part.values[std::size_t{y} * frame.width + x];
+  };
+}
+
+}  // namespace ilot::test
