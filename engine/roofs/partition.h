@@ -40,7 +40,7 @@ Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines);
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points);
 
 // Regions with one label become one region, numbered by label; edges between them go, and vertices in the middle of
-// straight borders, unless fixed (one flag a vertex). Labels from 1 to `labels`, one per region.
+// straight borders and edges below 3 mm, unless fixed (one flag a vertex). Labels from 1 to `labels`, one per region.
 Partition merged(const Partition& partition, std::span<const std::uint32_t> label, std::uint32_t labels,
                  std::span<const std::uint8_t> fixed);
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <span>
 
 #include "engine/error.h"
 #include "engine/roofs/cell_labels.h"
@@ -56,9 +58,39 @@ RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofMod
   return roof_faces(site, planes, cells, label_cells(site, planes, cells), least);
 }
 
+// Faces raised so that the check lets them pass, sharing fewer vertices from one attempt to the next: a face that
+// shares them bends, by little in metres but, where it is narrow, by much in degrees. Nothing when none passes.
+std::optional<Building> raised(const RoofSite& site, const Partition& faces, std::span<const RoofPlane> planes,
+                               const char* lod, double metres_per_unit, const SolidCheck& check) {
+  for (const double same_height : {kSameHeight, 0.4 * kSameHeight, 0.15 * kSameHeight}) {
+    Building b = building_of(site, raise_roof(faces, planes, site.ground, same_height), lod, metres_per_unit);
+    if (check(b)) return b;
+  }
+  return std::nullopt;
+}
+
+// Raises the block; false, with the reason, when there is none.
+bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per_unit, const SolidCheck& check,
+               RoofModel& model) {
+  const Partition whole = part(site.outline, {});
+  if (whole.regions != 1) {
+    model.reason = "the outline is not one polygon on a grid of 1 mm";
+    return false;
+  }
+  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes)}, "1.2", metres_per_unit, check);
+  if (!block) {
+    model.reason = "no valid solid stands over the outline";
+    return false;
+  }
+  model.lod12 = std::move(*block);
+  model.status = RoofStatus::lod12;
+  return true;
+}
+
 }  // namespace
 
-RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit) {
+RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
+                     const SolidCheck& check) {
   RoofModel model;
   model.face_of_point.assign(site.points.size(), 0);
   if (site.outline.empty() || outline_area(site.outline) < kLeastOutline) {
@@ -70,22 +102,19 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   const RoofPlanes planes = find_roof_planes(site, params);
-  const std::vector<RoofPlane> level{level_roof(site, planes)};
-  const Partition whole = part(site.outline, {});
-  if (whole.regions != 1) {
-    model.reason = "the outline is not one polygon on a grid of 1 mm";
-    return model;
-  }
-  model.lod12 = building_of(site, raise_roof(whole, level, site.ground), "1.2", metres_per_unit);
-  model.status = RoofStatus::lod12;
+  if (!add_block(site, planes, metres_per_unit, check, model)) return model;
   if (planes.planes.empty()) {
     model.reason = "no plane has enough points";
     return model;
   }
-  RoofFaces faces = faces_of(site, planes, params);
-  model.lod22 =
-      building_of(site, raise_roof(std::move(faces.faces), faces.planes, site.ground), "2.2", metres_per_unit);
-  model.face_of_point = std::move(faces.of_point);
+  RoofFaces roof = faces_of(site, planes, params);
+  auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check);
+  if (!house) {
+    model.reason = "the solid over the faces is not valid";
+    return model;
+  }
+  model.lod22 = std::move(*house);
+  model.face_of_point = std::move(roof.of_point);
   model.status = RoofStatus::lod22;
   return model;
 }

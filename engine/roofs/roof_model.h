@@ -3,6 +3,7 @@
 // faces end in walls where their heights differ.
 #pragma once
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -32,8 +33,15 @@ struct RoofModel {
   std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else its face, a plane_id of lod22
 };
 
+// Whether a solid may be delivered.
+using SolidCheck = std::function<bool(const Building&)>;
+
 // Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
-// modelled. Never throws for what the data holds. `metres_per_unit` of the CRS.
-RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit);
+// modelled. A solid that the check refuses is raised again with fewer faces sharing vertices; if that does not help
+// either, the next lower level of detail is the answer. Never throws for what the data holds. `metres_per_unit` of the
+// CRS.
+RoofModel model_roof(
+    const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
+    const SolidCheck& check = [](const Building&) { return true; });
 
 }  // namespace ilot

@@ -12,7 +12,6 @@
 namespace ilot {
 namespace {
 
-constexpr double kSameHeight = 0.01;  // metres
 constexpr double kLeastHeight = 0.1;  // metres of the lowest eave over the floor
 constexpr double kCorner = 20;        // millimetres of the corners that part pinched faces
 constexpr double kHeightGrid = 1e4;   // steps a metre
@@ -32,8 +31,8 @@ bool turns_before(Point2 o, Point2 p, Point2 q) {
 
 class Solid {
  public:
-  Solid(Partition faces, std::span<const RoofPlane> planes, double ground)
-      : p_(std::move(faces)), planes_(planes), floor_(ground) {
+  Solid(Partition faces, std::span<const RoofPlane> planes, double ground, double same_height)
+      : p_(std::move(faces)), planes_(planes), floor_(ground), same_height_(same_height) {
     lower_floor();
   }
 
@@ -112,7 +111,7 @@ class Solid {
     std::vector<double> groups;
     for (std::size_t first = 0; first < all.size();) {
       std::size_t last = first;
-      while (last + 1 < all.size() && all[last + 1] - all[first] <= kSameHeight) ++last;
+      while (last + 1 < all.size() && all[last + 1] - all[first] <= same_height_) ++last;
       groups.push_back((all[first] + all[last]) / 2);
       first = last + 1;
     }
@@ -279,7 +278,7 @@ class Solid {
 
   Partition p_;
   std::span<const RoofPlane> planes_;
-  double floor_;
+  double floor_, same_height_;
   std::vector<std::vector<Spoke>> spokes_;    // per vertex, counter-clockwise
   std::vector<std::vector<double>> heights_;  // per vertex, ascending
   std::vector<std::uint32_t> first_;          // per vertex: its lowest vertex in the solid
@@ -288,8 +287,8 @@ class Solid {
 
 }  // namespace
 
-RoofSolid raise_roof(Partition faces, std::span<const RoofPlane> planes, double ground) {
-  return Solid(std::move(faces), planes, ground).raise();
+RoofSolid raise_roof(Partition faces, std::span<const RoofPlane> planes, double ground, double same_height) {
+  return Solid(std::move(faces), planes, ground, same_height).raise();
 }
 
 }  // namespace ilot

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/roofs/roof_model.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/evaluate/validity.h"
+#include "engine/roofs/roof_lines.h"
+#include "engine/roofs/roof_planes.h"
+#include "tests/support/roof_sites.h"
+
+namespace ilot {
+namespace {
+
+using test::roof_site;
+
+std::size_t roof_faces(const Building& b) {
+  return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(), [](const BuildingSurface& s) {
+    return s.kind == SurfaceKind::roof;
+  }));
+}
+
+double highest(const Building& b) {
+  double z = -1e9;
+  for (const Vec3& v : b.vertices) z = std::max(z, v.z);
+  return z;
+}
+
+bool valid(const Building& b) {
+  return validate_building(b, b.vertices.front(), 0.0001).empty();
+}
+
+double gable(double, double y) {
+  return 4 + std::min(y, 6 - y);
+}
+
+double hip(double x, double y) {
+  return 4 + std::min({x, 12 - x, y, 6 - y});
+}
+
+// A high part and a low one, both flat.
+double stepped(double x, double) {
+  return x < 5 ? 8 : 4;
+}
+
+TEST(RoofModel, AFlatRoofIsABlock) {
+  const RoofModel m = model_roof(roof_site(10, 6, [](double, double) { return 5.0; }), {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_TRUE(m.reason.empty());
+  EXPECT_EQ(roof_faces(m.lod22), 1u);
+  EXPECT_NEAR(highest(m.lod22), 5, 0.05);
+  EXPECT_TRUE(valid(m.lod22));
+  EXPECT_TRUE(valid(m.lod12));
+}
+
+TEST(RoofModel, AGableHasTwoFacesAndItsRidge) {
+  const RoofModel m = model_roof(roof_site(12, 6, gable), {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 2u);
+  EXPECT_NEAR(highest(m.lod22), 7, 0.05);
+  EXPECT_TRUE(valid(m.lod22));
+  const auto on_face = std::count_if(m.face_of_point.begin(), m.face_of_point.end(), [](auto f) { return f > 0; });
+  EXPECT_GE(on_face, static_cast<std::ptrdiff_t>(m.face_of_point.size() * 98 / 100));
+}
+
+TEST(RoofModel, AHipHasFourFaces) {
+  const RoofModel m = model_roof(roof_site(12, 6, hip), {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 4u);
+  EXPECT_NEAR(highest(m.lod22), 7, 0.1);
+  EXPECT_TRUE(valid(m.lod22));
+}
+
+TEST(RoofModel, AStepBecomesAWall) {
+  const RoofModel m = model_roof(roof_site(12, 6, stepped), {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 2u);
+  EXPECT_TRUE(valid(m.lod22));
+  // Where the wall stands: vertices inside the outline.
+  for (const Vec3& v : m.lod22.vertices) {
+    const double x = v.x - 85000;
+    if (x > 0.01 && x < 11.99) EXPECT_NEAR(x, 5, 0.25);
+  }
+}
+
+TEST(RoofModel, TheSameBuildingElsewhereIsTheSame) {
+  RoofSite site = roof_site(12, 6, hip);
+  const RoofModel here = model_roof(site, {}, 1);
+  site.anchor = {91000, 430000, 12};
+  const RoofModel there = model_roof(site, {}, 1);
+  ASSERT_EQ(here.lod22.vertices.size(), there.lod22.vertices.size());
+  for (std::size_t i = 0; i < here.lod22.vertices.size(); ++i) {
+    const Vec3 d = there.lod22.vertices[i] - here.lod22.vertices[i] - Vec3{6000, -16000, 12};
+    EXPECT_LT(norm(d), 1e-9);
+  }
+  EXPECT_EQ(here.face_of_point, there.face_of_point);
+}
+
+TEST(RoofModel, FeetAreConvertedAtTheBoundary) {
+  const RoofModel m = model_roof(roof_site(12, 6, gable), {}, 0.3048);
+  EXPECT_NEAR(highest(m.lod22), 7 / 0.3048, 0.2);
+}
+
+TEST(RoofModel, FacesThatTheCheckRefusesFallBackToTheBlock) {
+  const RoofSite site = roof_site(12, 6, gable);
+  const RoofModel m = model_roof(site, {}, 1, [](const Building& b) { return b.lod != "2.2"; });
+  EXPECT_EQ(m.status, RoofStatus::lod12);
+  EXPECT_FALSE(m.reason.empty());
+  EXPECT_TRUE(m.lod22.surfaces.empty());
+  const RoofModel none = model_roof(site, {}, 1, [](const Building&) { return false; });
+  EXPECT_EQ(none.status, RoofStatus::footprint_only);
+  EXPECT_TRUE(none.lod12.surfaces.empty());
+}
+
+TEST(RoofModel, PointsOnALineGiveABlock) {
+  RoofSite site = roof_site(12, 6, gable);
+  site.points.clear();
+  for (int i = 0; i < 300; ++i) site.points.push_back({0.04 * i, 3, 6});
+  const RoofModel m = model_roof(site, {}, 1);
+  EXPECT_EQ(m.status, RoofStatus::lod12);
+  EXPECT_FALSE(m.reason.empty());
+  EXPECT_TRUE(valid(m.lod12));
+}
+
+TEST(RoofModel, TooLittleToWorkOnSaysWhy) {
+  RoofSite site = roof_site(12, 6, gable);
+  site.points.resize(2);
+  EXPECT_EQ(model_roof(site, {}, 1).status, RoofStatus::footprint_only);
+  EXPECT_FALSE(model_roof(site, {}, 1).reason.empty());
+  site = roof_site(12, 6, gable);
+  site.outline[0] = {{0, 0}, {1000, 0}, {2000, 0}};
+  EXPECT_EQ(model_roof(site, {}, 1).reason, "the outline has no area");
+  site = roof_site(12, 6, gable);
+  site.points.resize(20);
+  EXPECT_NE(model_roof(site, {}, 1).status, RoofStatus::footprint_only);
+}
+
+TEST(RoofPlanes, WallsAreNotRoofs) {
+  RoofSite site = roof_site(12, 6, gable);
+  Rng rng(2);
+  for (int i = 0; i < 300; ++i) site.points.push_back({12 * rng.uniform(), 0.02 * rng.uniform(), 4 * rng.uniform()});
+  const RoofPlanes planes = find_roof_planes(site, {});
+  EXPECT_EQ(planes.planes.size(), 2u);
+  EXPECT_GE(std::count(planes.on_wall.begin(), planes.on_wall.end(), 1), 200);
+}
+
+TEST(RoofLines, TheRidgeLiesWhereThePlanesMeet) {
+  const RoofSite site = roof_site(12, 6, gable);
+  const std::vector<FlatEdge> lines = roof_lines(site, find_roof_planes(site, {}));
+  ASSERT_EQ(lines.size(), 1u);
+  EXPECT_NEAR(lines[0].a.y, 3, 0.05);
+  EXPECT_NEAR(lines[0].b.y, 3, 0.05);
+  EXPECT_LT(std::min(lines[0].a.x, lines[0].b.x), 0);
+  EXPECT_GT(std::max(lines[0].a.x, lines[0].b.x), 12);
+}
+
+}  // namespace
+}  // namespace ilot
