@@ -15,7 +15,7 @@ struct ClusterOutlineParams {
 };
 
 // The outline of a building of which only points are known, from an anchor in whole millimetres: alpha shape of the
-// points in plan, its boundary regularised with a tolerance of 1.25 sampling steps and moved out by half a step
+// points in plan, its boundary regularised with a tolerance of 1.25 sampling steps and moved out by half a step at most
 // (kernels/outlines/regularise.h). The step is the root of the shape's area per point. Valid polygons, the largest
 // first; none when the points enclose no area. Of more than 2^18 points the first of each square of 10 cm counts. A
 // function of the positions alone. O(n log n).
