@@ -107,6 +107,10 @@ std::string run_json(const RunRecord& record) {
   json["blocks"] = record.blocks;
   json["counts"] = counts_json(record);
   if (record.footprints) json["footprints"] = footprints_json(*record.footprints);
+  if (record.clusters)
+    json["clusters"] = {{"clusters", record.clusters->clusters},
+                        {"too_small", record.clusters->too_small},
+                        {"points_of_too_small", record.clusters->points_of_too_small}};
   json["rejected"] = record.points.rejected;
   json["skipped"] = skipped_json(record);
   json["warnings"] = record.warnings;

@@ -56,6 +56,11 @@ struct FootprintsRecord {
   bool transformed = false;                                        // from another CRS
 };
 
+// What was found without footprints.
+struct ClustersRecord {
+  std::uint64_t clusters = 0, too_small = 0, points_of_too_small = 0;
+};
+
 struct RunRecord {
   ExitCode exit = ExitCode::ok;
   Settings settings;
@@ -71,6 +76,7 @@ struct RunRecord {
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
   std::optional<RoofCounts> roofs;
   std::optional<FootprintsRecord> footprints;
+  std::optional<ClustersRecord> clusters;
   std::vector<SkippedRecord> skipped;
   std::vector<ChosenRecord> chosen;
   std::vector<std::string> warnings;

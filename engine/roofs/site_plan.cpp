@@ -75,8 +75,12 @@ std::vector<PlannedSite> plan_sites(std::span<const Footprint> footprints, doubl
       }
     for (PlannedSite& part : parts) sites.push_back(std::move(part));
   }
-  std::sort(sites.begin(), sites.end(), [](const PlannedSite& a, const PlannedSite& b) { return before(a.id, b.id); });
+  order_sites(sites);
   return sites;
+}
+
+void order_sites(std::vector<PlannedSite>& sites) {
+  std::sort(sites.begin(), sites.end(), [](const PlannedSite& a, const PlannedSite& b) { return before(a.id, b.id); });
 }
 
 double shared_area(const PlacedOutline& a, const PlacedOutline& b) {

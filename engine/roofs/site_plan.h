@@ -21,6 +21,9 @@ struct PlannedSite {
 // numbers by value: a function of the footprints alone.
 std::vector<PlannedSite> plan_sites(std::span<const Footprint> footprints, double metres_per_unit);
 
+// By id, numbers by value.
+void order_sites(std::vector<PlannedSite>& sites);
+
 // Square metres that two outlines share.
 double shared_area(const PlacedOutline& a, const PlacedOutline& b);
 

@@ -264,12 +264,12 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
 
 // Points of no building: those that the cloud says are ground.
 std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext& context, std::uint32_t block) {
-  const auto classes = work.store.read<std::uint8_t>(block, "class");
+  const auto roles = work.store.read<PointRole>(block, "role");
   const auto codes = context.wanted ? work.store.read<std::uint64_t>(block, "codes") : std::vector<std::uint64_t>{};
-  std::vector<PointLabel> labels(classes.size(), PointLabel::none);
+  std::vector<PointLabel> labels(roles.size(), PointLabel::none);
   const Tile tile = work.store.blocks()[block].node.tile;
-  for (std::size_t i = 0; i < classes.size(); ++i) {
-    if (work.roles[classes[i]] != PointRole::ground) continue;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != PointRole::ground) continue;
     if (!context.wanted || context.wanted(index_of({tile, codes[i]}))) labels[i] = PointLabel::ground;
   }
   return labels;
@@ -283,8 +283,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   std::vector<PlacedOutline> outlines;
   for (const PlannedSite& site : sites) outlines.push_back(site.outline);
   const OutlineMap map(outlines);
-  SiteWork work{
-      store, sites, map, point_roles(settings.classes.building, settings.classes.ground), {}, context.metres_per_unit};
+  SiteWork work{store, sites, map, {}, context.metres_per_unit};
   work.params.margin = settings.roofs.margin;
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
   const std::vector<PassTask> costs = costs_of(work, wanted);

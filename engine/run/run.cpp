@@ -12,11 +12,13 @@
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
+#include "engine/run/cluster_plan.h"
 #include "engine/run/footprint_plan.h"
 #include "engine/run/labelled_clouds.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
 #include "engine/run/planes_product.h"
+#include "engine/run/point_roles.h"
 #include "engine/run/roofs_product.h"
 #include "engine/segments/cells.h"
 #include "kernels/core/parallel.h"
@@ -167,7 +169,12 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     labels.write_normals = options.settings.normals.write;
   }
   if (labels.with_roofs) {
-    make_roofs(index.store, sites, options.settings, inputs.crs, context, out.staging() / "roofs", progress, record);
+    write_roles(index.store, point_roles(options.settings.classes.building, options.settings.classes.ground), context);
+    std::vector<PlannedSite> found;
+    if (options.footprints.empty())
+      found = plan_clusters(index.store, options.settings.roofs, context, progress, record);
+    make_roofs(index.store, options.footprints.empty() ? found : sites, options.settings, inputs.crs, context,
+               out.staging() / "roofs", progress, record);
     if (record.roofs->buildings == 0) skip_product("roofs", kNoBuilding, progress, record);
   }
 

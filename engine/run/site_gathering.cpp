@@ -52,20 +52,20 @@ Read read_points(const SiteWork& work, const IndexBox& box, Index3 anchor_mm) {
   const Axis x(anchor_mm.x, step), y(anchor_mm.y, step);
   Read read;
   std::vector<std::uint64_t> codes;
-  std::vector<std::uint8_t> classes;
+  std::vector<PointRole> roles;
   for (const Slice& s : plan_view(work.store, box, {}).slices) {
-    const ColumnReader code_reader(work.store.path(s.block, "codes")), class_reader(work.store.path(s.block, "class"));
+    const ColumnReader code_reader(work.store.path(s.block, "codes")), role_reader(work.store.path(s.block, "role"));
     const Tile tile = work.store.blocks()[s.block].node.tile;
     for (std::uint32_t done = 0; done < s.count; done += kBatch) {
       codes.resize(std::min(kBatch, s.count - done));
-      classes.resize(codes.size());
+      roles.resize(codes.size());
       code_reader.read<std::uint64_t>(s.first + done, codes);
-      class_reader.read<std::uint8_t>(s.first + done, classes);
+      role_reader.read<PointRole>(s.first + done, roles);
       for (std::uint32_t i = 0; i < codes.size(); ++i) {
         const Index3 p = index_of({tile, codes[i]});
         if (!box.contains(p)) continue;
         read.around.points.push_back({x.metres(p.x), y.metres(p.y), static_cast<double>(p.z) * step});
-        read.around.roles.push_back(work.roles[classes[i]]);
+        read.around.roles.push_back(roles[i]);
         read.places.push_back({s.block, s.first + done + i});
       }
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A building's points out of the store, wherever they lie.
 #pragma once
-#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -14,12 +13,11 @@
 
 namespace ilot {
 
-// What all sites of a run share.
+// What all sites of a run share. The store has the column "role" (PointRole).
 struct SiteWork {
   const Store& store;
   std::span<const PlannedSite> sites;
   const OutlineMap& map;  // of their outlines
-  std::array<PointRole, 256> roles;
   SitePointsParams params;
   double metres_per_unit = 1;
 };

@@ -53,12 +53,14 @@ struct BoundariesSettings {
 };
 
 struct RoofsSettings {
-  double margin = 0.5;                    // metres; points outside all outlines but so near to one are its own
-  std::optional<double> epsilon;          // metres; farthest that a point lies from its roof face
-  std::optional<int> min_points;          // fewest points of a roof face
-  std::optional<double> least_face_area;  // m2; smaller faces go to their neighbour
-  bool superstructures = true;            // false: the main roof alone
-  double step_height = 0.2;               // metres; a smaller difference between two faces is no wall
+  std::optional<double> cluster_distance;  // metres; building points farther apart in plan are two buildings
+  int cluster_points = 100;                // fewest points of a building without a footprint
+  double margin = 0.5;                     // metres; points outside all outlines but so near to one are its own
+  std::optional<double> epsilon;           // metres; farthest that a point lies from its roof face
+  std::optional<int> min_points;           // fewest points of a roof face
+  std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
+  bool superstructures = true;             // false: the main roof alone
+  double step_height = 0.2;                // metres; a smaller difference between two faces is no wall
 };
 
 struct ClassesSettings {

@@ -61,8 +61,9 @@ FlatPoint flat(Point2 p) {
 struct Side {
   FlatPoint centre, direction;
   double length = 0;
-  FlatPoint from, to;  // where the boundary passes from the edge before and to the next one
-  int family = -1;     // main direction that it keeps to
+  double scatter2 = -1;  // mean squared distance of its boundary points from it; -1 = too few to tell
+  FlatPoint from, to;    // where the boundary passes from the edge before and to the next one
+  int family = -1;       // main direction that it keeps to
 };
 
 double squared_distance(FlatPoint p, FlatPoint a, FlatPoint b) {
@@ -140,6 +141,8 @@ Side fit_side(const Loop& ring, std::size_t first, std::size_t last) {
   const FlatPoint fitted = half_angle(unit(twice));
   const double along = dot(fitted, side.direction);
   if (std::abs(along) > 0.7) side.direction = along > 0 ? fitted : -1 * fitted;
+  if (last - first >= 3)
+    side.scatter2 = std::max(0.0, (xx + yy - length(twice)) / 2 / static_cast<double>(last - first + 1));
   return side;
 }
 
@@ -242,6 +245,10 @@ Side merged(const Side& a, const Side& b) {
   const double whole = a.length + b.length;
   side.centre = (a.length / whole) * a.centre + (b.length / whole) * b.centre;
   side.length = whole;
+  if (a.scatter2 >= 0 && b.scatter2 >= 0)
+    side.scatter2 = (a.length * a.scatter2 + b.length * b.scatter2) / whole;
+  else
+    side.scatter2 = std::max(a.scatter2, b.scatter2);
   side.from = a.from;
   side.to = b.to;
   return side;
@@ -279,8 +286,29 @@ void add_corners(const Side& a, const Side& b, double tolerance, double outwards
   corners.push_back(foot(b, part));
 }
 
+// How far beyond its points an edge lies: points that end anywhere within a step of it scatter by the step over the
+// root of 12 and lie half a step inside on average. Points that do not scatter, as those of walls, are on the edge.
+double beyond_points(double scatter2, double most) {
+  return std::min(most, std::sqrt(3 * scatter2));
+}
+
+// The scatter of sides that have too few points of their own: that of all others.
+double common_scatter2(const std::vector<Side>& sides) {
+  double sum = 0, whole = 0;
+  for (const Side& s : sides) {
+    if (s.scatter2 < 0) continue;
+    sum += s.length * s.scatter2;
+    whole += s.length;
+  }
+  return whole > 0 ? sum / whole : HUGE_VAL;
+}
+
 Loop ring_of(std::vector<Side> sides, double tolerance, double outwards) {
-  for (Side& s : sides) s.centre = s.centre + outwards * FlatPoint{s.direction.y, -s.direction.x};
+  const double common = common_scatter2(sides);
+  for (Side& s : sides) {
+    const double out = beyond_points(s.scatter2 < 0 ? common : s.scatter2, outwards);
+    s.centre = s.centre + out * FlatPoint{s.direction.y, -s.direction.x};
+  }
   std::vector<FlatPoint> corners;
   for (std::size_t i = 0; i < sides.size(); ++i)
     add_corners(sides[i], sides[(i + 1) % sides.size()], tolerance, outwards, corners);

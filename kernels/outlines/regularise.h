@@ -11,7 +11,7 @@ namespace ilot {
 
 struct RegulariseParams {
   double tolerance = 0;  // lattice units, above 0; about the sampling step: boundary points stray from their edge by it
-  double outwards = 0;   // lattice units; edges move out by this: points end about half a step short of the true edge
+  double outwards = 0;   // lattice units; edges move out by at most this, half a step: points end so far inside of them
 };
 
 // One polygon: its outer ring first, counter-clockwise, then holes, clockwise, as alpha shapes give them. Boundary
@@ -19,10 +19,12 @@ struct RegulariseParams {
 // squares, lines that a turn within the tolerance makes parallel or square to a main direction of the polygon are
 // turned so, lines that go on along each other within the tolerance become one or are joined by a step square to them,
 // short cuts across a corner are taken out. Main directions are those that most of the length agrees on, up to three;
-// edges that agree with none keep their own. The result is never self-crossing: the same order and sense of rings, at
-// least a unit between vertices; where it would be, the edges stay where the points are, and where that fails too the
-// boundary is only thinned within the tolerance. Holes that vanish are left out. A function of the rings alone, moving
-// along with a shift of them. O(n log n) in boundary points, O(edges^2).
+// edges that agree with none keep their own. Edges move out by the root of 3 times the scatter of their boundary
+// points: by half a step where points end anywhere within a step of the edge, by nothing where they lie on it. The
+// result is never self-crossing: the same order and sense of rings, at least a unit between vertices; where it would
+// be, the edges stay where the points are, and where that fails too the boundary is only thinned within the tolerance.
+// Holes that vanish are left out. A function of the rings alone, moving along with a shift of them. O(n log n) in
+// boundary points, O(edges^2).
 std::vector<std::vector<Point2>> regularise(std::span<const std::vector<Point2>> rings, const RegulariseParams& params);
 
 // Whether the rings are one valid polygon: no two edges meet but neighbours in their common corner, the first ring runs

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/cluster_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/pass/pass.h"
+#include "engine/roofs/cluster_outline.h"
+#include "engine/roofs/site_points.h"
+#include "engine/segments/clusters_pass.h"
+#include "engine/store/view.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLeastDistance = 0.5;  // metres [D1]
+constexpr double kStepsOfDistance = 2;  // sampling steps
+constexpr double kCountingCell = 2.1;   // metres, at most
+constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 300;
+constexpr std::int64_t kMillimetresPerMetre = 1000;
+
+// Building points of a block and the squares of the plan that hold them.
+struct Occupied {
+  std::uint64_t points = 0;
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+};
+
+Occupied occupied_of(const Store& store, std::uint32_t block, int cell_bits) {
+  const auto roles = store.read<PointRole>(block, "role");
+  const auto codes = store.read<std::uint64_t>(block, "codes");
+  Occupied o;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != PointRole::building) continue;
+    ++o.points;
+    const Index3 p = index_of({store.blocks()[block].node.tile, codes[i]});
+    const std::pair cell{p.x >> cell_bits, p.y >> cell_bits};
+    if (o.cells.empty() || o.cells.back() != cell) o.cells.push_back(cell);
+  }
+  std::sort(o.cells.begin(), o.cells.end());
+  o.cells.erase(std::unique(o.cells.begin(), o.cells.end()), o.cells.end());
+  return o;
+}
+
+// Metres between building points: the root of the area that they occupy per point.
+double sampling_step(const Store& store, const PassContext& context) {
+  const double unit = store.unit() * context.metres_per_unit;
+  int cell_bits = 0;
+  while (cell_bits < 40 && std::ldexp(unit, cell_bits + 1) <= kCountingCell) ++cell_bits;
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesToCount, b.points});
+  std::vector<Occupied> parts(tasks.size());
+  run_pass(tasks, context.budget_bytes,
+           [&](std::size_t i) { parts[i] = occupied_of(store, static_cast<std::uint32_t>(i), cell_bits); });
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+  std::uint64_t points = 0;
+  for (Occupied& o : parts) {
+    points += o.points;
+    cells.insert(cells.end(), o.cells.begin(), o.cells.end());
+    o = {};
+  }
+  std::sort(cells.begin(), cells.end());
+  const auto count = std::unique(cells.begin(), cells.end()) - cells.begin();
+  const double side = std::ldexp(unit, cell_bits);
+  return points == 0 ? 0 : std::sqrt(static_cast<double>(count) * side * side / static_cast<double>(points));
+}
+
+// In steps of a factor of the root of two, so that part of a cloud and the whole of it agree.
+double distance_for(double step) {
+  double distance = kLeastDistance;
+  while (distance < kStepsOfDistance * step) distance *= std::sqrt(2.0);
+  return distance;
+}
+
+double choose_distance(const Store& store, const RoofsSettings& settings, const PassContext& context,
+                       RunRecord& record) {
+  if (settings.cluster_distance) return *settings.cluster_distance;
+  const double step = sampling_step(store, context);
+  const double distance = distance_for(step);
+  record.chosen.push_back({"roofs.cluster_distance", distance,
+                           "0.5 m, times the root of 2 until it is twice the sampling step of the building points, " +
+                               std::to_string(step) + " m"});
+  return distance;
+}
+
+class Outliner {
+ public:
+  Outliner(const Store& store, const std::vector<CloudCluster>& clusters, double metres_per_unit, double alpha_m)
+      : store_(store), clusters_(clusters), millimetres_(store.unit() * metres_per_unit * kMillimetresPerMetre) {
+    params_.alpha = alpha_m * kMillimetresPerMetre;
+  }
+
+  std::uint64_t points_to_read(std::uint32_t cluster) const {
+    return plan_view(store_, clusters_[cluster].box, {}).size;
+  }
+
+  std::vector<PlannedSite> sites_of(std::uint32_t cluster) const {
+    const CloudCluster& c = clusters_[cluster];
+    const std::string id = std::to_string(c.first.x) + "_" + std::to_string(c.first.y);
+    const std::int64_t x = grid(c.box.min.x), y = grid(c.box.min.y);
+    std::vector<PlannedSite> sites;
+    for (const SitePolygon& polygon : cluster_outline(points_of(cluster, x, y), params_)) {
+      std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>> rings;
+      for (const auto& ring : polygon) {
+        auto& placed = rings.emplace_back();
+        for (const Point2 p : ring) placed.emplace_back(x + p.x, y + p.y);
+      }
+      const std::string part = sites.empty() ? "" : "-" + std::to_string(sites.size() + 1);
+      sites.push_back({id + part, place_outline(rings), "", ""});
+    }
+    if (sites.empty()) sites.push_back({id, {}, "its points enclose no area", ""});
+    return sites;
+  }
+
+ private:
+  std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
+
+  std::vector<Point2> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    std::vector<Point2> points;
+    for (const Slice& s : plan_view(store_, clusters_[cluster].box, {}).slices) {
+      const auto codes = store_.read<std::uint64_t>(s.block, "codes", s.first, s.count);
+      const auto of = store_.read<std::uint32_t>(s.block, "cluster", s.first, s.count);
+      const Tile tile = store_.blocks()[s.block].node.tile;
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        if (of[i] != cluster + 1) continue;
+        const Index3 p = index_of({tile, codes[i]});
+        points.push_back({static_cast<std::int32_t>(grid(p.x) - x), static_cast<std::int32_t>(grid(p.y) - y)});
+      }
+    }
+    return points;
+  }
+
+  const Store& store_;
+  const std::vector<CloudCluster>& clusters_;
+  double millimetres_;  // of a lattice unit
+  ClusterOutlineParams params_;
+};
+
+}  // namespace
+
+std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& settings, const PassContext& context,
+                                       Progress& progress, RunRecord& record) {
+  progress.begin_stage("clusters", store.points());
+  const double distance = choose_distance(store, settings, context, record);
+  const double unit = store.unit() * context.metres_per_unit;
+  const ClusterParams params{"role", static_cast<std::uint8_t>(PointRole::building),
+                             std::max<std::int64_t>(1, std::llround(distance / unit))};
+  const std::vector<CloudCluster> clusters = clusters_pass(store, params, context);
+  const Outliner outliner(store, clusters, context.metres_per_unit, distance);
+  ClustersRecord& told = record.clusters.emplace();
+  std::vector<std::uint32_t> large;
+  std::vector<PassTask> tasks;
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    ++told.clusters;
+    if (clusters[c].points < static_cast<std::uint64_t>(settings.cluster_points)) {
+      ++told.too_small;
+      told.points_of_too_small += clusters[c].points;
+      continue;
+    }
+    large.push_back(c);
+    tasks.push_back({outliner.points_to_read(c) * kBytesToOutline, clusters[c].points});
+  }
+  std::vector<std::vector<PlannedSite>> found(large.size());
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) { found[i] = outliner.sites_of(large[i]); });
+  std::vector<PlannedSite> sites;
+  for (auto& of_cluster : found)
+    for (PlannedSite& site : of_cluster) sites.push_back(std::move(site));
+  order_sites(sites);
+  progress.end_stage();
+  return sites;
+}
+
+}  // namespace ilot

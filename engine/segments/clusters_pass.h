@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// Euclidean clusters over all blocks [D1]: what hangs together in plan is one, wherever blocks end.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/pass/context.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+struct ClusterParams {
+  std::string column;       // u8 per point
+  std::uint8_t value = 0;   // points with this value in it are clustered
+  std::int64_t radius = 1;  // lattice units; points so near to each other in plan (closed) are in one cluster
+};
+
+struct CloudCluster {
+  Index3 first;  // its first point in global order
+  std::uint64_t points = 0;
+  IndexBox box;  // of its points
+};
+
+// Writes the column "cluster" (u32: 0 = none, else 1 + index into the result) of every block; clusters are ordered by
+// their first points. The answer is a property of the points alone. Each block is read with a halo of the radius.
+std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams& params, const PassContext& context);
+
+}  // namespace ilot
