@@ -15,26 +15,53 @@ namespace {
 using Json = nlohmann::json;
 
 // Second-level types are parts of others and name them as parents.
-constexpr std::string_view kFirstLevel[] = {
-    "Bridge", "Building", "CityFurniture", "CityObjectGroup", "GenericCityObject", "LandUse", "OtherConstruction",
-    "PlantCover", "Railway", "Road", "SolitaryVegetationObject", "TINRelief", "TransportSquare", "Tunnel", "WaterBody",
-    "Waterway"};
-constexpr std::string_view kSecondLevel[] = {
-    "BridgePart", "BridgeInstallation", "BridgeConstructiveElement", "BridgeRoom", "BridgeFurniture", "BuildingPart",
-    "BuildingInstallation", "BuildingConstructiveElement", "BuildingFurniture", "BuildingStorey", "BuildingRoom",
-    "BuildingUnit", "TunnelPart", "TunnelInstallation", "TunnelConstructiveElement", "TunnelHollowSpace",
-    "TunnelFurniture"};
+constexpr std::string_view kFirstLevel[] = {"Bridge",
+                                            "Building",
+                                            "CityFurniture",
+                                            "CityObjectGroup",
+                                            "GenericCityObject",
+                                            "LandUse",
+                                            "OtherConstruction",
+                                            "PlantCover",
+                                            "Railway",
+                                            "Road",
+                                            "SolitaryVegetationObject",
+                                            "TINRelief",
+                                            "TransportSquare",
+                                            "Tunnel",
+                                            "WaterBody",
+                                            "Waterway"};
+constexpr std::string_view kSecondLevel[] = {"BridgePart",
+                                             "BridgeInstallation",
+                                             "BridgeConstructiveElement",
+                                             "BridgeRoom",
+                                             "BridgeFurniture",
+                                             "BuildingPart",
+                                             "BuildingInstallation",
+                                             "BuildingConstructiveElement",
+                                             "BuildingFurniture",
+                                             "BuildingStorey",
+                                             "BuildingRoom",
+                                             "BuildingUnit",
+                                             "TunnelPart",
+                                             "TunnelInstallation",
+                                             "TunnelConstructiveElement",
+                                             "TunnelHollowSpace",
+                                             "TunnelFurniture"};
 constexpr std::string_view kSurfaces[] = {
-    "RoofSurface", "GroundSurface", "WallSurface", "ClosureSurface", "OuterCeilingSurface", "OuterFloorSurface",
-    "Window", "Door", "InteriorWallSurface", "CeilingSurface", "FloorSurface", "WaterSurface", "WaterGroundSurface",
-    "WaterClosureSurface", "TrafficArea", "AuxiliaryTrafficArea", "TransportationMarking", "TransportationHole"};
+    "RoofSurface",           "GroundSurface",       "WallSurface",  "ClosureSurface",
+    "OuterCeilingSurface",   "OuterFloorSurface",   "Window",       "Door",
+    "InteriorWallSurface",   "CeilingSurface",      "FloorSurface", "WaterSurface",
+    "WaterGroundSurface",    "WaterClosureSurface", "TrafficArea",  "AuxiliaryTrafficArea",
+    "TransportationMarking", "TransportationHole"};
 
 struct GeometryShape {
   std::string_view type;
   int depth;  // of the boundaries: lists within lists
 };
-constexpr GeometryShape kShapes[] = {{"MultiPoint", 1}, {"MultiLineString", 2}, {"MultiSurface", 3},
-                                     {"CompositeSurface", 3}, {"Solid", 4}, {"MultiSolid", 5}, {"CompositeSolid", 5}};
+constexpr GeometryShape kShapes[] = {{"MultiPoint", 1},       {"MultiLineString", 2}, {"MultiSurface", 3},
+                                     {"CompositeSurface", 3}, {"Solid", 4},           {"MultiSolid", 5},
+                                     {"CompositeSolid", 5}};
 
 template <class List>
 bool holds(const List& list, std::string_view value) {
@@ -79,7 +106,8 @@ std::string check_reference_system(const Json& metadata, const CityJsonHead& hea
   const std::string_view system = text_of(json_field(metadata, "referenceSystem"));
   if (system.empty() || head.version == "1.0") return "";
   for (const std::string_view start : {"http://www.opengis.net/def/crs/", "https://www.opengis.net/def/crs/"})
-    if (system.starts_with(start) && std::count(system.begin() + static_cast<std::ptrdiff_t>(start.size()), system.end(), '/') == 2)
+    if (system.starts_with(start) &&
+        std::count(system.begin() + static_cast<std::ptrdiff_t>(start.size()), system.end(), '/') == 2)
       return "";
   return fmt::format("metadata.referenceSystem '{}' is not https://www.opengis.net/def/crs/AUTHORITY/VERSION/CODE",
                      system);

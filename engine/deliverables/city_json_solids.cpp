@@ -120,8 +120,10 @@ void CityJsonSolids::add_objects(const Json& root) {
     const Json& children = json_field(object, "children");
     if (type == "Building" && children.is_array())
       for (const Json& child : children)
-        if (child.is_string() && child != id && objects.contains(child.get<std::string>()))
-          add_geometries(objects, child.get<std::string>(), made, vertices);
+        if (child.is_string() && child != id && objects.contains(child.get<std::string>())) {
+          made.parts.push_back(child.get<std::string>());
+          add_geometries(objects, made.parts.back(), made, vertices);
+        }
     sink_.object(made);
   }
 }

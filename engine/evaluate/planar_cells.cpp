@@ -43,8 +43,8 @@ Owned cells_of(std::span<const FlatPoint, 3> triangle, std::span<const FlatEdge>
   std::vector<GEOSGeometry*> all;
   for (std::size_t i = 0; i < 3; ++i) all.push_back(line(triangle[i], triangle[(i + 1) % 3], triangle[0]));
   for (const FlatEdge& e : lines) all.push_back(line(e.a, e.b, triangle[0]));
-  const Owned loose = checked(GEOSGeom_createCollection_r(context(), GEOS_MULTILINESTRING, all.data(),
-                                                          static_cast<unsigned>(all.size())));
+  const Owned loose = checked(
+      GEOSGeom_createCollection_r(context(), GEOS_MULTILINESTRING, all.data(), static_cast<unsigned>(all.size())));
   const Owned noded = checked(GEOSUnaryUnionPrec_r(context(), loose.get(), 1.0));
   const GEOSGeometry* const parts[] = {noded.get()};
   return checked(GEOSPolygonize_r(context(), parts, 1));

@@ -50,8 +50,8 @@ int code_of(std::string_view reason) {
 int ring_relation_fault(std::span<const std::vector<Point2>> rings) {
   std::vector<GEOSGeometry*> holes;
   for (const std::vector<Point2>& hole : rings.subspan(1)) holes.push_back(linear_ring(hole));
-  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(context(), linear_ring(rings[0]), holes.data(),
-                                                   static_cast<unsigned>(holes.size()));
+  GEOSGeometry* polygon =
+      GEOSGeom_createPolygon_r(context(), linear_ring(rings[0]), holes.data(), static_cast<unsigned>(holes.size()));
   if (!polygon) throw Error("out of memory: polygons");
   char* reason = GEOSisValidReason_r(context(), polygon);
   const int code = reason ? code_of(reason) : 999;

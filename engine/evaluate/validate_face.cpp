@@ -20,8 +20,8 @@ constexpr double kWidest = 1 << 28;  // of a face on its own lattice, steps
 
 Vec3 offset(const LatticeVertices& v, std::uint32_t i, Index3 from) {
   const Index3 p = v.points[i];
-  return v.step * Vec3{static_cast<double>(p.x - from.x), static_cast<double>(p.y - from.y),
-                       static_cast<double>(p.z - from.z)};
+  return v.step *
+         Vec3{static_cast<double>(p.x - from.x), static_cast<double>(p.y - from.y), static_cast<double>(p.z - from.z)};
 }
 
 // A face's least squares plane, and where its corners lie on it.
@@ -85,8 +85,8 @@ std::vector<std::vector<Point2>> flattened(const FacePlane& plane, const Lattice
   std::vector<std::vector<Point2>> out(rings.size());
   for (std::size_t r = 0; r < rings.size(); ++r)
     for (const auto& [x, y] : flat[r])
-      out[r].push_back({static_cast<std::int32_t>(std::llround(x / step)),
-                        static_cast<std::int32_t>(std::llround(y / step))});
+      out[r].push_back(
+          {static_cast<std::int32_t>(std::llround(x / step)), static_cast<std::int32_t>(std::llround(y / step))});
   return out;
 }
 
@@ -140,7 +140,8 @@ std::vector<std::size_t> by_last_corner(const Triangulation& t, const std::vecto
 
 // The same for the most common face, four corners in one ring: which diagonal lies inside, and if both do, which of
 // them is Delaunay.
-std::vector<TriangleCorners> quadrangle_triangles(const std::vector<Point2>& p, const std::vector<std::uint32_t>& ring) {
+std::vector<TriangleCorners> quadrangle_triangles(const std::vector<Point2>& p,
+                                                  const std::vector<std::uint32_t>& ring) {
   const bool left = doubled_area(p) > 0;
   const auto turns = [&](std::size_t a, std::size_t b, std::size_t c) {
     return left ? orient2d(p[a], p[b], p[c]) > 0 : orient2d(p[a], p[c], p[b]) > 0;

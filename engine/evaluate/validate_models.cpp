@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/evaluate/validate_models.h"
 
-#include <set>
 #include <utility>
 
 #include "engine/deliverables/solid_file.h"
@@ -16,10 +15,10 @@ ModelsValidity validate_models(const std::filesystem::path& path,
   std::map<std::string, std::vector<std::string>> format;  // by object, until it comes
   const auto object = [&](const CityObject& given) {
     ObjectValidity found{given.id, {}, validate_object(given, params)};
-    std::set<std::string> owners{given.id};
-    for (const Primitive& p : given.primitives) owners.insert(p.owner);
-    for (const std::string& owner : owners)
-      if (auto node = format.extract(owner); !node.empty())
+    std::vector<std::string> ids = given.parts;
+    ids.insert(ids.begin(), given.id);
+    for (const std::string& id : ids)
+      if (auto node = format.extract(id); !node.empty())
         found.format.insert(found.format.end(), node.mapped().begin(), node.mapped().end());
     ++sum.objects;
     if (found.faults.empty() && found.format.empty()) return;
@@ -38,7 +37,10 @@ ModelsValidity validate_models(const std::filesystem::path& path,
     ++sum.codes[901];
     invalid({"", {}, {{901, broken.what()}}});
   }
-  for (auto& [id, texts] : format) invalid({id, std::move(texts), {}});
+  for (auto& [id, texts] : format) {
+    ++sum.objects, ++sum.invalid;
+    invalid({id, std::move(texts), {}});
+  }
   return sum;
 }
 

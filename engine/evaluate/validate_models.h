@@ -20,8 +20,8 @@ struct ObjectValidity {
 
 struct ModelsValidity {
   std::uint64_t objects = 0, invalid = 0;
-  std::uint64_t format_faults = 0;      // of objects and of the file as a whole
-  std::map<int, std::uint64_t> codes;   // objects with it, by code
+  std::uint64_t format_faults = 0;     // of objects and of the file as a whole
+  std::map<int, std::uint64_t> codes;  // objects with it, by code
   bool valid() const { return invalid == 0 && format_faults == 0 && codes.empty(); }
 };
 

@@ -94,8 +94,8 @@ class ShellCheck {
   }
 
   std::string place(Index3 p) const {
-    const Vec3 at = lattice_.origin + lattice_.step * Vec3{static_cast<double>(p.x), static_cast<double>(p.y),
-                                                           static_cast<double>(p.z)};
+    const Vec3 at = lattice_.origin +
+                    lattice_.step * Vec3{static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
     return fmt::format("near ({:.3f}, {:.3f}, {:.3f})", at.x, at.y, at.z);
   }
 

@@ -102,8 +102,7 @@ Faults validate_object(const CityObject& object, const ValidityParams& params) {
   Faults faults;
   std::vector<CheckedPrimitive> checked;
   for (std::size_t i = 0; i < object.primitives.size(); ++i) {
-    checked.push_back(
-        check_primitive(object.vertices, object.primitives[i], lattice, params, name_of(object, i)));
+    checked.push_back(check_primitive(object.vertices, object.primitives[i], lattice, params, name_of(object, i)));
     faults.insert(faults.end(), checked.back().faults.begin(), checked.back().faults.end());
   }
   return faults.empty() && object.type == "Building" ? check_overlaps(object, checked) : faults;
@@ -113,8 +112,8 @@ Faults validate_building(const Building& building, Vec3 origin, double step, con
   CityObject object{building.id, "Building", {}, {}};
   for (const Vec3& v : building.vertices) {
     const Vec3 p = v - origin;
-    object.vertices.push_back(
-        origin + step * Vec3{std::round(p.x / step), std::round(p.y / step), std::round(p.z / step)});
+    object.vertices.push_back(origin +
+                              step * Vec3{std::round(p.x / step), std::round(p.y / step), std::round(p.z / step)});
   }
   SolidShell shell;
   for (const BuildingSurface& surface : building.surfaces) shell.push_back({surface.rings, ""});

@@ -34,6 +34,7 @@ struct CityObject {
   std::string id, type;
   std::vector<Vec3> vertices;
   std::vector<Primitive> primitives;
+  std::vector<std::string> parts = {};  // ids of the objects whose geometries are here too
 };
 
 }  // namespace ilot

@@ -145,6 +145,31 @@ class Cli(unittest.TestCase):
         self.refuse(["validate", text], "no header to validate")
         self.refuse(["validate"], "FILE")
 
+    def test_validate_models(self):
+        corners = "".join(f"v {x} {y} {z}\n" for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+        walls = "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\n"
+        closed = self.folder / "closed.obj"
+        closed.write_text(corners + walls + "f 4 1 5 8\n")
+        good = ilot("validate", closed)
+        self.assertEqual((good.returncode, good.stderr), (0, ""))
+        self.assertTrue(good.stdout.endswith("closed.obj: valid: 1 objects\n"), good.stdout)
+        shed = self.folder / "shed.obj"
+        shed.write_text("o shed\n" + corners + walls)
+        both = ilot("validate", closed, shed)
+        self.assertEqual(both.returncode, 1)
+        self.assertIn("shed.obj: invalid: 302: shed: 302 SHELL_NOT_CLOSED near (0.000, 0.000, 0.000)\n", both.stdout)
+        self.assertIn("shed.obj: invalid: 1 of 1 objects (302: 1)\n", both.stdout)
+        told = ilot("validate", "--json", closed, shed)
+        self.assertEqual(told.returncode, 1)
+        report = json.loads(told.stdout)
+        self.assertFalse(report["valid"])
+        self.assertEqual([f["codes"] for f in report["files"]], [{}, {"302": 1}])
+        self.assertEqual(report["files"][1]["findings"][0]["faults"][0]["code"], 302)
+        (self.folder / "broken.city.json").write_text("{")
+        broken = ilot("validate", self.folder / "broken.city.json")
+        self.assertEqual(broken.returncode, 1)
+        self.assertIn("invalid: 901: 901 INVALID_INPUT_FILE ", broken.stdout)
+
     def test_info_measures(self):
         told = ilot("info", self.cloud, "--json")
         self.assertEqual(told.returncode, 0, told.stderr)

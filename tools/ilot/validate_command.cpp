@@ -94,7 +94,8 @@ int validate_command(const ValidateArguments& given) {
 
 void add_validate_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand(
-      "validate", "Checks files: geometries of CityJSON, OBJ, OFF and POLY against ISO 19107, LAS headers against points");
+      "validate",
+      "Checks files: geometries of CityJSON, OBJ, OFF and POLY against ISO 19107, LAS headers against points");
   auto given = std::make_shared<ValidateArguments>();
   command->add_option("FILE", given->inputs, "CityJSON, CityJSONSeq, OBJ, OFF, POLY, LAS and LAZ files, patterns")
       ->option_text("...");

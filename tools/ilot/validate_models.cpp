@@ -38,7 +38,8 @@ std::string object_line(const ObjectValidity& found) {
 std::string summary_line(const ModelsValidity& sum) {
   if (sum.valid()) return fmt::format("valid: {} objects", sum.objects);
   std::string codes;
-  for (const auto& [code, objects] : sum.codes) codes += fmt::format("{}{}: {}", codes.empty() ? "" : ", ", code, objects);
+  for (const auto& [code, objects] : sum.codes)
+    codes += fmt::format("{}{}: {}", codes.empty() ? "" : ", ", code, objects);
   if (sum.format_faults) codes += fmt::format("{}format: {}", codes.empty() ? "" : ", ", sum.format_faults);
   return fmt::format("invalid: {} of {} objects ({})", sum.invalid, sum.objects, codes);
 }
@@ -53,9 +54,9 @@ nlohmann::json object_json(const ObjectValidity& found) {
 std::string file_json(const std::filesystem::path& file, const ModelsValidity& sum, nlohmann::json objects) {
   nlohmann::json codes = nlohmann::json::object();
   for (const auto& [code, count] : sum.codes) codes[std::to_string(code)] = count;
-  const nlohmann::json entry{{"file", file.string()},     {"valid", sum.valid()},
-                             {"objects", sum.objects},    {"invalid", sum.invalid},
-                             {"codes", std::move(codes)}, {"format_faults", sum.format_faults},
+  const nlohmann::json entry{{"file", file.string()},         {"valid", sum.valid()},
+                             {"objects", sum.objects},        {"invalid", sum.invalid},
+                             {"codes", std::move(codes)},     {"format_faults", sum.format_faults},
                              {"findings", std::move(objects)}};
   return entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
