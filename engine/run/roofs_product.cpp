@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "engine/deliverables/city_json.h"
+#include "engine/evaluate/validity.h"
 #include "engine/pass/pass.h"
 #include "engine/roofs/building_attributes.h"
 #include "engine/run/footprint_plan.h"
@@ -50,11 +51,19 @@ std::uint32_t number_planes(RoofModel& model) {
   return last;
 }
 
+// val3dity's tolerances are metres.
+ValidityParams tolerances(double metres_per_unit) {
+  ValidityParams params;
+  params.snap /= metres_per_unit;
+  params.plane_distance /= metres_per_unit;
+  return params;
+}
+
 class SiteModeller {
  public:
-  SiteModeller(const SiteWork& work, const RoofModelParams& params,
+  SiteModeller(const SiteWork& work, const RoofModelParams& params, const CityJsonParams& file,
                std::span<const std::vector<std::uint32_t>> overlapping)
-      : work_(work), params_(params), overlapping_(overlapping) {}
+      : work_(work), params_(params), file_(file), overlapping_(overlapping) {}
 
   SiteResult model(std::size_t number) const {
     const PlannedSite& planned = work_.sites[number];
@@ -70,7 +79,9 @@ class SiteModeller {
     if (gathered.site.points.empty()) {
       model.reason = why_empty(gathered);
     } else {
-      model = model_roof(gathered.site, params_, work_.metres_per_unit);
+      model = model_roof(gathered.site, params_, work_.metres_per_unit, [&](const Building& b) {
+        return validate_building(b, file_.origin, file_.step, tolerances(work_.metres_per_unit)).empty();
+      });
     }
     result.planes = number_planes(model);
     label_points(gathered, model, result);
@@ -118,6 +129,7 @@ class SiteModeller {
 
   const SiteWork& work_;
   RoofModelParams params_;
+  CityJsonParams file_;
   std::span<const std::vector<std::uint32_t>> overlapping_;
 };
 
@@ -190,6 +202,7 @@ class RoofSink {
     ++counts.buildings;
     counts.lod22 += result.status == RoofStatus::lod22;
     counts.lod12 += result.status == RoofStatus::lod12;
+    counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
     if (result.status != RoofStatus::footprint_only) return;
     ++counts.footprint_only;
     progress_.unit_skipped(result.levels[0].id, result.reason);
@@ -294,8 +307,9 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   if (record.footprints)
     for (const auto& others : overlapping) record.footprints->overlapping += !others.empty();
   std::filesystem::create_directories(folder);
-  RoofSink sink(store, folder, {crs.epsg, origin_near(store, context.metres_per_unit), 0.0001}, progress, record);
-  model_sites(SiteModeller(work, model_params(settings.roofs), overlapping), wanted, costs, context, sink);
+  const CityJsonParams file{crs.epsg, origin_near(store, context.metres_per_unit), 0.0001};
+  RoofSink sink(store, folder, file, progress, record);
+  model_sites(SiteModeller(work, model_params(settings.roofs), file, overlapping), wanted, costs, context, sink);
   sink.finish().write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });
   progress.end_stage();
 }
