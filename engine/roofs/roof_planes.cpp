@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kUnit = 0.001;            // metres per unit of the kernels' points
 constexpr std::uint32_t kNeighbours = 16;  // of the borders
-constexpr int kNormalNeighbours = 20;
+constexpr int kFlatNeighbours = 16, kVoters = 20;
+constexpr double kPi = 3.141592653589793;
 constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
 constexpr double kLeastFaceArea = 0.5;  // m2 that the points of the smallest face cover
@@ -68,12 +69,24 @@ std::uint64_t content_key(const Cloud& c) {
   return key;
 }
 
-void give_normals(const NeighbourIndex& index, Cloud& c) {
+// Points whose neighbours lie flat have the normal of principal components; those beside an edge, where these would
+// average over both faces, the normal that most of their neighbours vote for.
+void give_normals(const NeighbourIndex& index, double step, double epsilon, Cloud& c) {
   std::vector<std::uint32_t> all(c.size);
   std::iota(all.begin(), all.end(), 0u);
   std::vector<PackedNormal> packed(c.size);
   std::vector<std::int64_t> reach2(c.size);
-  hough_normals(index, all, {kNormalNeighbours, kMaxSquaredReach, 0.95, kVoteDeviation}, packed, reach2);
+  normals(index, all, {kFlatNeighbours, kMaxSquaredReach}, packed, reach2);
+  // On a plane with noise of a third of epsilon: l0 / (l0 + l1 + l2), l1 = l2 = a quarter of the squared radius.
+  const double noise2 = epsilon * epsilon / 9, spread2 = kFlatNeighbours * step * step / (4 * kPi);
+  const double flat = std::min(1.0, 3 * noise2 / (noise2 + 2 * spread2)) * 65535;
+  std::vector<std::uint32_t> at_edges;
+  for (const std::uint32_t i : all)
+    if (packed[i].curvature > flat) at_edges.push_back(i);
+  std::vector<PackedNormal> sharp(at_edges.size());
+  hough_normals(index, at_edges, {kVoters, kMaxSquaredReach, 0.95, kVoteDeviation}, sharp,
+                std::span(reach2).first(at_edges.size()));
+  for (std::size_t e = 0; e < at_edges.size(); ++e) packed[at_edges[e]] = sharp[e];
   constexpr float kScale = 1.0f / 32767;
   for (std::size_t i = 0; i < c.size; ++i) {
     c.nx[i] = static_cast<float>(packed[i].x) * kScale;
@@ -193,7 +206,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   r.step = sampling.step * kUnit;
   r.epsilon = params.epsilon > 0 ? params.epsilon
                                  : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
-  give_normals(index, c);
+  give_normals(index, sampling.step, r.epsilon / kUnit, c);
   const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
   const auto min_points = static_cast<std::uint32_t>(
       params.min_points > 0 ? params.min_points : std::max<double>(kFewestPoints, std::min(by_area, 1e6)));
