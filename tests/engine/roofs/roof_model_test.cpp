@@ -81,7 +81,9 @@ TEST(RoofModel, AStepBecomesAWall) {
   // Where the wall stands: vertices inside the outline.
   for (const Vec3& v : m.lod22.vertices) {
     const double x = v.x - 85000;
-    if (x > 0.01 && x < 11.99) EXPECT_NEAR(x, 5, 0.25);
+    if (x > 0.01 && x < 11.99) {
+      EXPECT_NEAR(x, 5, 0.25);
+    }
   }
 }
 
