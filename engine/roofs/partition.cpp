@@ -279,25 +279,6 @@ void drop_unused_vertices(Partition& p) {
   }
 }
 
-// Ends of edges below 3 mm become one, a fixed end if there is one: who reads the model takes vertices within a
-// millimetre for the same.
-void close_short_edges(Partition& p, std::vector<std::uint8_t> fixed) {
-  constexpr std::int64_t kShortest = 3;  // millimetres
-  std::vector<std::uint32_t> parents(p.vertices.size());
-  UnionFind sets(parents);
-  for (const PartitionEdge& e : p.edges) {
-    if (squared_distance(p.vertices[e.from], p.vertices[e.to]) >= kShortest * kShortest) continue;
-    const std::uint32_t a = sets.find(e.from), b = sets.find(e.to);
-    if (a == b || (fixed[a] && fixed[b])) continue;
-    const Point2 at = p.vertices[fixed[b] ? b : a];
-    const std::uint8_t stays = fixed[a] | fixed[b];
-    sets.unite(a, b);
-    p.vertices[sets.find(a)] = at;
-    fixed[sets.find(a)] = stays;
-  }
-  for (std::uint32_t v = 0; v < p.vertices.size(); ++v) p.vertices[v] = p.vertices[sets.find(v)];
-}
-
 }  // namespace
 
 void tidy(Partition& p) {
@@ -321,6 +302,34 @@ void tidy(Partition& p) {
   }
   p.edges = std::move(kept);
   drop_unused_vertices(p);
+}
+
+void close_short_edges(Partition& p, const SitePolygon& outline, double shortest) {
+  std::vector<std::uint8_t> fixed = corners_in(p, outline);
+  const double least2 = shortest * shortest * 1e6;
+  std::vector<std::uint32_t> parents(p.vertices.size());
+  UnionFind sets(parents);
+  for (const PartitionEdge& e : p.edges) {
+    if (static_cast<double>(squared_distance(p.vertices[e.from], p.vertices[e.to])) >= least2) continue;
+    const std::uint32_t a = sets.find(e.from), b = sets.find(e.to);
+    if (a == b || (fixed[a] && fixed[b])) continue;
+    const Point2 at = p.vertices[fixed[b] ? b : a];
+    const std::uint8_t stays = fixed[a] | fixed[b];
+    sets.unite(a, b);
+    p.vertices[sets.find(a)] = at;
+    fixed[sets.find(a)] = stays;
+  }
+  for (std::uint32_t v = 0; v < p.vertices.size(); ++v) p.vertices[v] = p.vertices[sets.find(v)];
+  tidy(p);
+}
+
+std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolygon& outline) {
+  std::vector<Point2> corners;
+  for (const auto& ring : outline) corners.insert(corners.end(), ring.begin(), ring.end());
+  std::sort(corners.begin(), corners.end());
+  std::vector<std::uint8_t> flags;
+  for (const Point2 v : partition.vertices) flags.push_back(std::binary_search(corners.begin(), corners.end(), v));
+  return flags;
 }
 
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
@@ -377,7 +386,6 @@ Partition merged(const Partition& partition, std::span<const std::uint32_t> labe
     if (kept.left != kept.right) m.edges.push_back(kept);
   }
   Straightener(m, fixed).run();
-  close_short_edges(m, {fixed.begin(), fixed.end()});
   tidy(m);
   return m;
 }

@@ -40,9 +40,15 @@ Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines);
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points);
 
 // Regions with one label become one region, numbered by label; edges between them go, and vertices in the middle of
-// straight borders and edges below 3 mm, unless fixed (one flag a vertex). Labels from 1 to `labels`, one per region.
+// straight borders, unless fixed (one flag a vertex). Labels from 1 to `labels`, one per region.
 Partition merged(const Partition& partition, std::span<const std::uint32_t> label, std::uint32_t labels,
                  std::span<const std::uint8_t> fixed);
+
+// One flag per vertex: 1 = a corner of the outline.
+std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolygon& outline);
+
+// The ends of edges below `shortest` metres become one vertex; corners of the outline stay where they are.
+void close_short_edges(Partition& partition, const SitePolygon& outline, double shortest);
 
 // Square metres of every region, [0] = 0.
 std::vector<double> region_areas(const Partition& partition);

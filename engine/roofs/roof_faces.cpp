@@ -78,16 +78,6 @@ bool give_one_away(const Partition& cells, const std::vector<double>& areas, con
   return true;
 }
 
-// One flag per vertex: corners of the outline.
-std::vector<std::uint8_t> corners_in(const Partition& cells, const SitePolygon& outline) {
-  std::vector<Point2> corners;
-  for (const auto& ring : outline) corners.insert(corners.end(), ring.begin(), ring.end());
-  std::sort(corners.begin(), corners.end());
-  std::vector<std::uint8_t> flags;
-  for (const Point2 v : cells.vertices) flags.push_back(std::binary_search(corners.begin(), corners.end(), v));
-  return flags;
-}
-
 }  // namespace
 
 RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,

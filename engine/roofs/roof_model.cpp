@@ -58,13 +58,32 @@ RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofMod
   return roof_faces(site, planes, cells, label_cells(site, planes, cells), least);
 }
 
-// Faces raised so that the check lets them pass, sharing fewer vertices from one attempt to the next: a face that
-// shares them bends, by little in metres but, where it is narrow, by much in degrees. Nothing when none passes.
+// How vertices are shared: faces whose heights agree within same_height, ends of edges below shortest (metres).
+struct Sharing {
+  double same_height, shortest;
+};
+constexpr Sharing kSharing[]{{kSameHeight, 0.003},
+                             {0.4 * kSameHeight, 0.003},
+                             {0.15 * kSameHeight, 0.003},
+                             {0.15 * kSameHeight, 0.02},
+                             {0.15 * kSameHeight, 0.06}};
+
+// Faces raised so that the check lets them pass, one way of sharing vertices after the other: a face that shares them
+// bends, by little in metres but, where it is narrow, by much in degrees. Nothing when none passes; `reason` then says
+// what the first one failed.
 std::optional<Building> raised(const RoofSite& site, const Partition& faces, std::span<const RoofPlane> planes,
-                               const char* lod, double metres_per_unit, const SolidCheck& check) {
-  for (const double same_height : {kSameHeight, 0.4 * kSameHeight, 0.15 * kSameHeight}) {
-    Building b = building_of(site, raise_roof(faces, planes, site.ground, same_height), lod, metres_per_unit);
-    if (check(b)) return b;
+                               const char* lod, double metres_per_unit, const SolidCheck& check, std::string& reason) {
+  for (const Sharing& sharing : kSharing) {
+    Partition closed = faces;
+    close_short_edges(closed, site.outline, sharing.shortest);
+    Building b = building_of(site, raise_roof(std::move(closed), planes, site.ground, sharing.same_height), lod,
+                             metres_per_unit);
+    std::string fault = check(b);
+    if (fault.empty()) {
+      reason.clear();
+      return b;
+    }
+    if (reason.empty()) reason = std::move(fault);
   }
   return std::nullopt;
 }
@@ -77,11 +96,9 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
     model.reason = "the outline is not one polygon on a grid of 1 mm";
     return false;
   }
-  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes)}, "1.2", metres_per_unit, check);
-  if (!block) {
-    model.reason = "no valid solid stands over the outline";
-    return false;
-  }
+  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes)}, "1.2", metres_per_unit, check,
+                      model.reason);
+  if (!block) return false;
   model.lod12 = std::move(*block);
   model.status = RoofStatus::lod12;
   return true;
@@ -108,11 +125,8 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   RoofFaces roof = faces_of(site, planes, params);
-  auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check);
-  if (!house) {
-    model.reason = "the solid over the faces is not valid";
-    return model;
-  }
+  auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
+  if (!house) return model;
   model.lod22 = std::move(*house);
   model.face_of_point = std::move(roof.of_point);
   model.status = RoofStatus::lod22;

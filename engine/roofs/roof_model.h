@@ -33,8 +33,8 @@ struct RoofModel {
   std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else its face, a plane_id of lod22
 };
 
-// Whether a solid may be delivered.
-using SolidCheck = std::function<bool(const Building&)>;
+// What speaks against delivering a solid; empty when nothing does.
+using SolidCheck = std::function<std::string(const Building&)>;
 
 // Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
 // modelled. A solid that the check refuses is raised again with fewer faces sharing vertices; if that does not help
@@ -42,6 +42,6 @@ using SolidCheck = std::function<bool(const Building&)>;
 // CRS.
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
-    const SolidCheck& check = [](const Building&) { return true; });
+    const SolidCheck& check = [](const Building&) { return std::string(); });
 
 }  // namespace ilot

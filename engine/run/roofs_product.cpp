@@ -59,6 +59,13 @@ ValidityParams tolerances(double metres_per_unit) {
   return params;
 }
 
+// The first fault as a reason; empty without one.
+std::string fault_of(const Faults& faults) {
+  if (faults.empty()) return {};
+  return "the solid is not valid: " + std::to_string(faults[0].code) + " " + validity_code_name(faults[0].code) + ", " +
+         faults[0].where;
+}
+
 class SiteModeller {
  public:
   SiteModeller(const SiteWork& work, const RoofModelParams& params, const CityJsonParams& file,
@@ -80,7 +87,7 @@ class SiteModeller {
       model.reason = why_empty(gathered);
     } else {
       model = model_roof(gathered.site, params_, work_.metres_per_unit, [&](const Building& b) {
-        return validate_building(b, file_.origin, file_.step, tolerances(work_.metres_per_unit)).empty();
+        return fault_of(validate_building(b, file_.origin, file_.step, tolerances(work_.metres_per_unit)));
       });
     }
     result.planes = number_planes(model);

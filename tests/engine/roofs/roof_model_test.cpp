@@ -107,11 +107,11 @@ TEST(RoofModel, FeetAreConvertedAtTheBoundary) {
 
 TEST(RoofModel, FacesThatTheCheckRefusesFallBackToTheBlock) {
   const RoofSite site = roof_site(12, 6, gable);
-  const RoofModel m = model_roof(site, {}, 1, [](const Building& b) { return b.lod != "2.2"; });
+  const RoofModel m = model_roof(site, {}, 1, [](const Building& b) { return std::string(b.lod == "2.2" ? "too steep" : ""); });
   EXPECT_EQ(m.status, RoofStatus::lod12);
-  EXPECT_FALSE(m.reason.empty());
+  EXPECT_EQ(m.reason, "too steep");
   EXPECT_TRUE(m.lod22.surfaces.empty());
-  const RoofModel none = model_roof(site, {}, 1, [](const Building&) { return false; });
+  const RoofModel none = model_roof(site, {}, 1, [](const Building&) { return std::string("leaks"); });
   EXPECT_EQ(none.status, RoofStatus::footprint_only);
   EXPECT_TRUE(none.lod12.surfaces.empty());
 }
