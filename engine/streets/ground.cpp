@@ -35,7 +35,8 @@ std::vector<std::uint8_t> with_enclosed(const PixelLabels& zones, std::uint32_t 
 
 Ground find_ground(const Image& range, const RasterScale& scale, const GroundParams& params) {
   const Height flat = scale.units(params.flat);
-  const Image linked = link_regions(fill_missing(range), {flat, scale.pixels(params.longest_link)});
+  const Image closed = fill_short_gaps(range, {scale.pixels(params.longest_gap), scale.units(params.gap_step)});
+  const Image linked = link_regions(fill_missing(closed), {flat, scale.pixels(params.longest_link)});
   Ground ground{fill_missing(linked), {}};
   const PixelLabels zones = flat_zones(ground.filled, flat, Adjacency::eight);
   const std::uint32_t largest = largest_zone(zones);
