@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "bench/street_image.h"
 #include "bench/surface.h"
 #include "kernels/core/eigen3.h"
 #include "kernels/core/moments.h"
@@ -20,7 +21,13 @@
 #include "kernels/neighbours/radius.h"
 #include "kernels/planes/plane_score.h"
 #include "kernels/planes/ransac.h"
+#include "kernels/rasters/area_opening.h"
+#include "kernels/rasters/fill.h"
+#include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/grid.h"
+#include "kernels/rasters/h_maxima.h"
+#include "kernels/rasters/range_image.h"
+#include "kernels/rasters/watershed.h"
 
 // Found by its name in the machine code; never inlined.
 extern "C" __attribute__((noinline)) void guarded(const std::function<void()>* run) {
@@ -42,6 +49,9 @@ struct Inputs {
   std::vector<PlaneHypothesis> planes;
   std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(16), parents = std::vector<std::uint32_t>(20000);
   std::vector<std::uint64_t> codes;
+  Image street = bench::make_street_image(200000);
+  Image filled = fill_holes(fill_missing(street), Adjacency::eight);
+  PixelLabels maxima = regional_maxima(h_maxima(filled, 100, Adjacency::eight), Adjacency::eight);
 
   Inputs() {
     std::iota(all.begin(), all.end(), 0u);
@@ -65,6 +75,7 @@ using Kernels = std::vector<std::pair<const char*, std::function<void()>>>;
 Kernels kernels_on(Inputs& in) {
   const Points p = in.town.view();
   return {
+      {"area_opening", [&in] { area_opening(in.filled, 50, Adjacency::eight); }},
       {"build_neighbour_index", [&in, p] { in.index = build_neighbour_index(p); }},
       {"clusters", [&in] { euclidean_clusters(in.houses.view(), in.all, 500); }},
       {"count_inliers",
@@ -75,7 +86,10 @@ Kernels kernels_on(Inputs& in) {
        [&in] {
          count_inliers(in.oriented(), in.planes, {64, 0.9f}, in.counts);
        }},
+      {"fill_holes", [&in] { fill_holes(in.street, Adjacency::eight); }},
+      {"flat_zones", [&in] { flat_zones(in.filled, 1000, Adjacency::eight); }},
       {"grid_heights", [p] { grid_heights(p, frame_of(p, 200)); }},
+      {"h_maxima", [&in] { h_maxima(in.filled, 100, Adjacency::eight); }},
       {"hough_normals",
        [&in] {
          const auto some = std::span(in.all).first(2000);
@@ -92,11 +106,13 @@ Kernels kernels_on(Inputs& in) {
          normals(in.index, in.all, {16, kMaxSquaredReach}, in.normals, in.reach2);
        }},
       {"radius", [&in] { radius_search(in.index, in.all, 1000 * 1000); }},
+      {"range_image", [p] { range_image(p, frame_of(p, 200)); }},
       {"ransac",
        [&in] {
          ransac_planes(in.oriented(), {.epsilon = 50, .min_cos = 0.9, .connectivity = 1000, .min_points = 50});
        }},
       {"sorted_order", [&in] { sorted_order(in.codes); }},
+      {"watershed", [&in] { watershed(in.filled, in.maxima, Adjacency::eight); }},
       {"union_find",
        [&in] {
          UnionFind sets(in.parents);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/rasters/fill.h"
 
+#include <cstdlib>
+
 #include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/settle.h"
 
@@ -45,6 +47,30 @@ std::vector<Height> levels_around(const Image& image, const PixelLabels& missing
   return levels;
 }
 
+// One row or column of an image.
+struct Line {
+  std::size_t first, step, length;
+  std::size_t at(std::size_t i) const { return first + i * step; }
+};
+
+// Lowers `out` to the straight lines over the short gaps of one line.
+void bridge(const Image& image, const Line& line, const ShortGapsParams& params, std::vector<Height>& out) {
+  std::size_t last = line.length;  // the last pixel with a height; none yet
+  for (std::size_t i = 0; i < line.length; ++i) {
+    const Height b = image.values[line.at(i)];
+    if (b == kNoHeight) continue;
+    if (last < i && i - last - 1 <= params.longest && i - last > 1) {
+      const std::int64_t a = image.values[line.at(last)], steps = static_cast<std::int64_t>(i - last);
+      if (std::abs(b - a) <= params.step)
+        for (std::int64_t s = 1; s < steps; ++s) {
+          Height& v = out[line.at(last + static_cast<std::size_t>(s))];
+          v = std::min(v, static_cast<Height>((a * (steps - s) + b * s) / steps));
+        }
+    }
+    last = i;
+  }
+}
+
 }  // namespace
 
 Image fill_holes(const Image& image, Adjacency adjacency) {
@@ -64,6 +90,17 @@ Image fill_missing(const Image& image) {
   Image out = image;
   for (std::size_t i = 0; i < out.size(); ++i)
     if (missing.of[i] != 0) out.values[i] = levels[missing.of[i]];
+  return out;
+}
+
+Image fill_short_gaps(const Image& image, const ShortGapsParams& params) {
+  std::vector<Height> bridged(image.size(), kAboveAll);
+  for (std::uint32_t y = 0; y < image.height; ++y)
+    bridge(image, {std::size_t{y} * image.width, 1, image.width}, params, bridged);
+  for (std::uint32_t x = 0; x < image.width; ++x) bridge(image, {x, image.width, image.height}, params, bridged);
+  Image out = image;
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (out.values[i] == kNoHeight && bridged[i] != kAboveAll) out.values[i] = bridged[i];
   return out;
 }
 

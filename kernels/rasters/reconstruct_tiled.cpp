@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernels/core/parallel.h"
-#include "kernels/rasters/perimeter.h"
+#include "kernels/rasters/border_pixels.h"
 #include "kernels/rasters/radix_heap.h"
 #include "kernels/rasters/reconstruct.h"
 
@@ -55,9 +55,7 @@ Border told_by(const TileImages& tile, Adjacency adjacency) {
 // The pixels of all borders as one list, tile after tile.
 class BorderGraph {
  public:
-  BorderGraph(const TileGrid& grid, std::vector<Border> borders) : grid_(grid), first_(borders.size() + 1, 0) {
-    for (std::size_t t = 0; t < borders.size(); ++t) first_[t + 1] = first_[t] + borders[t].mask.size();
-    assert(first_.back() < (std::size_t{1} << 32));
+  BorderGraph(const TileGrid& grid, std::vector<Border> borders) : pixels_(grid) {
     for (Border& border : borders) {
       mask_.insert(mask_.end(), border.mask.begin(), border.mask.end());
       reached_.insert(reached_.end(), border.reached.begin(), border.reached.end());
@@ -81,11 +79,11 @@ class BorderGraph {
       };
       for (std::size_t l = links_from_[item.pixel]; l < links_from_[item.pixel + 1]; ++l)
         lower(links_[l].to, std::max(v, links_[l].height));
-      for_pixels_beyond(item.pixel, adjacency, [&](std::uint32_t q) { lower(q, std::max(v, mask_[q])); });
+      pixels_.for_beyond(item.pixel, adjacency, [&](std::uint32_t q) { lower(q, std::max(v, mask_[q])); });
     }
   }
 
-  Height reached(std::size_t tile, std::uint32_t index) const { return reached_[first_[tile] + index]; }
+  Height reached(std::size_t tile, std::uint32_t index) const { return reached_[pixels_.first(tile) + index]; }
 
  private:
   struct Link {
@@ -97,8 +95,8 @@ class BorderGraph {
     links_from_.assign(mask_.size() + 1, 0);
     for (std::size_t t = 0; t < borders.size(); ++t) {
       for (const SpillEdge& e : borders[t].spills) {
-        ++links_from_[first_[t] + e.a + 1];
-        ++links_from_[first_[t] + e.b + 1];
+        ++links_from_[pixels_.first(t) + e.a + 1];
+        ++links_from_[pixels_.first(t) + e.b + 1];
       }
     }
     std::partial_sum(links_from_.begin(), links_from_.end(), links_from_.begin());
@@ -106,39 +104,14 @@ class BorderGraph {
     auto at = links_from_;
     for (std::size_t t = 0; t < borders.size(); ++t) {
       for (const SpillEdge& e : borders[t].spills) {
-        const auto a = static_cast<std::uint32_t>(first_[t] + e.a), b = static_cast<std::uint32_t>(first_[t] + e.b);
+        const std::uint32_t a = pixels_.first(t) + e.a, b = pixels_.first(t) + e.b;
         links_[at[a]++] = {b, e.height};
         links_[at[b]++] = {a, e.height};
       }
     }
   }
 
-  // Neighbours in other tiles.
-  template <typename Take>
-  void for_pixels_beyond(std::uint32_t p, Adjacency adjacency, const Take& take) const {
-    const auto tile = static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), p) - first_.begin() - 1);
-    const TileFrame frame = tile_frame(grid_, tile);
-    const auto [tx, ty] = Perimeter{frame.width, frame.height}.place(static_cast<std::uint32_t>(p - first_[tile]));
-    const std::int64_t x = std::int64_t{frame.x} + tx, y = std::int64_t{frame.y} + ty;
-    for (std::int64_t qy = y - 1; qy <= y + 1; ++qy) {
-      for (std::int64_t qx = x - 1; qx <= x + 1; ++qx) {
-        if (adjacency == Adjacency::four && qx != x && qy != y) continue;
-        if (qx < 0 || qy < 0 || qx >= grid_.width || qy >= grid_.height) continue;
-        const auto other = static_cast<std::size_t>(qy / grid_.side * grid_.columns() + qx / grid_.side);
-        if (other != tile) take(pixel_of(other, qx, qy));
-      }
-    }
-  }
-
-  std::uint32_t pixel_of(std::size_t tile, std::int64_t x, std::int64_t y) const {
-    const TileFrame frame = tile_frame(grid_, tile);
-    return static_cast<std::uint32_t>(
-        first_[tile] + Perimeter{frame.width, frame.height}.index(static_cast<std::uint32_t>(x - frame.x),
-                                                                  static_cast<std::uint32_t>(y - frame.y)));
-  }
-
-  TileGrid grid_;
-  std::vector<std::size_t> first_;
+  BorderPixels pixels_;
   std::vector<Height> mask_, reached_;
   std::vector<std::size_t> links_from_;
   std::vector<Link> links_;

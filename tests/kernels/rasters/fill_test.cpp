@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "tests/support/small_images.h"
@@ -106,6 +107,52 @@ TEST(FillMissing, FollowsSymmetries) {
     const Image got = fill_missing(image);
     EXPECT_EQ(fill_missing(test::transposed(image)).values, test::transposed(got).values) << name;
     EXPECT_EQ(fill_missing(test::mirrored(image)).values, test::mirrored(got).values) << name;
+  }
+}
+
+TEST(FillShortGaps, LinesByHand) {
+  constexpr Height kNo = kNoHeight;
+  const Image image{6,
+                    2,
+                    {4, kNo, kNo, 10, kNo, 99,  //
+                     kNo, kNo, kNo, 9, 9, kNo}};
+  EXPECT_EQ(fill_short_gaps(image, {2, 6}).values, (std::vector<Height>{4, 6, 8, 10, kNo, 99,  //
+                                                                        kNo, kNo, kNo, 9, 9, kNo}));
+  EXPECT_EQ(fill_short_gaps(image, {1, 6}).values, image.values);
+  EXPECT_EQ(fill_short_gaps(image, {2, 5}).values, image.values);
+}
+
+// Oracle: from each pixel to its two ends, along both axes.
+TEST(FillShortGaps, EqualALookFromEachPixel) {
+  const ShortGapsParams params{3, 20};
+  for (const auto& [name, image] : test::small_images()) {
+    const Image got = fill_short_gaps(image, params);
+    const auto w = std::int64_t{image.width}, h = std::int64_t{image.height};
+    for (std::int64_t y = 0; y < h; ++y)
+      for (std::int64_t x = 0; x < w; ++x) {
+        const auto i = static_cast<std::size_t>(y * w + x);
+        double want = INFINITY;
+        for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}}) {
+          double end[2] = {0, 0}, away[2] = {0, 0};
+          for (const int side : {0, 1}) {
+            const int sign = side == 0 ? -1 : 1;
+            for (std::int64_t u = x, v = y; u >= 0 && v >= 0 && u < w && v < h; u += sign * dx, v += sign * dy) {
+              if (image.values[static_cast<std::size_t>(v * w + u)] == kNoHeight) continue;
+              end[side] = image.values[static_cast<std::size_t>(v * w + u)];
+              away[side] = static_cast<double>(std::abs(u - x) + std::abs(v - y));
+              break;
+            }
+          }
+          const double length = away[0] + away[1];
+          if (away[0] == 0 || away[1] == 0 || length - 1 > params.longest) continue;
+          if (std::abs(end[0] - end[1]) <= params.step)
+            want = std::min(want, std::trunc((end[0] * away[1] + end[1] * away[0]) / length));
+        }
+        const bool stays = image.values[i] != kNoHeight || want == INFINITY;
+        ASSERT_EQ(got.values[i], stays ? image.values[i] : static_cast<Height>(want)) << name;
+      }
+    EXPECT_EQ(fill_short_gaps(test::transposed(image), params).values, test::transposed(got).values) << name;
+    EXPECT_EQ(fill_short_gaps(test::mirrored(image), params).values, test::mirrored(got).values) << name;
   }
 }
 

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "engine/streets/raster_scale.h"
+#include "kernels/rasters/image.h"
+
+namespace ilot {
+
+struct GroundParams {
+  double flat = 1;           // metres; heights of neighbours on the ground differ by at most this
+  double longest_gap = 0.5;  // metres; between scan lines
+  double gap_step = 0.2;     // metres; between the two sides of such a gap
+  double longest_link = 10;  // metres; over a shadow, between regions of the ground
+};
+
+struct Ground {
+  Image filled;                    // the range image without its gaps, as far as they are closed
+  std::vector<std::uint8_t> mask;  // 1: ground, and all that stands on it
+};
+
+// The ground of a street [B3]: gaps between scan lines closed (ours: the document's clouds have a point in every
+// pixel), pixels without a height filled basin by basin; regions that shadows still cut apart linked along their
+// shortest connections, and the holes that this closes filled; of the zones flat within `flat` the largest is the
+// ground, and what it encloses, as lampposts, belongs to it. `range`: highest z per pixel. Nothing with a height: an
+// empty mask. O(n) but for the links.
+Ground find_ground(const Image& range, const RasterScale& scale, const GroundParams& params = {});
+
+}  // namespace ilot

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cmath>
+#include <cstdint>
+
+#include "kernels/rasters/image.h"
+
+namespace ilot {
+
+// What images of a street are measured in.
+struct RasterScale {
+  double unit = 0.001;  // metres of one unit of height
+  double pixel = 0.05;  // metres, side of a pixel
+
+  Height units(double metres) const { return static_cast<Height>(std::floor(metres / unit + 0.5)); }
+  std::uint32_t pixels(double metres) const { return static_cast<std::uint32_t>(std::floor(metres / pixel + 0.5)); }
+  std::uint32_t area(double square_metres) const {
+    return static_cast<std::uint32_t>(std::floor(square_metres / (pixel * pixel) + 0.5));
+  }
+};
+
+}  // namespace ilot

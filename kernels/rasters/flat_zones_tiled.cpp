@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/rasters/flat_zones_tiled.h"
+
+#include <cstdlib>
+
+#include "kernels/core/parallel.h"
+#include "kernels/core/union_find.h"
+#include "kernels/rasters/border_pixels.h"
+#include "kernels/rasters/flat_zones.h"
+
+namespace ilot {
+namespace {
+
+// What a tile tells: of each of its zones the first pixel in the whole and its size, [0] = pixels without one; and the
+// heights and zones of its border.
+struct TileZones {
+  std::vector<std::uint64_t> first, size;
+  std::vector<Height> heights;
+  std::vector<std::uint32_t> zones;
+};
+
+TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, const PixelLabels& labels) {
+  const TileFrame frame = tile_frame(grid, tile);
+  TileZones told{std::vector<std::uint64_t>(labels.count + 1, UINT64_MAX),
+                 std::vector<std::uint64_t>(labels.count + 1, 0),
+                 {},
+                 {}};
+  std::size_t i = 0;
+  for (std::uint32_t y = 0; y < frame.height; ++y) {
+    const std::uint64_t row = std::uint64_t{frame.y + y} * grid.width + frame.x;
+    for (std::uint32_t x = 0; x < frame.width; ++x, ++i) {
+      const std::uint32_t zone = labels.of[i];
+      told.first[zone] = std::min(told.first[zone], row + x);
+      ++told.size[zone];
+    }
+  }
+  const Perimeter perimeter{frame.width, frame.height};
+  for (std::uint32_t p = 0; p < perimeter.size(); ++p) {
+    const auto [x, y] = perimeter.place(p);
+    told.heights.push_back(image.values[std::size_t{y} * frame.width + x]);
+    told.zones.push_back(labels.of[std::size_t{y} * frame.width + x]);
+  }
+  return told;
+}
+
+// The zones of all tiles as one list: zone z of tile t is first[t] + z - 1.
+struct ZoneList {
+  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> number;  // in the whole, from 1
+  std::uint32_t count = 0;
+};
+
+void join_across_borders(const TileGrid& grid, const std::vector<TileZones>& told, const ZoneList& list, Height lambda,
+                         Adjacency adjacency, UnionFind& sets) {
+  const BorderPixels pixels(grid);
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    for (std::uint32_t i = 0; i < told[t].zones.size(); ++i) {
+      if (told[t].zones[i] == 0) continue;
+      pixels.for_beyond(pixels.first(t) + i, adjacency, [&](std::uint32_t q) {
+        const std::size_t u = pixels.tile_of(q);
+        const std::uint32_t j = q - pixels.first(u);
+        if (told[u].zones[j] == 0) return;
+        if (std::abs(std::int64_t{told[t].heights[i]} - told[u].heights[j]) <= lambda)
+          sets.unite(static_cast<std::uint32_t>(list.first[t] + told[t].zones[i] - 1),
+                     static_cast<std::uint32_t>(list.first[u] + told[u].zones[j] - 1));
+      });
+    }
+  }
+}
+
+// Numbers the sets by their first pixels.
+void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& list) {
+  std::vector<std::uint64_t> first(list.first.back(), UINT64_MAX);
+  std::vector<std::uint32_t> roots;
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    for (std::size_t z = 1; z < told[t].first.size(); ++z) {
+      const auto at = static_cast<std::uint32_t>(list.first[t] + z - 1);
+      const std::uint32_t root = sets.find(at);
+      if (root == at) roots.push_back(root);
+      first[root] = std::min(first[root], told[t].first[z]);
+    }
+  }
+  std::sort(roots.begin(), roots.end(), [&](std::uint32_t a, std::uint32_t b) { return first[a] < first[b]; });
+  list.number.resize(list.first.back());
+  for (const std::uint32_t root : roots) list.number[root] = ++list.count;
+  for (std::uint32_t at = 0; at < list.number.size(); ++at) list.number[at] = list.number[sets.find(at)];
+}
+
+ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
+  ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
+  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + told[t].first.size() - 1;
+  assert(list.first.back() < (std::size_t{1} << 32));
+  std::vector<std::uint32_t> parents(list.first.back());
+  UnionFind sets(parents);
+  join_across_borders(grid, told, list, lambda, adjacency, sets);
+  number_sets(told, sets, list);
+  return list;
+}
+
+}  // namespace
+
+ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
+                           const WriteLabels& write) {
+  std::vector<TileZones> told(grid.count());
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    const Image image = read(tile);
+    told[tile] = told_by(grid, tile, image, flat_zones(image, lambda, adjacency));
+  });
+  const ZoneList list = numbered(grid, told, lambda, adjacency);
+  ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    sizes.pixels[0] += told[t].size[0];
+    for (std::size_t z = 1; z < told[t].size.size(); ++z)
+      sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
+  }
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    PixelLabels labels = flat_zones(read(tile), lambda, adjacency);
+    for (std::uint32_t& label : labels.of)
+      if (label != 0) label = list.number[list.first[tile] + label - 1];
+    labels.count = list.count;
+    write(tile, labels);
+  });
+  return sizes;
+}
+
+}  // namespace ilot

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/streets/ground.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/street_images.h"
+
+namespace ilot {
+namespace {
+
+using test::put;
+
+TEST(Ground, IsTheStreetBetweenTheFacades) {
+  Image range = test::sloping_street(200, 100, 0);
+  put(range, {50, 40, 4, 4}, 6000);  // a lamppost: a zone of its own, enclosed
+  const Ground ground = find_ground(range, {});
+  for (std::uint32_t y = 0; y < 100; ++y)
+    for (std::uint32_t x = 0; x < 200; ++x)
+      ASSERT_EQ(ground.mask[y * 200 + x], y >= test::kFacade && y < 100 - test::kFacade) << x << " " << y;
+}
+
+// A shadow right across the street leaves two grounds; the link makes one of them, and the gaps left and right of it
+// touch the border no more.
+TEST(Ground, AShadowAcrossTheStreetIsBridged) {
+  Image range = test::sloping_street(300, 100, 2);
+  put(range, {120, test::kFacade, 30, 100 - 2 * test::kFacade}, kNoHeight);
+  const Ground ground = find_ground(range, {});
+  EXPECT_EQ(ground.mask[50 * 300 + 10], 1);
+  EXPECT_EQ(ground.mask[50 * 300 + 290], 1);
+  EXPECT_EQ(ground.mask[5 * 300 + 10], 0);
+  EXPECT_EQ(ground.mask[50 * 300 + 135], 1);
+}
+
+TEST(Ground, NothingAndOnePixel) {
+  EXPECT_TRUE(find_ground({}, {}).mask.empty());
+  EXPECT_EQ(find_ground(filled_image(3, 2, kNoHeight), {}).mask, (std::vector<std::uint8_t>(6, 0)));
+  EXPECT_EQ(find_ground(filled_image(1, 1, 5), {}).mask, (std::vector<std::uint8_t>{1}));
+}
+
+TEST(Ground, FollowsTheMirror) {
+  Image range = test::sloping_street(150, 90, 4);
+  put(range, {20, 30, 40, 12}, 1500);
+  put(range, {20, 42, 40, 12}, kNoHeight);
+  const Ground ground = find_ground(range, {}), mirror = find_ground(test::mirrored(range), {});
+  for (std::size_t y = 0; y < 90; ++y)
+    for (std::size_t x = 0; x < 150; ++x) ASSERT_EQ(ground.mask[y * 150 + x], mirror.mask[y * 150 + 149 - x]);
+}
+
+}  // namespace
+}  // namespace ilot

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Small streets from above, at 20 pixels a metre and in millimetres.
+#pragma once
+#include "tests/support/small_images.h"
+
+namespace ilot::test {
+
+constexpr std::uint32_t kFacade = 15;  // pixels of facade on each side
+
+// Along x; the ground rises by percent, with a roughness of 2 cm; facades of 10 m on both sides.
+inline Image sloping_street(std::uint32_t length, std::uint32_t width, int percent) {
+  Image image = filled_image(length, width, 0);
+  Rng rng(length, width);
+  for (std::uint32_t y = 0; y < width; ++y)
+    for (std::uint32_t x = 0; x < length; ++x) {
+      const bool facade = y < kFacade || y >= width - kFacade;
+      image.values[std::size_t{y} * length + x] =
+          static_cast<Height>(x) * percent / 2 + (facade ? 10000 : static_cast<Height>(rng.below(21)));
+    }
+  return image;
+}
+
+struct PixelBox {
+  std::uint32_t x, y, width, height;
+};
+
+// Raises a box by so much; kNoHeight takes its heights away.
+inline void put(Image& image, const PixelBox& box, Height by) {
+  for (std::uint32_t y = box.y; y < box.y + box.height; ++y)
+    for (std::uint32_t x = box.x; x < box.x + box.width; ++x) {
+      Height& v = image.values[std::size_t{y} * image.width + x];
+      v = by == kNoHeight ? kNoHeight : v + by;
+    }
+}
+
+}  // namespace ilot::test
