@@ -45,7 +45,7 @@ struct PointCounts {
 
 struct RoofCounts {
   std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
-  std::uint64_t valid = 0, invalid = 0;                                   // solids of either level
+  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
 };
 
 // What was found in a file of footprints.
