@@ -8,9 +8,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kMostOf = 5;  // smooth points of so many
-constexpr std::uint32_t kThreeFifths = 3;
-constexpr std::uint32_t kFewest = 4;  // smooth points in nine pixels
+constexpr std::uint32_t kLeastShareOf = 2;  // one of so many must be smooth
+constexpr std::uint32_t kFewest = 4;        // smooth points in nine pixels
 
 HighPoints around(const std::vector<HighPoints>& pixels, std::uint32_t width, std::uint32_t height, std::uint32_t x,
                   std::uint32_t y) {
@@ -32,8 +31,7 @@ std::vector<std::uint8_t> building_mask(const std::vector<HighPoints>& pixels, s
   for (std::uint32_t y = 0; y < height; ++y) {
     for (std::uint32_t x = 0; x < width; ++x) {
       const HighPoints sum = around(pixels, width, height, x, y);
-      mask.values[std::size_t{y} * width + x] =
-          sum.smooth >= kFewest && kMostOf * sum.smooth >= kThreeFifths * sum.high ? 1 : 0;
+      mask.values[std::size_t{y} * width + x] = sum.smooth >= kFewest && kLeastShareOf * sum.smooth >= sum.high ? 1 : 0;
     }
   }
   Image eroded = box_minimum(mask, 1);

@@ -18,7 +18,7 @@ namespace {
 constexpr std::int64_t kTilePixels = 128;
 constexpr double kPixelMetres = 1.1;              // at most
 constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the ground's surface
-constexpr double kSmooth = 0.03;                  // greatest curvature of a roof's points
+constexpr double kSmooth = 0.06;                  // greatest curvature of a roof's points
 constexpr std::uint64_t kBytesPerPoint = 32, kBytesOfTile = 8u << 20;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
 static_assert(kGroundHalo <= kTilePixels, "the eight tiles around must hold the halo");

@@ -17,9 +17,8 @@ namespace {
 using test::roof_site;
 
 std::size_t roof_faces(const Building& b) {
-  return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(), [](const BuildingSurface& s) {
-    return s.kind == SurfaceKind::roof;
-  }));
+  return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(),
+                                                [](const BuildingSurface& s) { return s.kind == SurfaceKind::roof; }));
 }
 
 double highest(const Building& b) {
@@ -81,7 +80,9 @@ TEST(RoofModel, AStepBecomesAWall) {
   // Where the wall stands: vertices inside the outline.
   for (const Vec3& v : m.lod22.vertices) {
     const double x = v.x - 85000;
-    if (x > 0.01 && x < 11.99) EXPECT_NEAR(x, 5, 0.25);
+    if (x > 0.01 && x < 11.99) {
+      EXPECT_NEAR(x, 5, 0.25);
+    }
   }
 }
 
