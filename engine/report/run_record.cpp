@@ -60,7 +60,10 @@ Json footprints_json(const FootprintsRecord& f) {
           {"transformed", f.transformed},
           {"mended", f.mended},
           {"without_outline", f.without_outline},
-          {"overlapping", f.overlapping}};
+          {"overlapping", f.overlapping},
+          {"shift_m", {f.shift_x_m, f.shift_y_m}},
+          {"points_inside", f.inside},
+          {"points_inside_shifted", f.inside_shifted}};
 }
 
 Json skipped_json(const RunRecord& record) {

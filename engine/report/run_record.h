@@ -45,7 +45,7 @@ struct PointCounts {
 
 struct RoofCounts {
   std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
-  std::uint64_t valid = 0, invalid = 0;                                   // solids of either level
+  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
 };
 
 // What was found in a file of footprints.
@@ -54,6 +54,8 @@ struct FootprintsRecord {
   std::uint64_t footprints = 0;
   std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that came of them
   bool transformed = false;                                        // from another CRS
+  double shift_x_m = 0, shift_y_m = 0;    // by which outlines would have to move to hold the most points
+  double inside = 0, inside_shifted = 0;  // share of the building points around them that they hold, and would hold
 };
 
 // What was found without footprints.

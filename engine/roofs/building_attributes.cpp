@@ -170,12 +170,15 @@ BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& mo
 std::vector<PointLabel> point_labels(const RoofSite& site, const RoofModel& model, double metres_per_unit) {
   const Building& solid = model.lod22.surfaces.empty() ? model.lod12 : model.lod22;
   const std::vector<WallEdge> walls = wall_edges(site, solid, metres_per_unit);
+  const bool level = model.lod22.surfaces.empty() && !model.lod12.surfaces.empty();
   std::vector<PointLabel> labels(site.points.size(), PointLabel::none);
   for (std::size_t i = 0; i < labels.size(); ++i) {
     if (i < model.face_of_point.size() && model.face_of_point[i] != 0) {
       labels[i] = PointLabel::roof;
     } else if (std::any_of(walls.begin(), walls.end(), [&](const auto& w) { return stands_at(w, site.points[i]); })) {
       labels[i] = PointLabel::wall;
+    } else if (level) {
+      labels[i] = PointLabel::roof;
     }
   }
   return labels;

@@ -20,7 +20,8 @@ const char* name_of(RoofStatus status);
 BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& model, double metres_per_unit);
 
 // Per point of the site: roof where it has a face; wall where it has none and stands within 0.3 m of a wall of the
-// model, not above it; else none. O(points x walls) for the points without a face.
+// model, not above it; else none, or roof where the model is one level block. O(points x walls) for the points without
+// a face.
 std::vector<PointLabel> point_labels(const RoofSite& site, const RoofModel& model, double metres_per_unit);
 
 // The outline as a flat surface on the ground, lod 0: what is left of a building without a solid.

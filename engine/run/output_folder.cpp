@@ -105,7 +105,8 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name : {"runs", "blocks", "cells", "roofs", "index", "rejected"}) fs::remove_all(store / name);
+  for (const char* name : {"runs", "blocks", "cells", "ground", "roofs", "index", "rejected"})
+    fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }
 

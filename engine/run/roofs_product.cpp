@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <memory>
 
@@ -259,6 +260,38 @@ RoofModelParams model_params(const RoofsSettings& s) {
   return params;
 }
 
+// How far the outlines lie beside the points, from at most 64 of them, evenly spread.
+void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
+                          const PassContext& context, Progress& progress, FootprintsRecord& record) {
+  constexpr std::size_t kMost = 64;
+  constexpr double kWorthMoving = 0.02;  // share of the points that would come to lie inside
+  std::vector<std::size_t> sample;
+  std::vector<PassTask> tasks;
+  for (std::size_t n = 0; n < kMost; ++n) {
+    const std::size_t i = n * sites.size() / kMost;
+    if (i >= sites.size() || work.sites[sites[i]].outline.polygon.empty()) continue;
+    if (!sample.empty() && sample.back() == sites[i]) continue;
+    sample.push_back(sites[i]);
+    tasks.push_back(costs[i]);
+  }
+  std::vector<ShiftCounts> counts(sample.size());
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) { counts[i] = shifts_around(work, sample[i]); });
+  ShiftCounts all;
+  for (const ShiftCounts& c : counts) add(all, c);
+  const Misalignment found = misalignment_of(all);
+  record.shift_x_m = found.dx_m;
+  record.shift_y_m = found.dy_m;
+  record.inside = found.inside;
+  record.inside_shifted = found.inside_moved;
+  if (found.inside_moved - found.inside < kWorthMoving) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the footprints lie beside the points: moved by %.2f, %.2f m they would hold %.1f %% of them, not %.1f %%",
+      found.dx_m, found.dy_m, 100 * found.inside_moved, 100 * found.inside);
+  progress.warn(text);
+}
+
 // Sites in the order of ids, some at a time: worked on in parallel, taken in order.
 void model_sites(const SiteModeller& modeller, std::span<const std::size_t> sites, std::span<const PassTask> costs,
                  const PassContext& context, RoofSink& sink) {
@@ -311,8 +344,10 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   for (const PassTask& cost : costs) points += cost.points;
   progress.begin_stage("roofs", points);
   const auto overlapping = overlaps(sites, map);
-  if (record.footprints)
+  if (record.footprints) {
     for (const auto& others : overlapping) record.footprints->overlapping += !others.empty();
+    measure_misalignment(work, wanted, costs, context, progress, *record.footprints);
+  }
   std::filesystem::create_directories(folder);
   const CityJsonParams file{crs.epsg, origin_near(store, context.metres_per_unit), 0.0001};
   RoofSink sink(store, folder, file, progress, record);

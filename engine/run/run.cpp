@@ -14,6 +14,7 @@
 #include "engine/report/sha256.h"
 #include "engine/run/cluster_plan.h"
 #include "engine/run/footprint_plan.h"
+#include "engine/run/found_roles.h"
 #include "engine/run/labelled_clouds.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
@@ -21,6 +22,7 @@
 #include "engine/run/point_roles.h"
 #include "engine/run/roofs_product.h"
 #include "engine/segments/cells.h"
+#include "engine/segments/normals_pass.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
@@ -141,6 +143,23 @@ void make_boundaries(const Store& store, const PlanesResult& planes, const Setti
   file.finish();
 }
 
+// What each point is to buildings: as the cloud says, or, where it says nothing of buildings, found by shape.
+void make_roles(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
+                RunRecord& record) {
+  auto roles = point_roles(settings.classes.building, settings.classes.ground);
+  if (!settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
+  if (count_of(write_roles(store, roles, context), PointRole::building) > 0) return;
+  progress.begin_stage("normals", store.points());
+  normals_pass(store, settings.normals, context);
+  progress.begin_stage("classes", store.points());
+  const RoleCounts found = find_roles(store, context);
+  progress.end_stage();
+  record.chosen.push_back(
+      {"roofs.trust_classes", std::string("false"),
+       "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
+           " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
+}
+
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
                    const OutputFolder& out, Progress& progress, RunRecord& record) {
@@ -169,7 +188,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     labels.write_normals = options.settings.normals.write;
   }
   if (labels.with_roofs) {
-    write_roles(index.store, point_roles(options.settings.classes.building, options.settings.classes.ground), context);
+    make_roles(index.store, options.settings, context, progress, record);
     std::vector<PlannedSite> found;
     if (options.footprints.empty())
       found = plan_clusters(index.store, options.settings.roofs, context, progress, record);

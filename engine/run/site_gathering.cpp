@@ -73,6 +73,18 @@ Read read_points(const SiteWork& work, const IndexBox& box, Index3 anchor_mm) {
   return read;
 }
 
+// The site's outline and those within reach of it, seen from its anchor; `own` is its place among them.
+std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t number, std::size_t& own) {
+  const PlacedOutline& outline = work.sites[number].outline;
+  const auto reach_mm = static_cast<std::int64_t>(std::ceil(reach_of(work.params) / kGridMetres));
+  std::vector<SitePolygon> outlines;
+  for (const std::uint32_t n : work.map.near(outline.box.grown(reach_mm))) {
+    if (n == number) own = outlines.size();
+    outlines.push_back(seen_from(work.sites[n].outline, outline.x, outline.y));
+  }
+  return outlines;
+}
+
 }  // namespace
 
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site) {
@@ -84,13 +96,8 @@ GatheredSite gather_site(const SiteWork& work, std::size_t number) {
   const PlannedSite& planned = work.sites[number];
   const PlacedOutline& outline = planned.outline;
   const Read read = read_points(work, column_over(work, planned), {outline.x, outline.y, 0});
-  const auto reach_mm = static_cast<std::int64_t>(std::ceil(reach_of(work.params) / kGridMetres));
-  std::vector<SitePolygon> outlines;
   std::size_t own = 0;
-  for (const std::uint32_t n : work.map.near(outline.box.grown(reach_mm))) {
-    if (n == number) own = outlines.size();
-    outlines.push_back(seen_from(work.sites[n].outline, outline.x, outline.y));
-  }
+  const std::vector<SitePolygon> outlines = outlines_around(work, number, own);
   const SitePoints chosen = choose_points(read.around, outlines, own, work.params);
 
   GatheredSite gathered;
@@ -114,6 +121,20 @@ GatheredSite gather_site(const SiteWork& work, std::size_t number) {
     gathered.places.push_back(read.places[i]);
   }
   return gathered;
+}
+
+ShiftCounts shifts_around(const SiteWork& work, std::size_t number) {
+  const PlannedSite& planned = work.sites[number];
+  const Read read = read_points(work, column_over(work, planned), {planned.outline.x, planned.outline.y, 0});
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < read.around.points.size(); ++i)
+    if (read.around.roles[i] == PointRole::building) points.push_back(read.around.points[i]);
+  std::size_t own = 0;
+  std::vector<SitePolygon> outlines = outlines_around(work, number, own);
+  std::swap(outlines[0], outlines[own]);
+  ShiftCounts counts;
+  count_shifts(points, outlines, counts);
+  return counts;
 }
 
 }  // namespace ilot

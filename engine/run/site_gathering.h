@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/roofs/misalignment.h"
 #include "engine/roofs/outline_map.h"
 #include "engine/roofs/site_plan.h"
 #include "engine/roofs/site_points.h"
@@ -39,5 +40,8 @@ std::uint64_t points_to_read(const SiteWork& work, std::size_t site);
 
 // Reads whole columns over the outline, exactly: nothing depends on blocks. The site must have an outline.
 GatheredSite gather_site(const SiteWork& work, std::size_t site);
+
+// Counts the points of buildings around the site for a raster of shifts of the outlines.
+ShiftCounts shifts_around(const SiteWork& work, std::size_t site);
 
 }  // namespace ilot

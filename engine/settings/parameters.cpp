@@ -113,6 +113,8 @@ std::vector<Parameter> make_table() {
            "gaps wider than twice this many sampling steps are openings"),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",
            "outlines lose the vertices that move them by less than this"),
+      make("roofs.trust_classes", ILOT_FIELD(roofs.trust_classes), {}, "",
+           "false looks for ground and buildings by shape, as where no point is of classes.building"),
       make("roofs.cluster_distance", ILOT_FIELD(roofs.cluster_distance), {0.01, 100}, "m",
            "building points farther apart in plan are two buildings, without footprints"),
       make("roofs.cluster_points", ILOT_FIELD(roofs.cluster_points), {3, 1e9}, "points",

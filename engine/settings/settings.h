@@ -53,6 +53,7 @@ struct BoundariesSettings {
 };
 
 struct RoofsSettings {
+  bool trust_classes = true;               // false: ground and buildings are found by shape
   std::optional<double> cluster_distance;  // metres; building points farther apart in plan are two buildings
   int cluster_points = 100;                // fewest points of a building without a footprint
   double margin = 0.5;                     // metres; points outside all outlines but so near to one are its own

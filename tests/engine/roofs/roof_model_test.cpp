@@ -17,9 +17,8 @@ namespace {
 using test::roof_site;
 
 std::size_t roof_faces(const Building& b) {
-  return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(), [](const BuildingSurface& s) {
-    return s.kind == SurfaceKind::roof;
-  }));
+  return static_cast<std::size_t>(std::count_if(b.surfaces.begin(), b.surfaces.end(),
+                                                [](const BuildingSurface& s) { return s.kind == SurfaceKind::roof; }));
 }
 
 double highest(const Building& b) {
