@@ -42,15 +42,25 @@ std::string quoted(const std::string& text) {
 std::string value_text(const AttributeValue& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
   if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
+  if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   const double number = std::get<double>(value);
   return std::isfinite(number) ? fmt::format("{:.3f}", number) : "null";
 }
 
-std::string attributes_text(const Building& building) {
+std::string attributes_text(const Attributes& attributes) {
   std::string text;
-  for (const auto& [name, value] : building.attributes)
+  for (const auto& [name, value] : attributes)
     text += (text.empty() ? "" : ",") + quoted(name) + ":" + value_text(value);
   return text;
+}
+
+std::string semantic_text(const Building& building, const BuildingSurface& surface, const CityJsonParams& params) {
+  std::string text = fmt::format(R"({{"type":"{}")", name_of(surface.kind));
+  if (surface.plane_id > 0) text += fmt::format(R"(,"plane_id":{})", surface.plane_id);
+  if (surface.kind == SurfaceKind::roof)
+    text +=
+        "," + attributes_text(face_attributes(surface_shape(building, surface, params.metres_per_unit), params.style));
+  return text + "}";
 }
 
 std::string rings_text(const BuildingSurface& surface, std::span<const std::uint32_t> numbers) {
@@ -63,15 +73,14 @@ std::string rings_text(const BuildingSurface& surface, std::span<const std::uint
   return "[" + text + "]";
 }
 
-std::string geometry_text(const Building& building, std::span<const std::uint32_t> numbers) {
+std::string geometry_text(const Building& building, std::span<const std::uint32_t> numbers,
+                          const CityJsonParams& params) {
   std::string faces, semantics, values;
   for (std::size_t i = 0; i < building.surfaces.size(); ++i) {
     const BuildingSurface& surface = building.surfaces[i];
     const char* comma = i ? "," : "";
     faces += comma + rings_text(surface, numbers);
-    semantics += fmt::format(R"({}{{"type":"{}")", comma, name_of(surface.kind));
-    if (surface.plane_id > 0) semantics += fmt::format(R"(,"plane_id":{})", surface.plane_id);
-    semantics += "}";
+    semantics += comma + semantic_text(building, surface, params);
     values += fmt::format("{}{}", comma, i);
   }
   const bool flat = building.lod.starts_with('0');
@@ -81,14 +90,15 @@ std::string geometry_text(const Building& building, std::span<const std::uint32_
       building.lod, open, faces, close, semantics, open, values, close);
 }
 
-std::string object_text(std::span<const Building> levels, std::span<const std::vector<std::uint32_t>> numbers) {
+std::string object_text(std::span<const Building> levels, std::span<const std::vector<std::uint32_t>> numbers,
+                        const CityJsonParams& params) {
   std::string geometry;
   for (std::size_t i = 0; i < levels.size(); ++i) {
     if (levels[i].surfaces.empty()) continue;
-    geometry += (geometry.empty() ? "" : ",") + geometry_text(levels[i], numbers[i]);
+    geometry += (geometry.empty() ? "" : ",") + geometry_text(levels[i], numbers[i], params);
   }
   return fmt::format(R"({}:{{"type":"Building","attributes":{{{}}},"geometry":[{}]}})", quoted(levels[0].id),
-                     attributes_text(levels[0]), geometry);
+                     attributes_text(styled_attributes(levels, params.style, params.metres_per_unit)), geometry);
 }
 
 template <class Steps>
@@ -139,11 +149,11 @@ void CityJsonWriter::add(std::span<const Building> levels) {
   for (const Building& level : levels) numbers.push_back(number_vertices(level, sequence_ ? own : vertices_));
   if (sequence_) {
     append(fmt::format(R"({{"type":"CityJSONFeature","id":{},"CityObjects":{{{}}},"vertices":{}}})",
-                       quoted(levels[0].id), object_text(levels, numbers), vertices_text(own)) +
+                       quoted(levels[0].id), object_text(levels, numbers, params_), vertices_text(own)) +
            "\n");
     return;
   }
-  append((first_ ? "" : ",\n") + object_text(levels, numbers));
+  append((first_ ? "" : ",\n") + object_text(levels, numbers, params_));
   first_ = false;
 }
 

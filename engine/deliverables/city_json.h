@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/deliverables/building_fields.h"
 #include "engine/formats/file.h"
 #include "engine/model/building.h"
 
@@ -18,6 +19,8 @@ struct CityJsonParams {
   int epsg = 0;          // 0 = unknown
   Vec3 origin;           // near the buildings: coordinates are whole steps from it
   double step = 0.0001;  // CRS units. Flat faces stay flat within 0.87 of it
+  AttributeStyle style = AttributeStyle::plain;
+  double metres_per_unit = 1;
 };
 
 // One building after the other, as they come. The extension decides the form: .jsonl is a CityJSONSeq, one feature a

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/planes_gpkg.h"
 
-#include <cpl_conv.h>
 #include <fmt/format.h>
-#include <ogrsf_frmts.h>
 
-#include "engine/deliverables/spatial_reference.h"
-#include "engine/error.h"
+#include "engine/deliverables/gpkg_file.h"
 
 namespace ilot {
 namespace {
-
-namespace fs = std::filesystem;
-
-constexpr int kFeaturesPerTransaction = 4096;
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
-
-void add_field(OGRLayer& layer, const char* name, OGRFieldType type) {
-  OGRFieldDefn field(name, type);
-  layer.CreateField(&field);
-}
 
 OGRMultiPolygon geometry_of(const Outline& outline) {
   OGRMultiPolygon all;
@@ -42,42 +28,25 @@ OGRMultiPolygon geometry_of(const Outline& outline) {
 }  // namespace
 
 struct PlanesGpkg::Layer {
-  fs::path path;
-  GDALDatasetUniquePtr file;
-  OGRLayer* layer = nullptr;
-  int pending = 0;
-  bool whole = false;
+  GpkgFile file;
+  OGRLayer& planes;
 
-  [[noreturn]] void fail() const { throw Error(path.string() + ": cannot be written: " + CPLGetLastErrorMsg()); }
+  Layer(const std::filesystem::path& path, const Crs& crs)
+      : file(path), planes(file.add_layer("planes", wkbMultiPolygon25D, crs)) {
+    GpkgFile::add_field(planes, "plane_id", OFTInteger64);
+    GpkgFile::add_field(planes, "content_id", OFTString);
+    GpkgFile::add_field(planes, "points", OFTInteger64);
+    for (const char* name : {"nx", "ny", "nz", "d", "epsilon_m", "rms_m"}) GpkgFile::add_field(planes, name, OFTReal);
+  }
 };
 
-PlanesGpkg::PlanesGpkg(const fs::path& path, const Crs& crs) : layer_(std::make_unique<Layer>()) {
-  layer_->path = path;
-  CPLSetErrorHandler(keep_silent);
-  CPLSetConfigOption("OGR_CURRENT_DATE", "2000-01-01T00:00:00.000Z");
-  RegisterOGRGeoPackage();
-  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GPKG");
-  layer_->file.reset(driver->Create(path.c_str(), 0, 0, 0, GDT_Unknown, nullptr));
-  if (!layer_->file) layer_->fail();
-  const auto reference = spatial_reference(crs);
-  layer_->layer = layer_->file->CreateLayer("planes", reference.get(), wkbMultiPolygon25D, nullptr);
-  if (layer_->layer == nullptr) layer_->fail();
-  add_field(*layer_->layer, "plane_id", OFTInteger64);
-  add_field(*layer_->layer, "content_id", OFTString);
-  add_field(*layer_->layer, "points", OFTInteger64);
-  for (const char* name : {"nx", "ny", "nz", "d", "epsilon_m", "rms_m"}) add_field(*layer_->layer, name, OFTReal);
-  if (layer_->file->StartTransaction() != OGRERR_NONE) layer_->fail();
-}
+PlanesGpkg::PlanesGpkg(const std::filesystem::path& path, const Crs& crs)
+    : layer_(std::make_unique<Layer>(path, crs)) {}
 
-PlanesGpkg::~PlanesGpkg() {
-  if (layer_->whole) return;
-  layer_->file.reset();
-  std::error_code ignored;
-  fs::remove(layer_->path, ignored);
-}
+PlanesGpkg::~PlanesGpkg() = default;
 
 void PlanesGpkg::add(const Segment& s, const Outline& outline) {
-  OGRFeature feature(layer_->layer->GetLayerDefn());
+  OGRFeature feature(layer_->planes.GetLayerDefn());
   feature.SetField("plane_id", static_cast<GIntBig>(s.id));
   feature.SetField("content_id", fmt::format("{:016x}", s.content_id).c_str());
   feature.SetField("points", static_cast<GIntBig>(s.points));
@@ -89,19 +58,11 @@ void PlanesGpkg::add(const Segment& s, const Outline& outline) {
   feature.SetField("rms_m", s.rms_m);
   OGRMultiPolygon geometry = geometry_of(outline);
   feature.SetGeometry(&geometry);
-  if (layer_->layer->CreateFeature(&feature) != OGRERR_NONE) layer_->fail();
-  if (++layer_->pending < kFeaturesPerTransaction) return;
-  layer_->pending = 0;
-  if (layer_->file->CommitTransaction() != OGRERR_NONE || layer_->file->StartTransaction() != OGRERR_NONE)
-    layer_->fail();
+  layer_->file.add(layer_->planes, feature);
 }
 
 void PlanesGpkg::finish() {
-  CPLErrorReset();
-  if (layer_->file->CommitTransaction() != OGRERR_NONE) layer_->fail();
-  layer_->file.reset();
-  if (CPLGetLastErrorType() >= CE_Failure) layer_->fail();
-  layer_->whole = true;
+  layer_->file.finish();
 }
 
 }  // namespace ilot

@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/evaluate/ring_relations.h"
 
-#include <geos_c.h>
-
 #include <memory>
 #include <string_view>
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/evaluate/geos_context.h"
 
 namespace ilot {
 namespace {
 
-// GEOS keeps its state in a context that one thread uses at a time.
-GEOSContextHandle_t context() {
-  struct Holder {
-    GEOSContextHandle_t handle = GEOS_init_r();
-    ~Holder() { GEOS_finish_r(handle); }
-  };
-  thread_local const Holder holder;
-  return holder.handle;
-}
-
 GEOSGeometry* linear_ring(const std::vector<Point2>& ring) {
-  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(context(), static_cast<unsigned>(ring.size() + 1), 2);
+  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(geos_context(), static_cast<unsigned>(ring.size() + 1), 2);
   if (!corners) throw Error("out of memory: polygons");
   for (std::size_t i = 0; i <= ring.size(); ++i) {
     const Point2 p = ring[i == ring.size() ? 0 : i];
-    GEOSCoordSeq_setXY_r(context(), corners, static_cast<unsigned>(i), p.x, p.y);
+    GEOSCoordSeq_setXY_r(geos_context(), corners, static_cast<unsigned>(i), p.x, p.y);
   }
-  GEOSGeometry* made = GEOSGeom_createLinearRing_r(context(), corners);
+  GEOSGeometry* made = GEOSGeom_createLinearRing_r(geos_context(), corners);
   if (!made) throw Error("out of memory: polygons");
   return made;
 }
@@ -50,13 +39,13 @@ int code_of(std::string_view reason) {
 int ring_relation_fault(std::span<const std::vector<Point2>> rings) {
   std::vector<GEOSGeometry*> holes;
   for (const std::vector<Point2>& hole : rings.subspan(1)) holes.push_back(linear_ring(hole));
-  GEOSGeometry* polygon =
-      GEOSGeom_createPolygon_r(context(), linear_ring(rings[0]), holes.data(), static_cast<unsigned>(holes.size()));
+  GEOSGeometry* polygon = GEOSGeom_createPolygon_r(geos_context(), linear_ring(rings[0]), holes.data(),
+                                                   static_cast<unsigned>(holes.size()));
   if (!polygon) throw Error("out of memory: polygons");
-  char* reason = GEOSisValidReason_r(context(), polygon);
+  char* reason = GEOSisValidReason_r(geos_context(), polygon);
   const int code = reason ? code_of(reason) : 999;
-  GEOSFree_r(context(), reason);
-  GEOSGeom_destroy_r(context(), polygon);
+  GEOSFree_r(geos_context(), reason);
+  GEOSGeom_destroy_r(geos_context(), polygon);
   return code;
 }
 

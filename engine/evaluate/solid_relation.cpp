@@ -24,6 +24,15 @@ IndexBox box_of(const IndexTriangle& t) {
           {std::max({t.a.x, t.b.x, t.c.x}), std::max({t.a.y, t.b.y, t.c.y}), std::max({t.a.z, t.b.z, t.c.z})}};
 }
 
+IndexBox box_of(const SolidBoundary& s) {
+  IndexBox box = box_of(corners_of(s, 0));
+  for (const Index3& p : s.vertices) {
+    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+  }
+  return box;
+}
+
 Vec3 real(Index3 p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
@@ -148,6 +157,7 @@ Places boundary_places(const SolidBoundary& a, const SolidBoundary& b) {
 }  // namespace
 
 SolidRelation relate_solids(const SolidBoundary& a, const SolidBoundary& b) {
+  if (!box_of(a).grown(2).intersects(box_of(b))) return {.a_outside_b = true, .b_outside_a = true};
   const Places of_a = boundary_places(a, b), of_b = boundary_places(b, a);
   SolidRelation r;
   r.a_inside_b = of_a.inside, r.a_outside_b = of_a.outside;

@@ -28,7 +28,8 @@ struct SolidRelation {
 };
 
 // Pieces under a square of 100 steps and surfaces nearer than two steps count as none: a tenth of a millimetre and two
-// micrometres. Vertices of both on one lattice. O(triangles of a x those of b), with boxes first.
+// micrometres. Vertices of both on one lattice. O(triangles of a x those of b), with boxes first. Both have
+// triangles.
 SolidRelation relate_solids(const SolidBoundary& a, const SolidBoundary& b);
 
 }  // namespace ilot

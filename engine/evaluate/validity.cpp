@@ -117,7 +117,8 @@ Faults validate_building(const Building& building, Vec3 origin, double step, con
   }
   SolidShell shell;
   for (const BuildingSurface& surface : building.surfaces) shell.push_back({surface.rings, ""});
-  object.primitives.push_back({PrimitiveKind::solid, building.lod, building.id, {{std::move(shell)}}});
+  const PrimitiveKind kind = building.lod.starts_with('0') ? PrimitiveKind::multi_surface : PrimitiveKind::solid;
+  object.primitives.push_back({kind, building.lod, building.id, {{std::move(shell)}}});
   return validate_object(object, params);
 }
 

@@ -33,11 +33,11 @@ std::vector<int> codes_of(const Faults& faults);
 
 // All faults of an object: of its primitives in order, and of Buildings whether primitives of one level of detail
 // overlap (601). No faults: valid, which an object without geometries is. Never throws for what geometries hold.
-// About 0.2 ms for a solid of 50 faces.
+// About half a millisecond for a solid of 50 faces.
 Faults validate_object(const CityObject& object, const ValidityParams& params = {});
 
 // The same of one building as it is about to be written, its vertices rounded to whole `step`s from `origin`, as the
-// CityJSON writer does.
+// CityJSON writer does: a solid, or a MultiSurface for levels 0 to 0.9. Without surfaces it is empty (902).
 Faults validate_building(const Building& building, Vec3 origin, double step, const ValidityParams& params = {});
 
 }  // namespace ilot

@@ -20,7 +20,7 @@ struct BuildingSurface {
   std::vector<std::vector<std::uint32_t>> rings;
 };
 
-using AttributeValue = std::variant<std::int64_t, double, std::string>;
+using AttributeValue = std::variant<std::int64_t, double, std::string, bool>;
 
 // A building as one closed solid. Coordinates in the CRS of the inputs.
 struct Building {

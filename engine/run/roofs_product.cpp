@@ -7,7 +7,7 @@
 #include <map>
 #include <memory>
 
-#include "engine/deliverables/city_json.h"
+#include "engine/deliverables/roof_files.h"
 #include "engine/evaluate/validity.h"
 #include "engine/pass/pass.h"
 #include "engine/roofs/building_attributes.h"
@@ -22,7 +22,6 @@ namespace {
 constexpr std::size_t kSitesTogether = 512;
 constexpr std::uint64_t kPointsTogether = 1u << 21;
 constexpr std::uint64_t kBytesPerPoint = 200;
-constexpr std::uint64_t kLargestObject = 256u << 20;  // bytes of roofs.city.json; more is for the sequence alone
 constexpr double kGridMetres = 0.001;
 
 // A building as it is written, but for the numbers that depend on those before it.
@@ -152,34 +151,12 @@ Vec3 origin_near(const Store& store, double metres_per_unit) {
   return {corner(box.min.x), corner(box.min.y), 0};
 }
 
-// Both forms of the model; the single object is given up when it grows too large.
-class RoofFiles {
- public:
-  RoofFiles(const std::filesystem::path& folder, const CityJsonParams& params)
-      : sequence_(folder / "roofs.city.jsonl", params),
-        object_(std::make_unique<CityJsonWriter>(folder / "roofs.city.json", params)) {}
-
-  void add(std::span<const Building> levels) {
-    sequence_.add(levels);
-    if (object_) object_->add(levels);
-    if (object_ && object_->bytes() > kLargestObject) object_.reset();
-  }
-  void finish() {
-    sequence_.finish();
-    if (object_) object_->finish();
-  }
-
- private:
-  CityJsonWriter sequence_;
-  std::unique_ptr<CityJsonWriter> object_;
-};
-
 // Takes results in the order of ids: numbers them, writes them, counts them.
 class RoofSink {
  public:
-  RoofSink(const Store& store, const std::filesystem::path& folder, const CityJsonParams& params, Progress& progress,
-           RunRecord& record)
-      : files_(folder, params), labels_(store), progress_(progress), record_(record) {
+  RoofSink(const Store& store, const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
+           Progress& progress, RunRecord& record)
+      : files_(folder, {params}, crs), labels_(store), progress_(progress), record_(record) {
     record.roofs.emplace();
   }
 
@@ -349,8 +326,9 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
     measure_misalignment(work, wanted, costs, context, progress, *record.footprints);
   }
   std::filesystem::create_directories(folder);
-  const CityJsonParams file{crs.epsg, origin_near(store, context.metres_per_unit), 0.0001};
-  RoofSink sink(store, folder, file, progress, record);
+  const CityJsonParams file{crs.epsg, origin_near(store, context.metres_per_unit), 0.0001,
+                            settings.roofs.attribute_style, context.metres_per_unit};
+  RoofSink sink(store, folder, file, crs, progress, record);
   model_sites(SiteModeller(work, model_params(settings.roofs), file, overlapping), wanted, costs, context, sink);
   sink.finish().write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });
   progress.end_stage();

@@ -52,16 +52,20 @@ struct Field<std::vector<int>> {
 };
 
 // A choice among names, in the order of the enumeration.
-template <>
-struct Field<PlaneMethod> {
+template <class Choice, const auto& kNames>
+struct ChoiceField {
   static constexpr bool kOptional = false;
   static constexpr ValueKind kKind = ValueKind::choice;
-  static Value get(PlaneMethod field) { return std::string(kPlaneMethods[static_cast<std::size_t>(field)]); }
-  static void set(PlaneMethod& field, const Value& value) {
-    const auto name = std::find(kPlaneMethods.begin(), kPlaneMethods.end(), std::get<std::string>(value));
-    field = static_cast<PlaneMethod>(name - kPlaneMethods.begin());
+  static Value get(Choice field) { return std::string(kNames[static_cast<std::size_t>(field)]); }
+  static void set(Choice& field, const Value& value) {
+    const auto name = std::find(kNames.begin(), kNames.end(), std::get<std::string>(value));
+    field = static_cast<Choice>(name - kNames.begin());
   }
 };
+template <>
+struct Field<PlaneMethod> : ChoiceField<PlaneMethod, kPlaneMethods> {};
+template <>
+struct Field<AttributeStyle> : ChoiceField<AttributeStyle, kAttributeStyles> {};
 
 template <class Access>
 Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
@@ -130,6 +134,9 @@ std::vector<Parameter> make_table() {
            "false leaves out what stands on the main roof: dormers, chimneys"),
       make("roofs.step_height", ILOT_FIELD(roofs.step_height), {0.001, 10}, "m",
            "roof faces that differ by less at their border meet without a wall"),
+      with_choices(make("roofs.attribute_style", ILOT_FIELD(roofs.attribute_style), {}, "",
+                        "what attributes of buildings are called: docs/outputs.md"),
+                   kAttributeStyles),
       make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
       make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
       make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),

@@ -52,6 +52,10 @@ struct BoundariesSettings {
   double tolerance = 0.001;  // metres; outlines are thinned to within it
 };
 
+// What attributes of buildings are called: by names of our own, or by those that roofer writes (rf_*).
+enum class AttributeStyle : std::uint8_t { plain, roofer };
+constexpr std::array<std::string_view, 2> kAttributeStyles{"plain", "roofer"};
+
 struct RoofsSettings {
   bool trust_classes = true;               // false: ground and buildings are found by shape
   std::optional<double> cluster_distance;  // metres; building points farther apart in plan are two buildings
@@ -62,6 +66,7 @@ struct RoofsSettings {
   std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
   bool superstructures = true;             // false: the main roof alone
   double step_height = 0.2;                // metres; a smaller difference between two faces is no wall
+  AttributeStyle attribute_style = AttributeStyle::plain;
 };
 
 struct ClassesSettings {

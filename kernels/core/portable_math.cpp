@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/core/portable_math.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -32,6 +33,18 @@ double sin_series(double x) {
     sum += term;
   }
   return sum;
+}
+
+// Of 0 to 1: the angle is halved until the Taylor series is short.
+double arctangent(double t) {
+  constexpr int kHalvings = 3;
+  for (int i = 0; i < kHalvings; ++i) t = t / (1 + std::sqrt(1 + t * t));  // below 0.1
+  double power = t, sum = 0;
+  for (int i = 1; i <= 17; i += 2) {
+    sum += (i % 4 == 1 ? power : -power) / i;
+    power *= t * t;
+  }
+  return (1 << kHalvings) * sum;
 }
 
 }  // namespace
@@ -81,6 +94,15 @@ double natural_exp(double v) {
     sum += term;
   }
   return std::ldexp(sum, static_cast<int>(turns));
+}
+
+double direction_degrees(double x, double y) {
+  const double across = std::abs(x), up = std::abs(y);
+  if (across == 0 && up == 0) return 0;
+  const double degrees = arctangent(std::min(across, up) / std::max(across, up)) / kRadian;
+  const double quadrant = up <= across ? degrees : 90 - degrees;
+  const double half = x >= 0 ? quadrant : 180 - quadrant;
+  return y >= 0 || half == 0 ? half : 360 - half;
 }
 
 }  // namespace ilot

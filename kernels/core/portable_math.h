@@ -14,4 +14,7 @@ double natural_log(double v);
 // e to the power of v; relative error below 1e-14. 0 below -700, where it is less than 1e-304; v at most 700.
 double natural_exp(double v);
 
+// Direction of (x, y) in degrees from the x axis towards y, from 0 to below 360; 0 for no direction. Error below 1e-12.
+double direction_degrees(double x, double y);
+
 }  // namespace ilot

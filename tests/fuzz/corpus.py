@@ -53,6 +53,12 @@ SOLID = ('"p":{"type":"BuildingPart","parents":["b"],"geometry":[{"type":"Solid"
          '[[2,1,0]]]]}]}')
 CITIES = [CITY % BUILDING, CITY % (BUILDING + "," + SOLID),
           CITY % "" + "\n" + (CITY % SOLID).replace("CityJSON", "CityJSONFeature")]
+CUBE = " ".join(f"{x} {y} {z}" for z in (0, 1) for x, y in ((0, 0), (1, 0), (1, 1), (0, 1)))
+FACES = ("0 3 2 1", "4 5 6 7", "0 1 5 4", "1 2 6 5", "2 3 7 6", "3 0 4 7")
+NUMBERED = "".join(f"{i} " + " ".join(CUBE.split()[3 * i:3 * i + 3]) + "\n" for i in range(8))
+SOLIDS = ["j" + city for city in CITIES] + [
+    "oOFF\n8 6 0\n" + CUBE + "\n" + "".join(f"4 {f}\n" for f in FACES),
+    "p8 3 0 0\n" + NUMBERED + "6 0\n" + "".join(f"1 0\n4 {f}\n" for f in FACES) + "0\n0\n"]
 OBJS = ["o a\nv 0 0 0\nv 1 0 0\nv 1 1 2.5e1\nf 1 2 3\ng b\nv 0 0 1\nf 1/1 -1//2 2/3/4 3\n"]
 TRUTHS = ['{"classes":{"1":"wall"},"planes":[{"id":1,"class":"wall","plane":[0,0,1,-2],"polygons":[{"building":1,'
           '"ring":[[0,0,0],[1,0,0],[1,1,0]],"holes":[[[0,0,0],[1,0,0],[1,1,0]]]}]}],"openings":[{"id":1,"facade":1,'
@@ -143,7 +149,7 @@ def main():
     for content in settings():
         keep("settings_fuzz", content)
     for target, seeds in (("area_fuzz", AREAS), ("city_json_fuzz", CITIES), ("obj_fuzz", OBJS), ("truth_fuzz", TRUTHS),
-                          ("facade_fuzz", FACADES)):
+                          ("facade_fuzz", FACADES), ("solids_fuzz", SOLIDS)):
         for seed in seeds:
             keep(target, seed.encode())
     keep("laz_chunk_fuzz", bytes([3, 2, 9, 0, 0]) + bytes(range(200)))

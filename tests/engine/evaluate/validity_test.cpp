@@ -73,6 +73,13 @@ TEST(Validity, JudgesBuildingsAsTheyAreWritten) {
   EXPECT_EQ(codes_of(validate_building(thin, {}, 0.1)), Codes{102}) << "steps that are too coarse make it flat";
 }
 
+TEST(Validity, OutlinesAreNoSolids) {
+  Building flat{"h", "0", kCube.vertices, {{SurfaceKind::ground, 0, kCube.faces[0]}}, {}};
+  EXPECT_TRUE(validate_building(flat, {}, 0.0001).empty());
+  flat.lod = "1.2";
+  EXPECT_EQ(codes_of(validate_building(flat, {}, 0.0001)), Codes{301});
+}
+
 TEST(Validity, ABuildingWithoutSurfacesIsEmpty) {
   EXPECT_EQ(codes_of(validate_building({"h", "2.2", {}, {}, {}}, {}, 0.0001)), Codes{902});
 }

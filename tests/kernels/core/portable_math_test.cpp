@@ -78,5 +78,25 @@ TEST(PortableMath, ExponentialsAreTheLibrarysToRounding) {
   EXPECT_EQ(natural_exp(-1000), 0);
 }
 
+TEST(PortableMath, DirectionsAreExactAlongTheAxes) {
+  EXPECT_EQ(direction_degrees(2, 0), 0);
+  EXPECT_EQ(direction_degrees(0, 2), 90);
+  EXPECT_EQ(direction_degrees(-2, 0), 180);
+  EXPECT_EQ(direction_degrees(0, -2), 270);
+  EXPECT_EQ(direction_degrees(0, 0), 0);
+  EXPECT_EQ(direction_degrees(3, -0.0), 0);
+}
+
+TEST(PortableMath, DirectionsStayWithinTheirError) {
+  for (int i = 0; i < 36000; ++i) {
+    const long double angle = i * kRadian / 100;
+    const auto x = static_cast<double>(std::cos(angle)), y = static_cast<double>(std::sin(angle));
+    long double wanted = std::atan2(static_cast<long double>(y), static_cast<long double>(x)) / kRadian;
+    if (wanted < 0) wanted += 360;
+    ASSERT_NEAR(direction_degrees(7 * x, 7 * y), static_cast<double>(wanted), 1e-12) << i;
+    ASSERT_LT(direction_degrees(x, y), 360);
+  }
+}
+
 }  // namespace
 }  // namespace ilot

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// A GeoPackage in the making.
+#pragma once
+#include <ogrsf_frmts.h>
+
+#include <filesystem>
+
+#include "engine/cloud/cloud_info.h"
+
+namespace ilot {
+
+// The file is whole after finish(); without it, none is left. No time stamps. Throws Error when it cannot be written.
+class GpkgFile {
+ public:
+  explicit GpkgFile(const std::filesystem::path& path);
+  ~GpkgFile();
+  GpkgFile(const GpkgFile&) = delete;
+  GpkgFile& operator=(const GpkgFile&) = delete;
+
+  // Layers first, with their fields; then features.
+  OGRLayer& add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs);
+  static void add_field(OGRLayer& layer, const char* name, OGRFieldType type, OGRFieldSubType detail = OFSTNone);
+  void add(OGRLayer& layer, OGRFeature& feature);
+  void finish();
+
+ private:
+  [[noreturn]] void fail() const;
+
+  std::filesystem::path path_;
+  GDALDatasetUniquePtr file_;
+  int pending_ = 0;
+  bool writing_ = false, whole_ = false;
+};
+
+}  // namespace ilot

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+// roofs.obj: a group per building, materials roof, wall and ground, which roofs.mtl beside it describes.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+#include "engine/formats/file.h"
+#include "engine/model/building.h"
+
+namespace ilot {
+
+struct RoofsObjParams {
+  Vec3 origin;           // coordinates are whole steps from it, written in full
+  double step = 0.0001;  // CRS units
+};
+
+// Buildings in the order they are added, each at the last of its levels that has surfaces. Faces are polygons; those
+// with holes, which OBJ has not, come in triangles. Vertices that fall on one step are one within a building. The file
+// appears under its name at finish() or not at all. Throws Error.
+class RoofsObj {
+ public:
+  RoofsObj(const std::filesystem::path& path, const RoofsObjParams& params);
+  void add(std::span<const Building> levels);
+  void finish();
+
+  std::uint64_t bytes() const { return file_.position(); }  // written so far
+
+ private:
+  OutputFile file_;
+  RoofsObjParams params_;
+  std::uint64_t vertices_ = 0;  // written so far
+};
+
+}  // namespace ilot

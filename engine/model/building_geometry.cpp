@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/model/building_geometry.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/portable_math.h"
+#include "kernels/outlines/ear_clipping.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLevel = 1e-6;  // sine of the slope up to which a face looks nowhere
+
+// Newell's normal of all rings, twice the area long; CRS units.
+Vec3 doubled_area_vector(const Building& building, const BuildingSurface& surface) {
+  Vec3 sum;
+  if (surface.rings.empty() || surface.rings[0].empty()) return sum;
+  const Vec3 anchor = building.vertices[surface.rings[0][0]];
+  for (const auto& ring : surface.rings)
+    for (std::size_t i = 0; i < ring.size(); ++i)
+      sum = sum + cross(building.vertices[ring[i]] - anchor, building.vertices[ring[(i + 1) % ring.size()]] - anchor);
+  return sum;
+}
+
+}  // namespace
+
+SurfaceShape surface_shape(const Building& building, const BuildingSurface& surface, double metres_per_unit) {
+  const Vec3 n = doubled_area_vector(building, surface);
+  const double length = norm(n), level = std::sqrt(n.x * n.x + n.y * n.y);
+  if (!(length > 0)) return {};
+  SurfaceShape shape{length / 2 * metres_per_unit * metres_per_unit, direction_degrees(n.z, level), -1};
+  if (level > kLevel * length) shape.azimuth_deg = direction_degrees(n.y, n.x);
+  return shape;
+}
+
+// Cones from the first vertex over every face: a face's plane may be taken through any of its corners.
+double volume_m3(const Building& building, double metres_per_unit) {
+  double sum = 0;
+  for (const BuildingSurface& surface : building.surfaces) {
+    if (surface.rings.empty() || surface.rings[0].empty()) continue;
+    const Vec3 apex = building.vertices[surface.rings[0][0]] - building.vertices[0];
+    sum += dot(apex, doubled_area_vector(building, surface));
+  }
+  return sum / 6 * metres_per_unit * metres_per_unit * metres_per_unit;
+}
+
+std::vector<std::array<std::uint32_t, 3>> surface_triangles(const Building& building, const BuildingSurface& surface) {
+  const Vec3 n = doubled_area_vector(building, surface);
+  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
+  std::vector<FlatPoint> flat;
+  std::vector<std::uint32_t> corners;
+  std::vector<std::vector<std::uint32_t>> rings;
+  for (const auto& ring : surface.rings) {
+    rings.emplace_back();
+    for (const std::uint32_t i : ring) {
+      const Vec3 v = building.vertices[i] - building.vertices[surface.rings[0][0]];
+      rings.back().push_back(static_cast<std::uint32_t>(flat.size()));
+      corners.push_back(i);
+      flat.push_back(z >= x && z >= y ? FlatPoint{v.x, v.y} : x >= y ? FlatPoint{v.y, v.z} : FlatPoint{v.z, v.x});
+    }
+  }
+  const bool turned = (z >= x && z >= y ? n.z : x >= y ? n.x : n.y) < 0;
+  std::vector<std::array<std::uint32_t, 3>> out;
+  for (const auto& [a, b, c] : triangulate(flat, rings))
+    out.push_back({corners[a], corners[turned ? c : b], corners[turned ? b : c]});
+  return out;
+}
+
+}  // namespace ilot
