@@ -65,7 +65,11 @@ PlanesGpkg::PlanesGpkg(const fs::path& path, const Crs& crs) : layer_(std::make_
   add_field(*layer_->layer, "plane_id", OFTInteger64);
   add_field(*layer_->layer, "content_id", OFTString);
   add_field(*layer_->layer, "points", OFTInteger64);
-  for (const char* name : {"nx", "ny", "nz", "d", "epsilon_m", "rms_m"}) add_field(*layer_->layer, name, OFTReal);
+  for (const char* name :
+       {"nx", "ny", "nz", "d", "epsilon_m", "rms_m", "area_m2", "level_m", "up_m", "normal_spread_deg", "confidence"})
+    add_field(*layer_->layer, name, OFTReal);
+  add_field(*layer_->layer, "colour_class", OFTInteger);
+  add_field(*layer_->layer, "neighbours", OFTInteger64);
   if (layer_->file->StartTransaction() != OGRERR_NONE) layer_->fail();
 }
 
@@ -87,6 +91,13 @@ void PlanesGpkg::add(const Segment& s, const Outline& outline) {
   feature.SetField("d", s.plane.d);
   feature.SetField("epsilon_m", s.epsilon_m);
   feature.SetField("rms_m", s.rms_m);
+  feature.SetField("area_m2", s.area_m2);
+  feature.SetField("level_m", s.level_m);
+  feature.SetField("up_m", s.up_m);
+  feature.SetField("normal_spread_deg", s.normal_spread_deg);
+  feature.SetField("confidence", s.confidence);
+  feature.SetField("colour_class", static_cast<int>(s.colour_class));
+  feature.SetField("neighbours", static_cast<GIntBig>(s.neighbours));
   OGRMultiPolygon geometry = geometry_of(outline);
   feature.SetGeometry(&geometry);
   if (layer_->layer->CreateFeature(&feature) != OGRERR_NONE) layer_->fail();

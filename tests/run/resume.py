@@ -60,7 +60,8 @@ class Resume(RunTest):
                 self.stop_after(whole * rng.uniform(0.02, 0.5), signal.SIGKILL, inputs, out, "--resume", *arguments)
             _, told = self.work(inputs, "--resume", *arguments, out=out)
             self.assertEqual(told["result_hash"], expected)
-            self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "planes.gpkg", "points", "run.json"])
+            self.assertEqual(sorted(p.name for p in out.iterdir()),
+                             ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
         self.assertGreater(kills, moments // 3, "most runs were killed before they ended")
 
     def times(self, out, *patterns):
@@ -171,7 +172,8 @@ class Synthetic(Resume):
         (out / "run.json").unlink()
         _, told = self.work(path, "--resume", *SLOW, out=out)
         self.assertEqual(told["result_hash"], expected["result_hash"])
-        self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "planes.gpkg", "points", "run.json"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()),
+                         ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
 
     def test_resume_of_nothing_and_of_a_finished_run(self):
         path = self.district(30000)
