@@ -7,6 +7,7 @@
 
 #include "engine/cloud/record.h"
 #include "engine/error.h"
+#include "engine/formats/fields.h"
 #include "engine/pass/pass.h"
 #include "kernels/core/radix_sort.h"
 #include "kernels/core/rng.h"
@@ -18,19 +19,44 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBytesPerPoint = 40;
-constexpr std::uint64_t kRows = 1 << 16;  // read or gathered at a time
+constexpr std::uint64_t kRows = 1 << 16;     // read or gathered at a time
+constexpr std::uint64_t kStretch = 1 << 19;  // rows in a file of colours, at least
 constexpr std::uint64_t kSample = std::uint64_t{1} << 17;
 
 struct RawColour {
   std::uint16_t r = 0, g = 0, b = 0;
 };
 
-fs::path colour_file(const Store& store, std::size_t file) {
-  return store.folder() / "colours" / ("f" + std::to_string(file));
+// Rows of one input whose colours stand in one file: the colours by row, then the largest channel of them.
+struct Stretch {
+  std::size_t file = 0;
+  std::uint64_t first = 0, count = 0;
+};
+
+// In the order of files and rows. Inputs without random access are one stretch each.
+std::vector<Stretch> stretches(const std::vector<std::unique_ptr<PointReader>>& inputs) {
+  std::vector<Stretch> all;
+  for (std::size_t f = 0; f < inputs.size(); ++f) {
+    if (!rgb_offset(inputs[f]->info().layout.point_format) || inputs[f]->info().points == 0) continue;
+    if (!inputs[f]->random_access()) {
+      all.push_back({f, 0, inputs[f]->info().points});
+      continue;
+    }
+    std::uint64_t first = 0;
+    for (const std::uint64_t cut : inputs[f]->boundaries()) {
+      if (cut - first < kStretch && cut != inputs[f]->info().points) continue;
+      if (cut > first) all.push_back({f, first, cut - first});
+      first = cut;
+    }
+  }
+  return all;
 }
 
-// The colours of one input by row, and at the end the largest channel.
-void write_colours(PointReader& input, const fs::path& path) {
+fs::path colour_file(const Store& store, const Stretch& s) {
+  return store.folder() / "colours" / (std::to_string(s.file) + "_" + std::to_string(s.first));
+}
+
+void write_colours(PointReader& input, const Stretch& s, const fs::path& path) {
   const RecordLayout& layout = input.info().layout;
   const std::size_t at = *rgb_offset(layout.point_format);
   std::vector<std::byte> records(kRows * layout.record_length);
@@ -38,9 +64,9 @@ void write_colours(PointReader& input, const fs::path& path) {
   std::vector<RawColour> colours;
   RawColour most;
   ColumnWriter writer(path);
-  for (std::uint64_t first = 0; first < input.info().points; first += kRows) {
-    const std::uint64_t n = std::min(kRows, input.info().points - first);
-    if (input.read(first, std::span(records).first(n * layout.record_length), std::span(valid).first(n)) != n)
+  for (std::uint64_t done = 0; done < s.count; done += kRows) {
+    const std::uint64_t n = std::min(kRows, s.count - done);
+    if (input.read(s.first + done, std::span(records).first(n * layout.record_length), std::span(valid).first(n)) != n)
       throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");
     colours.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
@@ -54,43 +80,51 @@ void write_colours(PointReader& input, const fs::path& path) {
   writer.commit();
 }
 
-// Colours of one input by row, read in windows that follow rising rows.
-class ColourFile {
+std::uint16_t largest_channel(const Store& store, const Stretch& s) {
+  RawColour most;
+  ColumnReader(colour_file(store, s)).read<RawColour>(s.count, std::span(&most, 1));
+  return most.r;
+}
+
+// Colours by file and row, asked for in rising order, read a window at a time.
+class Colours {
  public:
-  explicit ColourFile(const fs::path& path) : reader_(path), rows_(reader_.size() / sizeof(RawColour) - 1) {
-    RawColour most;
-    reader_.read<RawColour>(rows_, std::span(&most, 1));
-    shift_ = most.r > 255 ? 8 : 0;
-  }
-  StoredColour at(std::uint64_t row) {
-    if (row < first_ || row >= first_ + window_.size()) {
+  Colours(const Store& store, const std::vector<Stretch>& stretches, const std::vector<int>& shifts)
+      : store_(store), stretches_(stretches), shifts_(shifts) {}
+
+  StoredColour at(std::uint64_t file, std::uint64_t row) {
+    while (next_ < stretches_.size() && before(stretches_[next_], file, row)) ++next_, window_.clear();
+    if (next_ == stretches_.size() || stretches_[next_].file != file) return kNoColour;
+    const Stretch& s = stretches_[next_];
+    if (row < first_ || row >= first_ + window_.size() || window_.empty()) {
       first_ = row;
-      window_.resize(std::min(kRows, rows_ - row));
-      reader_.read<RawColour>(first_, window_);
+      window_.resize(std::min(kRows, s.first + s.count - row));
+      ColumnReader(colour_file(store_, s)).read<RawColour>(row - s.first, window_);
     }
     const RawColour& c = window_[row - first_];
-    const auto byte = [&](std::uint16_t v) { return static_cast<StoredColour>(v >> shift_); };
+    const auto byte = [&](std::uint16_t v) { return static_cast<StoredColour>(v >> shifts_[file]); };
     return byte(c.r) << 16 | byte(c.g) << 8 | byte(c.b);
   }
 
  private:
-  ColumnReader reader_;
-  std::uint64_t rows_, first_ = 0;
-  int shift_ = 0;
+  static bool before(const Stretch& s, std::uint64_t file, std::uint64_t row) {
+    return s.file != file ? s.file < file : s.first + s.count <= row;
+  }
+
+  const Store& store_;
+  const std::vector<Stretch>& stretches_;
+  const std::vector<int>& shifts_;
+  std::size_t next_ = 0;
+  std::uint64_t first_ = 0;
   std::vector<RawColour> window_;
 };
 
-void gather(const Store& store, std::uint32_t block, const std::vector<std::uint8_t>& coloured) {
+void gather(const Store& store, std::uint32_t block, const std::vector<Stretch>& stretches,
+            const std::vector<int>& shifts) {
   const auto order = store.read<InputOrder>(block, "order");
-  std::vector<StoredColour> colour(order.size(), kNoColour);
-  std::unique_ptr<ColourFile> file;
-  std::uint64_t open = UINT64_MAX;
-  for (const std::uint32_t i : sorted_order(order)) {
-    const std::uint64_t from = file_of(order[i]);
-    if (coloured[from] == 0) continue;
-    if (from != open) file = std::make_unique<ColourFile>(colour_file(store, open = from));
-    colour[i] = file->at(row_of(order[i]));
-  }
+  std::vector<StoredColour> colour(order.size());
+  Colours colours(store, stretches, shifts);
+  for (const std::uint32_t i : sorted_order(order)) colour[i] = colours.at(file_of(order[i]), row_of(order[i]));
   store.write<StoredColour>(block, "colour", colour);
 }
 
@@ -103,27 +137,26 @@ Lab lab_of(StoredColour c) {
 
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context) {
-  std::vector<std::uint8_t> coloured(inputs.size());
-  std::vector<PassTask> tasks;
-  std::vector<std::size_t> files;
-  for (std::size_t f = 0; f < inputs.size(); ++f) {
-    const RecordLayout& layout = inputs[f]->info().layout;
-    if (!rgb_offset(layout.point_format) || inputs[f]->info().points == 0) continue;
-    coloured[f] = 1;
-    files.push_back(f);
-    tasks.push_back({kRows * (layout.record_length + sizeof(RawColour)), inputs[f]->info().points});
-  }
-  if (files.empty()) return false;
+  const std::vector<Stretch> parts = stretches(inputs);
+  if (parts.empty()) return false;
   fs::create_directories(store.folder() / "colours");
+  std::vector<PassTask> tasks;
+  for (const Stretch& s : parts)
+    tasks.push_back({kRows * (inputs[s.file]->info().layout.record_length + sizeof(RawColour)), s.count});
+  for (const auto& input : inputs) input->limit_to(kFieldRgb);
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const fs::path path = colour_file(store, files[i]);
-    if (!fs::exists(path)) write_colours(*inputs[files[i]], path);
+    const fs::path path = colour_file(store, parts[i]);
+    if (!fs::exists(path)) write_colours(*inputs[parts[i].file], parts[i], path);
   });
+  for (const auto& input : inputs) input->limit_to(kAllFields);
+  std::vector<int> shifts(inputs.size(), 0);
+  for (const Stretch& s : parts)
+    if (largest_channel(store, s) > 255) shifts[s.file] = 8;
   tasks.clear();
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "colour")) gather(store, block, coloured);
+    if (!store.has(block, "colour")) gather(store, block, parts, shifts);
   });
   return true;
 }
