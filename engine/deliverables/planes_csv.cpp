@@ -41,11 +41,13 @@ void write_planes_csv(const std::filesystem::path& path, std::span<const Segment
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text),
                  "plane_id,content_id,points,nx,ny,nz,d,epsilon_m,rms_m,centroid_x,centroid_y,centroid_z,min_x,min_y,"
-                 "min_z,max_x,max_y,max_z\n");
+                 "min_z,max_x,max_y,max_z,area_m2,level_m,up_m,normal_spread_deg,confidence,colour_class,neighbours\n");
   for (const Segment& s : segments) {
-    fmt::format_to(std::back_inserter(text), "{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", s.id,
+    fmt::format_to(std::back_inserter(text), "{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", s.id,
                    s.content_id, s.points, s.plane.n.x, s.plane.n.y, s.plane.n.z, s.plane.d, s.epsilon_m, s.rms_m,
                    s.centroid.x, s.centroid.y, s.centroid.z, s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", s.area_m2, s.level_m, s.up_m,
+                   s.normal_spread_deg, s.confidence, s.colour_class, s.neighbours);
   }
   write_whole_file(path, {text.data(), text.size()});
 }
@@ -79,6 +81,16 @@ std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
     s.max = {value("max_x"), value("max_y"), value("max_z")};
     s.rms_m = value("rms_m");
     s.epsilon_m = value("epsilon_m");
+    s.area_m2 = value("area_m2");
+    s.level_m = value("level_m");
+    s.up_m = value("up_m");
+    s.normal_spread_deg = value("normal_spread_deg");
+    s.confidence = value("confidence");
+    const double neighbours = value("neighbours"), colour = value("colour_class");
+    if (!(neighbours >= 0 && neighbours <= 4294967295.0)) throw Error(place + ": bad count of neighbours");
+    if (!(colour >= 0 && colour <= 255)) throw Error(place + ": bad colour class");
+    s.colour_class = static_cast<std::uint32_t>(colour);
+    s.neighbours = static_cast<std::uint32_t>(neighbours);
     segments.push_back(s);
   }
   return segments;

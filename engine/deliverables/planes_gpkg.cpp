@@ -36,7 +36,11 @@ struct PlanesGpkg::Layer {
     GpkgFile::add_field(planes, "plane_id", OFTInteger64);
     GpkgFile::add_field(planes, "content_id", OFTString);
     GpkgFile::add_field(planes, "points", OFTInteger64);
-    for (const char* name : {"nx", "ny", "nz", "d", "epsilon_m", "rms_m"}) GpkgFile::add_field(planes, name, OFTReal);
+    for (const char* name :
+         {"nx", "ny", "nz", "d", "epsilon_m", "rms_m", "area_m2", "level_m", "up_m", "normal_spread_deg", "confidence"})
+      GpkgFile::add_field(planes, name, OFTReal);
+    GpkgFile::add_field(planes, "colour_class", OFTInteger);
+    GpkgFile::add_field(planes, "neighbours", OFTInteger64);
   }
 };
 
@@ -56,6 +60,13 @@ void PlanesGpkg::add(const Segment& s, const Outline& outline) {
   feature.SetField("d", s.plane.d);
   feature.SetField("epsilon_m", s.epsilon_m);
   feature.SetField("rms_m", s.rms_m);
+  feature.SetField("area_m2", s.area_m2);
+  feature.SetField("level_m", s.level_m);
+  feature.SetField("up_m", s.up_m);
+  feature.SetField("normal_spread_deg", s.normal_spread_deg);
+  feature.SetField("confidence", s.confidence);
+  feature.SetField("colour_class", static_cast<int>(s.colour_class));
+  feature.SetField("neighbours", static_cast<GIntBig>(s.neighbours));
   OGRMultiPolygon geometry = geometry_of(outline);
   feature.SetGeometry(&geometry);
   layer_->file.add(layer_->planes, feature);

@@ -66,10 +66,17 @@ void judge_planes(const ResultFiles& files, const LabelCounts& counts, const Tru
       return (!params.only_class || kind == *params.only_class) &&
              counts.points_of_plane.at(plane) >= params.min_points;
     };
-  PlaneEvaluation planes{match_planes(counts.planes.sorted(), judged, params.rule), {}};
+  PlaneEvaluation planes{match_planes(counts.planes.sorted(), judged, params.rule), {}, {}};
   if (files.planes_csv && !truth.planes.empty())
     planes.errors =
         plane_errors(planes.matching.matches, truth.planes, read_planes_csv(*files.planes_csv), counts.metres_per_unit);
+  const auto has_polygons = [](const TruePlane& plane) { return !plane.polygons.empty(); };
+  if (std::any_of(truth.planes.begin(), truth.planes.end(), has_polygons)) {
+    const auto seen_and_judged = [&](std::uint32_t plane) {
+      return counts.points_of_plane.count(plane) != 0 && (!judged || judged(plane));
+    };
+    planes.sizes = plane_sizes(planes.matching.matches, truth.planes, seen_and_judged, counts.metres_per_unit);
+  }
   evaluation.planes = std::move(planes);
 }
 

@@ -13,6 +13,7 @@
 #include "engine/evaluate/objects.h"
 #include "engine/evaluate/openings.h"
 #include "engine/evaluate/plane_errors.h"
+#include "engine/evaluate/plane_sizes.h"
 #include "engine/evaluate/roofs.h"
 
 namespace ilot {
@@ -31,6 +32,7 @@ enum class ClassSource : std::uint8_t { labels, segments };
 struct PlaneEvaluation {
   PlaneMatching matching;
   std::optional<PlaneErrors> errors;  // where planes.csv and true equations are at hand
+  std::optional<PlaneSizes> sizes;    // where the truth has polygons
 };
 
 struct RoofEvaluation {

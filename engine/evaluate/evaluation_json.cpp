@@ -45,6 +45,9 @@ Json json_of(const PlaneEvaluation& p) {
   const PlaneMatching& m = p.matching;
   Json json{{"true", m.true_planes}, {"found", m.found_planes}, {"matched", m.matches.size()},
             {"over", m.over},        {"under", m.under},        {"missed", m.missed}};
+  if (p.sizes)
+    for (const PlaneSizeClass& s : *p.sizes)
+      json["sizes"].push_back({{"from_m2", s.from_m2}, {"true", s.truth}, {"matched", s.matched}});
   if (!p.errors) return json;
   json["angle_deg"] = number(p.errors->angle_deg.mean);
   json["offset_m"] = number(p.errors->offset_m.mean);

@@ -73,6 +73,14 @@ std::string confusion_text(const ConfusionMatrix& m, const std::string& title) {
   return title + "\n" + table(rows);
 }
 
+std::string sizes_text(const PlaneSizes& sizes) {
+  std::string text = "sizes    matched";
+  for (const PlaneSizeClass& s : sizes)
+    text += fmt::format("{} from {} m2 {} of {} ({})", &s == sizes.data() ? "" : ",", s.from_m2, s.matched, s.truth,
+                        s.truth ? percent(static_cast<double>(s.matched) / static_cast<double>(s.truth)) : "-");
+  return text + "\n";
+}
+
 std::string planes_text(const PlaneEvaluation& p) {
   const PlaneMatching& m = p.matching;
   std::string text = fmt::format("planes   true {}  found {}  matched {}  over {}  under {}  missed {}\n",
@@ -88,6 +96,7 @@ std::string planes_text(const PlaneEvaluation& p) {
         "offset   mean {:.4f}, median {:.4f}, largest {:.4f} m\n",
         p.errors->angle_deg.mean, p.errors->angle_deg.median, p.errors->angle_deg.largest, p.errors->offset_m.mean,
         p.errors->offset_m.median, p.errors->offset_m.largest);
+  if (p.sizes) text += sizes_text(*p.sizes);
   return text;
 }
 

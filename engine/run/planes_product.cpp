@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/planes_product.h"
 
-#include <algorithm>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "engine/segments/adjacency_pass.h"
 #include "engine/segments/auto_params.h"
 #include "engine/segments/join_pass.h"
 #include "engine/segments/label_pass.h"
@@ -31,22 +35,54 @@ Segment segment_of(const JoinedPlane& j, const PlaneTally& t, double unit, doubl
   s.max = world(t.box.max, {}, unit);
   s.rms_m = rms_to_plane(t.moments, j.plane) * unit * metres_per_unit;
   s.epsilon_m = j.epsilon * unit * metres_per_unit;
+  s.level_m = (t.high[0] - t.low[0]) * unit * metres_per_unit;
+  s.up_m = (t.high[1] - t.low[1]) * unit * metres_per_unit;
+  s.confidence = static_cast<double>(t.sure) / static_cast<double>(s.points);
+  const auto most = std::max_element(t.colours.begin(), t.colours.end());
+  if (*most > 0) s.colour_class = static_cast<std::uint32_t>(most - t.colours.begin() + 1);
+  if (t.with_normal > 0) {
+    const double sine2 = static_cast<double>(t.squared_sines) * kSineUnit / static_cast<double>(t.with_normal);
+    s.normal_spread_deg = degrees_of_cosine(std::sqrt(1 - sine2));
+  }
   return s;
 }
 
 // Ids are dense from 1 over the planes that kept enough points, in global order of their first cells.
-PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, std::int64_t min_points,
+PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, bool part_of_a_run,
                            double unit, double metres_per_unit) {
   PlanesResult r;
   r.final_id.assign(joined.planes.size() + 1, 0);
   for (std::size_t i = 0; i < joined.planes.size(); ++i) {
-    if (tallies[i].moments.n < min_points) continue;
+    if (tallies[i].moments.n < (part_of_a_run ? 1 : joined.planes[i].min_points)) continue;
     r.segments.push_back(segment_of(joined.planes[i], tallies[i], unit, metres_per_unit));
     r.segments.back().id = static_cast<std::uint32_t>(r.segments.size());
     r.planes.push_back(joined.planes[i]);
     r.final_id[i + 1] = r.segments.back().id;
   }
   return r;
+}
+
+ColourPalette make_palette(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
+                           const Settings& settings, const PassContext& context, RunRecord& record) {
+  if (settings.planes.colour_classes == 0 || !colours_pass(store, inputs, context)) return {};
+  const ColourPalette palette =
+      colour_palette(store, static_cast<std::uint32_t>(settings.planes.colour_classes), settings.seed);
+  std::string centres;
+  for (const auto& c : palette.centre)
+    centres += fmt::format("{}({:.1f} {:.1f} {:.1f})", centres.empty() ? "" : ", ", c[0] / 100, c[1] / 100, c[2] / 100);
+  record.chosen.push_back({"planes.colour_classes", static_cast<double>(palette.centre.size()),
+                           "CIELAB of the classes from 1 on, the largest first: " + centres});
+  return palette;
+}
+
+void find_neighbours(const Store& store, const std::vector<Cell>& cells, const CellPlanes& found,
+                     const PassContext& context, PlanesResult& r) {
+  for (const Touch& touch : adjacency_pass(store, cells, found, r.final_id, r.planes, context)) {
+    r.neighbours.push_back(
+        neighbours_of(touch, r.planes[touch.a - 1], r.planes[touch.b - 1], store.unit(), context.metres_per_unit));
+    ++r.segments[touch.a - 1].neighbours;
+    ++r.segments[touch.b - 1].neighbours;
+  }
 }
 
 double median(std::vector<double> values) {
@@ -56,61 +92,73 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
-// Which method `auto` took in how many cells.
-ChosenRecord method_choice(const CellPlanes& found) {
-  std::size_t from_the_ground = 0;
-  for (const CellSummary& c : found.cells) from_the_ground += c.method == PlaneMethod::shape_ransac;
-  const std::size_t from_the_air = found.cells.size() - from_the_ground;
-  return {"planes.method", std::string(from_the_ground > from_the_air ? "shape_ransac" : "ransac"),
-          "shape_ransac in " + std::to_string(from_the_ground) +
-              " cells where more than a quarter of the normals are level (walls, seen from the ground), ransac in " +
-              std::to_string(from_the_air) + " others"};
-}
-
 void record_choices(const CellPlanes& found, const Settings& settings, double unit_m, RunRecord& record) {
-  std::vector<double> epsilon, connectivity, step, noise;
+  std::vector<double> epsilon, connectivity, step, noise, min_points, angle;
+  std::size_t from_the_ground = 0;
   for (const CellSummary& c : found.cells) {
+    from_the_ground += c.from == SeenFrom::ground;
+    min_points.push_back(c.min_points);
+    angle.push_back(c.normal_angle);
     epsilon.push_back(c.epsilon * unit_m);
     connectivity.push_back(static_cast<double>(c.connectivity) * unit_m);
     step.push_back(c.step * unit_m);
     noise.push_back(c.noise * unit_m);
   }
+  const std::size_t from_the_air = found.cells.size() - from_the_ground;
+  const std::string ground = std::to_string(from_the_ground), air = std::to_string(from_the_air);
   const std::string measured = "median over " + std::to_string(found.cells.size()) + " cells; sampling step " +
                                std::to_string(median(step)) + " m, noise " + std::to_string(median(noise)) + " m";
-  if (!settings.planes.method) record.chosen.push_back(method_choice(found));
+  if (!settings.planes.method)
+    record.chosen.push_back(
+        {"planes.method", std::string(from_the_ground > from_the_air ? "shape_ransac" : "ransac"),
+         "shape_ransac in " + ground +
+             " cells where more than a quarter of the normals are level (walls, seen from the ground), ransac in " +
+             air + " others (seen from the air)"});
   if (!settings.planes.epsilon)
     record.chosen.push_back({"planes.epsilon", median(epsilon),
                              "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each "
-                             "plane's own stands in "
-                             "planes.csv; " +
+                             "plane's own stands in planes.csv; " +
+                                 measured});
+  if (!settings.planes.normal_angle)
+    record.chosen.push_back({"planes.normal_angle", median(angle),
+                             "25 degrees; in cells seen from the air times the square of a quarter of the step over "
+                             "epsilon, at least 10: where epsilon is wide only normals tell faces apart; " +
                                  measured});
   if (!settings.planes.connectivity)
-    record.chosen.push_back(
-        {"planes.connectivity", median(connectivity), "3 times the sampling step of each cell; " + measured});
-  if (!settings.planes.min_points) record.chosen.push_back({"planes.min_points", double{kAutoMinPoints}, "fixed"});
+    record.chosen.push_back({"planes.connectivity", median(connectivity),
+                             "3 times the sampling step in " + air + " cells seen from the air, 8 times in " + ground +
+                                 " seen from the ground, where surfaces seen at a grazing angle have wide gaps; " +
+                                 measured});
+  if (!settings.planes.min_points)
+    record.chosen.push_back({"planes.min_points", median(min_points),
+                             "points on 1.2 m2, 12 to 1000, in " + air +
+                                 " cells seen from the air; on 50 cm2, 30 to "
+                                 "200, in " +
+                                 ground + " seen from the ground; " + measured});
 }
 
 }  // namespace
 
-PlanesResult make_planes(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
-                         RunRecord& record) {
+PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
+                         const Settings& settings, const PassContext& context, Progress& progress, RunRecord& record) {
   progress.begin_stage("normals", store.points());
   normals_pass(store, settings.normals, context);
 
   progress.begin_stage("planes", store.points());
+  const ColourPalette palette = make_palette(store, inputs, settings, context, record);
   const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
-  const CellPlanes found = planes_pass(store, cells, settings, context);
+  const CellPlanes found = planes_pass(store, cells, settings, context, palette);
   record_choices(found, settings, store.unit() * context.metres_per_unit, record);
 
   progress.begin_stage("join", store.points());
   std::vector<Contact> contacts = contact_pass(store, cells, found, context);
-  const auto min_points = static_cast<std::uint32_t>(settings.planes.min_points.value_or(kAutoMinPoints));
   const JoinedPlanes joined =
-      join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle), min_points});
-  const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context);
-  progress.end_stage();
+      join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle)});
+  const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context, palette);
   PlanesResult result =
-      number_planes(joined, tallies, context.wanted ? 1 : min_points, store.unit(), context.metres_per_unit);
+      number_planes(joined, tallies, context.wanted != nullptr, store.unit(), context.metres_per_unit);
+  find_neighbours(store, cells, found, context, result);
+  progress.end_stage();
   result.ranges = neighbour_ranges(store, cells, found);
   return result;
 }

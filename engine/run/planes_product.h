@@ -2,6 +2,7 @@
 #pragma once
 #include <vector>
 
+#include "engine/formats/reader.h"
 #include "engine/model/segment.h"
 #include "engine/pass/context.h"
 #include "engine/report/progress.h"
@@ -14,14 +15,15 @@ namespace ilot {
 
 struct PlanesResult {
   std::vector<Segment> segments;                    // by id
+  std::vector<PlaneNeighbours> neighbours;          // pairs that touch, ascending
   std::vector<JoinedPlane> planes;                  // the same on the lattice
   std::vector<std::uint32_t> final_id;              // per joined plane + 1; [0] = 0
   std::vector<std::vector<NeighbourRange>> ranges;  // per block
 };
 
-// Blocks to planes: normals, planes per cell, join over cells, labels. Adds its stages to the progress and the values
-// that `auto` stood for to the record.
-PlanesResult make_planes(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
-                         RunRecord& record);
+// Blocks to planes: colours where the inputs have them, normals, planes per cell, join over cells, labels. Adds its
+// stages to the progress and the values that `auto` stood for to the record.
+PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
+                         const Settings& settings, const PassContext& context, Progress& progress, RunRecord& record);
 
 }  // namespace ilot

@@ -7,7 +7,9 @@
 
 #include "engine/deliverables/planes_csv.h"
 #include "engine/deliverables/planes_gpkg.h"
+#include "engine/deliverables/planes_neighbours_csv.h"
 #include "engine/error.h"
+#include "engine/model/outline_area.h"
 #include "engine/pass/index.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
@@ -133,13 +135,17 @@ void skip_product(const std::string& product, const std::string& reason, Progres
   record.skipped.push_back({"product", product, reason});
 }
 
-void make_boundaries(const Store& store, const PlanesResult& planes, const Settings& settings, const Crs& crs,
+void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const Crs& crs,
                      const PassContext& context, const std::filesystem::path& folder) {
   const double tolerance = settings.boundaries.tolerance / (store.unit() * context.metres_per_unit);
   std::filesystem::create_directories(folder);
   PlanesGpkg file(folder / "planes.gpkg", crs);
   boundaries_pass(store, {settings.boundaries.gamma, tolerance, planes.planes, planes.final_id, planes.ranges}, context,
-                  [&](const Outline& outline) { file.add(planes.segments[outline.plane_id - 1], outline); });
+                  [&](const Outline& outline) {
+                    Segment& segment = planes.segments[outline.plane_id - 1];
+                    segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
+                    file.add(segment, outline);
+                  });
   file.finish();
 }
 
@@ -177,10 +183,11 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   labels.with_planes = makes(options, "planes");
   labels.with_roofs = makes(options, "roofs");
   if (labels.with_planes) {
-    PlanesResult planes = make_planes(index.store, options.settings, context, progress, record);
+    PlanesResult planes = make_planes(index.store, inputs.readers, options.settings, context, progress, record);
     progress.begin_stage("boundaries", index.store.points());
     make_boundaries(index.store, planes, options.settings, inputs.crs, context, out.staging());
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
+    write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
     record.planes = planes.segments.size();
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
     labels.final_id = std::move(planes.final_id);

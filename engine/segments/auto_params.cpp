@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 #include "kernels/core/moments.h"
-#include "kernels/core/portable_math.h"
 #include "kernels/neighbours/knn.h"
 
 namespace ilot {
@@ -15,6 +15,13 @@ namespace {
 constexpr int kNeighbours = 16;
 constexpr std::uint32_t kQueries = 512;
 constexpr double kPi = 3.141592653589793;
+
+struct Rule {
+  double steps;         // of connectivity
+  double area_m2;       // of the smallest plane
+  double fewest, most;  // points of the smallest plane
+};
+constexpr Rule kFromTheAir{4, 1.2, 12, 1000}, kFromTheGround{6, 0.005, 30, 200};
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
@@ -46,20 +53,37 @@ Sampling measure_sampling(const NeighbourIndex& index) {
   return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
 }
 
-PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, double unit_metres,
-                                std::int64_t reach) {
-  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kMostMetres = 0.5, kConnectedSteps = 3;
+SeenFrom seen_from(std::span<const PackedNormal> normals) {
+  constexpr int kLevel = 9830;  // |z| of 17.5 degrees out of the horizontal, in units of PackedNormal
+  std::size_t known = 0, level = 0;
+  for (const PackedNormal& n : normals) {
+    if (n.x == 0 && n.y == 0 && n.z == 0) continue;
+    ++known;
+    level += std::abs(n.z) < kLevel;
+  }
+  return 4 * level > known ? SeenFrom::ground : SeenFrom::air;
+}
+
+PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, SeenFrom from,
+                                double unit_metres, std::int64_t reach) {
+  constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kMostMetres = 0.5;
+  constexpr double kMostAngle = 25, kLeastAngle = 10, kNoisy = 0.3;
   constexpr double kLeastReach = 4, kMostReach = 0x1p20;  // what euclidean_clusters can do with a cell
+  const Rule& rule = from == SeenFrom::air ? kFromTheAir : kFromTheGround;
   PlaneParams p;
   const double surface = std::max(kNoiseFactor * sampling.noise, kLeastSteps * sampling.step);
   p.epsilon = settings.epsilon ? *settings.epsilon / unit_metres
                                : std::max(kLeastUnits, std::min(surface, kMostMetres / unit_metres));
-  p.min_cos = cos_degrees(settings.normal_angle);
-  const double connectivity = settings.connectivity
-                                  ? *settings.connectivity / unit_metres
-                                  : std::min(kConnectedSteps * sampling.step, static_cast<double>(reach));
+  const double crowded = from == SeenFrom::air ? kLeastSteps * sampling.step / p.epsilon : 1;
+  p.normal_angle = settings.normal_angle.value_or(std::clamp(crowded * crowded * kMostAngle, kLeastAngle, kMostAngle));
+  const double connectivity = settings.connectivity ? *settings.connectivity / unit_metres
+                                                    : std::min(rule.steps * sampling.step, static_cast<double>(reach));
   p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(connectivity), kLeastReach, kMostReach));
-  p.min_points = static_cast<std::uint32_t>(settings.min_points.value_or(kAutoMinPoints));
+  p.noisy = p.epsilon > kNoisy * sampling.step;
+  const double step_m = std::max(sampling.step, 1.0) * unit_metres;
+  const double points = std::clamp(std::ceil(rule.area_m2 / (step_m * step_m)), rule.fewest, rule.most);
+  p.min_points =
+      settings.min_points ? static_cast<std::uint32_t>(*settings.min_points) : static_cast<std::uint32_t>(points);
   return p;
 }
 

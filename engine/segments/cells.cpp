@@ -33,24 +33,25 @@ void for_each_in(const Store& store, const View& plan, const IndexBox& box, cons
   }
 }
 
-// Normals of points that are asked for in rising order, read a batch at a time.
-class NormalsCursor {
+// A column at points that are asked for in rising order, read a batch at a time.
+template <class T>
+class Cursor {
  public:
-  explicit NormalsCursor(const Store& store) : store_(store) {}
-  const PackedNormal& at(const Slice& slice, std::uint32_t point) {
+  Cursor(const Store& store, const char* column) : store_(store), column_(column) {}
+  const T& at(const Slice& slice, std::uint32_t point) {
     if (slice.block != block_ || point < first_ || point >= first_ + batch_.size()) {
       block_ = slice.block;
       first_ = point;
-      batch_ =
-          store_.read<PackedNormal>(block_, "normals", first_, std::min(kBatch, slice.first + slice.count - point));
+      batch_ = store_.read<T>(block_, column_, first_, std::min(kBatch, slice.first + slice.count - point));
     }
     return batch_[point - first_];
   }
 
  private:
   const Store& store_;
+  const char* column_;
   std::uint32_t block_ = UINT32_MAX, first_ = 0;
-  std::vector<PackedNormal> batch_;
+  std::vector<T> batch_;
 };
 
 int cell_level(double unit_metres) {
@@ -150,7 +151,7 @@ std::int64_t margin_of(const Cell& cell) {
   return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift);
 }
 
-CellPoints load_cell(const Store& store, const Cell& cell) {
+CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette) {
   const IndexBox around = cell.node.box().grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
   std::uint64_t in_margin = 0;
@@ -159,7 +160,8 @@ CellPoints load_cell(const Store& store, const Cell& cell) {
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;
-  NormalsCursor normals(store);
+  Cursor<PackedNormal> normals(store, "normals");
+  Cursor<StoredColour> colours(store, "colour");
   for_each_in(store, plan, around, [&](Index3 p, std::uint64_t code, const Slice& slice, std::uint32_t point) {
     const bool core = cell.node.box().contains(p);
     if (!core && thin && mix64(code) > keep_below) return;
@@ -168,6 +170,7 @@ CellPoints load_cell(const Store& store, const Cell& cell) {
     cp.z.push_back(static_cast<float>(p.z - plan.anchor.z));
     cp.normals.push_back(normals.at(slice, point));
     cp.core.push_back(core);
+    if (!palette.centre.empty()) cp.colour_class.push_back(palette.class_of(colours.at(slice, point)));
   });
   cp.size = cp.core.size();
   constexpr std::size_t kPadding = 16;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/pass/context.h"
+#include "engine/segments/colours_pass.h"
 #include "engine/store/view.h"
 #include "kernels/neighbours/normals.h"
 
@@ -37,10 +38,11 @@ std::int64_t margin_of(const Cell& cell);
 struct CellPoints {
   std::vector<float> x, y, z;  // padded as Points asks
   std::vector<PackedNormal> normals;
-  std::vector<std::uint8_t> core;  // 1 = in the cell itself
+  std::vector<std::uint8_t> core;           // 1 = in the cell itself
+  std::vector<std::uint32_t> colour_class;  // empty where there is no palette
   std::size_t size = 0;
   Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };
-CellPoints load_cell(const Store& store, const Cell& cell);
+CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette = {});
 
 }  // namespace ilot

@@ -106,6 +106,7 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
 struct Group {
   Moments moments;  // relative to the anchor of the group's first plane
   double epsilon = 0;
+  std::uint32_t min_points = 3;
 };
 
 Index3 minus(Index3 a, Index3 b) {
@@ -118,7 +119,7 @@ class Joiner {
       : cells_(cells), planes_(planes), params_(params), parents_(planes.cell_of.size()), sets_(parents_) {
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       for (const CellPlane& p : read_cell_planes(store, cells[c])) {
-        groups_.push_back({p.moments, planes.cells[c].epsilon});
+        groups_.push_back({p.moments, planes.cells[c].epsilon, planes.cells[c].min_points});
         normals_.push_back(p.plane.n);
       }
     }
@@ -137,7 +138,8 @@ class Joiner {
     if (rms_to_plane(groups_[a].moments, fit.plane) > kAgreement * groups_[a].epsilon) return;
     if (rms_to_plane(moved, fit.plane) > kAgreement * groups_[b].epsilon) return;
     sets_.unite(a, b);
-    groups_[a] = {both, std::max(groups_[a].epsilon, groups_[b].epsilon)};
+    groups_[a] = {both, std::max(groups_[a].epsilon, groups_[b].epsilon),
+                  std::min(groups_[a].min_points, groups_[b].min_points)};
   }
 
   JoinedPlanes result() {
@@ -147,9 +149,9 @@ class Joiner {
       const std::uint32_t root = sets_.find(i);
       if (root == i) {
         const PlaneFit fit = fit_plane(groups_[i].moments);
-        if (!fit.unique || groups_[i].moments.n < params_.min_points) continue;
-        r.planes.push_back(
-            {anchor(i), fit.plane, groups_[i].epsilon, static_cast<std::uint64_t>(groups_[i].moments.n)});
+        if (!fit.unique || groups_[i].moments.n < groups_[i].min_points) continue;
+        r.planes.push_back({anchor(i), fit.plane, groups_[i].epsilon, groups_[i].min_points,
+                            static_cast<std::uint64_t>(groups_[i].moments.n)});
         r.of_segment[i] = static_cast<std::uint32_t>(r.planes.size());
       } else {
         r.of_segment[i] = r.of_segment[root];  // a root stands before its members

@@ -23,6 +23,7 @@ struct JoinedPlane {
   Index3 anchor;  // corner of its first cell
   Plane plane;
   double epsilon = 0;
+  std::uint32_t min_points = 3;  // the fewest that any of its cells asks for
   std::uint64_t points = 0;
 };
 
@@ -32,8 +33,7 @@ struct JoinedPlanes {
 };
 
 struct JoinParams {
-  double min_cos = 0;            // of the angle between two planes that join
-  std::uint32_t min_points = 3;  // of a joined plane
+  double min_cos = 0;  // of the angle between two planes that join
 };
 
 // Joins greedily, most contacts first (ties by index): two groups become one when the angle between them is small and

@@ -9,6 +9,7 @@
 #include "engine/pass/pass.h"
 #include "engine/segments/block_cells.h"
 #include "kernels/core/rng.h"
+#include "kernels/delaunay/plane_frame.h"
 #include "kernels/neighbours/knn.h"
 #include "kernels/neighbours/normals.h"
 
@@ -16,13 +17,10 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 72;
-constexpr int kVoters = 13;                 // the point itself and its 12 nearest
-constexpr int kLeastVotes = 2;              // for a plane to be a candidate
-constexpr int kIslandOwnVotes = 2;          // at most so many neighbours share the label of an island
-constexpr int kIslandOtherVotes = 8;        // and at least so many agree on another
-constexpr double kFlat = 1.6;               // curvature of pure noise with twice its deviation, over (noise / step)^2
-constexpr double kPartedByNormals = 0.996;  // cosine of 5 degrees: planes that normals can tell apart
-constexpr double kStrictly = 1 - 1e-6;      // rounding of coordinates and of float32 stays within epsilon
+constexpr int kVoters = 13;                        // the point itself and its 12 nearest
+constexpr int kLeastVotes = 2;                     // for a plane to be a candidate
+constexpr double kAgreeing2 = 0.8213938048432696;  // squared cosine of 25 degrees
+constexpr double kStrictly = 1 - 1e-6;             // rounding of coordinates and of float32 stays within epsilon
 
 struct StoredTally {
   std::uint32_t plane = 0;
@@ -52,41 +50,42 @@ int count_votes(std::span<const std::uint32_t> neighbours, std::uint32_t self, c
 class BlockLabels {
  public:
   BlockLabels(const Store& store, std::uint32_t block, const BlockCells& cells, const CellPlanes& cell_planes,
-              const JoinedPlanes& joined, const PassContext& context)
-      : store_(store), block_(block), cells_(cells), cell_planes_(cell_planes), joined_(joined), context_(context) {
+              const JoinedPlanes& joined, const PassContext& context, const ColourPalette& palette)
+      : store_(store),
+        block_(block),
+        cells_(cells),
+        cell_planes_(cell_planes),
+        joined_(joined),
+        context_(context),
+        palette_(palette) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
     before_ = load_column<std::uint32_t>(store, view_, "segment");
     for (std::uint32_t& s : before_) s = s == 0 ? 0 : joined.of_segment[s - 1];
-    normals_ = load_column<PackedNormal>(store, view_, "normals");
     own_ = range_of_block(view_, block);
     plane_.resize(b.points);
   }
 
   void decide() {
     const NeighbourIndex index = build_neighbour_index(view_.points());
-    constexpr std::uint32_t kBatch = 256;
-    std::vector<std::uint32_t> queries, neighbours(kBatch * kVoters);
-    std::vector<std::int64_t> reach2(kBatch);
     for (const BlockCells::Range& range : cells_.ranges) {
-      const CellSummary& cell = cell_planes_.cells[range.cell];
-      const std::int64_t r = cell.connectivity;
-      flat_ = cell.step > 0 ? kFlat * (cell.noise / cell.step) * (cell.noise / cell.step) : 0;
-      for (std::uint32_t done = 0; done < range.count; done += kBatch) {
-        const std::uint32_t n = std::min(kBatch, range.count - done);
-        queries.clear();
-        for (std::uint32_t i = 0; i < n; ++i) queries.push_back(own_.begin + range.first + done + i);
-        const auto lists = std::span(neighbours).first(std::size_t{n} * kVoters);
-        knn(index, queries, {kVoters, r * r}, lists, std::span(reach2).first(n));
-        for (std::uint32_t i = 0; i < n; ++i)
-          set(range.first + done + i, choose(queries[i], lists.subspan(std::size_t{i} * kVoters, kVoters)));
+      std::vector<std::uint32_t> strays;
+      for (std::uint32_t i = range.first; i < range.first + range.count; ++i) {
+        const std::uint32_t own = before_[own_.begin + i];
+        if (own != 0 && within(own_.begin + i, own)) {
+          set(i, own);
+        } else {
+          strays.push_back(own_.begin + i);
+        }
       }
+      settle(strays, index, cell_planes_.cells[range.cell].connectivity);
     }
   }
 
   std::vector<StoredTally> tallies() const {
     std::map<std::uint32_t, PlaneTally> by_plane;
     const auto codes = store_.read<std::uint64_t>(block_, "codes");
+    const auto normals = store_.read<PackedNormal>(block_, "normals");
     for (std::uint32_t i = 0; i < plane_.size(); ++i) {
       if (plane_[i] == 0) continue;
       PlaneTally& t = by_plane[plane_[i]];
@@ -94,9 +93,12 @@ class BlockLabels {
       const Index3 anchor = joined_.planes[plane_[i] - 1].anchor;
       t.moments.add_point({p.x - anchor.x, p.y - anchor.y, p.z - anchor.z});
       t.content_id += mix64(codes[i]);
+      add_extent(i, plane_[i], t);
+      add_normal(i, plane_[i], normals[i], t);
       t.box.min = {std::min(t.box.min.x, p.x), std::min(t.box.min.y, p.y), std::min(t.box.min.z, p.z)};
       t.box.max = {std::max(t.box.max.x, p.x), std::max(t.box.max.y, p.y), std::max(t.box.max.z, p.z)};
     }
+    add_colours(by_plane);
     std::vector<StoredTally> list;
     for (const auto& [plane, tally] : by_plane) list.push_back({plane, tally});
     return list;
@@ -108,6 +110,20 @@ class BlockLabels {
   }
 
  private:
+  // Points (of the view, ascending) without a plane of their own.
+  void settle(std::span<const std::uint32_t> strays, const NeighbourIndex& index, std::int64_t reach) {
+    constexpr std::size_t kBatch = 256;
+    std::vector<std::uint32_t> neighbours(kBatch * kVoters);
+    std::vector<std::int64_t> reach2(kBatch);
+    for (std::size_t done = 0; done < strays.size(); done += kBatch) {
+      const auto batch = strays.subspan(done, std::min(kBatch, strays.size() - done));
+      const auto lists = std::span(neighbours).first(batch.size() * kVoters);
+      knn(index, batch, {kVoters, reach * reach}, lists, std::span(reach2).first(batch.size()));
+      for (std::size_t i = 0; i < batch.size(); ++i)
+        set(batch[i] - own_.begin, nearest(batch[i], lists.subspan(i * kVoters, kVoters)));
+    }
+  }
+
   double distance(std::uint32_t i, std::uint32_t plane) const {
     const JoinedPlane& j = joined_.planes[plane - 1];
     const Index3 p = view_.position(i);
@@ -115,72 +131,59 @@ class BlockLabels {
                                      static_cast<double>(p.z - j.anchor.z)});
   }
 
+  void add_colours(std::map<std::uint32_t, PlaneTally>& by_plane) const {
+    if (palette_.centre.empty()) return;
+    const auto colours = store_.read<StoredColour>(block_, "colour");
+    for (std::size_t i = 0; i < plane_.size(); ++i) {
+      const std::uint32_t c = plane_[i] == 0 ? 0 : palette_.class_of(colours[i]);
+      if (c != 0) ++by_plane[plane_[i]].colours[c - 1];
+    }
+  }
+
+  void add_extent(std::uint32_t point, std::uint32_t plane, PlaneTally& t) const {
+    const JoinedPlane& j = joined_.planes[plane - 1];
+    const PlaneFrame frame = frame_of(j.plane, {});
+    const Index3 p = view_.position(own_.begin + point);
+    const Vec3 from_anchor{static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
+                           static_cast<double>(p.z - j.anchor.z)};
+    const double along[2]{dot(from_anchor, frame.u), dot(from_anchor, frame.v)};
+    for (int axis = 0; axis < 2; ++axis) {
+      t.low[axis] = std::min(t.low[axis], along[axis]);
+      t.high[axis] = std::max(t.high[axis], along[axis]);
+    }
+  }
+
+  void add_normal(std::uint32_t point, std::uint32_t plane, const PackedNormal& packed, PlaneTally& t) const {
+    const Vec3 normal{static_cast<double>(packed.x), static_cast<double>(packed.y), static_cast<double>(packed.z)};
+    const double length2 = dot(normal, normal);
+    if (length2 == 0) return;
+    const JoinedPlane& j = joined_.planes[plane - 1];
+    const double across = dot(normal, j.plane.n);
+    const double cos2 = std::min(1.0, across * across / length2);
+    ++t.with_normal;
+    t.squared_sines += static_cast<std::uint64_t>((1 - cos2) / kSineUnit);
+    t.sure += cos2 >= kAgreeing2 && std::abs(distance(own_.begin + point, plane)) <= j.epsilon / 2;
+  }
+
   bool within(std::uint32_t i, std::uint32_t plane) const {
     return std::abs(distance(i, plane)) <= joined_.planes[plane - 1].epsilon * kStrictly - context_.rounding;
   }
 
-  std::uint32_t choose(std::uint32_t i, std::span<const std::uint32_t> neighbours) const {
+  // The nearest of the planes that enough neighbours have; ties go to the one seen first, on the nearer neighbour.
+  std::uint32_t nearest(std::uint32_t i, std::span<const std::uint32_t> neighbours) const {
     std::array<Vote, kVoters> votes;
     const int kinds = count_votes(neighbours, i, before_, votes);
-    const std::uint32_t own = before_[i];
-    int own_votes = 0;
-    for (int v = 0; v < kinds; ++v)
-      if (votes[static_cast<std::size_t>(v)].plane == own) own_votes = votes[static_cast<std::size_t>(v)].count;
-    std::uint32_t best = own != 0 && within(i, own) ? own : 0;
+    std::uint32_t best = 0;
+    double least = 0;
     for (int v = 0; v < kinds; ++v) {
       const Vote& vote = votes[static_cast<std::size_t>(v)];
-      if (vote.plane == own || vote.count < kLeastVotes || !within(i, vote.plane)) continue;
-      if (own_votes <= kIslandOwnVotes && vote.count >= kIslandOtherVotes) return vote.plane;
-      if (best == 0 || beyond(i, best, vote.plane, neighbours)) best = vote.plane;
+      if (vote.count < kLeastVotes || !within(i, vote.plane)) continue;
+      const double d = std::abs(distance(i, vote.plane));
+      if (best != 0 && d >= least) continue;
+      best = vote.plane;
+      least = d;
     }
     return best;
-  }
-
-  // Of two planes that a point is within epsilon of, does it belong to b rather than a? Away from edges (all is flat
-  // around the point: the planes cross inside one of the faces) its normal decides. At an edge normals are mixtures,
-  // and the bisector of the planes decides that parts the neighbours: a ridge, a valley or a step. The nearer plane
-  // would not do: a point that noise lifts above a ridge is nearer to the face on the other side.
-  bool beyond(std::uint32_t i, std::uint32_t a, std::uint32_t b, std::span<const std::uint32_t> neighbours) const {
-    if (is_flat(i) && std::abs(dot(joined_.planes[a - 1].plane.n, joined_.planes[b - 1].plane.n)) < kPartedByNormals)
-      return agreement(i, b) > agreement(i, a);
-    return beyond_bisector(i, a, b, neighbours);
-  }
-
-  bool is_flat(std::uint32_t i) const {
-    constexpr double kGreatest = 3.0 * 65535;
-    return normals_[i].curvature <= flat_ * kGreatest;
-  }
-
-  bool beyond_bisector(std::uint32_t i, std::uint32_t a, std::uint32_t b,
-                       std::span<const std::uint32_t> neighbours) const {
-    struct Seen {
-      double from_a, from_b;
-      bool on_b;
-    };
-    std::array<Seen, kVoters> seen;
-    std::size_t count = 0;
-    double side_of_a = 0, side_of_b = 0;  // where points of a lie from b, and of b from a
-    for (const std::uint32_t j : neighbours) {
-      if (j == kNoNeighbour) break;
-      if (before_[j] != a && before_[j] != b) continue;
-      const Seen s{distance(j, a), distance(j, b), before_[j] == b};
-      (s.on_b ? side_of_b : side_of_a) += s.on_b ? s.from_a : s.from_b;
-      seen[count++] = s;
-    }
-    const bool same = (side_of_a > 0) == (side_of_b > 0);
-    const auto on_side_of_b = [&](double from_a, double from_b) {
-      return ((same ? from_b - from_a : from_a + from_b) > 0) != (side_of_a > 0);
-    };
-    std::size_t right = 0;
-    for (std::size_t n = 0; n < count; ++n) right += on_side_of_b(seen[n].from_a, seen[n].from_b) == seen[n].on_b;
-    if (4 * right >= 3 * count) return on_side_of_b(distance(i, a), distance(i, b));
-    return agreement(i, b) > agreement(i, a);
-  }
-
-  double agreement(std::uint32_t i, std::uint32_t plane) const {
-    const PackedNormal& n = normals_[i];
-    const Vec3 normal{static_cast<double>(n.x), static_cast<double>(n.y), static_cast<double>(n.z)};
-    return std::abs(dot(normal, joined_.planes[plane - 1].plane.n));
   }
 
   void set(std::uint32_t point, std::uint32_t plane) {
@@ -194,17 +197,24 @@ class BlockLabels {
   const CellPlanes& cell_planes_;
   const JoinedPlanes& joined_;
   const PassContext& context_;
+  const ColourPalette& palette_;
   View view_;
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
-  std::vector<PackedNormal> normals_;
-  double flat_ = 0;                   // curvature up to which a neighbourhood of the cell at hand is flat
-  std::vector<std::uint32_t> plane_;  // of the block's own points
+  std::vector<std::uint32_t> plane_;   // of the block's own points
 };
 
 void add(PlaneTally& sum, const PlaneTally& t) {
   sum.moments.add(t.moments);
   sum.content_id += t.content_id;
+  sum.sure += t.sure;
+  sum.with_normal += t.with_normal;
+  sum.squared_sines += t.squared_sines;
+  for (std::size_t c = 0; c < sum.colours.size(); ++c) sum.colours[c] += t.colours[c];
+  for (int axis = 0; axis < 2; ++axis) {
+    sum.low[axis] = std::min(sum.low[axis], t.low[axis]);
+    sum.high[axis] = std::max(sum.high[axis], t.high[axis]);
+  }
   sum.box.min = {std::min(sum.box.min.x, t.box.min.x), std::min(sum.box.min.y, t.box.min.y),
                  std::min(sum.box.min.z, t.box.min.z)};
   sum.box.max = {std::max(sum.box.max.x, t.box.max.x), std::max(sum.box.max.y, t.box.max.y),
@@ -214,7 +224,8 @@ void add(PlaneTally& sum, const PlaneTally& t) {
 }  // namespace
 
 std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
-                                   const JoinedPlanes& joined, const PassContext& context) {
+                                   const JoinedPlanes& joined, const PassContext& context,
+                                   const ColourPalette& palette) {
   const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, cell_planes);
   std::vector<PassTask> tasks;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
@@ -222,7 +233,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "plane")) {
-      BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context);
+      BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context, palette);
       labels.decide();
       labels.write();
     }

@@ -8,11 +8,13 @@
 
 #include "kernels/core/portable_math.h"
 #include "kernels/neighbours/knn.h"
+#include "kernels/planes/colour_ransac.h"
 #include "kernels/planes/facade_ransac.h"
 #include "kernels/planes/hough_planes.h"
 #include "kernels/planes/ransac.h"
 #include "kernels/planes/region_growing.h"
 #include "kernels/planes/region_planes.h"
+#include "kernels/planes/relabel.h"
 #include "kernels/planes/roof_ransac.h"
 #include "kernels/planes/shape_ransac.h"
 #include "kernels/planes/split_merge.h"
@@ -20,25 +22,28 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kNeighbours = 16;  // of region growing
+constexpr std::uint32_t kNeighbours = 16;    // of region growing and of settling
+constexpr std::uint32_t kFewNeighbours = 8;  // of settling from the air, where faces are wide beside epsilon
+constexpr int kSettlings = 4;
+constexpr double kLean = 0.2;  // epsilons by which borders lean towards the larger plane, seen from the ground
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
 
 PlaneSegments by_ransac(const PlaneSearch& s) {
-  return ransac_planes(
-      s.points, {s.params.epsilon, s.params.min_cos, s.params.connectivity, s.params.min_points, s.probability, s.key});
+  return ransac_planes(s.points, {s.params.epsilon, cos_degrees(s.params.normal_angle), s.params.connectivity,
+                                  s.params.min_points, s.probability, s.key});
 }
 
-std::vector<std::uint32_t> neighbours_of_all(const PlaneSearch& s) {
+std::vector<std::uint32_t> neighbours_of_all(const PlaneSearch& s, std::uint32_t k) {
   constexpr std::uint32_t kBatch = 4096;
   const std::uint32_t n = static_cast<std::uint32_t>(s.points.points.size);
-  std::vector<std::uint32_t> lists(std::size_t{n} * kNeighbours), queries(kBatch);
+  const KnnParams params{static_cast<int>(k), s.params.connectivity * s.params.connectivity};
+  std::vector<std::uint32_t> lists(std::size_t{n} * k), queries(kBatch);
   std::vector<std::int64_t> reach2(kBatch);
   for (std::uint32_t first = 0; first < n; first += kBatch) {
     const std::uint32_t count = std::min(kBatch, n - first);
     std::iota(queries.begin(), queries.begin() + count, first);
-    knn(s.index, std::span(queries).first(count), {kNeighbours, s.params.connectivity * s.params.connectivity},
-        std::span(lists).subspan(std::size_t{first} * kNeighbours, std::size_t{count} * kNeighbours),
-        std::span(reach2).first(count));
+    knn(s.index, std::span(queries).first(count), params,
+        std::span(lists).subspan(std::size_t{first} * k, std::size_t{count} * k), std::span(reach2).first(count));
   }
   return lists;
 }
@@ -48,20 +53,18 @@ PlaneSegments planes_of(const PlaneSearch& s, const Regions& regions) {
                            {s.params.epsilon, s.params.min_points, s.params.connectivity, PlaneEstimate::kBest});
 }
 
-PlaneSegments by_region_growing(const PlaneSearch& s) {
-  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
+PlaneSegments by_region_growing(const PlaneSearch& s, const NeighbourLists& near) {
   return planes_of(
-      s, grow_by_pairs(s.points.points, s.normals, {lists, kNeighbours},
+      s, grow_by_pairs(s.points.points, s.normals, near,
                        {cos_degrees(kPairDegrees), s.params.epsilon / 2, s.params.connectivity, s.params.min_points}));
 }
 
-PlaneSegments by_smooth_growing(const PlaneSearch& s) {
-  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
+PlaneSegments by_smooth_growing(const PlaneSearch& s, const NeighbourLists& near) {
   SmoothGrowthParams params;
   params.min_cos = cos_degrees(kSmoothDegrees);
   params.max_gap = s.params.connectivity;
   params.min_points = s.params.min_points;
-  return planes_of(s, grow_smooth(s.points.points, s.normals, {lists, kNeighbours}, params));
+  return planes_of(s, grow_smooth(s.points.points, s.normals, near, params));
 }
 
 PlaneSegments by_split_merge(const PlaneSearch& s) {
@@ -79,20 +82,19 @@ PlaneSegments by_hough(const PlaneSearch& s) {
   params.epsilon = s.params.epsilon;
   params.distance_step = 2 * s.params.epsilon;
   params.min_vote_cos = cos_degrees(kVoteDegrees);
-  params.min_cos = s.params.min_cos;
+  params.min_cos = cos_degrees(s.params.normal_angle);
   params.connectivity = s.params.connectivity;
   params.min_points = s.params.min_points;
   return hough_planes(s.points, params);
 }
 
-PlaneSegments by_roof_ransac(const PlaneSearch& s) {
+PlaneSegments by_roof_ransac(const PlaneSearch& s, const NeighbourLists& near) {
   RoofRansacParams params;
   params.epsilon = s.params.epsilon;
   params.stray_gap = s.params.connectivity;
   params.min_points = s.params.min_points;
   params.key = s.key;
-  const std::vector<std::uint32_t> lists = neighbours_of_all(s);
-  return roof_ransac(s.points.points, {lists, kNeighbours}, params);
+  return roof_ransac(s.points.points, near, params);
 }
 
 PlaneSegments by_facade_ransac(const PlaneSearch& s) {
@@ -109,7 +111,7 @@ PlaneSegments by_facade_ransac(const PlaneSearch& s) {
 PlaneSegments by_shape_ransac(const PlaneSearch& s) {
   ShapeRansacParams params;
   params.epsilon = s.params.epsilon;
-  params.min_cos = s.params.min_cos;
+  params.min_cos = cos_degrees(s.params.normal_angle);
   params.connectivity = s.params.connectivity;
   params.min_points = s.params.min_points;
   params.probability = s.probability;
@@ -121,54 +123,70 @@ PlaneSegments by_shape_ransac(const PlaneSearch& s) {
   return segments;
 }
 
-}  // namespace
+PlaneSegments by_colour_ransac(const PlaneSearch& s) {
+  ColourRansacParams params;
+  params.epsilon = s.params.epsilon;
+  params.min_cos = cos_degrees(s.params.normal_angle);
+  params.probability = s.probability;
+  params.min_points = s.params.min_points;
+  params.key = s.key;
+  return colour_ransac(s.points, s.colour_class, params).segments;
+}
 
-PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
+// Works on neighbours itself.
+bool grows(PlaneMethod method) {
+  return method == PlaneMethod::region_growing || method == PlaneMethod::smooth_growing ||
+         method == PlaneMethod::roof_ransac;
+}
+
+PlaneSegments by_method(PlaneMethod method, const PlaneSearch& search, const NeighbourLists& near) {
   switch (method) {
     case PlaneMethod::region_growing:
-      return by_region_growing(search);
+      return by_region_growing(search, near);
     case PlaneMethod::smooth_growing:
-      return by_smooth_growing(search);
+      return by_smooth_growing(search, near);
     case PlaneMethod::split_merge:
       return by_split_merge(search);
     case PlaneMethod::hough:
       return by_hough(search);
     case PlaneMethod::roof_ransac:
-      return by_roof_ransac(search);
+      return by_roof_ransac(search, near);
     case PlaneMethod::facade_ransac:
       return by_facade_ransac(search);
     case PlaneMethod::shape_ransac:
       return by_shape_ransac(search);
+    case PlaneMethod::colour_ransac:
+      return by_colour_ransac(search);
     case PlaneMethod::ransac:
       break;
   }
   return by_ransac(search);
 }
 
-std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {
-  constexpr std::uint64_t kPlain = 80, kShapes = 160, kWithNeighbours = 4 * kNeighbours + kPlain;
-  switch (method.value_or(PlaneMethod::shape_ransac)) {
-    case PlaneMethod::region_growing:
-    case PlaneMethod::smooth_growing:
-    case PlaneMethod::roof_ransac:
-      return kWithNeighbours;
-    case PlaneMethod::shape_ransac:
-      return kShapes;
-    default:
-      return kPlain;
-  }
+}  // namespace
+
+PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
+  const bool from_the_air = search.from == SeenFrom::air;
+  const std::uint32_t k = from_the_air && !grows(method) ? kFewNeighbours : kNeighbours;
+  const std::vector<std::uint32_t> lists = neighbours_of_all(search, k);
+  const NeighbourLists near{lists, k};
+  PlaneSegments found = by_method(method, search, near);
+  RelabelParams relabel{search.params.epsilon, search.params.connectivity, 2, kSettlings};
+  if (!from_the_air) relabel.lean = kLean * search.params.epsilon;
+  if (from_the_air && search.params.noisy) relabel.border = RelabelParams::Border::nearest;
+  settle_planes(search.points.points, near, relabel, search.params.min_points, found);
+  return found;
 }
 
-PlaneMethod choose_method(const PlanesSettings& settings, std::span<const PackedNormal> normals) {
+std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {
+  constexpr std::uint64_t kPlain = 80, kShapes = 160;
+  const bool shapes = method.value_or(PlaneMethod::shape_ransac) == PlaneMethod::shape_ransac;
+  return 4 * kNeighbours + (shapes ? kShapes : kPlain);
+}
+
+PlaneMethod choose_method(const PlanesSettings& settings, SeenFrom from) {
   if (settings.method) return *settings.method;
-  constexpr int kLevel = 9830;  // |z| of 17.5 degrees out of the horizontal, in units of PackedNormal
-  std::size_t known = 0, level = 0;
-  for (const PackedNormal& n : normals) {
-    if (n.x == 0 && n.y == 0 && n.z == 0) continue;
-    ++known;
-    level += std::abs(n.z) < kLevel;
-  }
-  return 4 * level > known ? PlaneMethod::shape_ransac : PlaneMethod::ransac;
+  return from == SeenFrom::ground ? PlaneMethod::shape_ransac : PlaneMethod::ransac;
 }
 
 }  // namespace ilot

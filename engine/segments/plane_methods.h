@@ -19,20 +19,22 @@ struct PlaneSearch {
   std::span<const PackedNormal> normals;  // the same, as they are stored
   const NeighbourIndex& index;
   PlaneParams params;
+  SeenFrom from = SeenFrom::air;
+  std::span<const std::uint32_t> colour_class;  // per point, 0 = none; empty without colours
   double probability = 0.99;
   std::uint64_t key = 0;  // of random draws
 };
 
-// Labels and planes by the method. Each keeps epsilon: no labelled point lies farther than that from its plane.
+// Labels and planes by the method, then settled (kernels/planes/relabel.h): strays adopted, borders parted, planes
+// fitted anew until nothing changes. No labelled point lies farther than epsilon from its plane.
 PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search);
 
 // Bytes of memory that the method takes for a point of a cell, beside the cell itself; the most where it is not chosen.
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);
 
-// The method for a cell: the one asked for, else by how its surface lies. Where more than a quarter of the normals are
-// level (walls, seen from the ground) shape_ransac, whose samples are local at every scale and so find sills and bars
-// beside a wall of a million points; elsewhere (seen from the air) ransac, which finds the same roofs in less time
-// (docs/methods.md). Depends on the cell's points alone.
-PlaneMethod choose_method(const PlanesSettings& settings, std::span<const PackedNormal> normals);
+// The method for a cell: the one asked for, else by where it was seen from. From the ground shape_ransac, whose samples
+// are local at every scale and so find sills and bars beside a wall of a million points; from the air ransac, which
+// finds the same roofs in less time (docs/methods.md).
+PlaneMethod choose_method(const PlanesSettings& settings, SeenFrom from);
 
 }  // namespace ilot

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/segments/planes_pass.h"
 
+#include <algorithm>
 #include <filesystem>
+#include <numeric>
 
 #include "engine/pass/pass.h"
+#include "engine/segments/cell_cleaning.h"
 #include "engine/segments/plane_methods.h"
+#include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/normals.h"
+#include "kernels/planes/threshold_choice.h"
 
 namespace ilot {
 namespace {
@@ -17,9 +22,10 @@ constexpr std::uint64_t kBytesPerPoint = 80;  // beside what the method takes
 struct StoredCell {
   std::uint64_t planes = 0;
   std::int64_t connectivity = 1;
-  double epsilon = 0, step = 0, noise = 0;
-  PlaneMethod method = PlaneMethod::ransac;
-  std::uint8_t unused[7]{};  // the planes that follow hold 128-bit sums and are aligned
+  double epsilon = 0, normal_angle = 25, step = 0, noise = 0;
+  std::uint32_t min_points = 3;
+  SeenFrom from = SeenFrom::air;
+  std::uint8_t unused[11]{};  // the planes that follow hold 128-bit sums and are aligned
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
@@ -78,23 +84,76 @@ CellResult own_part(const CellPoints& cp, const PlaneSegments& found) {
   return r;
 }
 
-CellResult solve(const Store& store, const Cell& cell, const Settings& settings, const PassContext& context) {
-  const CellPoints cp = load_cell(store, cell);
+// What a cell's points gave, and what was chosen for them.
+struct Solved {
+  PlaneSegments found;
+  PlaneParams params;
+  Sampling sampling;
+  SeenFrom from = SeenFrom::air;
+};
+
+// Epsilon at the knee of the mean squared distance over epsilon, of the largest plane; what it was without a plane.
+double epsilon_at_knee(const OrientedPoints& points, const Solved& s) {
+  std::vector<std::uint32_t> size(s.found.planes.size(), 0), all(points.points.size);
+  if (size.empty()) return s.params.epsilon;
+  for (const std::uint32_t l : s.found.label)
+    if (l != 0) ++size[l - 1];
+  std::iota(all.begin(), all.end(), 0u);
+  const auto largest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+  return choose_distance(points, all, s.found.planes[largest], s.sampling.noise, cos_degrees(s.params.normal_angle))
+      .chosen;
+}
+
+Solved search(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
+              std::int64_t reach) {
   const Normals n = unpack(cp);
-  const NeighbourIndex index = build_neighbour_index(cp.points());
-  const Sampling sampling = measure_sampling(index);
-  const PlaneParams params =
-      choose_plane_params(settings.planes, sampling, store.unit() * context.metres_per_unit, margin_of(cell));
   const std::span<const PackedNormal> normals = std::span(cp.normals).first(cp.size);
-  const PlaneMethod method = choose_method(settings.planes, normals);
-  const PlaneSegments found = find_planes(method, {{cp.points(), n.x.data(), n.y.data(), n.z.data()},
-                                                   normals,
-                                                   index,
-                                                   params,
-                                                   settings.planes.probability,
-                                                   content_key(cp, settings.seed)});
-  CellResult r = own_part(cp, found);
-  r.header = {r.planes.size(), params.connectivity, params.epsilon, sampling.step, sampling.noise, method};
+  Solved s;
+  s.sampling = measure_sampling(index);
+  s.from = seen_from(normals);
+  s.params = choose_plane_params(settings.planes, s.sampling, s.from, unit_metres, reach);
+  const PlaneMethod method = choose_method(settings.planes, s.from);
+  PlaneSearch search{{cp.points(), n.x.data(), n.y.data(), n.z.data()},
+                     normals,
+                     index,
+                     s.params,
+                     s.from,
+                     cp.colour_class,
+                     settings.planes.probability,
+                     content_key(cp, settings.seed)};
+  s.found = find_planes(method, search);
+  if (settings.planes.epsilon || settings.planes.epsilon_by != EpsilonBy::knee || s.sampling.noise == 0) return s;
+  search.params.epsilon = s.params.epsilon = epsilon_at_knee(search.points, s);
+  s.found = find_planes(method, search);
+  return s;
+}
+
+// The search over those points alone that cleaning keeps; the others have no plane.
+Solved search_cleaned(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
+                      std::int64_t reach) {
+  const SeenFrom from = seen_from(std::span(cp.normals).first(cp.size));
+  const PlaneParams params = choose_plane_params(settings.planes, measure_sampling(index), from, unit_metres, reach);
+  const std::vector<std::uint8_t> kept = kept_points(index, settings.planes.cleaning, params);
+  const CellPoints part = only(cp, kept);
+  Solved s = search(part, build_neighbour_index(part.points()), settings, unit_metres, reach);
+  std::vector<std::uint32_t> label(cp.size, 0);
+  for (std::size_t i = 0, at = 0; i < cp.size; ++i)
+    if (kept[i] != 0) label[i] = s.found.label[at++];
+  s.found.label = std::move(label);
+  return s;
+}
+
+CellResult solve(const Store& store, const Cell& cell, const Settings& settings, const ColourPalette& palette,
+                 const PassContext& context) {
+  const bool coloured = settings.planes.method == PlaneMethod::colour_ransac;
+  const CellPoints cp = load_cell(store, cell, coloured ? palette : ColourPalette{});
+  const NeighbourIndex index = build_neighbour_index(cp.points());
+  const double unit_metres = store.unit() * context.metres_per_unit;
+  const auto how = settings.planes.cleaning == Cleaning::none ? search : search_cleaned;
+  const Solved s = how(cp, index, settings, unit_metres, margin_of(cell));
+  CellResult r = own_part(cp, s.found);
+  r.header = {r.planes.size(), s.params.connectivity, s.params.epsilon,    s.params.normal_angle,
+              s.sampling.step, s.sampling.noise,      s.params.min_points, s.from};
   return r;
 }
 
@@ -112,10 +171,12 @@ void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t
   all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()),
                      static_cast<std::uint32_t>(header.planes),
                      header.connectivity,
+                     header.min_points,
                      header.epsilon,
+                     header.normal_angle,
                      header.step,
                      header.noise,
-                     header.method};
+                     header.from};
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 
@@ -154,7 +215,7 @@ void write_segments(const Store& store, const std::vector<Cell>& cells, const Ce
 }  // namespace
 
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
-                       const PassContext& context) {
+                       const PassContext& context, const ColourPalette& palette) {
   std::filesystem::create_directories(store.folder() / "cells");
   std::vector<PassTask> tasks;
   const std::uint64_t bytes = kBytesPerPoint + bytes_per_point(settings.planes.method);
@@ -162,7 +223,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
     if (!std::filesystem::exists(cell_path(store, cell)))
-      write_cell(store, cell, solve(store, cell, settings, context));
+      write_cell(store, cell, solve(store, cell, settings, palette, context));
     context.advance(cell.points);
   });
   CellPlanes all;

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/pass/context.h"
+#include "engine/segments/auto_params.h"
 #include "engine/segments/cells.h"
 #include "engine/settings/settings.h"
 #include "kernels/core/moments.h"
@@ -14,9 +15,11 @@ namespace ilot {
 struct CellSummary {
   std::uint32_t first_plane = 0, plane_count = 0;  // among all cell planes
   std::int64_t connectivity = 1;
+  std::uint32_t min_points = 3;
   double epsilon = 0;
+  double normal_angle = 25;  // degrees
   double step = 0, noise = 0;
-  PlaneMethod method = PlaneMethod::ransac;  // that found its planes
+  SeenFrom from = SeenFrom::air;
 };
 
 struct CellPlanes {
@@ -25,9 +28,10 @@ struct CellPlanes {
 };
 
 // Finds the planes of each cell and writes the column "segment" (u32 per point: 0 = none, else 1 + number of the cell
-// plane). A cell's answer depends on the points of the cell and its margin alone.
+// plane). A cell's answer depends on the points of the cell and its margin alone. The palette (with the column
+// "colour") is for colour_ransac.
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
-                       const PassContext& context);
+                       const PassContext& context, const ColourPalette& palette = {});
 
 // A plane of one cell before the join, as it is kept on disk. Coordinates relative to the cell's corner.
 struct CellPlane {

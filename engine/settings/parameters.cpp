@@ -52,20 +52,24 @@ struct Field<std::vector<int>> {
 };
 
 // A choice among names, in the order of the enumeration.
-template <class Choice, const auto& kNames>
+template <class Enum, const auto& kNames>
 struct ChoiceField {
   static constexpr bool kOptional = false;
   static constexpr ValueKind kKind = ValueKind::choice;
-  static Value get(Choice field) { return std::string(kNames[static_cast<std::size_t>(field)]); }
-  static void set(Choice& field, const Value& value) {
+  static Value get(Enum field) { return std::string(kNames[static_cast<std::size_t>(field)]); }
+  static void set(Enum& field, const Value& value) {
     const auto name = std::find(kNames.begin(), kNames.end(), std::get<std::string>(value));
-    field = static_cast<Choice>(name - kNames.begin());
+    field = static_cast<Enum>(name - kNames.begin());
   }
 };
 template <>
 struct Field<PlaneMethod> : ChoiceField<PlaneMethod, kPlaneMethods> {};
 template <>
 struct Field<AttributeStyle> : ChoiceField<AttributeStyle, kAttributeStyles> {};
+template <>
+struct Field<Cleaning> : ChoiceField<Cleaning, kCleanings> {};
+template <>
+struct Field<EpsilonBy> : ChoiceField<EpsilonBy, kEpsilonBy> {};
 
 template <class Access>
 Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
@@ -113,6 +117,13 @@ std::vector<Parameter> make_table() {
            "planes that meet at a cell border are joined up to this angle"),
       make("planes.probability", ILOT_FIELD(planes.probability), {0.5, 0.999999}, "",
            "that the best plane was among those tried"),
+      with_choices(make("planes.cleaning", ILOT_FIELD(planes.cleaning), {}, "",
+                        "which points take no part in the search for planes"),
+                   kCleanings),
+      with_choices(make("planes.epsilon_by", ILOT_FIELD(planes.epsilon_by), {}, "", "what epsilon is chosen by"),
+                   kEpsilonBy),
+      make("planes.colour_classes", ILOT_FIELD(planes.colour_classes), {0, 16}, "",
+           "classes that colours are parted into where points have them"),
       make("boundaries.gamma", ILOT_FIELD(boundaries.gamma), {0.1, 100}, "",
            "gaps wider than twice this many sampling steps are openings"),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",

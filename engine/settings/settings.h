@@ -32,19 +32,40 @@ enum class PlaneMethod : std::uint8_t {
   shape_ransac,
   roof_ransac,
   facade_ransac,
+  colour_ransac,
 };
 // As they are written in settings, in that order.
-constexpr std::array<std::string_view, 8> kPlaneMethods{"ransac", "region_growing", "smooth_growing", "split_merge",
-                                                        "hough",  "shape_ransac",   "roof_ransac",    "facade_ransac"};
+constexpr std::array<std::string_view, 9> kPlaneMethods{"ransac",      "region_growing", "smooth_growing",
+                                                        "split_merge", "hough",          "shape_ransac",
+                                                        "roof_ransac", "facade_ransac",  "colour_ransac"};
+
+// Points that take no part in the search for planes (docs/methods.md, A1); labels may still reach them.
+enum class Cleaning : std::uint8_t {
+  none,
+  density,    // whose neighbourhood is much sparser than the mean
+  distance,   // in clusters of fewer than min_points, farther than the connectivity from the rest
+  isolation,  // isolated among their own neighbours
+};
+constexpr std::array<std::string_view, 4> kCleanings{"none", "density", "distance", "isolation"};
+
+// What epsilon is chosen by where it is auto.
+enum class EpsilonBy : std::uint8_t {
+  noise,  // 3.5 times the noise
+  knee,   // the knee of MSE(epsilon) of the largest plane (docs/methods.md, C4)
+};
+constexpr std::array<std::string_view, 2> kEpsilonBy{"noise", "knee"};
 
 struct PlanesSettings {
   std::optional<PlaneMethod> method;
   std::optional<double> epsilon;       // metres; greatest distance of a labelled point from its plane
-  double normal_angle = 25;            // degrees; greatest angle between a point's normal and its plane's
+  std::optional<double> normal_angle;  // degrees; greatest angle between a point's normal and its plane's
   std::optional<int> min_points;       // fewest points of a plane
   std::optional<double> connectivity;  // metres; points of one plane farther apart than this are two planes
   double join_angle = 4;               // degrees; planes that meet at a cell border join below this angle
   double probability = 0.99;           // that the best plane was among those tried
+  Cleaning cleaning = Cleaning::none;
+  EpsilonBy epsilon_by = EpsilonBy::noise;
+  int colour_classes = 6;  // that colours are parted into where points have them; 0 = none
 };
 
 struct BoundariesSettings {

@@ -66,6 +66,15 @@ double cos_degrees(double degrees) {
   }
 }
 
+double degrees_of_cosine(double c) {
+  double low = 0, high = 90;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (cos_degrees(middle) >= c ? low : high) = middle;
+  }
+  return c >= 1 ? 0 : c <= 0 ? 90 : low;
+}
+
 double natural_log(double v) {
   const auto bits = std::bit_cast<std::uint64_t>(v);
   auto exponent = static_cast<std::int64_t>(bits >> 52 & 0x7ff) - 1023;

@@ -120,6 +120,22 @@ std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const 
 
 namespace {
 
+// Of its own plane and those that enough neighbours have, the nearest; ties keep its own, then go to the smaller label.
+std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
+                      const PlaneSegments& segments, const Votes& votes) {
+  std::uint32_t best = segments.label[i];
+  double least = around.distance(i, segments.planes[best - 1]);
+  for (std::size_t v = 0; v < votes.size; ++v) {
+    const Vote& vote = votes.vote[v];
+    if (vote.label == segments.label[i] || vote.count < params.min_votes) continue;
+    const double d = around.distance(i, segments.planes[vote.label - 1]);
+    if (d > params.epsilon || d > least || (d == least && (best == segments.label[i] || vote.label > best))) continue;
+    least = d;
+    best = vote.label;
+  }
+  return best;
+}
+
 // The label a point should have, its own or that of a plane whose side of the bisector it lies on.
 std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
                      const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
@@ -127,6 +143,7 @@ std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const Relabel
   if (around.all_have(i, own, segments.label)) return own;
   const Votes votes = around.votes(i, segments.label);
   if (votes.size == 0 || (votes.size == 1 && votes.vote[0].label == own)) return own;
+  if (params.border == RelabelParams::Border::nearest) return nearest(around, i, params, segments, votes);
   const Plane& a = segments.planes[own - 1];
   std::uint32_t best = own;
   double margin = 0;

@@ -15,6 +15,7 @@ struct RelabelParams {
   int max_rounds = 8;
   double lean = 0;  // units; borders move by about so much in favour of the plane with more points: beams that meet
                     // both surfaces at an edge pull points off the larger one
+  enum class Border { bisector, nearest } border = Border::bisector;  // how part_borders decides
 };
 
 // Gives points without a label one of their neighbours' planes: the nearest among those with at least min_votes
@@ -26,8 +27,9 @@ std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const 
 // Borders: a labelled point near a neighbour's plane too (within epsilon, min_votes neighbours) goes to the side of the
 // bisector on which it lies. Of the two bisectors of two planes the one counts that parts their points: which side each
 // plane's points lie on is read from those neighbours that are not within epsilon of both, so planes may cross and end
-// anywhere. Nearness alone would follow the noise. Rounds as in adopt_strays, until nothing moves. Returns how many
-// moves were made. O(rounds x n k).
+// anywhere. Where noise is small beside the surfaces, nearness alone would follow it; where it is so large that few
+// neighbours are clearly beyond a plane, Border::nearest gives each point to the nearest plane instead. Rounds as in
+// adopt_strays, until nothing moves. Returns how many moves were made. O(rounds x n k).
 std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                          PlaneSegments& segments);
 

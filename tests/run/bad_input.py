@@ -181,7 +181,8 @@ class BadInput(RunTest):
         (out / "points" / "stray.laz").write_text("of an earlier run")
         _, second = self.work(self.good, "--overwrite", out=out)
         self.assertEqual(first["result_hash"], second["result_hash"])
-        self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "planes.gpkg", "points", "run.json"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()),
+                         ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
 
     def test_disk_full_at_any_size(self):
         """A limit on file sizes stands for the full disk: every write may be the one that fails."""

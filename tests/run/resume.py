@@ -176,7 +176,8 @@ class Synthetic(Resume):
         (out / "run.json").unlink()
         _, told = self.work(path, "--resume", *SLOW, out=out)
         self.assertEqual(told["result_hash"], expected["result_hash"])
-        self.assertEqual(sorted(p.name for p in out.iterdir()), ["planes.csv", "planes.gpkg", "points", "run.json"])
+        self.assertEqual(sorted(p.name for p in out.iterdir()),
+                         ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
 
     def test_resume_of_nothing_and_of_a_finished_run(self):
         path = self.district(30000)

@@ -18,7 +18,7 @@ struct PlaneStore {
     cells = canonical_cells(s, 1);
     found = planes_pass(s, cells, settings, {});
     contacts = contact_pass(s, cells, found, {});
-    joined = join_planes(s, cells, found, contacts, {cos_degrees(settings.planes.join_angle), 30});
+    joined = join_planes(s, cells, found, contacts, {cos_degrees(settings.planes.join_angle)});
   }
   CloudStore cloud;
   std::vector<Cell> cells;

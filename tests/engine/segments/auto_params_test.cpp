@@ -55,18 +55,50 @@ TEST(AutoParams, FewOrCoincidingPointsMeasureNothing) {
   const Sampling s = sampling_of(same.build());
   EXPECT_EQ(s.step, 0);
   EXPECT_EQ(s.noise, 0);
-  const PlaneParams p = choose_plane_params({}, s, 0.001, 1000);
+  const PlaneParams p = choose_plane_params({}, s, SeenFrom::air, 0.001, 1000);
   EXPECT_EQ(p.epsilon, 3);
   EXPECT_GE(p.connectivity, 1);
 }
 
 TEST(AutoParams, EpsilonAndConnectivityStayWithinTheirBounds) {
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 10}, 0.001, 1000).epsilon, 35);
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {400, 10}, 0.001, 1000).epsilon, 100);
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {4, 0.1}, 0.001, 1000).epsilon, 3);
-  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 1000}, 0.001, 1000).epsilon, 500);
-  EXPECT_EQ(choose_plane_params({}, {40, 10}, 0.001, 1000).connectivity, 120);
-  EXPECT_EQ(choose_plane_params({}, {1e9, 10}, 0.001, 1000).connectivity, 1000);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 10}, SeenFrom::air, 0.001, 1000).epsilon, 35);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {400, 10}, SeenFrom::air, 0.001, 1000).epsilon, 100);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {4, 0.1}, SeenFrom::air, 0.001, 1000).epsilon, 3);
+  EXPECT_DOUBLE_EQ(choose_plane_params({}, {40, 1000}, SeenFrom::air, 0.001, 1000).epsilon, 500);
+  EXPECT_EQ(choose_plane_params({}, {40, 10}, SeenFrom::air, 0.001, 1000).connectivity, 160);
+  EXPECT_EQ(choose_plane_params({}, {40, 10}, SeenFrom::ground, 0.001, 1000).connectivity, 240);
+  EXPECT_EQ(choose_plane_params({}, {1e9, 10}, SeenFrom::air, 0.001, 1000).connectivity, 1000);
+}
+
+TEST(AutoParams, TheSmallestPlaneIsAnAreaWithinBounds) {
+  const auto points = [](double step_m, SeenFrom from) {
+    return choose_plane_params({}, {step_m / 0.001, 1}, from, 0.001, 100000).min_points;
+  };
+  EXPECT_EQ(points(0.1, SeenFrom::air), 120u);  // 100 points a square metre
+  EXPECT_EQ(points(0.25, SeenFrom::air), 20u);  // 16
+  EXPECT_EQ(points(0.5, SeenFrom::air), 12u);   // 4: few points make no plane, however large
+  EXPECT_EQ(points(0.02, SeenFrom::air), 1000u);
+  EXPECT_EQ(points(0.01, SeenFrom::ground), 50u);
+  EXPECT_EQ(points(0.02, SeenFrom::ground), 30u);
+  EXPECT_EQ(points(0.002, SeenFrom::ground), 200u);
+  EXPECT_EQ(points(0, SeenFrom::ground), 200u);
+}
+
+TEST(AutoParams, NormalsTellFacesApartWhereEpsilonIsWide) {
+  const auto angle = [](double step, double noise, SeenFrom from) {
+    return choose_plane_params({}, {step, noise}, from, 0.001, 1000).normal_angle;
+  };
+  EXPECT_EQ(angle(300, 10, SeenFrom::air), 25);
+  EXPECT_NEAR(angle(500, 50, SeenFrom::air), 25 * (125.0 * 125) / (175.0 * 175), 1e-12);
+  EXPECT_EQ(angle(300, 100, SeenFrom::air), 10);
+  EXPECT_EQ(angle(300, 100, SeenFrom::ground), 25);
+}
+
+TEST(AutoParams, WallsAreSeenFromTheGround) {
+  const PackedNormal up{0, 0, 32767, 0}, level{32767, 0, 0, 0}, none{0, 0, 0, 0};
+  EXPECT_EQ(seen_from({}), SeenFrom::air);
+  EXPECT_EQ(seen_from(std::vector<PackedNormal>{up, up, up, level}), SeenFrom::air);
+  EXPECT_EQ(seen_from(std::vector<PackedNormal>{up, up, level, none, none}), SeenFrom::ground);
 }
 
 TEST(AutoParams, SettingsAreTakenAsTheyAre) {
@@ -75,11 +107,11 @@ TEST(AutoParams, SettingsAreTakenAsTheyAre) {
   settings.connectivity = 0.5;
   settings.min_points = 7;
   settings.normal_angle = 60;
-  const PlaneParams p = choose_plane_params(settings, {40, 10}, 0.001, 100);
+  const PlaneParams p = choose_plane_params(settings, {40, 10}, SeenFrom::air, 0.001, 100);
   EXPECT_DOUBLE_EQ(p.epsilon, 20);
   EXPECT_EQ(p.connectivity, 500);
   EXPECT_EQ(p.min_points, 7u);
-  EXPECT_NEAR(p.min_cos, 0.5, 1e-15);
+  EXPECT_EQ(p.normal_angle, 60);
 }
 
 }  // namespace

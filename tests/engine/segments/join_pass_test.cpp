@@ -82,13 +82,19 @@ TEST(JoinPass, ContactsDoNotKnowTheBlocks) {
 TEST(JoinPass, SmallPlanesAreDroppedAndOrderOfContactsDoesNotShow) {
   const PlaneStore s(across(kBorder, 0.0, 0));
   const Store& store = s.cloud.store();
-  const JoinedPlanes none = join_planes(store, s.cells, s.found, s.contacts, {0.99, 100000});
+  CellPlanes greedy = s.found;
+  for (CellSummary& c : greedy.cells) c.min_points = 100000;
+  const JoinedPlanes none = join_planes(store, s.cells, greedy, s.contacts, {0.99});
   EXPECT_TRUE(none.planes.empty());
   EXPECT_EQ(none.of_segment, (std::vector<std::uint32_t>{0, 0}));
-  const JoinedPlanes apart = join_planes(store, s.cells, s.found, {}, {0.99, 30});
+  const JoinedPlanes apart = join_planes(store, s.cells, s.found, {}, {0.99});
   EXPECT_EQ(apart.of_segment, (std::vector<std::uint32_t>{1, 2}));
-  const JoinedPlanes single = join_planes(store, s.cells, s.found, {{0, 1, 1}}, {0.99, 30});
+  const JoinedPlanes single = join_planes(store, s.cells, s.found, {{0, 1, 1}}, {0.99});
   EXPECT_EQ(single.planes.size(), 2u) << "one contact is chance";
+  greedy.cells[1].min_points = 30;
+  const JoinedPlanes lenient = join_planes(store, s.cells, greedy, s.contacts, {0.99});
+  ASSERT_EQ(lenient.planes.size(), 1u) << "the fewest that any of its cells asks for";
+  EXPECT_EQ(lenient.planes[0].min_points, 30u);
 }
 
 }  // namespace

@@ -98,5 +98,14 @@ TEST(PortableMath, DirectionsStayWithinTheirError) {
   }
 }
 
+TEST(PortableMath, DegreesOfACosineTurnItRound) {
+  EXPECT_EQ(degrees_of_cosine(1), 0);
+  EXPECT_EQ(degrees_of_cosine(1.5), 0);
+  EXPECT_EQ(degrees_of_cosine(0), 90);
+  EXPECT_EQ(degrees_of_cosine(-0.5), 90);
+  EXPECT_NEAR(degrees_of_cosine(0.5), 60, 1e-12);
+  for (double angle = 0.5; angle < 90; angle += 0.5) EXPECT_NEAR(degrees_of_cosine(cos_degrees(angle)), angle, 1e-11);
+}
+
 }  // namespace
 }  // namespace ilot

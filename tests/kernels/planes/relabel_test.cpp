@@ -54,6 +54,17 @@ TEST(Relabel, IslandsGoToTheMajorityUnlessTheyLieElsewhere) {
   EXPECT_EQ(relabel_islands(set.view().points, near.lists(), {1, 50}, kept), 0u);
 }
 
+TEST(Relabel, BordersCanFollowTheNearestPlane) {
+  const auto set = test::make_set("steps", {{0, 0, 10}, {1, 0, 10}, {0, 1, 14}, {1, 1, 14}, {2, 1, 13}, {2, 0, 12}});
+  const auto near = test::neighbours_of(set.view(), 6);
+  PlaneSegments s{std::vector<std::uint32_t>(6, 1), {{{0, 0, 1}, -10}, {{0, 0, 1}, -14}}};
+  for (std::size_t i = 0; i < 6; ++i) s.label[i] = set.z[i] == 14 ? 2 : 1;
+  RelabelParams params{3, 100, 2, 4};
+  params.border = RelabelParams::Border::nearest;
+  EXPECT_EQ(part_borders(set.view(), near.lists(), params, s), 1u);
+  for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(s.label[i], set.z[i] >= 13 ? 2u : 1u) << "a tie keeps its own";
+}
+
 // A convex edge between z = 1000 and x = 1000, with noise: labels start at the wrong side for a band along the edge.
 TEST(Relabel, BordersFollowTheBisector) {
   test::OrientedSetBuilder b(1);

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/segments/adjacency_pass.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+
+#include "engine/pass/pass.h"
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBytesPerPoint = 40;
+constexpr double kLeastPlaces = 3;
+constexpr double kParallel = 0.9961946980917455;  // cosine of 5 degrees
+
+// A cube of space and a plane that has points in it.
+struct Entry {
+  std::uint64_t cube = 0;
+  std::uint32_t plane = 0;
+  friend auto operator<=>(const Entry&, const Entry&) = default;
+};
+
+struct Contacts {
+  std::int64_t places = 0;
+  std::int64_t x = 0, y = 0, z = 0;  // sums of the cubes' centres from the cell's corner, in halves of an edge
+};
+using ContactMap = std::map<std::pair<std::uint32_t, std::uint32_t>, Contacts>;
+
+constexpr int kAxisBits = 21;
+
+// Cubes of edge 2^bits from the cell's corner, moved by half an edge where asked, and who lies in them.
+class Cubes {
+ public:
+  Cubes(Index3 corner, int bits, bool moved) : corner_(corner), bits_(bits), moved_(moved) {}
+
+  void add(Index3 p, std::uint32_t plane) {
+    const std::int64_t half = moved_ ? std::int64_t{1} << bits_ >> 1 : 0;
+    const auto place = [&](std::int64_t v, std::int64_t c) {
+      return static_cast<std::uint64_t>((v - c + half) >> bits_);
+    };
+    const std::uint64_t cube =
+        place(p.x, corner_.x) << 2 * kAxisBits | place(p.y, corner_.y) << kAxisBits | place(p.z, corner_.z);
+    if (entries_.empty() || entries_.back() != Entry{cube, plane}) entries_.push_back({cube, plane});
+  }
+
+  void count(ContactMap& contacts) {
+    std::sort(entries_.begin(), entries_.end());
+    entries_.erase(std::unique(entries_.begin(), entries_.end()), entries_.end());
+    for (std::size_t begin = 0, end = 0; begin < entries_.size(); begin = end) {
+      while (end < entries_.size() && entries_[end].cube == entries_[begin].cube) ++end;
+      for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t j = i + 1; j < end; ++j)
+          add_place(entries_[begin].cube, contacts[{entries_[i].plane, entries_[j].plane}]);
+    }
+  }
+
+ private:
+  void add_place(std::uint64_t cube, Contacts& c) const {
+    constexpr std::uint64_t kMask = (std::uint64_t{1} << kAxisBits) - 1;
+    const auto centre = [&](std::uint64_t at) { return 2 * static_cast<std::int64_t>(at) + (moved_ ? 0 : 1); };
+    ++c.places;
+    c.x += centre(cube >> 2 * kAxisBits);
+    c.y += centre(cube >> kAxisBits & kMask);
+    c.z += centre(cube & kMask);
+  }
+
+  Index3 corner_;
+  int bits_;
+  bool moved_;
+  std::vector<Entry> entries_;
+};
+
+std::vector<Touch> touches_in(const Store& store, const Cell& cell, std::int64_t connectivity,
+                              const std::vector<std::uint32_t>& final_id, const std::vector<JoinedPlane>& planes) {
+  const int bits = std::bit_width(static_cast<std::uint64_t>(std::max<std::int64_t>(2, connectivity)) - 1);
+  const Index3 corner = cell.node.min_corner();
+  Cubes still(corner, bits, false), moved(corner, bits, true);
+  constexpr std::uint32_t kBatch = 1 << 14;
+  for (const CellSlice& s : cell.slices) {
+    const Tile tile = store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
+      const std::uint32_t n = std::min(kBatch, s.count - done);
+      const auto codes = store.read<std::uint64_t>(s.block, "codes", s.first + done, n);
+      const auto labels = store.read<std::uint32_t>(s.block, "plane", s.first + done, n);
+      for (std::uint32_t i = 0; i < n; ++i) {
+        const std::uint32_t id = final_id[labels[i]];
+        if (id == 0) continue;
+        const Index3 p = index_of({tile, codes[i]});
+        still.add(p, id);
+        moved.add(p, id);
+      }
+    }
+  }
+  ContactMap contacts;
+  still.count(contacts);
+  moved.count(contacts);
+  const double edge = std::ldexp(1.0, bits);
+  std::vector<Touch> touches;
+  for (const auto& [pair, c] : contacts) {
+    const Index3 anchor = planes[pair.first - 1].anchor;
+    const auto places = static_cast<double>(c.places);
+    const auto sum = [&](std::int64_t centres, std::int64_t from, std::int64_t to) {
+      return static_cast<double>(centres) * edge / 2 + places * static_cast<double>(from - to);
+    };
+    touches.push_back({pair.first,
+                       pair.second,
+                       places * edge / 2,
+                       places,
+                       {sum(c.x, corner.x, anchor.x), sum(c.y, corner.y, anchor.y), sum(c.z, corner.z, anchor.z)}});
+  }
+  return touches;
+}
+
+double distance_at(const JoinedPlane& of, Index3 anchor, Vec3 place) {
+  const Vec3 moved =
+      place + Vec3{static_cast<double>(anchor.x - of.anchor.x), static_cast<double>(anchor.y - of.anchor.y),
+                   static_cast<double>(anchor.z - of.anchor.z)};
+  return signed_distance(of.plane, moved);
+}
+
+Vec3 upwards(Vec3 v) {
+  const bool down = v.z < 0 || (v.z == 0 && (v.y < 0 || (v.y == 0 && v.x < 0)));
+  return down ? -1.0 * v : v;
+}
+
+}  // namespace
+
+std::vector<Touch> adjacency_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
+                                  const std::vector<std::uint32_t>& final_id, const std::vector<JoinedPlane>& planes,
+                                  const PassContext& context) {
+  std::vector<std::vector<Touch>> parts(cells.size());
+  std::vector<PassTask> tasks;
+  for (const Cell& c : cells) tasks.push_back({c.points * kBytesPerPoint, c.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    parts[i] = touches_in(store, cells[i], cell_planes.cells[i].connectivity, final_id, planes);
+  });
+  std::vector<Touch> all;
+  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Touch& s, const Touch& t) { return s.a != t.a ? s.a < t.a : s.b < t.b; });
+  std::vector<Touch> merged;
+  for (const Touch& t : all) {
+    if (merged.empty() || merged.back().a != t.a || merged.back().b != t.b) {
+      merged.push_back(t);
+      continue;
+    }
+    Touch& m = merged.back();
+    m.length += t.length;
+    m.places += t.places;
+    m.place = m.place + t.place;
+  }
+  std::erase_if(merged, [](const Touch& t) { return t.places < kLeastPlaces; });
+  return merged;
+}
+
+PlaneNeighbours neighbours_of(const Touch& touch, const JoinedPlane& a, const JoinedPlane& b, double unit,
+                              double metres_per_unit) {
+  PlaneNeighbours n;
+  n.a = touch.a;
+  n.b = touch.b;
+  n.contact_m = touch.length * unit * metres_per_unit;
+  const Vec3 centre = (1 / touch.places) * touch.place;
+  const double from_a = distance_at(a, a.anchor, centre), from_b = distance_at(b, a.anchor, centre);
+  const double c = dot(a.plane.n, b.plane.n);
+  n.angle_deg = degrees_of_cosine(std::abs(c));
+  Vec3 place;
+  if (std::abs(c) > kParallel) {
+    n.touching = Touching::step;
+    n.step_m = (from_a - (c > 0 ? from_b : -from_b)) * unit * metres_per_unit;
+    place = centre - from_a * a.plane.n;
+  } else {
+    // The foot on both planes at once: centre + s na + t nb.
+    const double s = (c * from_b - from_a) / (1 - c * c), t = (c * from_a - from_b) / (1 - c * c);
+    const Vec3 along = cross(a.plane.n, b.plane.n);
+    n.direction = upwards((1 / norm(along)) * along);
+    place = centre + s * a.plane.n + t * b.plane.n;
+  }
+  n.place = {(static_cast<double>(a.anchor.x) + place.x) * unit, (static_cast<double>(a.anchor.y) + place.y) * unit,
+             (static_cast<double>(a.anchor.z) + place.z) * unit};
+  return n;
+}
+
+}  // namespace ilot
