@@ -120,13 +120,8 @@ void edges_of_blocks(const Store& store, const BoundaryWork& work, const PassCon
     tasks.push_back({boundary_bytes(store, b, work), store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "reach")) write_reach(store, block, work);
-    context.advance(store.blocks()[block].points / 2);
-  });
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "seam_edges")) write_seam_edges(store, block, work);
-    context.advance(store.blocks()[block].points - store.blocks()[block].points / 2);
+    context.advance(store.blocks()[block].points);
   });
 }
 
@@ -145,7 +140,7 @@ std::vector<std::vector<NeighbourRange>> neighbour_ranges(const Store& store, co
 
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(const Outline&)>& take) {
-  const BoundaryWork work = boundary_work(store, params);
+  const BoundaryWork work = boundary_work(store, params, context);
   edges_of_blocks(store, work, context);
   std::vector<std::vector<RunOfBlock>> runs(params.planes.size() + 1);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)

@@ -35,8 +35,8 @@ struct BoundaryParams {
 // Gives the outline of every plane to `take`, by id, and writes the column "boundary" (u8: 1 = the point, or one at the
 // same place, is a vertex of its plane's outline before thinning). A triangle belongs to a segment when its
 // circumradius is at most the largest alpha of its corners: those of the Delaunay triangulation of all points of the
-// segment, whatever the blocks. Memory: stretches of 2^16 points with what lies around them, the edges of some planes
-// at a time, and a bit a point.
+// segment, whatever the blocks. Memory: stretches of at most 2^18 points with what lies around them, one a thread,
+// the edges of some planes at a time, and a bit a point.
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(const Outline&)>& take);
 

@@ -147,4 +147,15 @@ PlaneOrder plane_order(std::span<const Point2> points) {
   return out;
 }
 
+PlaneOrder selected(const PlaneOrder& order, std::span<const std::uint8_t> flags) {
+  PlaneOrder out;
+  for (std::size_t i = 0; i < order.points.size(); ++i) {
+    if (!flags[i]) continue;
+    out.points.push_back(order.points[i]);
+    out.codes.push_back(order.codes[i]);
+    out.index.push_back(order.index[i]);
+  }
+  return out;
+}
+
 }  // namespace ilot

@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/segments/label_pass.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/plane_frame.h"
 #include "kernels/delaunay/rings.h"
+#include "kernels/delaunay/sampling_step.h"
 #include "kernels/delaunay/thinning.h"
 #include "tests/support/plane_store.h"
 
@@ -83,17 +85,26 @@ Outline outline_at_once(const PlaneStore& s, std::uint32_t id, double tolerance)
   const Store& store = s.cloud.store();
   const auto where = test::positions(store);
   const auto plane = test::whole_column<std::uint32_t>(store, "plane");
-  const auto reach = test::whole_column<float>(store, "reach");
+  std::vector<std::int64_t> farthest;  // all blocks' points one after the other
+  for (const auto& block : neighbour_ranges(store, s.cells, s.found))
+    for (const NeighbourRange& r : block) farthest.insert(farthest.end(), r.count, r.farthest * 4);
   const JoinedPlane& joined = s.joined.planes[id - 1];
   const PlaneFrame frame = frame_of(joined.plane, {});
   std::vector<Point2> places;
-  std::vector<float> alpha;
+  std::vector<std::int64_t> limit;
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (plane[i] != id) continue;
     places.push_back(project(
         frame, {static_cast<double>(where[i].x - joined.anchor.x), static_cast<double>(where[i].y - joined.anchor.y),
                 static_cast<double>(where[i].z - joined.anchor.z)}));
-    alpha.push_back(reach[i]);
+    limit.push_back(farthest[i]);
+  }
+  std::vector<float> alpha;
+  const MeasuredSteps steps = measured_steps(places, 6, *std::max_element(limit.begin(), limit.end()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::int64_t most = limit[i] * limit[i];
+    const std::int64_t d2 = steps.reach2[i] < 0 ? most : std::min(most, steps.reach2[i]);
+    alpha.push_back(static_cast<float>(raster_step(static_cast<double>(d2), 6)));
   }
   const Triangulation t = delaunay(places);
   const auto keep = shape_triangles(t, places, {TriangleRule::kCircumradius, alpha});
