@@ -79,9 +79,10 @@ View plan_surroundings(const Store& store, const Stretch& s, const BoundaryWork&
   const auto& ranges = work.params.ranges;
   const Index3 anchor = store.blocks()[s.block].node.min_corner();
   const double own = static_cast<double>(in_steps(farthest_of(ranges[s.block], s.first, s.count)));
-  const double largest = work.params.gamma * raster_step(own * own, kNeighbours);
+  const double largest = work.params.threshold > 0 ? work.params.threshold * kPlaneSteps
+                                                   : work.params.gamma * raster_step(own * own, kNeighbours);
   const std::int64_t circles =
-      shape_halo(TriangleRule::kCircumradius, largest) / static_cast<std::int64_t>(kPlaneSteps) + work.across;
+      shape_halo(work.params.rule, largest) / static_cast<std::int64_t>(kPlaneSteps) + work.across;
   std::int64_t farthest = 1;
   for (const Slice& slice : plan_view(store, s.box.grown(circles), anchor).slices)
     farthest = std::max(farthest, farthest_of(ranges[slice.block], slice.first, slice.count));
@@ -122,6 +123,16 @@ class Surroundings {
     return work_.first[s.block] + s.first + (i - s.at);
   }
 
+  // Of points above a plane, in steps of its frame.
+  std::vector<std::int32_t> heights(std::uint32_t plane, const std::vector<std::uint32_t>& points) const {
+    const JoinedPlane& joined = work_.params.planes[plane - 1];
+    std::vector<std::int32_t> heights;
+    for (const std::uint32_t i : points)
+      heights.push_back(static_cast<std::int32_t>(
+          std::floor(kPlaneSteps * signed_distance(joined.plane, from_anchor(joined, i)) + 0.5)));
+    return heights;
+  }
+
   // One after the other, by id, the planes that points of the stretch lie on.
   template <class Use>
   void each_plane(const Use& use) const {
@@ -150,12 +161,7 @@ class Surroundings {
     const PlaneFrame frame = frame_of_joined(joined);
     std::vector<Point2> places;
     places.reserve(members.size());
-    for (const std::uint32_t i : members) {
-      const Index3 p = view_.position(i);
-      places.push_back(
-          project(frame, {static_cast<double>(p.x - joined.anchor.x), static_cast<double>(p.y - joined.anchor.y),
-                          static_cast<double>(p.z - joined.anchor.z)}));
-    }
+    for (const std::uint32_t i : members) places.push_back(project(frame, from_anchor(joined, i)));
     const std::vector<std::int64_t> farthest = farthest_of_members(members);
     PlanePlaces out{plane, plane_order(places), {}, {}};
     for (std::uint32_t& i : out.order.index) {
@@ -168,6 +174,12 @@ class Surroundings {
       kept = members[kept];
     }
     return out;
+  }
+
+  Vec3 from_anchor(const JoinedPlane& joined, std::uint32_t i) const {
+    const Index3 p = view_.position(i);
+    return {static_cast<double>(p.x - joined.anchor.x), static_cast<double>(p.y - joined.anchor.y),
+            static_cast<double>(p.z - joined.anchor.z)};
   }
 
   std::vector<std::int64_t> farthest_of_members(const std::vector<std::uint32_t>& members) const {
@@ -194,19 +206,66 @@ class Surroundings {
   std::uint32_t own_ = 0, own_end_ = 0;
 };
 
-// Alpha of the places in `queries`, from the distance of the sixth neighbour.
-void measure_reach(const PlaceCells& cells, const PlanePlaces& p, const std::vector<std::uint32_t>& queries,
-                   double gamma, std::vector<float>& reach) {
-  std::int64_t farthest = 1;
-  for (const std::uint32_t i : queries) farthest = std::max(farthest, p.farthest[i]);
-  std::vector<std::int64_t> squared(queries.size());
-  kth_distances(cells, queries, kNeighbours, farthest, squared);
-  for (std::size_t q = 0; q < queries.size(); ++q) {
-    const std::int64_t limit = p.farthest[queries[q]] * p.farthest[queries[q]];
-    const std::int64_t d2 = squared[q] < 0 ? limit : std::min(limit, squared[q]);
-    reach[queries[q]] = static_cast<float>(gamma * raster_step(static_cast<double>(d2), kNeighbours));
-  }
+// The step that the distance of the sixth neighbour tells; -1 = there are fewer within `farthest`.
+double measured_step(std::int64_t squared, std::int64_t farthest) {
+  const std::int64_t limit = farthest * farthest;
+  return raster_step(static_cast<double>(squared < 0 ? limit : std::min(limit, squared)), kNeighbours);
 }
+
+// Thresholds of the places of one plane.
+class Thresholds {
+ public:
+  Thresholds(const PlanePlaces& places, const BoundaryParams& params)
+      : places_(places), params_(params), joined_(params.planes[places.plane - 1]), frame_(frame_of_joined(joined_)) {
+    const Vec3 anchor{static_cast<double>(joined_.anchor.x), static_cast<double>(joined_.anchor.y),
+                      static_cast<double>(joined_.anchor.z)};
+    for (Scanner s : params.stations) {
+      s.position = s.position - anchor;
+      stations_.push_back(s);
+    }
+    if (params.threshold == 0) cells_ = place_cells(places.order);
+  }
+
+  void find(const std::vector<std::uint32_t>& wanted, std::vector<float>& reach) const {
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t i : wanted) {
+      if (params_.threshold > 0) {
+        reach[i] = static_cast<float>(params_.threshold * kPlaneSteps);
+      } else if (!predict(i, reach[i])) {
+        left.push_back(i);
+      }
+    }
+    if (!left.empty()) measure(left, reach);
+  }
+
+ private:
+  // From the stations; false where none sees the plane there.
+  bool predict(std::uint32_t i, float& reach) const {
+    if (stations_.empty()) return false;
+    const double step =
+        kPlaneSteps * predicted_step(stations_, joined_.plane, position(frame_, places_.order.points[i]));
+    if (!std::isfinite(step)) return false;
+    reach = static_cast<float>(params_.gamma * std::min(step, measured_step(-1, places_.farthest[i])));
+    return true;
+  }
+
+  // From the distance of the sixth neighbour.
+  void measure(const std::vector<std::uint32_t>& queries, std::vector<float>& reach) const {
+    std::int64_t farthest = 1;
+    for (const std::uint32_t i : queries) farthest = std::max(farthest, places_.farthest[i]);
+    std::vector<std::int64_t> squared(queries.size());
+    kth_distances(cells_, queries, kNeighbours, farthest, squared);
+    for (std::size_t q = 0; q < queries.size(); ++q)
+      reach[queries[q]] = static_cast<float>(params_.gamma * measured_step(squared[q], places_.farthest[queries[q]]));
+  }
+
+  const PlanePlaces& places_;
+  const BoundaryParams& params_;
+  const JoinedPlane& joined_;
+  PlaneFrame frame_;
+  std::vector<Scanner> stations_;  // relative to the plane's anchor
+  PlaceCells cells_;
+};
 
 template <class Wanted>
 std::vector<std::uint32_t> positions_where(std::size_t count, const Wanted& wanted) {
@@ -225,12 +284,11 @@ struct NeededPlaces {
 
 NeededPlaces needed_places(const PlanePlaces& p, const BoundaryParams& params) {
   const std::size_t n = p.order.points.size();
-  const PlaceCells cells = place_cells(p.order);
+  const Thresholds thresholds(p, params);
   std::vector<float> reach(n);
-  measure_reach(cells, p, positions_where(n, [&](std::uint32_t i) { return p.own[i] == 1; }), params.gamma, reach);
-  const auto needed = needed_points(TriangleRule::kCircumradius, p.order.points, reach, p.own);
-  measure_reach(cells, p, positions_where(n, [&](std::uint32_t i) { return needed[i] > p.own[i]; }), params.gamma,
-                reach);
+  thresholds.find(positions_where(n, [&](std::uint32_t i) { return p.own[i] == 1; }), reach);
+  const auto needed = needed_points(params.rule, p.order.points, reach, p.own);
+  thresholds.find(positions_where(n, [&](std::uint32_t i) { return needed[i] > p.own[i]; }), reach);
   NeededPlaces out{selected(p.order, needed), {}, {}};
   for (std::size_t i = 0; i < n; ++i)
     if (needed[i]) {
@@ -278,7 +336,10 @@ OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const Boundar
   around.each_plane([&](const PlanePlaces& p) {
     const NeededPlaces needed = needed_places(p, work.params);
     const Triangulation t = delaunay(needed.order);
-    const auto own = owned_triangles(t, needed.order.points, {TriangleRule::kCircumradius, needed.reach}, needed.own);
+    const std::vector<std::int32_t> heights = work.params.edge_length == EdgeLength::space
+                                                  ? around.heights(p.plane, needed.order.index)
+                                                  : std::vector<std::int32_t>();
+    const auto own = owned_triangles(t, needed.order.points, {work.params.rule, needed.reach, heights, {}}, needed.own);
     add_edges(around, p.plane, needed.order, t, own, out);
     for (const auto& [left_out, kept] : p.order.duplicates)
       if (around.is_own(left_out))

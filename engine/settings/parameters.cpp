@@ -52,14 +52,15 @@ struct Field<std::vector<int>> {
 };
 
 // A choice among names, in the order of the enumeration.
-template <>
-struct Field<PlaneMethod> {
+template <class E>
+requires std::is_enum_v<E>
+struct Field<E> {
   static constexpr bool kOptional = false;
   static constexpr ValueKind kKind = ValueKind::choice;
-  static Value get(PlaneMethod field) { return std::string(kPlaneMethods[static_cast<std::size_t>(field)]); }
-  static void set(PlaneMethod& field, const Value& value) {
-    const auto name = std::find(kPlaneMethods.begin(), kPlaneMethods.end(), std::get<std::string>(value));
-    field = static_cast<PlaneMethod>(name - kPlaneMethods.begin());
+  static Value get(E field) { return std::string(names_of(field)[static_cast<std::size_t>(field)]); }
+  static void set(E& field, const Value& value) {
+    const auto names = names_of(field);
+    field = static_cast<E>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
   }
 };
 
@@ -110,7 +111,21 @@ std::vector<Parameter> make_table() {
       make("planes.probability", ILOT_FIELD(planes.probability), {0.5, 0.999999}, "",
            "that the best plane was among those tried"),
       make("boundaries.gamma", ILOT_FIELD(boundaries.gamma), {0.1, 100}, "",
-           "gaps wider than twice this many sampling steps are openings"),
+           "threshold around a point over the sampling step there: gaps wider than twice that are openings"),
+      make("boundaries.threshold", ILOT_FIELD(boundaries.threshold), {0.001, 1000}, "m",
+           "one threshold for all points, whatever the sampling step"),
+      with_choices(make("boundaries.step", ILOT_FIELD(boundaries.step), {}, "",
+                        "sampling step as the stations' angular steps predict it, or as neighbours tell it"),
+                   kStepSources),
+      with_choices(make("boundaries.rule", ILOT_FIELD(boundaries.rule), {}, "",
+                        "what of a triangle must not exceed the threshold"),
+                   kBoundaryRules),
+      with_choices(make("boundaries.edge_length", ILOT_FIELD(boundaries.edge_length), {}, "",
+                        "longest_edge: edges as projected on the plane, or between the points themselves"),
+                   kEdgeLengths),
+      with_choices(make("boundaries.erosion", ILOT_FIELD(boundaries.erosion), {}, "",
+                        "gaps open an outline everywhere, or only from the outside: then it has no holes"),
+                   kErosions),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",
            "outlines lose the vertices that move them by less than this"),
       make("roofs.cluster_distance", ILOT_FIELD(roofs.cluster_distance), {0.01, 100}, "m",

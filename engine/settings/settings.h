@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -37,6 +38,10 @@ enum class PlaneMethod : std::uint8_t {
 constexpr std::array<std::string_view, 8> kPlaneMethods{"ransac", "region_growing", "smooth_growing", "split_merge",
                                                         "hough",  "shape_ransac",   "roof_ransac",    "facade_ransac"};
 
+constexpr std::span<const std::string_view> names_of(PlaneMethod) {
+  return kPlaneMethods;
+}
+
 struct PlanesSettings {
   std::optional<PlaneMethod> method;
   std::optional<double> epsilon;       // metres; greatest distance of a labelled point from its plane
@@ -47,8 +52,41 @@ struct PlanesSettings {
   double probability = 0.99;           // that the best plane was among those tried
 };
 
+// Where the sampling step around a point comes from.
+enum class StepSource : std::uint8_t { stations, neighbours };
+constexpr std::array<std::string_view, 2> kStepSources{"stations", "neighbours"};
+constexpr std::span<const std::string_view> names_of(StepSource) {
+  return kStepSources;
+}
+
+// What keeps a triangle out of an outline.
+enum class BoundaryRule : std::uint8_t { circumradius, longest_edge };
+constexpr std::array<std::string_view, 2> kBoundaryRules{"circumradius", "longest_edge"};
+constexpr std::span<const std::string_view> names_of(BoundaryRule) {
+  return kBoundaryRules;
+}
+
+// How the edges of triangles are measured.
+enum class EdgeLength : std::uint8_t { plane, space };
+constexpr std::array<std::string_view, 2> kEdgeLengths{"plane", "space"};
+constexpr std::span<const std::string_view> names_of(EdgeLength) {
+  return kEdgeLengths;
+}
+
+// Which gaps open an outline: all, or those that the outside reaches.
+enum class Erosion : std::uint8_t { everywhere, outside };
+constexpr std::array<std::string_view, 2> kErosions{"everywhere", "outside"};
+constexpr std::span<const std::string_view> names_of(Erosion) {
+  return kErosions;
+}
+
 struct BoundariesSettings {
-  double gamma = 1;          // alpha around a point over the sampling step there, the diagonal of a cell of its raster
+  double gamma = 1;  // threshold around a point over the sampling step there, the diagonal of a cell of its raster
+  std::optional<double> threshold;  // metres; the same for all points, whatever the step
+  std::optional<StepSource> step;
+  BoundaryRule rule = BoundaryRule::circumradius;
+  EdgeLength edge_length = EdgeLength::plane;  // of longest_edge
+  Erosion erosion = Erosion::everywhere;
   double tolerance = 0.001;  // metres; outlines are thinned to within it
 };
 
