@@ -124,7 +124,7 @@ class Surroundings {
   }
 
   // Of points above a plane, in steps of its frame.
-  std::vector<std::int32_t> heights(std::uint32_t plane, const std::vector<std::uint32_t>& points) const {
+  std::vector<std::int32_t> heights(std::uint32_t plane, std::span<const std::uint32_t> points) const {
     const JoinedPlane& joined = work_.params.planes[plane - 1];
     std::vector<std::int32_t> heights;
     for (const std::uint32_t i : points)

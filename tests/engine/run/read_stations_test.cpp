@@ -32,7 +32,7 @@ class ReadStations : public testing::Test {
   std::filesystem::path path() const { return folder_.path() / "stations.csv"; }
 
  private:
-  test::TemporaryFolder folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(ReadStations, PlacesAlone) {
