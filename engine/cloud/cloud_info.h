@@ -34,10 +34,12 @@ struct Crs {
   bool unit_assumed = true;  // nothing said what the unit is: metres are assumed
 };
 
-// Where a scanner stood, in world coordinates.
+// Where a scanner stood, in world coordinates, and how it turned.
 struct Station {
   std::string name;
   Vec3 position;
+  double azimuth_step = 0, elevation_step = 0;  // radians between profiles and between their points; 0 = unknown
+  Vec3 axis{0, 0, 1};                           // that it turned about, of unit length
 };
 
 // One of several scans in a file; its rows follow those of the scan before it.

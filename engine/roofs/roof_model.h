@@ -23,7 +23,6 @@ struct RoofModelParams {
   int min_points = 0;           // fewest points of a face; 0 = from the density
   double least_face_area = 0;   // m2; smaller faces go to their neighbour
   bool superstructures = true;  // false: the main roof alone
-  double step_height = 0.2;     // metres; a smaller difference between two faces at their border is no wall
 };
 
 struct RoofModel {

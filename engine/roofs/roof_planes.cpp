@@ -176,8 +176,10 @@ RoofPlane roof_plane(const Plane& plane, Vec3 corner) {
 // Planes of the segments that a roof can have, and who lies on them.
 void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, RoofPlanes& r) {
   std::vector<std::uint32_t> number(s.planes.size() + 1, 0);
+  std::vector<std::uint8_t> used(s.planes.size() + 1, 0);
+  for (const std::uint32_t label : s.label) used[label] = 1;
   for (std::size_t p = 0; p < s.planes.size(); ++p) {
-    if (s.planes[p].n.z < kSteepest) continue;
+    if (s.planes[p].n.z < kSteepest || !used[p + 1]) continue;
     r.planes.push_back(roof_plane(s.planes[p], c.corner));
     number[p + 1] = static_cast<std::uint32_t>(r.planes.size());
   }
@@ -191,6 +193,18 @@ void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, Roof
     plane.lowest = std::min(plane.lowest, site.points[i].z);
     plane.highest = std::max(plane.highest, site.points[i].z);
   }
+}
+
+// Without superstructures only planes stay that cover a good part of what the largest one does.
+void drop_superstructures(double area_per_point, const Cloud& c, PlaneSegments& s) {
+  constexpr double kLargest = 12, kShare = 0.15;  // m2; of the largest plane
+  std::vector<std::uint32_t> size(s.planes.size() + 1, 0);
+  for (std::size_t i = 0; i < c.size; ++i) ++size[s.label[i]];
+  std::uint32_t largest = 0;
+  for (std::size_t p = 1; p < size.size(); ++p)
+    if (s.planes[p - 1].n.z >= kSteepest) largest = std::max(largest, size[p]);
+  for (std::uint32_t& label : s.label)
+    if (label != 0 && size[label] * area_per_point < kLargest && size[label] < kShare * largest) label = 0;
 }
 
 }  // namespace
@@ -220,6 +234,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   settle_planes(c.points(), neighbours, relabel, min_points, s);
   join_alike(c, neighbours, epsilon, s);
   settle_planes(c.points(), neighbours, relabel, min_points, s);
+  if (!params.superstructures) drop_superstructures(r.step * r.step, c, s);
   sort_out(site, c, s, r);
   return r;
 }

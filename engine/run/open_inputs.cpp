@@ -6,6 +6,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/crs.h"
+#include "engine/run/read_stations.h"
 
 namespace ilot {
 namespace {
@@ -96,6 +97,12 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     throw Error("heights and positions are in different units (" + crs_name(inputs.crs) +
                     "), which would bend every plane; convert the heights first, or give --crs",
                 ExitCode::usage);
+  if (!options.stations.empty()) {
+    inputs.stations = read_stations(options.stations);
+  } else {
+    for (const auto& reader : inputs.readers)
+      inputs.stations.insert(inputs.stations.end(), reader->info().stations.begin(), reader->info().stations.end());
+  }
   if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n would tell");
   record.unit_assumed = inputs.crs.unit_assumed;
   return inputs;

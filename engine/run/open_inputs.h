@@ -14,6 +14,7 @@ struct RunInputs {
   std::vector<std::unique_ptr<PointReader>> readers;  // by path
   Crs crs;                                            // of them all
   std::uint64_t points = 0;
+  std::vector<Station> stations;  // of the stations file, or else of the inputs
 };
 
 // Opens every input and agrees on one CRS. Files that cannot be read are skipped and recorded (Error with --strict or

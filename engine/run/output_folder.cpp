@@ -42,6 +42,14 @@ json footprints_json(const std::filesystem::path& path) {
           fs::last_write_time(path, ignored).time_since_epoch().count()};
 }
 
+json stations_json(const std::vector<Station>& stations) {
+  json list = json::array();
+  for (const Station& s : stations)
+    list.push_back(
+        {s.position.x, s.position.y, s.position.z, s.azimuth_step, s.elevation_step, s.axis.x, s.axis.y, s.axis.z});
+  return list;
+}
+
 json area_json(const std::optional<Area>& area) {
   if (!area) return nullptr;
   return {area->min_x, area->min_y, area->max_x, area->max_y, area->rings};
@@ -57,6 +65,7 @@ json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t 
           {"settings", json::parse(settings_json(settings))},
           {"area", area_json(options.area)},
           {"footprints", footprints_json(options.footprints)},
+          {"stations", stations_json(inputs.stations)},
           {"products", options.products},
           {"crs", options.crs},
           {"block_points", block_points}};
@@ -131,7 +140,8 @@ void check_existing(const fs::path& folder, const RunOptions& options, const Run
     throw Error(folder.string() + ": holds something else than a run; empty it yourself", ExitCode::usage);
   std::vector<fs::path> read;
   for (const auto& reader : inputs.readers) read.push_back(reader->info().path);
-  if (!options.footprints.empty() && fs::exists(options.footprints)) read.push_back(options.footprints);
+  for (const fs::path& path : {options.footprints, options.stations})
+    if (!path.empty() && fs::exists(path)) read.push_back(path);
   for (const fs::path& path : read)
     if (lies_in(path, folder))
       throw Error(path.string() + ": lies in the output folder, whose content would be replaced; give another -o",

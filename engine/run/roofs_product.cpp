@@ -233,7 +233,6 @@ RoofModelParams model_params(const RoofsSettings& s) {
   params.min_points = s.min_points.value_or(0);
   params.least_face_area = s.least_face_area.value_or(0);
   params.superstructures = s.superstructures;
-  params.step_height = s.step_height;
   return params;
 }
 

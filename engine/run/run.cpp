@@ -135,20 +135,6 @@ void skip_product(const std::string& product, const std::string& reason, Progres
   record.skipped.push_back({"product", product, reason});
 }
 
-void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const Crs& crs,
-                     const PassContext& context, const std::filesystem::path& folder) {
-  const double tolerance = settings.boundaries.tolerance / (store.unit() * context.metres_per_unit);
-  std::filesystem::create_directories(folder);
-  PlanesGpkg file(folder / "planes.gpkg", crs);
-  boundaries_pass(store, {settings.boundaries.gamma, tolerance, planes.planes, planes.final_id, planes.ranges}, context,
-                  [&](const Outline& outline) {
-                    Segment& segment = planes.segments[outline.plane_id - 1];
-                    segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
-                    file.add(segment, outline);
-                  });
-  file.finish();
-}
-
 // What each point is to buildings: as the cloud says, or, where it says nothing of buildings, found by shape.
 void make_roles(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
                 RunRecord& record) {
@@ -164,6 +150,55 @@ void make_roles(const Store& store, const Settings& settings, const PassContext&
       {"roofs.trust_classes", std::string("false"),
        "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
            " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
+}
+
+// Those whose angular steps are known, in lattice units.
+std::vector<Scanner> scanners_of(const std::vector<Station>& stations, double unit) {
+  std::vector<Scanner> scanners;
+  for (const Station& s : stations)
+    if (s.azimuth_step > 0 && s.elevation_step > 0)
+      scanners.push_back({(1 / unit) * s.position, s.axis, s.azimuth_step, s.elevation_step});
+  return scanners;
+}
+
+void record_step(const BoundariesSettings& settings, std::size_t scanners, std::size_t stations, RunRecord& record) {
+  if (settings.step || settings.threshold) return;
+  const std::string why = scanners > 0   ? "the angular steps of " + std::to_string(scanners) + " stations are known"
+                          : stations > 0 ? "stations are known, but not their angular steps: see --stations"
+                                         : "no station is known: see --stations";
+  record.chosen.push_back({"boundaries.step", std::string(scanners > 0 ? "stations" : "neighbours"), why});
+}
+
+void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
+                     const PassContext& context, const std::filesystem::path& folder, RunRecord& record) {
+  const BoundariesSettings& s = settings.boundaries;
+  const double metre = 1 / (store.unit() * context.metres_per_unit);
+  std::vector<Scanner> scanners = scanners_of(inputs.stations, store.unit());
+  record_step(s, scanners.size(), inputs.stations.size(), record);
+  if (s.step == StepSource::neighbours) scanners.clear();
+  BoundaryParams params{s.gamma, s.tolerance * metre, planes.planes, planes.final_id, planes.ranges, scanners};
+  params.threshold = s.threshold.value_or(0) * metre;
+  params.rule = s.rule == BoundaryRule::circumradius ? TriangleRule::kCircumradius : TriangleRule::kLongestEdge;
+  params.edge_length = s.edge_length;
+  params.erosion = s.erosion;
+  std::filesystem::create_directories(folder);
+  PlanesGpkg file(folder / "planes.gpkg", inputs.crs);
+  boundaries_pass(store, params, context, [&](const Outline& outline) {
+    Segment& segment = planes.segments[outline.plane_id - 1];
+    segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
+    file.add(segment, outline);
+  });
+  file.finish();
+}
+
+// What only the inputs can tell about the settings.
+void check_stations(const RunOptions& options, const RunInputs& inputs) {
+  const bool known = !scanners_of(inputs.stations, 1).empty();
+  if (options.settings.boundaries.step == StepSource::stations && !known)
+    throw Error("boundaries.step = stations: no station with its angular steps is known; give --stations",
+                ExitCode::usage);
+  if (!options.stations.empty() && !known)
+    throw Error(options.stations.string() + ": holds no angular steps, which boundaries need", ExitCode::usage);
 }
 
 // The run, step by step. Everything lands in the staging folder.
@@ -185,7 +220,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   if (labels.with_planes) {
     PlanesResult planes = make_planes(index.store, inputs.readers, options.settings, context, progress, record);
     progress.begin_stage("boundaries", index.store.points());
-    make_boundaries(index.store, planes, options.settings, inputs.crs, context, out.staging());
+    make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
     write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
     record.planes = planes.segments.size();
@@ -236,6 +271,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   RunRecord record;
   const double start = now();
   const RunInputs inputs = open_inputs(options, progress, record);
+  check_stations(options, inputs);
   const std::vector<PlannedSite> sites = options.footprints.empty()
                                              ? std::vector<PlannedSite>{}
                                              : plan_footprints(options.footprints, inputs.crs, progress, record);

@@ -83,22 +83,25 @@ Outline outline_of(const Polygons& polygons, std::span<const Point2> places, con
 PlaneBoundary boundary_of(const Store& store, const BoundaryParams& params, std::uint32_t id,
                           const std::vector<RunOfBlock>& runs) {
   const std::vector<Edge> edges = joined(read_edges(store, runs));
-  PlaneBoundary result;
-  for (const Edge& e : edges) result.vertices.push_back(e.from);
-  std::sort(result.vertices.begin(), result.vertices.end());
-  result.vertices.erase(std::unique(result.vertices.begin(), result.vertices.end()), result.vertices.end());
+  std::vector<std::uint64_t> points;
+  for (const Edge& e : edges) points.push_back(e.from);
+  std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
   const auto local = [&](std::uint64_t v) {
-    return static_cast<std::uint32_t>(std::lower_bound(result.vertices.begin(), result.vertices.end(), v) -
-                                      result.vertices.begin());
+    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), v) - points.begin());
   };
-  std::vector<Point2> places(result.vertices.size());
+  std::vector<Point2> places(points.size());
   std::vector<BoundaryEdge> boundary;
   for (const Edge& e : edges) {
     boundary.push_back({local(e.from), local(e.to), e.region});
     places[boundary.back().from] = e.at;
   }
-  const Polygons rings = thin_rings(assemble_rings(boundary, places), places, params.tolerance * kPlaneSteps);
-  result.outline = outline_of(rings, places, params.planes[id - 1], id, store.unit());
+  Polygons rings = assemble_rings(boundary, places);
+  if (params.erosion == Erosion::outside) rings = outer_rings(rings, places);
+  PlaneBoundary result;
+  for (const std::uint32_t v : rings.vertices) result.vertices.push_back(points[v]);
+  result.outline = outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1],
+                              id, store.unit());
   return result;
 }
 
@@ -120,13 +123,8 @@ void edges_of_blocks(const Store& store, const BoundaryWork& work, const PassCon
     tasks.push_back({boundary_bytes(store, b, work), store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "reach")) write_reach(store, block, work);
-    context.advance(store.blocks()[block].points / 2);
-  });
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "seam_edges")) write_seam_edges(store, block, work);
-    context.advance(store.blocks()[block].points - store.blocks()[block].points / 2);
+    context.advance(store.blocks()[block].points);
   });
 }
 
@@ -145,19 +143,20 @@ std::vector<std::vector<NeighbourRange>> neighbour_ranges(const Store& store, co
 
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(const Outline&)>& take) {
-  const BoundaryWork work = boundary_work(store, params);
+  const BoundaryWork work = boundary_work(store, params, context);
   edges_of_blocks(store, work, context);
   std::vector<std::vector<RunOfBlock>> runs(params.planes.size() + 1);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
     for (const SeamRun& r : read_column<SeamRun>(store.path(b, "seam_runs"))) runs[r.plane].push_back({b, r});
   std::vector<bool> is_vertex(store.points());
+  const std::uint64_t budget = context.budget_bytes - std::min(context.budget_bytes / 2, store.points() / 8);
   for (std::size_t done = 1; done < runs.size(); done += kPlanesTogether) {
     const std::size_t count = std::min(kPlanesTogether, runs.size() - done);
     std::vector<PlaneBoundary> batch(count);
     std::vector<PassTask> tasks(count);
     for (std::size_t i = 0; i < count; ++i)
       for (const RunOfBlock& r : runs[done + i]) tasks[i].bytes += r.run.count * kBytesPerEdge;
-    run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    run_pass(tasks, budget, [&](std::size_t i) {
       batch[i] = boundary_of(store, params, static_cast<std::uint32_t>(done + i), runs[done + i]);
     });
     for (const PlaneBoundary& b : batch) {

@@ -10,6 +10,9 @@
 #include "engine/pass/context.h"
 #include "engine/segments/block_cells.h"
 #include "engine/segments/join_pass.h"
+#include "engine/settings/settings.h"
+#include "kernels/delaunay/alpha_shape.h"
+#include "kernels/delaunay/sampling_step.h"
 
 namespace ilot {
 
@@ -25,18 +28,25 @@ std::vector<std::vector<NeighbourRange>> neighbour_ranges(const Store& store, co
                                                           const CellPlanes& cell_planes);
 
 struct BoundaryParams {
-  double gamma = 1;                     // alpha of a point over the sampling step around it [C6]
+  double gamma = 1;                     // threshold of a point over the sampling step around it [C6]
   double tolerance = 0;                 // lattice units; outlines are thinned to within it
   std::span<const JoinedPlane> planes;  // by final id - 1
   std::span<const std::uint32_t> final_id;
   std::span<const std::vector<NeighbourRange>> ranges;
+  std::span<const Scanner> stations =
+      {};                // in lattice units; where one sees a point they tell the step, else neighbours
+  double threshold = 0;  // lattice units; above 0 that of all points
+  TriangleRule rule = TriangleRule::kCircumradius;
+  EdgeLength edge_length = EdgeLength::plane;  // of kLongestEdge
+  Erosion erosion = Erosion::everywhere;
 };
 
 // Gives the outline of every plane to `take`, by id, and writes the column "boundary" (u8: 1 = the point, or one at the
 // same place, is a vertex of its plane's outline before thinning). A triangle belongs to a segment when its
-// circumradius is at most the largest alpha of its corners: those of the Delaunay triangulation of all points of the
-// segment, whatever the blocks. Memory: stretches of 2^16 points with what lies around them, the edges of some planes
-// at a time, and a bit a point.
+// circumradius (or longest edge) is at most the largest threshold of its corners: those of the Delaunay triangulation
+// of all points of the segment, whatever the blocks. Eroded from outside only, outlines have no holes and nothing in
+// them. Memory: stretches of at most 2^18 points with what lies around them, one a thread, the edges of some planes at
+// a time, and a bit a point.
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(const Outline&)>& take);
 

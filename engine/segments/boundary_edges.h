@@ -35,19 +35,15 @@ struct Coincident {
 struct BoundaryWork {
   const BoundaryParams& params;
   std::int64_t across = 0;           // units; most that two points of a plane lie apart across it
+  std::uint32_t stretch_points = 0;  // most that are looked at together
   std::vector<std::uint64_t> first;  // per block its first point in global order, and the number of all points
 };
-BoundaryWork boundary_work(const Store& store, const BoundaryParams& params);
+BoundaryWork boundary_work(const Store& store, const BoundaryParams& params, const PassContext& context);
 
 // Bytes that the work on one block holds.
 std::uint64_t boundary_bytes(const Store& store, std::uint32_t block, const BoundaryWork& work);
 
-// Writes "reach" (f32 per point, steps of its plane's frame): alpha from the distance of the sixth neighbour in the
-// plane.
-void write_reach(const Store& store, std::uint32_t block, const BoundaryWork& work);
-
-// Writes "coincident" (Coincident), "seam_runs" (SeamRun) and, in the same order, "seam_edges" (SeamEdge). Needs
-// "reach" of all blocks.
+// Writes "coincident" (Coincident), "seam_runs" (SeamRun) and, in the same order, "seam_edges" (SeamEdge).
 void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWork& work);
 
 // The frame on which a plane's points are triangulated: lattice units, relative to its anchor.

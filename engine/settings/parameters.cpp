@@ -52,24 +52,17 @@ struct Field<std::vector<int>> {
 };
 
 // A choice among names, in the order of the enumeration.
-template <class Enum, const auto& kNames>
-struct ChoiceField {
+template <class E>
+requires std::is_enum_v<E>
+struct Field<E> {
   static constexpr bool kOptional = false;
   static constexpr ValueKind kKind = ValueKind::choice;
-  static Value get(Enum field) { return std::string(kNames[static_cast<std::size_t>(field)]); }
-  static void set(Enum& field, const Value& value) {
-    const auto name = std::find(kNames.begin(), kNames.end(), std::get<std::string>(value));
-    field = static_cast<Enum>(name - kNames.begin());
+  static Value get(E field) { return std::string(names_of(field)[static_cast<std::size_t>(field)]); }
+  static void set(E& field, const Value& value) {
+    const auto names = names_of(field);
+    field = static_cast<E>(std::find(names.begin(), names.end(), std::get<std::string>(value)) - names.begin());
   }
 };
-template <>
-struct Field<PlaneMethod> : ChoiceField<PlaneMethod, kPlaneMethods> {};
-template <>
-struct Field<AttributeStyle> : ChoiceField<AttributeStyle, kAttributeStyles> {};
-template <>
-struct Field<Cleaning> : ChoiceField<Cleaning, kCleanings> {};
-template <>
-struct Field<EpsilonBy> : ChoiceField<EpsilonBy, kEpsilonBy> {};
 
 template <class Access>
 Parameter make(const char* key, Access access, ValueRange range, const char* unit, const char* help) {
@@ -125,7 +118,21 @@ std::vector<Parameter> make_table() {
       make("planes.colour_classes", ILOT_FIELD(planes.colour_classes), {0, 16}, "",
            "classes that colours are parted into where points have them"),
       make("boundaries.gamma", ILOT_FIELD(boundaries.gamma), {0.1, 100}, "",
-           "gaps wider than twice this many sampling steps are openings"),
+           "threshold around a point over the sampling step there: gaps wider than twice that are openings"),
+      make("boundaries.threshold", ILOT_FIELD(boundaries.threshold), {0.001, 1000}, "m",
+           "one threshold for all points, whatever the sampling step"),
+      with_choices(make("boundaries.step", ILOT_FIELD(boundaries.step), {}, "",
+                        "sampling step as the stations' angular steps predict it, or as neighbours tell it"),
+                   kStepSources),
+      with_choices(make("boundaries.rule", ILOT_FIELD(boundaries.rule), {}, "",
+                        "what of a triangle must not exceed the threshold"),
+                   kBoundaryRules),
+      with_choices(make("boundaries.edge_length", ILOT_FIELD(boundaries.edge_length), {}, "",
+                        "longest_edge: edges as projected on the plane, or between the points themselves"),
+                   kEdgeLengths),
+      with_choices(make("boundaries.erosion", ILOT_FIELD(boundaries.erosion), {}, "",
+                        "gaps open an outline everywhere, or only from the outside: then it has no holes"),
+                   kErosions),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",
            "outlines lose the vertices that move them by less than this"),
       make("roofs.trust_classes", ILOT_FIELD(roofs.trust_classes), {}, "",
@@ -143,8 +150,6 @@ std::vector<Parameter> make_table() {
            "smaller roof faces go to their neighbour"),
       make("roofs.superstructures", ILOT_FIELD(roofs.superstructures), {}, "",
            "false leaves out what stands on the main roof: dormers, chimneys"),
-      make("roofs.step_height", ILOT_FIELD(roofs.step_height), {0.001, 10}, "m",
-           "roof faces that differ by less at their border meet without a wall"),
       with_choices(make("roofs.attribute_style", ILOT_FIELD(roofs.attribute_style), {}, "",
                         "what attributes of buildings are called: docs/outputs.md"),
                    kAttributeStyles),

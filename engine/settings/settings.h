@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -38,6 +39,9 @@ enum class PlaneMethod : std::uint8_t {
 constexpr std::array<std::string_view, 9> kPlaneMethods{"ransac",      "region_growing", "smooth_growing",
                                                         "split_merge", "hough",          "shape_ransac",
                                                         "roof_ransac", "facade_ransac",  "colour_ransac"};
+constexpr std::span<const std::string_view> names_of(PlaneMethod) {
+  return kPlaneMethods;
+}
 
 // Points that take no part in the search for planes (docs/methods.md, A1); labels may still reach them.
 enum class Cleaning : std::uint8_t {
@@ -47,6 +51,9 @@ enum class Cleaning : std::uint8_t {
   isolation,  // isolated among their own neighbours
 };
 constexpr std::array<std::string_view, 4> kCleanings{"none", "density", "distance", "isolation"};
+constexpr std::span<const std::string_view> names_of(Cleaning) {
+  return kCleanings;
+}
 
 // What epsilon is chosen by where it is auto.
 enum class EpsilonBy : std::uint8_t {
@@ -54,6 +61,9 @@ enum class EpsilonBy : std::uint8_t {
   knee,   // the knee of MSE(epsilon) of the largest plane (docs/methods.md, C4)
 };
 constexpr std::array<std::string_view, 2> kEpsilonBy{"noise", "knee"};
+constexpr std::span<const std::string_view> names_of(EpsilonBy) {
+  return kEpsilonBy;
+}
 
 struct PlanesSettings {
   std::optional<PlaneMethod> method;
@@ -68,14 +78,50 @@ struct PlanesSettings {
   int colour_classes = 6;  // that colours are parted into where points have them; 0 = none
 };
 
+// Where the sampling step around a point comes from.
+enum class StepSource : std::uint8_t { stations, neighbours };
+constexpr std::array<std::string_view, 2> kStepSources{"stations", "neighbours"};
+constexpr std::span<const std::string_view> names_of(StepSource) {
+  return kStepSources;
+}
+
+// What keeps a triangle out of an outline.
+enum class BoundaryRule : std::uint8_t { circumradius, longest_edge };
+constexpr std::array<std::string_view, 2> kBoundaryRules{"circumradius", "longest_edge"};
+constexpr std::span<const std::string_view> names_of(BoundaryRule) {
+  return kBoundaryRules;
+}
+
+// How the edges of triangles are measured.
+enum class EdgeLength : std::uint8_t { plane, space };
+constexpr std::array<std::string_view, 2> kEdgeLengths{"plane", "space"};
+constexpr std::span<const std::string_view> names_of(EdgeLength) {
+  return kEdgeLengths;
+}
+
+// Which gaps open an outline: all, or those that the outside reaches.
+enum class Erosion : std::uint8_t { everywhere, outside };
+constexpr std::array<std::string_view, 2> kErosions{"everywhere", "outside"};
+constexpr std::span<const std::string_view> names_of(Erosion) {
+  return kErosions;
+}
+
 struct BoundariesSettings {
-  double gamma = 1;          // alpha around a point over the sampling step there, the diagonal of a cell of its raster
+  double gamma = 1;  // threshold around a point over the sampling step there, the diagonal of a cell of its raster
+  std::optional<double> threshold;  // metres; the same for all points, whatever the step
+  std::optional<StepSource> step;
+  BoundaryRule rule = BoundaryRule::circumradius;
+  EdgeLength edge_length = EdgeLength::plane;  // of longest_edge
+  Erosion erosion = Erosion::everywhere;
   double tolerance = 0.001;  // metres; outlines are thinned to within it
 };
 
 // What attributes of buildings are called: by names of our own, or by those that roofer writes (rf_*).
 enum class AttributeStyle : std::uint8_t { plain, roofer };
 constexpr std::array<std::string_view, 2> kAttributeStyles{"plain", "roofer"};
+constexpr std::span<const std::string_view> names_of(AttributeStyle) {
+  return kAttributeStyles;
+}
 
 struct RoofsSettings {
   bool trust_classes = true;               // false: ground and buildings are found by shape
@@ -86,7 +132,6 @@ struct RoofsSettings {
   std::optional<int> min_points;           // fewest points of a roof face
   std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
   bool superstructures = true;             // false: the main roof alone
-  double step_height = 0.2;                // metres; a smaller difference between two faces is no wall
   AttributeStyle attribute_style = AttributeStyle::plain;
 };
 

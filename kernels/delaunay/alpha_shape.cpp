@@ -20,12 +20,11 @@ Corners corners_of(const Triangulation& t, std::size_t triangle, std::span<const
 
 // Squared lengths in ascending order, so that rounding does not depend on the order of the corners.
 std::array<double, 3> squared_edges(const std::array<Point2, 3>& p) {
-  double a = static_cast<double>(squared_distance(p[0], p[1])), b = static_cast<double>(squared_distance(p[1], p[2])),
-         c = static_cast<double>(squared_distance(p[2], p[0]));
-  if (b < a) std::swap(a, b);
-  if (c < b) std::swap(b, c);
-  if (b < a) std::swap(a, b);
-  return {a, b, c};
+  const auto a = static_cast<double>(squared_distance(p[0], p[1]));
+  const auto b = static_cast<double>(squared_distance(p[1], p[2]));
+  const auto c = static_cast<double>(squared_distance(p[2], p[0]));
+  const double low = std::min(a, b), high = std::max(a, b);  // no branches: they would be guesses
+  return {std::min(low, c), std::max(low, std::min(high, c)), std::max(high, c)};
 }
 
 // Circumradius <= reach. With edges a, b, c and area K the circumradius is abc / 4K.
@@ -57,6 +56,72 @@ bool in_shape(const Corners& c, const ShapeParams& params) {
   return edges_fit(c, reach, params.height) && circle_fits(c.p, kRadiusPerEdge * reach);
 }
 
+// The corner that owns a triangle.
+std::size_t owning(const Corners& c, std::span<const float> reach) {
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < 3; ++i) {
+    const float mine = reach[c.v[i]], other = reach[c.v[best]];
+    if (mine > other || (mine == other && c.p[i] < c.p[best])) best = i;
+  }
+  return best;
+}
+
+// Square cells over points, of about two points each where they fill their box.
+class Cells {
+ public:
+  explicit Cells(std::span<const Point2> points) : low_(points[0]) {
+    Point2 high = low_;
+    for (const Point2 p : points) {
+      low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    const auto cells = [&] { return place(high).first + 1; };
+    const auto rows = [&] { return place(high).second + 1; };
+    while (cells() * rows() > static_cast<std::int64_t>(points.size() / 2 + 16)) ++shift_;
+    columns_ = cells();
+    rows_ = rows();
+  }
+
+  std::int64_t columns() const { return columns_; }
+  std::int64_t rows() const { return rows_; }
+  std::size_t at(std::int64_t column, std::int64_t row) const {
+    return static_cast<std::size_t>(row * columns_ + column);
+  }
+  std::size_t of(Point2 p) const {
+    const auto [column, row] = place(p);
+    return at(column, row);
+  }
+  // Cells to each side that a distance from anywhere in a cell may reach.
+  std::int64_t across(std::int64_t distance) const { return (distance >> shift_) + 1; }
+
+ private:
+  std::pair<std::int64_t, std::int64_t> place(Point2 p) const {
+    return {(std::int64_t{p.x} - low_.x) >> shift_, (std::int64_t{p.y} - low_.y) >> shift_};
+  }
+
+  Point2 low_;
+  int shift_ = 0;
+  std::int64_t columns_ = 0, rows_ = 0;
+};
+
+// How many cells on each cell's need goes, from how many each one asks for itself: one less in each of the eight cells
+// around. Negative: not needed. Two sweeps, as for chessboard distances (Rosenfeld, Pfaltz 1968).
+void spread(const Cells& cells, std::vector<std::int64_t>& need) {
+  const std::int64_t columns = cells.columns(), rows = cells.rows();
+  const auto take = [&](std::int64_t column, std::int64_t row, std::int64_t from_column, std::int64_t from_row) {
+    if (from_column < 0 || from_column >= columns || from_row < 0 || from_row >= rows) return;
+    std::int64_t& mine = need[cells.at(column, row)];
+    mine = std::max(mine, need[cells.at(from_column, from_row)] - 1);
+  };
+  for (const std::int64_t back : {-1, 1})
+    for (std::int64_t r = 0; r < rows; ++r)
+      for (std::int64_t c = 0; c < columns; ++c) {
+        const std::int64_t row = back < 0 ? r : rows - 1 - r, column = back < 0 ? c : columns - 1 - c;
+        take(column, row, column + back, row);
+        for (const std::int64_t side : {-1, 0, 1}) take(column, row, column + side, row + back);
+      }
+}
+
 }  // namespace
 
 std::vector<std::uint8_t> shape_triangles(const Triangulation& t, std::span<const Point2> points,
@@ -69,12 +134,7 @@ std::vector<std::uint8_t> shape_triangles(const Triangulation& t, std::span<cons
 std::uint32_t owner(const Triangulation& t, std::size_t triangle, std::span<const Point2> points,
                     std::span<const float> reach) {
   const Corners c = corners_of(t, triangle, points);
-  std::size_t best = 0;
-  for (std::size_t i = 1; i < 3; ++i) {
-    const float mine = reach[c.v[i]], other = reach[c.v[best]];
-    if (mine > other || (mine == other && c.p[i] < c.p[best])) best = i;
-  }
-  return c.v[best];
+  return c.v[owning(c, reach)];
 }
 
 std::int64_t shape_halo(TriangleRule rule, double largest) {
@@ -82,12 +142,32 @@ std::int64_t shape_halo(TriangleRule rule, double largest) {
   return static_cast<std::int64_t>(std::ceil(2 * radius)) + 1;
 }
 
+std::vector<std::uint8_t> needed_points(TriangleRule rule, std::span<const Point2> points, std::span<const float> reach,
+                                        std::span<const std::uint8_t> own) {
+  if (points.empty()) return {};
+  const Cells cells(points);
+  std::vector<std::int64_t> need(cells.at(0, cells.rows()), -1);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (own[i]) {
+      std::int64_t& n = need[cells.of(points[i])];
+      n = std::max(n, cells.across(shape_halo(rule, static_cast<double>(reach[i]))));
+    }
+  spread(cells, need);
+  std::vector<std::uint8_t> needed(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) needed[i] = need[cells.of(points[i])] >= 0 ? 1 : 0;
+  return needed;
+}
+
 std::vector<std::uint32_t> owned_triangles(const Triangulation& t, std::span<const Point2> points,
                                            const ShapeParams& params, std::span<const std::uint8_t> own) {
   std::vector<std::uint32_t> triangles;
-  for (std::size_t i = 0; i < t.triangles(); ++i)
-    if (own[owner(t, i, points, params.reach)] && in_shape(corners_of(t, i, points), params))
-      triangles.push_back(static_cast<std::uint32_t>(i));
+  triangles.reserve(t.triangles());
+  for (std::size_t i = 0; i < t.triangles(); ++i) {
+    const Corners c = corners_of(t, i, points);
+    const int count = own[c.v[0]] + own[c.v[1]] + own[c.v[2]];
+    if (count == 0 || !in_shape(c, params)) continue;
+    if (count == 3 || own[c.v[owning(c, params.reach)]]) triangles.push_back(static_cast<std::uint32_t>(i));
+  }
   return triangles;
 }
 

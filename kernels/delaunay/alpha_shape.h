@@ -40,7 +40,12 @@ std::uint32_t owner(const Triangulation& t, std::size_t triangle, std::span<cons
 // bounds. `largest`: the largest reach of the block's own points.
 std::int64_t shape_halo(TriangleRule rule, double largest);
 
-// Of a triangulation of a block's own points and those within its halo the triangles to keep that its own points own.
+// Per point 1 when a block needs it: its own points, those within shape_halo() of the reach of one of its own, and some
+// beside them. The reach of other points is not looked at. O(n).
+std::vector<std::uint8_t> needed_points(TriangleRule rule, std::span<const Point2> points, std::span<const float> reach,
+                                        std::span<const std::uint8_t> own);
+
+// Of a triangulation of a block's own points and those it needs the triangles to keep that its own points own.
 // own: per point, 1 = of the block. Over all blocks each triangle of the whole shape is given exactly once.
 std::vector<std::uint32_t> owned_triangles(const Triangulation& t, std::span<const Point2> points,
                                            const ShapeParams& params, std::span<const std::uint8_t> own);

@@ -299,7 +299,7 @@ std::vector<std::uint32_t> smallest_edges(const HalfEdge* edge, std::size_t begi
 }
 
 // Numbers the triangles by their smallest edges; afterwards HalfEdge::next is the edge's number in the result.
-void collect_triangles(HalfEdge* edge, std::size_t slots, const std::vector<std::uint32_t>& index, Triangulation& out) {
+void collect_triangles(HalfEdge* edge, std::size_t slots, Triangulation& out) {
   const std::size_t chunks = (slots + kChunk - 1) / kChunk;
   std::vector<std::vector<std::uint32_t>> smallest(chunks);
   parallel_for(chunks, [&](std::size_t c) {
@@ -315,7 +315,7 @@ void collect_triangles(HalfEdge* edge, std::size_t slots, const std::vector<std:
       const std::uint32_t f = edge[e ^ 1].last, g = edge[f ^ 1].last;
       for (const std::uint32_t h : {e, f, g}) {
         edge[h].next = static_cast<std::uint32_t>(to);
-        out.corner[to++] = index[edge[h].origin];
+        out.corner[to++] = edge[h].origin;
       }
     }
   });
@@ -327,16 +327,25 @@ void collect_triangles(HalfEdge* edge, std::size_t slots, const std::vector<std:
 
 }  // namespace
 
-Triangulation delaunay(std::span<const Point2> points) {
+Triangulation delaunay(const PlaneOrder& order) {
   Triangulation out;
-  PlaneOrder order = plane_order(points);
-  out.duplicates = std::move(order.duplicates);
   const auto n = static_cast<std::uint32_t>(order.points.size());
   if (n < 3) return out;
   const std::unique_ptr<HalfEdge[]> edges(new HalfEdge[6 * std::size_t{n}]);
   Builder builder(order, edges.get());
   leave_outside(edges.get(), build_in_parallel(builder, n).hull[kLeft]);
-  collect_triangles(edges.get(), 6 * std::size_t{n}, order.index, out);
+  collect_triangles(edges.get(), 6 * std::size_t{n}, out);
+  return out;
+}
+
+Triangulation delaunay(std::span<const Point2> points) {
+  PlaneOrder order = plane_order(points);
+  Triangulation out = delaunay(order);
+  out.duplicates = std::move(order.duplicates);
+  parallel_for((out.corner.size() + kChunk - 1) / kChunk, [&](std::size_t c) {
+    for (std::size_t e = c * kChunk; e < std::min(out.corner.size(), (c + 1) * kChunk); ++e)
+      out.corner[e] = order.index[out.corner[e]];
+  });
   return out;
 }
 

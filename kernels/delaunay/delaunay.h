@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/delaunay/plane_order.h"
 #include "kernels/delaunay/predicates.h"
 
 namespace ilot {
@@ -34,5 +35,8 @@ constexpr std::uint32_t previous_edge(std::uint32_t e) {
 // and along by turns (Dwyer 1987): O(n log n) on scanned points, never worse than O(60 n). About 170 bytes of working
 // memory a point. On the threads of the calling arena.
 Triangulation delaunay(std::span<const Point2> points);
+
+// The same of points that are in order already: corners are positions in it, and there are no duplicates.
+Triangulation delaunay(const PlaneOrder& order);
 
 }  // namespace ilot

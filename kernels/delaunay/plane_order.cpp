@@ -80,12 +80,14 @@ std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   std::unique_ptr<Entry[]> entries(new Entry[n]), sorted(new Entry[n]);
   std::vector<std::uint64_t> ored(chunks);
   parallel_for(chunks, [&](std::size_t c) {
+    std::uint64_t all = 0;  // of the chunk: neighbouring slots written all the time would slow the threads
     for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
       entries[i] = {spread2(static_cast<std::uint32_t>(points[i].x - low.x)) |
                         spread2(static_cast<std::uint32_t>(points[i].y - low.y)) << 1,
                     static_cast<std::uint32_t>(i)};
-      ored[c] |= entries[i].code;
+      all |= entries[i].code;
     }
+    ored[c] = all;
   });
   std::uint64_t all = 0;
   for (const std::uint64_t v : ored) all |= v;
@@ -123,7 +125,9 @@ PlaneOrder plane_order(std::span<const Point2> points) {
   const auto repeated = [&](std::size_t i) { return i > 0 && sorted[i].code == sorted[i - 1].code; };
   std::vector<std::size_t> first(chunks + 1);
   parallel_for(chunks, [&](std::size_t c) {
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) first[c + 1] += !repeated(i);
+    std::size_t count = 0;
+    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) count += !repeated(i);
+    first[c + 1] = count;
   });
   for (std::size_t c = 0; c < chunks; ++c) first[c + 1] += first[c];
   out.points.resize(first[chunks]);
@@ -144,6 +148,17 @@ PlaneOrder plane_order(std::span<const Point2> points) {
       kept = i;
     else
       out.duplicates.emplace_back(sorted[i].index, sorted[kept].index);
+  return out;
+}
+
+PlaneOrder selected(const PlaneOrder& order, std::span<const std::uint8_t> flags) {
+  PlaneOrder out;
+  for (std::size_t i = 0; i < order.points.size(); ++i) {
+    if (!flags[i]) continue;
+    out.points.push_back(order.points[i]);
+    out.codes.push_back(order.codes[i]);
+    out.index.push_back(order.index[i]);
+  }
   return out;
 }
 

@@ -22,4 +22,7 @@ struct PlaneOrder {
 // working memory a point. On the threads of the calling arena.
 PlaneOrder plane_order(std::span<const Point2> points);
 
+// Those of the points, by their positions in the order, whose flag is 1; without the duplicates. O(n).
+PlaneOrder selected(const PlaneOrder& order, std::span<const std::uint8_t> flags);
+
 }  // namespace ilot

@@ -24,6 +24,41 @@ bool clockwise_before(Point2 at, Point2 from, Point2 p, Point2 q) {
   return orient2d(at, p, q) < 0;
 }
 
+// An outer ring, its box, and the middle of its first edge in half units: on no other ring, since edges are not shared.
+struct Outer {
+  std::span<const std::uint32_t> ring;
+  Point2 low, high;
+  std::int64_t middle[2];
+};
+
+Outer outer_of(const Polygons& polygons, const Ring& r, std::span<const Point2> points) {
+  const auto ring = std::span(polygons.vertices).subspan(r.first, r.count);
+  const Point2 a = points[ring[0]], b = points[ring[1]];
+  Outer outer{ring, a, a, {std::int64_t{a.x} + b.x, std::int64_t{a.y} + b.y}};
+  for (const std::uint32_t v : ring) {
+    outer.low = {std::min(outer.low.x, points[v].x), std::min(outer.low.y, points[v].y)};
+    outer.high = {std::max(outer.high.x, points[v].x), std::max(outer.high.y, points[v].y)};
+  }
+  return outer;
+}
+
+bool box_holds(const Outer& a, const Outer& b) {
+  return a.low.x <= b.low.x && b.high.x <= a.high.x && a.low.y <= b.low.y && b.high.y <= a.high.y;
+}
+
+// Whether a place in half units, not on the ring, lies inside: edges that a ray to the right crosses.
+bool holds(const Outer& outer, const std::int64_t (&place)[2], std::span<const Point2> points) {
+  bool inside = false;
+  for (std::size_t i = 0, before = outer.ring.size() - 1; i < outer.ring.size(); before = i++) {
+    const Point2 a = points[outer.ring[before]], b = points[outer.ring[i]];
+    if ((2 * std::int64_t{a.y} > place[1]) == (2 * std::int64_t{b.y} > place[1])) continue;
+    const std::int64_t side = (2 * std::int64_t{b.x} - 2 * std::int64_t{a.x}) * (place[1] - 2 * std::int64_t{a.y}) -
+                              (2 * std::int64_t{b.y} - 2 * std::int64_t{a.y}) * (place[0] - 2 * std::int64_t{a.x});
+    inside ^= b.y > a.y ? side < 0 : side > 0;
+  }
+  return inside;
+}
+
 struct Loop {
   std::vector<std::uint32_t> vertices;
   std::uint32_t region;
@@ -156,6 +191,25 @@ Polygons assemble_rings(std::span<const BoundaryEdge> edges, std::span<const Poi
           {static_cast<std::uint32_t>(out.vertices.size()), static_cast<std::uint32_t>(v.size()), out.count});
       out.vertices.insert(out.vertices.end(), v.begin(), v.end());
     }
+    ++out.count;
+  }
+  return out;
+}
+
+Polygons outer_rings(const Polygons& polygons, std::span<const Point2> points) {
+  std::vector<Outer> outers;
+  for (std::size_t i = 0; i < polygons.rings.size(); ++i)
+    if (i == 0 || polygons.rings[i].polygon != polygons.rings[i - 1].polygon)
+      outers.push_back(outer_of(polygons, polygons.rings[i], points));
+  Polygons out;
+  for (std::size_t i = 0; i < outers.size(); ++i) {
+    const bool inside = std::any_of(outers.begin(), outers.end(), [&](const Outer& other) {
+      return &other != &outers[i] && box_holds(other, outers[i]) && holds(other, outers[i].middle, points);
+    });
+    if (inside) continue;
+    out.rings.push_back({static_cast<std::uint32_t>(out.vertices.size()),
+                         static_cast<std::uint32_t>(outers[i].ring.size()), out.count});
+    out.vertices.insert(out.vertices.end(), outers[i].ring.begin(), outers[i].ring.end());
     ++out.count;
   }
   return out;

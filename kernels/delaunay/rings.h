@@ -45,6 +45,10 @@ struct Polygons {
 // vertex as leave it, per region. O(n log n).
 Polygons assemble_rings(std::span<const BoundaryEdge> edges, std::span<const Point2> points);
 
+// What the outside sees of polygons that do not cross: their outer rings without the holes, and without those that lie
+// in another. O(polygons vertices) at worst, O(n log n) where few boxes overlap.
+Polygons outer_rings(const Polygons& polygons, std::span<const Point2> points);
+
 // Twice the signed area of a ring: positive when counter-clockwise.
 std::int64_t twice_area(const Polygons& polygons, const Ring& ring, std::span<const Point2> points);
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
+#include "kernels/delaunay/place_neighbours.h"
 #include "kernels/delaunay/plane_order.h"
-#include "kernels/neighbours/knn.h"
 
 namespace ilot {
 namespace {
@@ -66,39 +67,21 @@ double documented_step(const Scanner& s, const Plane& plane, Vec3 p) {
   return std::sqrt(du * du + dv * dv);
 }
 
-MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest,
-                             std::span<const std::uint8_t> wanted) {
+double raster_step(double squared_radius, int k) {
+  return std::sqrt(2 * kPi * squared_radius / k);
+}
+
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest) {
   MeasuredSteps out{std::vector<float>(points.size()), std::vector<std::int64_t>(points.size(), -1)};
   const PlaneOrder order = plane_order(points);
-  const std::size_t n = order.points.size();
-  if (n == 0) return out;
-  Point2 low = order.points[0];
-  for (const Point2 p : order.points) low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-  std::vector<float> x(n + 16), y(n + 16), z(n + 16);
-  for (std::size_t i = 0; i < n; ++i) {
-    x[i] = static_cast<float>(order.points[i].x - low.x);
-    y[i] = static_cast<float>(order.points[i].y - low.y);
-  }
-  const NeighbourIndex index = build_neighbour_index({x.data(), y.data(), z.data(), n});
-  std::vector<std::uint8_t> asked(points.size(), 1);
-  std::copy(wanted.begin(), wanted.end(), asked.begin());
-  for (const auto& [left_out, kept] : order.duplicates) asked[kept] |= asked[left_out];
-  std::vector<std::uint32_t> all;
-  for (std::uint32_t i = 0; i < n; ++i)
-    if (asked[order.index[i]]) all.push_back(i);
-  constexpr std::size_t kBatch = 1024;
-  std::vector<std::uint32_t> neighbours(kBatch * static_cast<std::size_t>(k + 1));
-  std::vector<std::int64_t> reach2(kBatch);
-  for (std::size_t done = 0; done < all.size(); done += kBatch) {
-    const std::size_t count = std::min(kBatch, all.size() - done);
-    const auto queries = std::span(all).subspan(done, count);
-    knn(index, queries, {k + 1, farthest * farthest},
-        std::span(neighbours).first(count * static_cast<std::size_t>(k + 1)), std::span(reach2).first(count));
-    for (std::size_t i = 0; i < count; ++i) {
-      const double d2 = static_cast<double>(reach2[i] < 0 ? farthest * farthest : reach2[i]);
-      out.step[order.index[queries[i]]] = static_cast<float>(std::sqrt(2 * kPi * d2 / k));
-      out.reach2[order.index[queries[i]]] = reach2[i];
-    }
+  std::vector<std::uint32_t> all(order.points.size());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<std::int64_t> squared(all.size());
+  kth_distances(place_cells(order), all, k, farthest, squared);
+  for (const std::uint32_t i : all) {
+    const double d2 = static_cast<double>(squared[i] < 0 ? farthest * farthest : squared[i]);
+    out.step[order.index[i]] = static_cast<float>(raster_step(d2, k));
+    out.reach2[order.index[i]] = squared[i];
   }
   for (const auto& [left_out, kept] : order.duplicates) {
     out.step[left_out] = out.step[kept];

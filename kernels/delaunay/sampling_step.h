@@ -31,6 +31,9 @@ double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec
 // 45 degrees to both sides. For comparison.
 double documented_step(const Scanner& station, const Plane& plane, Vec3 p);
 
+// The diagonal of a cell of the square raster that is as dense as a disc of k points: the step that neighbours tell.
+double raster_step(double squared_radius, int k);
+
 // A measured step, and whether it can be trusted.
 struct MeasuredSteps {
   std::vector<float> step;           // per point, lattice units
@@ -40,9 +43,7 @@ struct MeasuredSteps {
 // Per point from the k nearest other places (1 to 63) in the plane: that of a square raster as dense as the disc that
 // holds them; on the raster itself within a tenth for k = 6. Points that coincide count once. Where fewer than k lie
 // within `farthest`, the step is that of k points within it. The points' extent must be below 2^24 lattice units;
-// `farthest` at most 2^22. `wanted`: per point 1 = measure it, 0 = it may be left out, with step 0 and reach2 -1; empty
-// = all.
-MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest,
-                             std::span<const std::uint8_t> wanted = {});
+// `farthest` at most 2^22.
+MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest);
 
 }  // namespace ilot

@@ -11,6 +11,7 @@
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/scan/scenes.h"
+#include "tools/scan/stations_file.h"
 #include "tools/scan/truth_writer.h"
 
 namespace ilot {
@@ -43,7 +44,8 @@ void check_output(const ScanArguments& given) {
   std::error_code code;
   const std::filesystem::path truth = scan::truth_path(given.output);
   const auto model = [&](const char* extension) { return std::filesystem::path(truth).replace_extension(extension); };
-  for (const auto& path : {std::filesystem::path(given.output), truth, model(".city.json"), model(".city.jsonl")})
+  for (const auto& path : {std::filesystem::path(given.output), truth, model(".city.json"), model(".city.jsonl"),
+                           scan::stations_path(given.output)})
     if (!given.overwrite && std::filesystem::exists(path, code))
       throw Error(path.string() + ": exists; --overwrite replaces it", ExitCode::usage);
 }

@@ -9,6 +9,7 @@
 #include "kernels/core/parallel.h"
 #include "tools/scan/exact_math.h"
 #include "tools/scan/scan_record.h"
+#include "tools/scan/stations_file.h"
 
 namespace ilot::scan {
 namespace {
@@ -238,6 +239,7 @@ ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& req
   for (const auto& [value, class_name] : scan.scene.classes)
     counts.emplace_back("points of " + class_name, tally.classes[static_cast<std::size_t>(value)]);
   writer->finish();
+  write_stations(stations_path(request.output), scan.scene.stations);
   truth.finish(counts);
   return counts;
 }

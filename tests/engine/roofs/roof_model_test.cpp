@@ -86,6 +86,17 @@ TEST(RoofModel, AStepBecomesAWall) {
   }
 }
 
+TEST(RoofModel, WithoutSuperstructuresTheMainRoofStays) {
+  const auto dormer = [](double x, double y) { return x > 4 && x < 6 && y > 0.5 && y < 2 ? 6.5 : gable(x, y); };
+  const RoofSite site = roof_site(12, 6, dormer);
+  EXPECT_EQ(roof_faces(model_roof(site, {}, 1).lod22), 3u);
+  RoofModelParams params;
+  params.superstructures = false;
+  const RoofModel m = model_roof(site, params, 1);
+  EXPECT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 2u);
+}
+
 TEST(RoofModel, TheSameBuildingElsewhereIsTheSame) {
   RoofSite site = roof_site(12, 6, hip);
   const RoofModel here = model_roof(site, {}, 1);
@@ -106,7 +117,8 @@ TEST(RoofModel, FeetAreConvertedAtTheBoundary) {
 
 TEST(RoofModel, FacesThatTheCheckRefusesFallBackToTheBlock) {
   const RoofSite site = roof_site(12, 6, gable);
-  const RoofModel m = model_roof(site, {}, 1, [](const Building& b) { return std::string(b.lod == "2.2" ? "too steep" : ""); });
+  const RoofModel m =
+      model_roof(site, {}, 1, [](const Building& b) { return std::string(b.lod == "2.2" ? "too steep" : ""); });
   EXPECT_EQ(m.status, RoofStatus::lod12);
   EXPECT_EQ(m.reason, "too steep");
   EXPECT_TRUE(m.lod22.surfaces.empty());

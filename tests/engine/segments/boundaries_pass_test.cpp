@@ -3,12 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "engine/segments/label_pass.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/plane_frame.h"
 #include "kernels/delaunay/rings.h"
+#include "kernels/delaunay/sampling_step.h"
 #include "kernels/delaunay/thinning.h"
 #include "tests/support/plane_store.h"
 
@@ -51,13 +55,16 @@ std::vector<std::uint32_t> every_id(std::size_t planes) {
   return id;
 }
 
-Result boundaries(const PlaneStore& s, double tolerance) {
+using Change = std::function<void(BoundaryParams&)>;
+
+Result boundaries(const PlaneStore& s, double tolerance, const Change& change = {}) {
   label_pass(s.cloud.store(), s.cells, s.found, s.joined, {});
   const auto ranges = neighbour_ranges(s.cloud.store(), s.cells, s.found);
   const auto id = every_id(s.joined.planes.size());
   Result r;
-  boundaries_pass(s.cloud.store(), {1, tolerance, s.joined.planes, id, ranges}, {},
-                  [&](const Outline& o) { r.outlines.push_back(o); });
+  BoundaryParams params{1, tolerance, s.joined.planes, id, ranges};
+  if (change) change(params);
+  boundaries_pass(s.cloud.store(), params, {}, [&](const Outline& o) { r.outlines.push_back(o); });
   r.where = test::positions(s.cloud.store());
   r.boundary = test::whole_column<std::uint8_t>(s.cloud.store(), "boundary");
   return r;
@@ -83,17 +90,26 @@ Outline outline_at_once(const PlaneStore& s, std::uint32_t id, double tolerance)
   const Store& store = s.cloud.store();
   const auto where = test::positions(store);
   const auto plane = test::whole_column<std::uint32_t>(store, "plane");
-  const auto reach = test::whole_column<float>(store, "reach");
+  std::vector<std::int64_t> farthest;  // all blocks' points one after the other
+  for (const auto& block : neighbour_ranges(store, s.cells, s.found))
+    for (const NeighbourRange& r : block) farthest.insert(farthest.end(), r.count, r.farthest * 4);
   const JoinedPlane& joined = s.joined.planes[id - 1];
   const PlaneFrame frame = frame_of(joined.plane, {});
   std::vector<Point2> places;
-  std::vector<float> alpha;
+  std::vector<std::int64_t> limit;
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (plane[i] != id) continue;
     places.push_back(project(
         frame, {static_cast<double>(where[i].x - joined.anchor.x), static_cast<double>(where[i].y - joined.anchor.y),
                 static_cast<double>(where[i].z - joined.anchor.z)}));
-    alpha.push_back(reach[i]);
+    limit.push_back(farthest[i]);
+  }
+  std::vector<float> alpha;
+  const MeasuredSteps steps = measured_steps(places, 6, *std::max_element(limit.begin(), limit.end()));
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::int64_t most = limit[i] * limit[i];
+    const std::int64_t d2 = steps.reach2[i] < 0 ? most : std::min(most, steps.reach2[i]);
+    alpha.push_back(static_cast<float>(raster_step(static_cast<double>(d2), 6)));
   }
   const Triangulation t = delaunay(places);
   const auto keep = shape_triangles(t, places, {TriangleRule::kCircumradius, alpha});
@@ -132,6 +148,54 @@ TEST(BoundariesPass, BlocksOfAnySizeEqualOneTriangulationOfEachPlane) {
       EXPECT_EQ(r.where, expected.where);
       EXPECT_EQ(r.boundary, expected.boundary);
     }
+  }
+}
+
+std::size_t rings_of(const Result& r) {
+  std::size_t rings = 0;
+  for (const Outline& o : r.outlines)
+    for (const auto& part : o.parts) rings += part.size();
+  return rings;
+}
+
+// Every way to choose thresholds and triangles, cut into blocks and not.
+TEST(BoundariesPass, NoChoiceShowsTheBlocks) {
+  const Scanner station{{-2000, -9000, 1500}, {0, 0, 1}, 0.012, 0.012};
+  const std::vector<std::pair<const char*, Change>> choices{
+      {"stations", [&](BoundaryParams& p) { p.stations = std::span(&station, 1); }},
+      {"threshold", [](BoundaryParams& p) { p.threshold = 110; }},
+      {"longest edge",
+       [](BoundaryParams& p) {
+         p.rule = TriangleRule::kLongestEdge;
+         p.gamma = 2;
+       }},
+      {"longest edge in space",
+       [](BoundaryParams& p) {
+         p.rule = TriangleRule::kLongestEdge;
+         p.edge_length = EdgeLength::space;
+         p.threshold = 130;
+       }},
+      {"outside", [](BoundaryParams& p) { p.erosion = Erosion::outside; }}};
+  const auto points = house(6000, false);
+  const Result plain = boundaries(PlaneStore(points), 5);
+  for (const auto& [name, change] : choices) {
+    SCOPED_TRACE(name);
+    const Result a = boundaries(PlaneStore(points), 5, change);
+    const Result b = boundaries(PlaneStore(points, {1000, 1u << 20, 1}), 5, change);
+    ASSERT_EQ(a.outlines.size(), b.outlines.size());
+    for (std::size_t i = 0; i < a.outlines.size(); ++i) expect_equal(a.outlines[i], b.outlines[i]);
+    EXPECT_EQ(a.boundary, b.boundary);
+    EXPECT_NE(a.boundary, plain.boundary);
+    EXPECT_GT(rings_of(a), 0u);
+  }
+}
+
+TEST(BoundariesPass, ErodedFromOutsideThereAreNoHoles) {
+  const PlaneStore s(house(6000, false));
+  const Result r = boundaries(s, 5, [](BoundaryParams& p) { p.erosion = Erosion::outside; });
+  for (const Outline& o : r.outlines) {
+    EXPECT_EQ(o.parts.size(), 1u);
+    for (const auto& part : o.parts) EXPECT_EQ(part.size(), 1u);
   }
 }
 

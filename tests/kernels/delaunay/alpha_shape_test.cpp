@@ -102,22 +102,21 @@ struct Blocks {
 std::vector<PlacedTriangle> joined(const Blocks& b, TriangleRule rule) {
   std::vector<PlacedTriangle> all;
   for (std::uint32_t k = 0; k < b.count; ++k) {
-    float largest = 0;
-    for (std::size_t i = 0; i < b.points.size(); ++i)
-      if (b.block[i] == k) largest = std::max(largest, b.reach[i]);
-    const std::int64_t halo = shape_halo(rule, largest);
+    std::vector<float> own_reach = b.reach;
+    std::vector<std::uint8_t> of_block;
+    for (std::size_t i = 0; i < b.points.size(); ++i) {
+      of_block.push_back(b.block[i] == k);
+      if (b.block[i] != k) own_reach[i] = -1;
+    }
+    const std::vector<std::uint8_t> needed = needed_points(rule, b.points, own_reach, of_block);
     std::vector<Point2> near;
     std::vector<float> reach;
     std::vector<std::uint8_t> own;
     for (std::size_t i = 0; i < b.points.size(); ++i) {
-      const bool within = std::any_of(b.points.begin(), b.points.end(), [&](const Point2& q) {
-        return b.block[static_cast<std::size_t>(&q - b.points.data())] == k &&
-               squared_distance(q, b.points[i]) <= halo * halo;
-      });
-      if (!within) continue;
+      if (!needed[i]) continue;
       near.push_back(b.points[i]);
       reach.push_back(b.reach[i]);
-      own.push_back(b.block[i] == k);
+      own.push_back(of_block[i]);
     }
     const Triangulation t = delaunay(near);
     const auto part = placed_of(t, near, owned_triangles(t, near, {rule, reach}, own));
@@ -157,6 +156,33 @@ TEST(AlphaShape, BlocksJoinToTheWhole) {
         EXPECT_EQ(joined(b, rule), whole) << "round " << round << ", cells of " << cell;
       }
     }
+  }
+}
+
+TEST(AlphaShape, ABlockNeedsAllWithinItsHaloAndNotMuchBeside) {
+  Rng rng(9);
+  std::vector<Point2> points;
+  std::vector<float> reach;
+  std::vector<std::uint8_t> own;
+  for (int i = 0; i < 4000; ++i) {
+    points.push_back({test::draw_within(rng, 5000), test::draw_within(rng, 5000)});
+    own.push_back(points.back().x < -4000 && points.back().y < -4000);
+    reach.push_back(static_cast<float>(rng.below(20) == 0 ? 600 : 100));
+  }
+  for (const TriangleRule rule : {TriangleRule::kCircumradius, TriangleRule::kLongestEdge}) {
+    const auto needed = needed_points(rule, points, reach, own);
+    std::int64_t asked = 0, given = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      bool within = false;
+      for (std::size_t k = 0; k < points.size() && !within; ++k) {
+        const std::int64_t halo = shape_halo(rule, static_cast<double>(reach[k]));
+        within = own[k] && squared_distance(points[i], points[k]) <= halo * halo;
+      }
+      EXPECT_TRUE(!within || needed[i]);
+      asked += within;
+      given += needed[i];
+    }
+    EXPECT_LT(given, 2 * asked);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "kernels/delaunay/alpha_shape.h"
 #include "tests/support/plane_sets.h"
 
 namespace ilot {
@@ -129,6 +130,64 @@ TEST(Rings, AnySetOfTriangles) {
       EXPECT_EQ(again.vertices, polygons.vertices);
       EXPECT_EQ(again.rings, polygons.rings);
     }
+}
+
+// A lattice of squares with a hole and an island in it, another part beside it, and a window in that.
+TEST(OuterRings, LeaveOutHolesAndWhatLiesInThem) {
+  std::vector<Point2> points;
+  for (std::int32_t x = 0; x < 24; ++x)
+    for (std::int32_t y = 0; y < 12; ++y) {
+      const bool hole = x > 2 && x < 9 && y > 2 && y < 9 && !(x >= 5 && x <= 6 && y >= 5 && y <= 6);
+      const bool gap = x > 12 && x < 16;
+      const bool window = x > 18 && x < 21 && y > 4 && y < 7;
+      if (!hole && !gap && !window) points.push_back({10 * x, 10 * y});
+    }
+  const Triangulation t = delaunay(points);
+  const std::vector<float> reach(points.size(), 7.2f);
+  const auto keep = shape_triangles(t, points, {TriangleRule::kCircumradius, reach});
+  const Polygons all = assemble_rings(boundary_edges(t, keep), points);
+  ASSERT_EQ(all.count, 3u);
+  ASSERT_EQ(all.rings.size(), 5u);
+  const Polygons outer = outer_rings(all, points);
+  EXPECT_EQ(outer.count, 2u);
+  ASSERT_EQ(outer.rings.size(), 2u);
+  EXPECT_EQ(twice_area(outer, outer.rings[0], points), 2 * 120 * 110);
+  EXPECT_EQ(twice_area(outer, outer.rings[1], points), 2 * 70 * 110);
+  EXPECT_EQ(outer.rings[1].polygon, 1u);
+}
+
+bool ring_holds(const Polygons& polygons, const Ring& r, std::span<const Point2> points, double x, double y) {
+  bool inside = false;
+  for (std::uint32_t i = 0; i < r.count; ++i) {
+    const Point2 a = points[polygons.vertices[r.first + i]], b = points[polygons.vertices[r.first + (i + 1) % r.count]];
+    if ((a.y > y) != (b.y > y) && x < a.x + (y - a.y) * (b.x - a.x) / (b.y - a.y)) inside = !inside;
+  }
+  return inside;
+}
+
+TEST(OuterRings, HoldEveryTriangleOnceAndOnlyWholeOnes) {
+  Rng rng(21);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Point2> points;
+    for (int i = 0; i < 500; ++i) points.push_back({test::draw_within(rng, 400), test::draw_within(rng, 400)});
+    const Triangulation t = delaunay(points);
+    const std::vector<float> reach(points.size(), static_cast<float>(16 + rng.below(20)));
+    const auto keep = shape_triangles(t, points, {TriangleRule::kCircumradius, reach});
+    const Polygons all = assemble_rings(boundary_edges(t, keep), points), outer = outer_rings(all, points);
+    EXPECT_LE(outer.rings.size(), all.rings.size());
+    std::int64_t held = 0, bounded = 0;
+    for (std::size_t i = 0; i < keep.size(); ++i) {
+      const Point2 a = points[t.corner[3 * i]], b = points[t.corner[3 * i + 1]], c = points[t.corner[3 * i + 2]];
+      const double x = (a.x + b.x + c.x) / 3.0, y = (a.y + b.y + c.y) / 3.0;
+      const auto holders = std::count_if(outer.rings.begin(), outer.rings.end(),
+                                         [&](const Ring& r) { return ring_holds(outer, r, points, x, y); });
+      EXPECT_LE(holders, 1);
+      EXPECT_TRUE(!keep[i] || holders == 1);
+      if (holders > 0) held += orient2d(a, b, c);
+    }
+    for (const Ring& r : outer.rings) bounded += twice_area(outer, r, points);
+    EXPECT_EQ(bounded, held);
+  }
 }
 
 }  // namespace

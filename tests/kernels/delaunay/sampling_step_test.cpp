@@ -113,18 +113,5 @@ TEST(MeasuredSteps, EqualBruteForce) {
   EXPECT_TRUE(measured_steps({}, 6, 100).step.empty());
 }
 
-TEST(MeasuredSteps, OfTheWantedPointsAreTheSame) {
-  for (const auto& set : test::plane_sets(120, 6)) {
-    if (set.name != "uniform" && set.name != "lattice" && set.name != "duplicates") continue;
-    Rng rng(1);
-    std::vector<std::uint8_t> wanted;
-    for (std::size_t i = 0; i < set.points.size(); ++i) wanted.push_back(rng.below(2) == 0);
-    const MeasuredSteps all = measured_steps(set.points, 4, 1000), some = measured_steps(set.points, 4, 1000, wanted);
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-      EXPECT_TRUE(wanted[i] == 0 || (some.step[i] == all.step[i] && some.reach2[i] == all.reach2[i])) << set.name;
-    }
-  }
-}
-
 }  // namespace
 }  // namespace ilot

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/read_stations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "engine/error.h"
+#include "engine/formats/lines.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::array<std::string_view, 9> kNames{
+    "x", "y", "z", "azimuth_step_deg", "elevation_step_deg", "axis_x", "axis_y", "axis_z", "name"};
+constexpr std::size_t kName = 8, kMostStations = 100000;
+constexpr double kRadians = 0.017453292519943295, kMostDegrees = 5;
+
+using Fields = std::vector<std::string_view>;
+
+// Which of kNames each column is.
+using Order = std::vector<std::size_t>;
+
+[[noreturn]] void fault(const std::string& where, const std::string& what) {
+  throw Error(where + ": " + what, ExitCode::usage);
+}
+
+bool is_header(const Fields& fields) {
+  return std::find(kNames.begin(), kNames.end(), fields[0]) != kNames.end();
+}
+
+Order order_of(const Fields& header, const std::string& where) {
+  Order order;
+  for (const std::string_view field : header) {
+    const auto at = std::find(kNames.begin(), kNames.end(), field);
+    if (at == kNames.end()) fault(where, "\"" + std::string(field) + "\" is no column of a stations file");
+    order.push_back(static_cast<std::size_t>(at - kNames.begin()));
+    if (std::count(order.begin(), order.end(), order.back()) > 1)
+      fault(where, "the column \"" + std::string(field) + "\" comes twice");
+  }
+  const auto has = [&](std::size_t name) { return std::find(order.begin(), order.end(), name) != order.end(); };
+  if (!has(0) || !has(1) || !has(2)) fault(where, "the columns x, y and z are needed");
+  if (has(3) != has(4)) fault(where, "azimuth_step_deg and elevation_step_deg go together");
+  if (has(5) != has(6) || has(6) != has(7)) fault(where, "axis_x, axis_y and axis_z go together");
+  return order;
+}
+
+// Without a header: x y z, then both steps, then the axis.
+Order usual_order(std::size_t columns, const std::string& where) {
+  if (columns != 3 && columns != 5 && columns != 8)
+    fault(where, "has " + std::to_string(columns) + " columns; x y z, two steps and an axis are 3, 5 or 8");
+  Order order;
+  for (std::size_t i = 0; i < columns; ++i) order.push_back(i);
+  return order;
+}
+
+Station station_of(const Fields& fields, const Order& order, const std::string& where) {
+  if (fields.size() != order.size())
+    fault(where, "has " + std::to_string(fields.size()) + " fields, not " + std::to_string(order.size()));
+  std::array<double, 8> v{0, 0, 0, 0, 0, 0, 0, 1};
+  bool steps = false;
+  Station station;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    if (order[i] == kName) {
+      station.name = fields[i];
+      continue;
+    }
+    if (!parse_number(fields[i], v[order[i]]) || !std::isfinite(v[order[i]]))
+      fault(where, "\"" + std::string(fields[i]) + "\" is not a number");
+    steps |= order[i] == 3;
+  }
+  if (steps && !(v[3] > 0 && v[3] <= kMostDegrees && v[4] > 0 && v[4] <= kMostDegrees))
+    fault(where, "angular steps must lie above 0 and be 5 degrees at most");
+  station.position = {v[0], v[1], v[2]};
+  station.azimuth_step = v[3] * kRadians;
+  station.elevation_step = v[4] * kRadians;
+  const double length = norm(Vec3{v[5], v[6], v[7]});
+  if (!(length > 0)) fault(where, "the axis has no length");
+  station.axis = (1 / length) * Vec3{v[5], v[6], v[7]};
+  return station;
+}
+
+}  // namespace
+
+std::vector<Station> read_stations(const std::filesystem::path& path) {
+  const InputFile file(path);
+  LineReader lines(file, 0);
+  std::vector<Station> stations;
+  std::string_view line;
+  Fields fields;
+  Order order;
+  for (std::size_t number = 1; lines.next(line); ++number) {
+    const std::string where = path.string() + ":" + std::to_string(number);
+    split_fields(line, kNames.size() + 1, fields);
+    if (fields.empty() || fields[0].empty() || fields[0].front() == '#') continue;
+    if (order.empty() && is_header(fields)) {
+      order = order_of(fields, where);
+      continue;
+    }
+    if (order.empty()) order = usual_order(fields.size(), where);
+    stations.push_back(station_of(fields, order, where));
+    if (stations.back().name.empty()) stations.back().name = "station " + std::to_string(stations.size());
+    if (stations.size() > kMostStations) fault(where, "more stations than 100000");
+  }
+  if (stations.empty()) fault(path.string(), "holds no station");
+  return stations;
+}
+
+}  // namespace ilot
