@@ -74,7 +74,9 @@ TEST(ColoursPass, EveryPointGetsItsOwnColourInEightBits) {
   std::size_t none = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     none += colour[i] == kNoColour;
-    if (where[i].z < 5000) ASSERT_EQ(colour[i], colour_at(where[i])) << i;
+    if (where[i].z < 5000) {
+      ASSERT_EQ(colour[i], colour_at(where[i])) << i;
+    }
   }
   EXPECT_EQ(none, 2u) << "of the input without colours";
 }
