@@ -97,7 +97,7 @@ RoofsObj::RoofsObj(const std::filesystem::path& path, const RoofsObjParams& para
 void RoofsObj::add(std::span<const Building> levels) {
   const Building* building = nullptr;
   for (const Building& level : levels)
-    if (!level.surfaces.empty()) building = &level;
+    if (!level.surfaces.empty() && !level.lod.starts_with('0')) building = &level;
   if (!building) return;
   const NumberedVertices vertices = number_vertices(*building, params_, vertices_);
   vertices_ += vertices.fresh;

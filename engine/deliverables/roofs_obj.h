@@ -15,9 +15,9 @@ struct RoofsObjParams {
   double step = 0.0001;  // CRS units
 };
 
-// Buildings in the order they are added, each at the last of its levels that has surfaces. Faces are polygons; those
-// with holes, which OBJ has not, come in triangles. Vertices that fall on one step are one within a building. The file
-// appears under its name at finish() or not at all. Throws Error.
+// Buildings in the order they are added, each at the last of its levels that is a solid; without one it is left out.
+// Faces are polygons; those with holes, which OBJ has not, come in triangles. Vertices that fall on one step are one
+// within a building. The file appears under its name at finish() or not at all. Throws Error.
 class RoofsObj {
  public:
   RoofsObj(const std::filesystem::path& path, const RoofsObjParams& params);

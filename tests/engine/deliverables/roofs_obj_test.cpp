@@ -23,6 +23,9 @@ TEST(RoofsObj, ReadsBackAsGroupsThatAreValid) {
   obj.add(std::vector<Building>{low, gable_house("7", {652000.12345, 6862000.5, 35})});
   obj.add(std::vector<Building>{court_house("a court")});
   obj.add(std::vector<Building>{Building{"none", "2.2", {}, {}, {}}});
+  Building outline = gable_house("outline", {});
+  outline.lod = "0";
+  obj.add(std::vector<Building>{outline});
   EXPECT_FALSE(std::filesystem::exists(path));
   obj.finish();
   const ModelFile file = read_models(path);
