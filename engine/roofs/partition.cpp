@@ -297,6 +297,8 @@ void tidy(Partition& p) {
       kept.back().right = e.right;
     } else if (kept.back().left == e.right) {
       kept.back().left = e.left;
+    } else {
+      kept.push_back(e);  // regions that overlap: no plane subdivision, but every region still closes
     }
     if (kept.back().left == kept.back().right) kept.pop_back();
   }

@@ -66,6 +66,8 @@ struct Loop {
 };
 
 class Tracer {
+  static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
  public:
   Tracer(std::span<const BoundaryEdge> edges, std::span<const Point2> points)
       : points_(points), edges_(edges.begin(), edges.end()), used_(edges.size()), place_(points.size(), kNoEdge) {
@@ -84,13 +86,20 @@ class Tracer {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   }
 
-  // The edge that goes on along the fan of triangles on the left of edge i.
-  std::size_t successor(std::size_t i) const {
+  // The edge that goes on along the fan of triangles on the left of edge i, of those that are not used up: start may be
+  // taken again. kNone when the edges do not close.
+  std::size_t successor(std::size_t i, std::size_t start) const {
     const BoundaryEdge& in = edges_[i];
-    std::size_t best = static_cast<std::size_t>(
-        std::lower_bound(edges_.begin(), edges_.end(), BoundaryEdge{in.to, 0, in.region}, before) - edges_.begin());
-    for (std::size_t k = best + 1; k < edges_.size() && edges_[k].region == in.region && edges_[k].from == in.to; ++k)
-      if (clockwise_before(points_[in.to], points_[in.from], points_[edges_[k].to], points_[edges_[best].to])) best = k;
+    std::size_t best = kNone;
+    for (auto k = static_cast<std::size_t>(
+             std::lower_bound(edges_.begin(), edges_.end(), BoundaryEdge{in.to, 0, in.region}, before) -
+             edges_.begin());
+         k < edges_.size() && edges_[k].region == in.region && edges_[k].from == in.to; ++k) {
+      if (used_[k] && k != start) continue;
+      if (best == kNone ||
+          clockwise_before(points_[in.to], points_[in.from], points_[edges_[k].to], points_[edges_[best].to]))
+        best = k;
+    }
     return best;
   }
 
@@ -108,8 +117,9 @@ class Tracer {
         add_loop({path.begin() + seen, path.end()}, region);
         path.resize(seen);
       }
-      i = successor(i);
-    } while (i != start);
+      i = successor(i, start);
+    } while (i != start && i != kNone);
+    for (const std::uint32_t v : path) place_[v] = kNoEdge;
   }
 
   void add_loop(std::vector<std::uint32_t> vertices, std::uint32_t region) {

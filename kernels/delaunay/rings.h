@@ -42,7 +42,7 @@ struct Polygons {
 // inside of each polygon is connected; a polygon has one outer ring. A polygon is a region: its holes are known without
 // looking for them. Each ring starts at its smallest vertex in (x, y), polygons are in the order of theirs, and so are
 // holes: the answer depends on the set of edges alone. `edges` must bound regions of triangles: as many edges enter a
-// vertex as leave it, per region. O(n log n).
+// vertex as leave it, per region; other edges give some set of rings. O(n log n).
 Polygons assemble_rings(std::span<const BoundaryEdge> edges, std::span<const Point2> points);
 
 // What the outside sees of polygons that do not cross: their outer rings without the holes, and without those that lie
