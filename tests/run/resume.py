@@ -52,10 +52,10 @@ class Resume(RunTest):
         for i in range(moments):
             out = self.folder / f"killed-{i}"
             for _ in range(8):
+                shutil.rmtree(out, ignore_errors=True)
                 code, _ = self.stop_after(whole * rng.uniform(0.02, 0.98), signal.SIGKILL, inputs, out, *arguments)
                 if code != 0:
                     break
-                shutil.rmtree(out)
                 whole *= 0.7  # the first run was slower: the machine had more to do
             self.assertEqual(code, -signal.SIGKILL, "every run ended before it was killed")
             if out.exists() and i % 2 == 1:  # a second time, in the middle of going on
