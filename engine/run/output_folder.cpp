@@ -193,6 +193,13 @@ bool is_finished(const RunOptions& options, const RunInputs& inputs) {
   return true;
 }
 
+void clear_finished_store(const RunOptions& options) {
+  const fs::path store = options.store.empty() ? options.output / ".store" : options.store;
+  if (options.keep_store || !fs::exists(store)) return;
+  clear_store(store);
+  if (fs::is_empty(store)) fs::remove(store);
+}
+
 OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
     : path_(options.output),
       store_(options.store.empty() ? options.output / ".store" : options.store),

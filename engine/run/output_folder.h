@@ -40,6 +40,9 @@ class OutputFolder {
 // Does the folder hold the complete result of a run over these inputs with these settings?
 bool is_finished(const RunOptions& options, const RunInputs& inputs);
 
+// What a finished run left of its store when it was stopped while clearing up.
+void clear_finished_store(const RunOptions& options);
+
 // What --memory leaves for blocks in work, beside the program, its libraries and tables.
 std::uint64_t memory_for_blocks(const RunOptions& options);
 

@@ -277,6 +277,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
                                              : plan_footprints(options.footprints, inputs.crs, progress, record);
   if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
   if (options.existing == Existing::resume && is_finished(options, inputs)) {
+    clear_finished_store(options);
     progress.note(options.output.string() + ": is finished, nothing is left to do");
     return 0;
   }
