@@ -15,13 +15,13 @@ namespace {
 
 constexpr double kSnap = 0.001;  // metres within which corners of neighbouring polygons are one
 
-std::vector<FlatPoint> flattened(const Ring3& ring, const PlaneFrame& frame) {
+std::vector<FlatPoint> flattened(const Ring3& ring, const FlatFrame& frame) {
   std::vector<FlatPoint> flat;
   for (const Vec3& p : ring) flat.push_back(frame.flat(p));
   return flat;
 }
 
-PlaneFrame frame_of(const TruePlane& plane) {
+FlatFrame frame_of(const TruePlane& plane) {
   return plane_frame(plane.plane.n, plane.polygons[0].ring[0]);
 }
 
@@ -51,7 +51,7 @@ void BoundaryCounts::add(const BoundaryCounts& other) {
 
 std::vector<FlatEdge> true_edges(const TruePlane& plane, double metres_per_unit) {
   if (plane.polygons.empty()) return {};
-  const PlaneFrame frame = frame_of(plane);
+  const FlatFrame frame = frame_of(plane);
   std::vector<FlatPolygon> polygons;
   for (const TruePolygon& polygon : plane.polygons) {
     polygons.push_back({flattened(polygon.ring, frame), {}});
@@ -62,7 +62,7 @@ std::vector<FlatEdge> true_edges(const TruePlane& plane, double metres_per_unit)
 
 BoundaryCounts boundary_counts(const TruePlane& plane, const BoundaryPoints& points, double metres_per_unit) {
   if (plane.polygons.empty()) return {};
-  const PlaneFrame frame = frame_of(plane);
+  const FlatFrame frame = frame_of(plane);
   std::vector<FlatPoint> flat;
   for (std::size_t i = 0; i < points.own.size(); ++i)
     if (points.true_point[i]) flat.push_back(frame.flat(points.own[i]));

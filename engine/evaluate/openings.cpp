@@ -20,7 +20,7 @@ struct Pair {
 };
 
 // The plane of a ring; nullopt when it has no area.
-std::optional<PlaneFrame> frame_of_ring(const Ring3& ring, Vec3& normal) {
+std::optional<FlatFrame> frame_of_ring(const Ring3& ring, Vec3& normal) {
   Vec3 sum;
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum = sum + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   if (!(norm(sum) > 0)) return std::nullopt;
@@ -28,7 +28,7 @@ std::optional<PlaneFrame> frame_of_ring(const Ring3& ring, Vec3& normal) {
   return plane_frame(normal, ring[0]);
 }
 
-std::vector<FlatPoint> flattened(const Ring3& ring, const PlaneFrame& frame) {
+std::vector<FlatPoint> flattened(const Ring3& ring, const FlatFrame& frame) {
   std::vector<FlatPoint> flat;
   for (const Vec3& p : ring) flat.push_back(frame.flat(p));
   return flat;
@@ -45,7 +45,7 @@ bool boxes_meet(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b
 void compare(const TrueOpening& truth, std::size_t number, const std::vector<const FacadeElement*>& found,
              const OpeningParams& params, std::vector<Pair>& pairs) {
   Vec3 normal;
-  const std::optional<PlaneFrame> frame = frame_of_ring(truth.ring, normal);
+  const std::optional<FlatFrame> frame = frame_of_ring(truth.ring, normal);
   if (!frame) return;
   const FlatPolygon true_polygon{flattened(truth.ring, *frame), {}};
   const FlatArea true_area(std::span(&true_polygon, 1));

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "engine/error.h"
-#include "engine/evaluate/geos_context.h"
+#include "engine/geos_context.h"
 
 namespace ilot {
 namespace {

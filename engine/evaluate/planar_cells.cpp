@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "engine/error.h"
-#include "engine/evaluate/geos_context.h"
+#include "engine/geos_context.h"
 
 namespace ilot {
 namespace {

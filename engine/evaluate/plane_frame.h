@@ -8,14 +8,14 @@
 namespace ilot {
 
 // Right-handed axes u, v in a plane, about a near origin.
-struct PlaneFrame {
+struct FlatFrame {
   Vec3 origin, u, v;
 
   FlatPoint flat(Vec3 p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
 };
 
 // `normal` of unit length. u lies across the coordinate axis that the normal leans on least.
-inline PlaneFrame plane_frame(Vec3 normal, Vec3 origin) {
+inline FlatFrame plane_frame(Vec3 normal, Vec3 origin) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   const Vec3 axis = z <= x && z <= y ? Vec3{0, 0, 1} : x <= y ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   const Vec3 across = cross(axis, normal);

@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/geos_context.h"
 #include "kernels/core/union_find.h"
 
 namespace ilot {
@@ -19,19 +20,7 @@ namespace {
 
 constexpr double kGrid = 1;  // millimetre
 
-GEOSContextHandle_t context() {
-  struct Holder {
-    GEOSContextHandle_t handle = GEOS_init_r();
-    ~Holder() { GEOS_finish_r(handle); }
-  };
-  thread_local const Holder holder;
-  return holder.handle;
-}
-
-struct Destroy {
-  void operator()(GEOSGeometry* g) const { GEOSGeom_destroy_r(context(), g); }
-};
-using Owned = std::unique_ptr<GEOSGeometry, Destroy>;
+using Owned = GeosOwned;
 
 Owned checked(GEOSGeometry* geometry) {
   if (!geometry) throw Error("an outline could not be parted (GEOS gave nothing)");
@@ -39,10 +28,11 @@ Owned checked(GEOSGeometry* geometry) {
 }
 
 Owned line_string(std::span<const FlatPoint> points) {
-  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(context(), static_cast<unsigned>(points.size()), 2);
+  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(geos_context(), static_cast<unsigned>(points.size()), 2);
   if (!corners) throw Error("out of memory: an outline");
-  for (unsigned i = 0; i < points.size(); ++i) GEOSCoordSeq_setXY_r(context(), corners, i, points[i].x, points[i].y);
-  return checked(GEOSGeom_createLineString_r(context(), corners));
+  for (unsigned i = 0; i < points.size(); ++i)
+    GEOSCoordSeq_setXY_r(geos_context(), corners, i, points[i].x, points[i].y);
+  return checked(GEOSGeom_createLineString_r(geos_context(), corners));
 }
 
 FlatPoint rounded(FlatPoint metres) {
@@ -64,37 +54,37 @@ Owned noded(const SitePolygon& outline, std::span<const FlatEdge> lines) {
   }
   std::vector<GEOSGeometry*> parts;
   for (Owned& o : owned) parts.push_back(o.release());
-  const Owned all = checked(
-      GEOSGeom_createCollection_r(context(), GEOS_MULTILINESTRING, parts.data(), static_cast<unsigned>(parts.size())));
-  return checked(GEOSUnaryUnionPrec_r(context(), all.get(), kGrid));
+  const Owned all = checked(GEOSGeom_createCollection_r(geos_context(), GEOS_MULTILINESTRING, parts.data(),
+                                                        static_cast<unsigned>(parts.size())));
+  return checked(GEOSUnaryUnionPrec_r(geos_context(), all.get(), kGrid));
 }
 
 Owned polygon_of(const SitePolygon& outline) {
   const auto ring_of = [](const std::vector<Point2>& ring) {
-    GEOSCoordSequence* corners = GEOSCoordSeq_create_r(context(), static_cast<unsigned>(ring.size() + 1), 2);
+    GEOSCoordSequence* corners = GEOSCoordSeq_create_r(geos_context(), static_cast<unsigned>(ring.size() + 1), 2);
     if (!corners) throw Error("out of memory: an outline");
     for (unsigned i = 0; i <= ring.size(); ++i) {
       const Point2 p = ring[i == ring.size() ? 0 : i];
-      GEOSCoordSeq_setXY_r(context(), corners, i, p.x, p.y);
+      GEOSCoordSeq_setXY_r(geos_context(), corners, i, p.x, p.y);
     }
-    return checked(GEOSGeom_createLinearRing_r(context(), corners));
+    return checked(GEOSGeom_createLinearRing_r(geos_context(), corners));
   };
   std::vector<GEOSGeometry*> holes;
   for (std::size_t r = 1; r < outline.size(); ++r) holes.push_back(ring_of(outline[r]).release());
-  return checked(GEOSGeom_createPolygon_r(context(), ring_of(outline[0]).release(), holes.data(),
+  return checked(GEOSGeom_createPolygon_r(geos_context(), ring_of(outline[0]).release(), holes.data(),
                                           static_cast<unsigned>(holes.size())));
 }
 
 using Corners = std::vector<Point2>;
 
 Corners corners_of(const GEOSGeometry* ring) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(context(), ring);
+  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos_context(), ring);
   unsigned count = 0;
-  GEOSCoordSeq_getSize_r(context(), sequence, &count);
+  GEOSCoordSeq_getSize_r(geos_context(), sequence, &count);
   Corners corners;
   for (unsigned i = 0; i < count; ++i) {
     double x = 0, y = 0;
-    GEOSCoordSeq_getXY_r(context(), sequence, i, &x, &y);
+    GEOSCoordSeq_getXY_r(geos_context(), sequence, i, &x, &y);
     corners.push_back({static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))});
   }
   return corners;
@@ -115,20 +105,20 @@ struct Cell {
 // Cells inside the outline, in a definite order.
 std::vector<Cell> cells_of(const GEOSGeometry* polygons, const GEOSPreparedGeometry* outline) {
   std::vector<Cell> cells;
-  const int count = GEOSGetNumGeometries_r(context(), polygons);
+  const int count = GEOSGetNumGeometries_r(geos_context(), polygons);
   for (int i = 0; i < count; ++i) {
-    const GEOSGeometry* polygon = GEOSGetGeometryN_r(context(), polygons, i);
-    const Owned inside = checked(GEOSPointOnSurface_r(context(), polygon));
-    if (GEOSPreparedIntersects_r(context(), outline, inside.get()) != 1) continue;
+    const GEOSGeometry* polygon = GEOSGetGeometryN_r(geos_context(), polygons, i);
+    const Owned inside = checked(GEOSPointOnSurface_r(geos_context(), polygon));
+    if (GEOSPreparedIntersects_r(geos_context(), outline, inside.get()) != 1) continue;
     Cell cell;
     const auto add = [&](const GEOSGeometry* ring, bool left) {
       Corners corners = corners_of(ring);
       if (turns_left(corners) != left) std::reverse(corners.begin(), corners.end());
       cell.rings.push_back(std::move(corners));
     };
-    add(GEOSGetExteriorRing_r(context(), polygon), true);
-    for (int r = 0; r < GEOSGetNumInteriorRings_r(context(), polygon); ++r)
-      add(GEOSGetInteriorRingN_r(context(), polygon, r), false);
+    add(GEOSGetExteriorRing_r(geos_context(), polygon), true);
+    for (int r = 0; r < GEOSGetNumInteriorRings_r(geos_context(), polygon); ++r)
+      add(GEOSGetInteriorRingN_r(geos_context(), polygon, r), false);
     cells.push_back(std::move(cell));
   }
   std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
@@ -337,11 +327,11 @@ std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolyg
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
   const Owned net = noded(outline, lines);
   const GEOSGeometry* nets[1]{net.get()};
-  const Owned polygons = checked(GEOSPolygonize_r(context(), nets, 1));
+  const Owned polygons = checked(GEOSPolygonize_r(geos_context(), nets, 1));
   const Owned polygon = polygon_of(outline);
-  const auto release = [](const GEOSPreparedGeometry* g) { GEOSPreparedGeom_destroy_r(context(), g); };
-  const std::unique_ptr<const GEOSPreparedGeometry, decltype(release)> prepared(GEOSPrepare_r(context(), polygon.get()),
-                                                                                release);
+  const auto release = [](const GEOSPreparedGeometry* g) { GEOSPreparedGeom_destroy_r(geos_context(), g); };
+  const std::unique_ptr<const GEOSPreparedGeometry, decltype(release)> prepared(
+      GEOSPrepare_r(geos_context(), polygon.get()), release);
   return subdivision(cells_of(polygons.get(), prepared.get()));
 }
 

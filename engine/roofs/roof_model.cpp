@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/roofs/cell_labels.h"
+#include "engine/roofs/outline_repair.h"
 #include "engine/roofs/partition.h"
 #include "engine/roofs/roof_faces.h"
 #include "engine/roofs/roof_lines.h"
@@ -42,13 +43,6 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
   RoofPlane plane;
   plane.c = *at;
   return plane;
-}
-
-double outline_area(const SitePolygon& outline) {
-  std::int64_t twice = 0;
-  for (const auto& ring : outline)
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) twice += orient2d(ring[0], ring[i], ring[i + 1]);
-  return static_cast<double>(twice) * 0.5e-6;
 }
 
 RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
@@ -110,7 +104,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
                      const SolidCheck& check) {
   RoofModel model;
   model.face_of_point.assign(site.points.size(), 0);
-  if (site.outline.empty() || outline_area(site.outline) < kLeastOutline) {
+  if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
     model.reason = "the outline has no area";
     return model;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/evaluate/geos_context.h"
+#include "engine/geos_context.h"
 
 namespace ilot {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// GEOS as the files of this folder use it.
+// GEOS as the engine uses it.
 #pragma once
 #include <geos_c.h>
 
