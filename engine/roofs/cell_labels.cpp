@@ -62,11 +62,12 @@ double misfit(const RoofPlane& plane, Vec3 p, bool labelled, double epsilon) {
 
 class Labelling {
  public:
-  Labelling(const RoofSite& site, const RoofPlanes& planes, const Partition& cells, const CellLabelParams& params)
+  Labelling(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+            std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params)
       : site_(site), planes_(planes), cells_(cells), params_(params) {
     find_borders();
     find_candidates();
-    add_points();
+    add_points(cell_of_point);
     forbid_overshoot();
   }
 
@@ -110,12 +111,9 @@ class Labelling {
           if (around[p].near(boxes_[r], by)) candidates_[r].push_back({p, 0});
   }
 
-  void add_points() {
-    std::vector<FlatPoint> flat;
-    for (const Vec3& p : site_.points) flat.push_back({p.x * 1000, p.y * 1000});
-    const std::vector<std::uint32_t> region = regions_of(cells_, flat);
+  void add_points(std::span<const std::uint32_t> region) {
     const double area = planes_.step * planes_.step;
-    for (std::size_t i = 0; i < flat.size(); ++i) {
+    for (std::size_t i = 0; i < region.size(); ++i) {
       if (region[i] == kOutside || planes_.on_wall[i]) continue;
       const std::uint32_t own = planes_.of_point[i];
       for (Candidate& c : candidates_[region[i] - 1])
@@ -215,8 +213,8 @@ class Labelling {
 }  // namespace
 
 std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
-                                       const CellLabelParams& params) {
-  return Labelling(site, planes, cells, params).solve();
+                                       std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params) {
+  return Labelling(site, planes, cells, cell_of_point, params).solve();
 }
 
 }  // namespace ilot

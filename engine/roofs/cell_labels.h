@@ -2,6 +2,7 @@
 // Which plane every cell of a parted outline lies on.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/roofs/partition.h"
@@ -23,7 +24,9 @@ struct CellLabelParams {
 // nothing changes, at most 8 rounds: the answer depends on the input alone. The border's cost is a metric over planes,
 // so every expansion is one minimum cut (Boost.Graph). A plane is a candidate only near its points, so the work grows
 // with the size of the roof and not with its square.
+// cell_of_point: regions_of() the site's points.
 std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+                                       std::span<const std::uint32_t> cell_of_point,
                                        const CellLabelParams& params = {});
 
 }  // namespace ilot

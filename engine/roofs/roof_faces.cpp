@@ -81,10 +81,8 @@ bool give_one_away(const Partition& cells, const std::vector<double>& areas, con
 }  // namespace
 
 RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
-                     std::vector<std::uint32_t> label, double least_area) {
-  std::vector<FlatPoint> flat;
-  for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
-  const std::vector<std::uint32_t> cell_of_point = regions_of(cells, flat);
+                     std::span<const std::uint32_t> cell_of_point, std::vector<std::uint32_t> label,
+                     double least_area) {
   const PointCounts counts = count_points(planes, cell_of_point, cells.regions);
   const std::vector<double> areas = region_areas(cells);
   while (give_one_away(cells, areas, counts, least_area, label)) {
@@ -94,7 +92,7 @@ RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Parti
   r.planes.resize(c.count);
   for (std::uint32_t cell = 0; cell < cells.regions; ++cell)
     r.planes[c.of_cell[cell] - 1] = planes.planes[label[cell] - 1];
-  for (std::size_t i = 0; i < flat.size(); ++i) {
+  for (std::size_t i = 0; i < cell_of_point.size(); ++i) {
     const std::uint32_t cell = cell_of_point[i];
     const bool lies_on = cell != kOutside && planes.of_point[i] != 0 && label[cell - 1] == planes.of_point[i];
     r.of_point.push_back(lies_on ? c.of_cell[cell - 1] : 0);

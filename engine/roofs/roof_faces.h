@@ -19,7 +19,8 @@ struct RoofFaces {
 // Cells of one plane that share an edge become a face. A face that is smaller than least_area (m2) or holds none of its
 // plane's points goes to the neighbour with which it shares the longest border, the smallest first. Corners of the
 // outline stay even where its edges are straight.
+// cell_of_point: regions_of() the site's points.
 RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
-                     std::vector<std::uint32_t> label, double least_area);
+                     std::span<const std::uint32_t> cell_of_point, std::vector<std::uint32_t> label, double least_area);
 
 }  // namespace ilot

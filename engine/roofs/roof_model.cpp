@@ -48,8 +48,11 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
 RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
   const std::vector<FlatEdge> lines = roof_lines(site, planes);
   const Partition cells = part(site.outline, lines);
+  std::vector<FlatPoint> flat;
+  for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
+  const std::vector<std::uint32_t> cell_of_point = regions_of(cells, flat);
   const double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
-  return roof_faces(site, planes, cells, label_cells(site, planes, cells), least);
+  return roof_faces(site, planes, cells, cell_of_point, label_cells(site, planes, cells, cell_of_point), least);
 }
 
 // How vertices are shared: faces whose heights agree within same_height, ends of edges below shortest (metres).

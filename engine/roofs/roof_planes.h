@@ -24,8 +24,8 @@ struct RoofPlanes {
   double epsilon = 0;                   // metres; no labelled point lies farther from its plane
 };
 
-// RANSAC over sharp normals [D2, A6], borders settled by neighbours; planes that are one within the noise are joined.
-// Planes steeper than 75 degrees are walls. O(n log n).
+// RANSAC [A6] over normals that stay sharp beside edges [D2], borders settled by neighbours; planes that are one within
+// the noise are joined. Planes steeper than 75 degrees are walls. O(n log n).
 RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params);
 
 }  // namespace ilot
