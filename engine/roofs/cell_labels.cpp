@@ -18,6 +18,7 @@ constexpr Cost kForbidden = Cost{1} << 40;
 constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
 constexpr int kRounds = 8;
+constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct Box {
   double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
@@ -42,6 +43,12 @@ struct Border {
   std::uint32_t a, b;  // cells, from 0
   FlatPoint from, to;  // metres
   double length;
+};
+
+// Cells that a plane is a candidate of, and the borders of these.
+struct Reach {
+  std::vector<std::uint32_t> cells, borders;
+  std::uint32_t done_at = 0;  // the last expansion
 };
 
 FlatPoint metres(Point2 p) {
@@ -74,10 +81,14 @@ class Labelling {
   std::vector<std::uint32_t> solve() {
     label_.resize(cells_.regions);
     for (std::uint32_t r = 0; r < cells_.regions; ++r) label_[r] = cheapest(r);
+    find_reaches();
+    changed_at_.assign(cells_.regions, 1);
+    node_.assign(cells_.regions, kNone);
     bool changed = true;
     for (int round = 0; round < kRounds && changed; ++round) {
       changed = false;
-      for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane) changed |= expand(plane);
+      for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane)
+        if (anything_new(reaches_[plane])) changed |= expand(plane);
     }
     std::vector<std::uint32_t> labels;
     for (const std::uint32_t plane : label_) labels.push_back(plane + 1);
@@ -160,22 +171,61 @@ class Labelling {
     return cost_of(border.length * (params_.border + params_.wall * height));
   }
 
+  // What an expansion of each plane can change and what that depends on.
+  void find_reaches() {
+    reaches_.resize(planes_.planes.size());
+    for (std::uint32_t r = 0; r < cells_.regions; ++r)
+      for (const Candidate& c : candidates_[r]) reaches_[c.plane].cells.push_back(r);
+    for (std::uint32_t b = 0; b < borders_.size(); ++b) {
+      const auto &p = candidates_[borders_[b].a], &q = candidates_[borders_[b].b];
+      for (const Candidate& c : p) reaches_[c.plane].borders.push_back(b);
+      for (const Candidate& c : q)
+        if (!candidate(borders_[b].a, c.plane)) reaches_[c.plane].borders.push_back(b);
+    }
+  }
+
+  // Whether a cell that an expansion looks at has changed since the last one, which left nothing to gain.
+  bool anything_new(const Reach& reach) const {
+    return std::any_of(reach.cells.begin(), reach.cells.end(),
+                       [&](std::uint32_t r) { return changed_at_[r] > reach.done_at; }) ||
+           std::any_of(reach.borders.begin(), reach.borders.end(), [&](std::uint32_t b) {
+             return std::max(changed_at_[borders_[b].a], changed_at_[borders_[b].b]) > reach.done_at;
+           });
+  }
+
   // One expansion of a plane: the cheapest set of cells to take it, among all sets. True when a cell changed.
   bool expand(std::uint32_t alpha) {
-    constexpr std::uint32_t kNone = 0xffffffffu;
-    std::vector<std::uint32_t> movable, node(cells_.regions, kNone);
-    for (std::uint32_t r = 0; r < cells_.regions; ++r)
-      if (label_[r] != alpha && candidate(r, alpha)) {
-        node[r] = static_cast<std::uint32_t>(movable.size());
+    Reach& reach = reaches_[alpha];
+    std::vector<std::uint32_t> movable;
+    for (const std::uint32_t r : reach.cells)
+      if (label_[r] != alpha) {
+        node_[r] = static_cast<std::uint32_t>(movable.size());
         movable.push_back(r);
       }
-    if (movable.empty()) return false;
+    const std::vector<std::uint8_t> taken = cells_to_take(alpha, movable, reach.borders);
+    for (const std::uint32_t r : movable) node_[r] = kNone;
+    bool changed = false;
+    ++clock_;
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (taken[i]) {
+        label_[movable[i]] = alpha;
+        changed_at_[movable[i]] = clock_;
+        changed = true;
+      }
+    reach.done_at = clock_;
+    return changed;
+  }
+
+  // Per movable cell whether it takes the plane; empty: none does.
+  std::vector<std::uint8_t> cells_to_take(std::uint32_t alpha, std::span<const std::uint32_t> movable,
+                                          std::span<const std::uint32_t> borders) const {
     std::vector<Cost> gain(movable.size());  // of staying over moving
     for (std::size_t i = 0; i < movable.size(); ++i)
       gain[i] = candidate(movable[i], alpha)->cost - candidate(movable[i], label_[movable[i]])->cost;
     std::vector<CutArc> arcs;
-    for (const Border& border : borders_) {
-      const std::uint32_t a = node[border.a], b = node[border.b];
+    for (const std::uint32_t at : borders) {
+      const Border& border = borders_[at];
+      const std::uint32_t a = node_[border.a], b = node_[border.b];
       if (a == kNone && b == kNone) continue;
       const Cost stay = between(border, label_[border.a], label_[border.b]);
       const Cost only_b = between(border, label_[border.a], alpha), only_a = between(border, alpha, label_[border.b]);
@@ -189,15 +239,8 @@ class Labelling {
         arcs.push_back({a, b, std::max<Cost>(0, only_a + only_b - stay)});
       }
     }
-    if (std::none_of(gain.begin(), gain.end(), [](Cost g) { return g < 0; })) return false;
-    const std::vector<std::uint8_t> taken = least_cut(gain, arcs);
-    bool changed = false;
-    for (std::size_t i = 0; i < movable.size(); ++i)
-      if (taken[i]) {
-        label_[movable[i]] = alpha;
-        changed = true;
-      }
-    return changed;
+    if (std::none_of(gain.begin(), gain.end(), [](Cost g) { return g < 0; })) return {};
+    return least_cut(gain, arcs);
   }
 
   const RoofSite& site_;
@@ -207,7 +250,11 @@ class Labelling {
   std::vector<Box> boxes_;
   std::vector<Border> borders_;
   std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
+  std::vector<Reach> reaches_;                      // per plane
   std::vector<std::uint32_t> label_;                // per cell, from 0
+  std::vector<std::uint32_t> node_;                 // per cell: its place among the movable ones, or kNone
+  std::vector<std::uint32_t> changed_at_;           // per cell: the expansion that changed it last
+  std::uint32_t clock_ = 1;                         // counts expansions
 };
 
 }  // namespace

@@ -21,8 +21,8 @@ namespace ilot {
 namespace {
 
 constexpr double kUnit = 0.001;            // metres per unit of the kernels' points
-constexpr std::uint32_t kNeighbours = 16;  // of the borders
-constexpr int kFlatNeighbours = 16, kVoters = 20;
+constexpr std::uint32_t kNeighbours = 16;
+constexpr int kVoters = 20;
 constexpr double kPi = 3.141592653589793;
 constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
@@ -40,6 +40,7 @@ struct Cloud {
   Vec3 corner;  // metres
   std::size_t size = 0;
   Points points() const { return {x.data(), y.data(), z.data(), size}; }
+  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
   OrientedPoints oriented() const { return {points(), nx.data(), ny.data(), nz.data()}; }
 };
 
@@ -69,38 +70,57 @@ std::uint64_t content_key(const Cloud& c) {
   return key;
 }
 
-// Points whose neighbours lie flat have the normal of principal components; those beside an edge, where these would
-// average over both faces, the normal that most of their neighbours vote for.
-void give_normals(const NeighbourIndex& index, double step, double epsilon, Cloud& c) {
-  std::vector<std::uint32_t> all(c.size);
-  std::iota(all.begin(), all.end(), 0u);
-  std::vector<PackedNormal> packed(c.size);
-  std::vector<std::int64_t> reach2(c.size);
-  normals(index, all, {kFlatNeighbours, kMaxSquaredReach}, packed, reach2);
-  // On a plane with noise of a third of epsilon: l0 / (l0 + l1 + l2), l1 = l2 = a quarter of the squared radius.
-  const double noise2 = epsilon * epsilon / 9, spread2 = kFlatNeighbours * step * step / (4 * kPi);
-  const double flat = std::min(1.0, 3 * noise2 / (noise2 + 2 * spread2)) * 65535;
-  std::vector<std::uint32_t> at_edges;
-  for (const std::uint32_t i : all)
-    if (packed[i].curvature > flat) at_edges.push_back(i);
-  std::vector<PackedNormal> sharp(at_edges.size());
-  hough_normals(index, at_edges, {kVoters, kMaxSquaredReach, 0.95, kVoteDeviation}, sharp,
-                std::span(reach2).first(at_edges.size()));
-  for (std::size_t e = 0; e < at_edges.size(); ++e) packed[at_edges[e]] = sharp[e];
-  constexpr float kScale = 1.0f / 32767;
-  for (std::size_t i = 0; i < c.size; ++i) {
-    c.nx[i] = static_cast<float>(packed[i].x) * kScale;
-    c.ny[i] = static_cast<float>(packed[i].y) * kScale;
-    c.nz[i] = static_cast<float>(packed[i].z) * kScale;
-  }
-}
-
-std::vector<std::uint32_t> neighbours_of_all(const NeighbourIndex& index) {
+std::vector<std::uint32_t> neighbours_of_all(const NeighbourIndex& index, std::vector<std::int64_t>& reach2) {
   std::vector<std::uint32_t> all(index.points.size), lists(index.points.size * kNeighbours);
   std::iota(all.begin(), all.end(), 0u);
-  std::vector<std::int64_t> reach2(index.points.size);
+  reach2.resize(index.points.size);
   knn(index, all, {kNeighbours, kMaxSquaredReach}, lists, reach2);
   return lists;
+}
+
+// The normal of the flattest neighbour of i, itself included, whose plane passes within epsilon of i.
+PackedNormal borrowed(const NeighbourLists& neighbours, std::span<const PackedNormal> normals, double epsilon,
+                      const Cloud& c, std::uint32_t i) {
+  PackedNormal best = normals[i];
+  const Vec3 p = c.position(i);
+  for (const std::uint32_t j : neighbours.of(i)) {
+    if (j == kNoNeighbour) break;
+    const PackedNormal& n = normals[j];
+    if (n.curvature >= best.curvature) continue;
+    const double off = dot({double(n.x), double(n.y), double(n.z)}, p - c.position(j)) / 32767;
+    if (std::abs(off) <= epsilon) best = n;
+  }
+  return best;
+}
+
+// Normals of principal components. A point beside an edge, where these would average over both faces, borrows the normal
+// of the flattest neighbour whose plane holds it; where no neighbour is flat either, its neighbours vote.
+void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours, std::span<const std::int64_t> reach2,
+                  double step, double epsilon, Cloud& c) {
+  std::vector<std::uint32_t> points(c.size);
+  std::iota(points.begin(), points.end(), 0u);
+  std::vector<PackedNormal> own(c.size);
+  normals_of_neighbours(c.points(), points, kNeighbours, neighbours.indices, reach2, own);
+  // On a plane with noise of a third of epsilon: l0 / (l0 + l1 + l2), l1 = l2 = a quarter of the squared radius.
+  const double noise2 = epsilon * epsilon / 9, spread2 = kNeighbours * step * step / (4 * kPi);
+  const double flat = std::min(1.0, 3 * noise2 / (noise2 + 2 * spread2)) * 65535;
+  std::vector<PackedNormal> given(own);
+  std::vector<std::uint32_t> at_edges;
+  for (const std::uint32_t i : points) {
+    if (own[i].curvature <= flat) continue;
+    given[i] = borrowed(neighbours, own, epsilon, c, i);
+    if (given[i].curvature > 10 * flat) at_edges.push_back(i);
+  }
+  std::vector<PackedNormal> sharp(at_edges.size());
+  std::vector<std::int64_t> sharp_reach2(at_edges.size());
+  hough_normals(index, at_edges, {kVoters, kMaxSquaredReach, 0.95, kVoteDeviation}, sharp, sharp_reach2);
+  for (std::size_t e = 0; e < at_edges.size(); ++e) given[at_edges[e]] = sharp[e];
+  constexpr float kScale = 1.0f / 32767;
+  for (std::size_t i = 0; i < c.size; ++i) {
+    c.nx[i] = static_cast<float>(given[i].x) * kScale;
+    c.ny[i] = static_cast<float>(given[i].y) * kScale;
+    c.nz[i] = static_cast<float>(given[i].z) * kScale;
+  }
 }
 
 std::vector<Moments> moments_of_planes(const Cloud& c, const PlaneSegments& s) {
@@ -220,7 +240,10 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   r.step = sampling.step * kUnit;
   r.epsilon = params.epsilon > 0 ? params.epsilon
                                  : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
-  give_normals(index, sampling.step, r.epsilon / kUnit, c);
+  std::vector<std::int64_t> reach2;
+  const std::vector<std::uint32_t> lists = neighbours_of_all(index, reach2);
+  const NeighbourLists neighbours{lists, kNeighbours};
+  give_normals(index, neighbours, reach2, sampling.step, r.epsilon / kUnit, c);
   const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
   const auto min_points = static_cast<std::uint32_t>(
       params.min_points > 0 ? params.min_points : std::max<double>(kFewestPoints, std::min(by_area, 1e6)));
@@ -228,8 +251,6 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kGapSteps * r.step, kLeastGap) / kUnit));
   PlaneSegments s =
       ransac_planes(c.oriented(), {epsilon, cos_degrees(kNormalAngle), gap, min_points, 0.99, content_key(c)});
-  const std::vector<std::uint32_t> lists = neighbours_of_all(index);
-  const NeighbourLists neighbours{lists, kNeighbours};
   const RelabelParams relabel{epsilon, gap, 2, kSettleRounds};
   settle_planes(c.points(), neighbours, relabel, min_points, s);
   join_alike(c, neighbours, epsilon, s);

@@ -2,6 +2,7 @@
 #include "kernels/neighbours/clusters.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <numeric>
 
@@ -26,6 +27,7 @@ struct Binned {
 };
 
 constexpr int kCellBits = 21;
+constexpr std::size_t kFew = 96;
 
 constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) {
   return z << 2 * kCellBits | y << kCellBits | x;
@@ -206,11 +208,38 @@ void join_ahead(const Joiner& joiner, const Segments& segments, const std::vecto
   }
 }
 
+// Floods from one point after the other; cheaper than bins while there are few.
+Clusters clusters_of_few(const Points& p, std::span<const std::uint32_t> indices, std::int64_t radius2) {
+  struct Member {
+    IntPoint at;
+    std::uint32_t place;  // in the caller's list
+  };
+  std::array<Member, kFew> members;
+  for (std::uint32_t i = 0; i < indices.size(); ++i) members[i] = {point_at(p, indices[i]), i};
+  Clusters clusters{std::vector<std::uint32_t>(indices.size()), 0};
+  std::size_t begin = 0, reached = 0;  // members up to `begin` have been flooded from, up to `reached` are in a cluster
+  const std::size_t end = indices.size();
+  while (begin < end) {
+    if (begin == reached) {  // a cluster ends: the next one starts with the first of those left
+      const auto first = std::min_element(members.begin() + static_cast<std::ptrdiff_t>(begin),
+                                          members.begin() + static_cast<std::ptrdiff_t>(end),
+                                          [](const Member& a, const Member& b) { return a.place < b.place; });
+      std::swap(*first, members[reached++]);
+      ++clusters.count;
+    }
+    const Member from = members[begin++];
+    clusters.id[from.place] = clusters.count - 1;
+    for (std::size_t i = reached; i < end; ++i)
+      if (within_reach({&from.at, 1}, {&members[i].at, 1}, radius2)) std::swap(members[i], members[reached++]);
+  }
+  return clusters;
+}
+
 }  // namespace
 
 Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indices, std::int64_t radius) {
   assert(radius >= 1);
-  if (indices.empty()) return {};
+  if (indices.size() <= kFew) return clusters_of_few(points, indices, radius * radius);
   const std::int64_t edge = bin_edge(radius);
   const Binned binned = bin_points(points, indices, edge);
   const std::vector<IntPoint> in_bins = in_bin_order(points, indices, binned);

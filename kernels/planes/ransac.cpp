@@ -103,6 +103,17 @@ struct Extent {
       inside = inside && v[axis] >= static_cast<double>(min[axis]) - m && v[axis] <= static_cast<double>(max[axis]) + m;
     return inside;
   }
+  // False only where all points of the box lie farther than that from the plane.
+  bool may_reach(const Plane& plane, double distance) const {
+    constexpr double kRounding = 1e-3;
+    const double n[3]{plane.n.x, plane.n.y, plane.n.z};
+    double centre = plane.d, half = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      centre += n[axis] * 0.5 * (static_cast<double>(min[axis]) + static_cast<double>(max[axis]));
+      half += std::abs(n[axis]) * 0.5 * (static_cast<double>(max[axis]) - static_cast<double>(min[axis]));
+    }
+    return std::abs(centre) <= half + distance + kRounding;
+  }
   bool meets(const Extent& o, double margin) const {
     bool meet = true;
     for (int axis = 0; axis < 3; ++axis) {
@@ -111,6 +122,27 @@ struct Extent {
     }
     return meet;
   }
+};
+
+// Boxes around every kRun consecutive points: points lie along a space-filling curve, so a plane misses most boxes.
+class RunBoxes {
+ public:
+  static constexpr std::size_t kRun = 32;
+
+  // Those of the runs from the point `from` on, made anew.
+  void update(const Remaining& r, std::size_t from) {
+    boxes_.resize((r.size + kRun - 1) / kRun);
+    for (std::size_t b = from / kRun; b < boxes_.size(); ++b) {
+      boxes_[b] = {};
+      for (std::size_t i = b * kRun; i < end(b, r); ++i) boxes_[b].add(r.position(i));
+    }
+  }
+  std::size_t count() const { return boxes_.size(); }
+  static std::size_t end(std::size_t run, const Remaining& r) { return std::min(r.size, (run + 1) * kRun); }
+  const Extent& operator[](std::size_t run) const { return boxes_[run]; }
+
+ private:
+  std::vector<Extent> boxes_;
 };
 
 // Hypotheses and how many points of the sample each has now. Ties go to the earlier draw.
@@ -127,6 +159,12 @@ struct Pool {
     for (std::size_t i = 1; i < planes.size(); ++i)
       if (better(i, top)) top = i;
     return top;
+  }
+  void drop(std::size_t i) {
+    const auto at = static_cast<std::ptrdiff_t>(i);
+    planes.erase(planes.begin() + at);
+    counts.erase(counts.begin() + at);
+    draws.erase(draws.begin() + at);
   }
   // Keeps those with at least so many points, and only the best `most` when there are twice as many.
   void prune(std::uint32_t least, std::size_t most) {
@@ -155,6 +193,7 @@ class Search {
   Search(const OrientedPoints& points, const RansacParams& params)
       : params_(params), remaining_(with_normals(points)), rng_(params.key) {
     result_.label.assign(points.points.size, 0);
+    runs_.update(remaining_, 0);
     // Poisson: a plane hit with chance q per draw is overlooked by n draws with exp(-n q).
     needed_hits_ = -natural_log(1 - params.probability);
   }
@@ -238,6 +277,7 @@ class Search {
     pool_.prune(least_count(), kPool);
     remove(sample_, in_sample);
     remove(remaining_, members);
+    runs_.update(remaining_, members.front());
   }
 
   bool allowed(Vec3 normal) const {
@@ -270,12 +310,30 @@ class Search {
                            static_cast<float>(d)};
   }
 
+  bool agrees(const Plane& plane, std::size_t i) const {
+    return std::abs(signed_distance(plane, remaining_.position(i))) <= params_.epsilon &&
+           std::abs(dot(plane.n, remaining_.normal(i))) >= params_.min_cos;
+  }
+
   std::vector<std::uint32_t> consensus(const Plane& plane) const {
     std::vector<std::uint32_t> members;
-    for (std::uint32_t i = 0; i < remaining_.size; ++i) {
-      if (std::abs(signed_distance(plane, remaining_.position(i))) > params_.epsilon) continue;
-      if (std::abs(dot(plane.n, remaining_.normal(i))) < params_.min_cos) continue;
-      members.push_back(i);
+    for (std::size_t run = 0; run < runs_.count(); ++run) {
+      if (!runs_[run].may_reach(plane, params_.epsilon)) continue;
+      for (std::size_t i = run * RunBoxes::kRun; i < RunBoxes::end(run, remaining_); ++i)
+        if (agrees(plane, i)) members.push_back(static_cast<std::uint32_t>(i));
+    }
+    return members;
+  }
+
+  // Of the consensus set, what lies within the connectivity of the box.
+  std::vector<std::uint32_t> consensus_around(const Plane& plane, const Extent& box) const {
+    std::vector<std::uint32_t> members;
+    const auto margin = static_cast<double>(params_.connectivity);
+    for (std::size_t run = 0; run < runs_.count(); ++run) {
+      if (!runs_[run].meets(box, margin) || !runs_[run].may_reach(plane, params_.epsilon)) continue;
+      for (std::size_t i = run * RunBoxes::kRun; i < RunBoxes::end(run, remaining_); ++i)
+        if (agrees(plane, i) && box.holds(remaining_.position(i), params_.connectivity))
+          members.push_back(static_cast<std::uint32_t>(i));
     }
     return members;
   }
@@ -328,9 +386,7 @@ class Search {
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
       const PlaneFit fit = fit_plane(moments_of(remaining_.view().points, members));
       if (!fit.unique || !allowed(fit.plane.n)) break;
-      const Extent around = extent_of(members);
-      std::vector<std::uint32_t> next = consensus(fit.plane);
-      std::erase_if(next, [&](std::uint32_t i) { return !around.holds(remaining_.position(i), params_.connectivity); });
+      std::vector<std::uint32_t> next = consensus_around(fit.plane, extent_of(members));
       if (next.size() < params_.min_points) break;
       plane = fit.plane;
       const bool settled = next == members;
@@ -339,8 +395,7 @@ class Search {
     }
     members = part_of(members, seed);
     if (members.size() < params_.min_points) {
-      pool_.counts[candidate] = 0;
-      pool_.prune(least_count(), kPool);
+      pool_.drop(candidate);
       return;
     }
     const Extent extent = extent_of(members);
@@ -355,6 +410,7 @@ class Search {
 
   RansacParams params_;
   Remaining remaining_;
+  RunBoxes runs_;  // of the remaining points
   Rng rng_;
   RansacPlanes result_;
   std::vector<Extent> extents_;  // of the points of each plane

@@ -50,6 +50,11 @@ class Neighbourhood {
     }
     return votes;
   }
+  bool any_in(std::uint32_t i, std::span<const std::uint8_t> set) const {
+    for (const std::uint32_t j : neighbours_.of(i))
+      if (j != kNoNeighbour && set[j]) return true;
+    return set[i] != 0;
+  }
   bool all_have(std::uint32_t i, std::uint32_t wanted, std::span<const std::uint32_t> label) const {
     for (const std::uint32_t j : neighbours_.of(i))
       if (j != kNoNeighbour && label[j] != wanted) return false;
@@ -179,16 +184,21 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
     std::uint32_t point, label;
   };
   std::vector<Move> round;
+  std::vector<std::uint8_t> moved(points.size, 0);  // in the round before; without such a neighbour none moves
   std::vector<std::uint32_t> size(segments.planes.size() + 1, 0);  // before the first round
   for (const std::uint32_t l : segments.label) ++size[l];
   for (int r = 0; r < params.max_rounds; ++r) {
     round.clear();
     for (std::uint32_t i = 0; i < points.size; ++i) {
-      if (segments.label[i] == 0) continue;
+      if (segments.label[i] == 0 || (r > 0 && !around.any_in(i, moved))) continue;
       const std::uint32_t label = parted(around, i, params, segments, size);
       if (label != segments.label[i]) round.push_back({i, label});
     }
-    for (const Move& m : round) segments.label[m.point] = m.label;
+    std::fill(moved.begin(), moved.end(), 0);
+    for (const Move& m : round) {
+      segments.label[m.point] = m.label;
+      moved[m.point] = 1;
+    }
     moves += round.size();
     if (round.empty()) break;
   }

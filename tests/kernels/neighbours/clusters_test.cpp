@@ -44,7 +44,7 @@ TEST(EuclideanClusters, RadiusIsClosed) {
 }
 
 TEST(EuclideanClusters, EqualsBruteForce) {
-  for (const std::uint32_t n : {1u, 2u, 9u, 300u}) {
+  for (const std::uint32_t n : {1u, 2u, 9u, 119u, 122u, 300u}) {
     for (const auto& set : test::point_sets(n)) {
       std::vector<std::uint32_t> indices;
       for (std::uint32_t i = 0; i < n; ++i)
