@@ -14,6 +14,7 @@
 #include "engine/error.h"
 #include "engine/geos_context.h"
 #include "kernels/core/union_find.h"
+#include "kernels/outlines/simple_ring.h"
 
 namespace ilot {
 namespace {
@@ -151,6 +152,12 @@ Partition subdivision(const std::vector<Cell>& cells) {
   }
   tidy(p);
   return p;
+}
+
+Partition one_cell(Corners ring) {
+  ring.push_back(ring.front());
+  if (!turns_left(ring)) std::reverse(ring.begin(), ring.end());
+  return subdivision({{{std::move(ring)}}});
 }
 
 // Vertices in the middle of straight borders of the same two regions, by walking from junction to junction.
@@ -325,6 +332,7 @@ std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolyg
 }
 
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
+  if (lines.empty() && outline.size() == 1 && is_simple_ring(outline[0])) return one_cell(outline[0]);
   const Owned net = noded(outline, lines);
   const GEOSGeometry* nets[1]{net.get()};
   const Owned polygons = checked(GEOSPolygonize_r(geos_context(), nets, 1));
@@ -338,8 +346,8 @@ Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points) {
   std::vector<std::uint32_t> regions(points.size(), kOutside);
   if (partition.edges.empty()) return regions;
-  // Vertices ascend by x: strips between every few of them, each with the edges that cross it.
-  const auto strips = static_cast<std::size_t>(std::sqrt(static_cast<double>(partition.edges.size()))) + 1;
+  // Vertices ascend by x: strips across, each with the edges that cross it.
+  const auto strips = static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(partition.edges.size()))) + 1;
   const double low = partition.vertices.front().x, high = partition.vertices.back().x;
   const double width = (high - low) / static_cast<double>(strips) + 1;
   const auto strip_of = [&](double x) {

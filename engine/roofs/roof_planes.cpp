@@ -20,8 +20,8 @@
 namespace ilot {
 namespace {
 
-constexpr double kUnit = 0.001;            // metres per unit of the kernels' points
-constexpr std::uint32_t kNeighbours = 16;
+constexpr double kUnit = 0.001;  // metres per unit of the kernels' points
+constexpr std::uint32_t kNeighbours = kSamplingNeighbours;
 constexpr int kVoters = 20;
 constexpr double kPi = 3.141592653589793;
 constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
@@ -93,8 +93,8 @@ PackedNormal borrowed(const NeighbourLists& neighbours, std::span<const PackedNo
   return best;
 }
 
-// Normals of principal components. A point beside an edge, where these would average over both faces, borrows the normal
-// of the flattest neighbour whose plane holds it; where no neighbour is flat either, its neighbours vote.
+// Normals of principal components. A point beside an edge, where these would average over both faces, borrows the
+// normal of the flattest neighbour whose plane holds it; where no neighbour is flat either, its neighbours vote.
 void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours, std::span<const std::int64_t> reach2,
                   double step, double epsilon, Cloud& c) {
   std::vector<std::uint32_t> points(c.size);
@@ -236,13 +236,13 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   if (site.points.size() < 3) return r;
   Cloud c = cloud_of(site.points);
   const NeighbourIndex index = build_neighbour_index(c.points());
-  const Sampling sampling = measure_sampling(index);
-  r.step = sampling.step * kUnit;
-  r.epsilon = params.epsilon > 0 ? params.epsilon
-                                 : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
   std::vector<std::int64_t> reach2;
   const std::vector<std::uint32_t> lists = neighbours_of_all(index, reach2);
   const NeighbourLists neighbours{lists, kNeighbours};
+  const Sampling sampling = measure_sampling(c.points(), lists, reach2);
+  r.step = sampling.step * kUnit;
+  r.epsilon = params.epsilon > 0 ? params.epsilon
+                                 : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
   give_normals(index, neighbours, reach2, sampling.step, r.epsilon / kUnit, c);
   const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
   const auto min_points = static_cast<std::uint32_t>(

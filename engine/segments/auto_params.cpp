@@ -12,7 +12,6 @@
 namespace ilot {
 namespace {
 
-constexpr int kNeighbours = 16;
 constexpr std::uint32_t kQueries = 512;
 constexpr double kPi = 3.141592653589793;
 
@@ -30,27 +29,40 @@ double quantile(std::vector<double> values, double share) {
   return values[at];
 }
 
+// Of every so many points, from the neighbours of each.
+Sampling sampling_of(Points points, std::span<const std::uint32_t> neighbours, std::span<const std::int64_t> reach2,
+                     std::size_t every) {
+  std::vector<double> steps, noises;
+  for (std::size_t q = 0; q < reach2.size(); q += every) {
+    if (reach2[q] < 0) continue;
+    // k points on a disc of radius r: each has pi r^2 / k for itself.
+    steps.push_back(std::sqrt(kPi * static_cast<double>(reach2[q]) / kSamplingNeighbours));
+    const Moments m = moments_of(points, neighbours.subspan(q * kSamplingNeighbours, kSamplingNeighbours));
+    const double least = std::max(0.0, smallest_eigen(covariance(m)).value);
+    noises.push_back(std::sqrt(least * kSamplingNeighbours / (kSamplingNeighbours - 3)));
+  }
+  // The flat third of the neighbourhoods; its 30% quantile lies a tenth below the median of pure noise.
+  return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
+}
+
 }  // namespace
 
 Sampling measure_sampling(const NeighbourIndex& index) {
   const auto n = static_cast<std::uint32_t>(index.points.size);
-  if (n < kNeighbours) return {};
+  if (n < kSamplingNeighbours) return {};
   std::vector<std::uint32_t> queries;
   for (std::uint32_t i = 0; i < n; i += std::max<std::uint32_t>(1, n / kQueries)) queries.push_back(i);
-  std::vector<std::uint32_t> neighbours(queries.size() * kNeighbours);
+  std::vector<std::uint32_t> neighbours(queries.size() * kSamplingNeighbours);
   std::vector<std::int64_t> reach2(queries.size());
-  knn(index, queries, {kNeighbours, kMaxSquaredReach}, neighbours, reach2);
-  std::vector<double> steps, noises;
-  for (std::size_t q = 0; q < queries.size(); ++q) {
-    if (reach2[q] < 0) continue;
-    // k points on a disc of radius r: each has pi r^2 / k for itself.
-    steps.push_back(std::sqrt(kPi * static_cast<double>(reach2[q]) / kNeighbours));
-    const Moments m = moments_of(index.points, std::span(neighbours).subspan(q * kNeighbours, kNeighbours));
-    const double least = std::max(0.0, smallest_eigen(covariance(m)).value);
-    noises.push_back(std::sqrt(least * kNeighbours / (kNeighbours - 3)));
-  }
-  // The flat third of the neighbourhoods; its 30% quantile lies a tenth below the median of pure noise.
-  return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
+  knn(index, queries, {kSamplingNeighbours, kMaxSquaredReach}, neighbours, reach2);
+  return sampling_of(index.points, neighbours, reach2, 1);
+}
+
+Sampling measure_sampling(Points points, std::span<const std::uint32_t> neighbours,
+                          std::span<const std::int64_t> reach2) {
+  const std::size_t n = points.size;
+  return n < kSamplingNeighbours ? Sampling{}
+                                 : sampling_of(points, neighbours, reach2, std::max<std::size_t>(1, n / kQueries));
 }
 
 SeenFrom seen_from(std::span<const PackedNormal> normals) {

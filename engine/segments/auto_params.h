@@ -19,6 +19,11 @@ struct Sampling {
 // {0, 0} for fewer than 16.
 Sampling measure_sampling(const NeighbourIndex& index);
 
+// The same where the kSamplingNeighbours neighbours of every point and reach2 are known from knn() already.
+constexpr int kSamplingNeighbours = 16;
+Sampling measure_sampling(Points points, std::span<const std::uint32_t> neighbours,
+                          std::span<const std::int64_t> reach2);
+
 // Where a unit was seen from, as far as its normals tell.
 enum class SeenFrom : std::uint8_t { ground, air };
 
