@@ -82,6 +82,19 @@ double choose_distance(const Store& store, const RoofsSettings& settings, const 
   return distance;
 }
 
+// As many as cover a small building, fewer in a sparse cloud; from the distance, so that part of a cloud and the whole
+// of it agree.
+std::uint64_t choose_points(double distance, const RoofsSettings& settings, RunRecord& record) {
+  if (settings.cluster_points) return static_cast<std::uint64_t>(*settings.cluster_points);
+  constexpr double kSmallBuilding = 10;  // m2
+  constexpr double kFewest = 20, kMost = 100;
+  const double step = distance / kStepsOfDistance;
+  const double points = std::floor(std::clamp(kSmallBuilding / (step * step), kFewest, kMost));
+  record.chosen.push_back({"roofs.cluster_points", points,
+                           "what covers 10 m2 where the sampling step is half of roofs.cluster_distance, 20 to 100"});
+  return static_cast<std::uint64_t>(points);
+}
+
 class Outliner {
  public:
   Outliner(const Store& store, const std::vector<CloudCluster>& clusters, double metres_per_unit, double alpha_m)
@@ -141,6 +154,7 @@ std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& 
                                        Progress& progress, RunRecord& record) {
   progress.begin_stage("clusters", store.points());
   const double distance = choose_distance(store, settings, context, record);
+  const std::uint64_t fewest = choose_points(distance, settings, record);
   const double unit = store.unit() * context.metres_per_unit;
   const ClusterParams params{"role", static_cast<std::uint8_t>(PointRole::building),
                              std::max<std::int64_t>(1, std::llround(distance / unit))};
@@ -151,7 +165,7 @@ std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& 
   std::vector<PassTask> tasks;
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
     ++told.clusters;
-    if (clusters[c].points < static_cast<std::uint64_t>(settings.cluster_points)) {
+    if (clusters[c].points < fewest) {
       ++told.too_small;
       told.points_of_too_small += clusters[c].points;
       continue;

@@ -126,7 +126,7 @@ constexpr std::span<const std::string_view> names_of(AttributeStyle) {
 struct RoofsSettings {
   bool trust_classes = true;               // false: ground and buildings are found by shape
   std::optional<double> cluster_distance;  // metres; building points farther apart in plan are two buildings
-  int cluster_points = 100;                // fewest points of a building without a footprint
+  std::optional<int> cluster_points;       // fewest points of a building without a footprint
   double margin = 0.5;                     // metres; points outside all outlines but so near to one are its own
   std::optional<double> epsilon;           // metres; farthest that a point lies from its roof face
   std::optional<int> min_points;           // fewest points of a roof face
