@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/evaluate/evaluation_report.h"
+#include "engine/markup.h"
 
 namespace ilot {
 namespace {
@@ -24,23 +25,6 @@ color:var(--ink);background:var(--ground);font:14px/1.45 system-ui,sans-serif;pa
 .ilot-evaluation .spread{stroke:rgb(var(--bad));stroke-width:2}
 </style>
 )";
-
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
 
 std::string percent(std::optional<double> share) {
   return share ? fmt::format("{:.1f}&nbsp;%", 100 * *share) : "–";
@@ -77,13 +61,13 @@ std::string cell(std::uint64_t count, std::uint64_t row, bool right) {
 
 std::string confusion_html(const ConfusionMatrix& m, const std::string& title) {
   std::string html = "<h3>" + title + "</h3>\n<div class=\"scroll\"><table><tr><th>true \\ found</th>";
-  for (const std::string& name : m.classes) html += "<th>" + escaped(name) + "</th>";
+  for (const std::string& name : m.classes) html += "<th>" + escaped_markup(name) + "</th>";
   html += "<th>undetected</th><th>total</th><th>sensitivity</th><th></th></tr>\n";
   std::string foot;
   for (std::size_t c = 0; c < m.classes.size(); ++c) {
     std::uint64_t total = 0;
     for (const std::uint64_t count : m.counts[c]) total += count;
-    html += "<tr><td>" + escaped(m.classes[c]) + "</td>";
+    html += "<tr><td>" + escaped_markup(m.classes[c]) + "</td>";
     for (std::size_t found = 0; found < m.counts[c].size(); ++found)
       html += cell(m.counts[c][found], total, c == found);
     html += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", total, percent(sensitivity(m, c)),
@@ -133,8 +117,8 @@ std::string control_points_html(const std::vector<ControlGroup>& groups) {
     html += fmt::format(
         "<tr><td>{}</td><td>{}</td><td>{}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}</td><td>{:.2f}"
         "</td><td>{}</td><td>{}</td></tr>\n",
-        escaped(g.name), g.count, g.missed, 100 * g.dx_m.mean, 100 * g.dz_m.mean, 100 * g.dd_m.mean, 100 * g.dd_m.sd,
-        spread_bar(g.dd_m, most), g.completed);
+        escaped_markup(g.name), g.count, g.missed, 100 * g.dx_m.mean, 100 * g.dz_m.mean, 100 * g.dd_m.mean,
+        100 * g.dd_m.sd, spread_bar(g.dd_m, most), g.completed);
   return html + "</table></div>\n";
 }
 
@@ -190,7 +174,7 @@ std::string boundary_html(const Evaluation& e) {
 
 std::string evaluation_html(const Evaluation& e) {
   std::string html = "<section class=\"ilot-evaluation\">\n" + std::string(kStyle) + "<h2>Against the truth</h2>\n";
-  html += fmt::format("<p>{} against {}, {} points</p>\n", escaped(e.result), escaped(e.truth), e.points);
+  html += fmt::format("<p>{} against {}, {} points</p>\n", escaped_markup(e.result), escaped_markup(e.truth), e.points);
   if (e.confusion)
     html += confusion_html(*e.confusion, e.class_source == ClassSource::labels
                                              ? "Classes, points by label"
@@ -201,7 +185,7 @@ std::string evaluation_html(const Evaluation& e) {
   if (e.openings) html += openings_html(*e.openings);
   if (e.roofs) html += roofs_html(*e.roofs);
   if (e.objects) html += objects_html(*e.objects);
-  for (const std::string& note : e.notes) html += "<p>" + escaped(note) + "</p>\n";
+  for (const std::string& note : e.notes) html += "<p>" + escaped_markup(note) + "</p>\n";
   return html + "</section>\n";
 }
 

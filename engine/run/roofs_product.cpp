@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "engine/deliverables/roof_files.h"
+#include "engine/deliverables/roofs_page.h"
 #include "engine/evaluate/validity.h"
 #include "engine/pass/pass.h"
 #include "engine/roofs/building_attributes.h"
@@ -31,6 +32,8 @@ struct SiteResult {
   std::string reason;
   std::uint32_t planes = 0;  // plane_id of the levels and labels: 1 to this, or 0
   std::vector<LabelledPoint> labels;
+  std::vector<Vec3> points;  // some of the building's, coordinates of the CRS
+  double share_off = 0;      // of its points that lie on no face
 };
 
 // Roof faces numbered from 1, whatever numbers the model gave them.
@@ -98,6 +101,9 @@ class SiteModeller {
     result.reason = model.reason;
     result.levels = levels_of(gathered.site, model);
     result.levels[0].attributes = std::move(attributes);
+    result.points = points_to_show(gathered.site);
+    const auto off = std::count(model.face_of_point.begin(), model.face_of_point.end(), 0u);
+    if (off > 0) result.share_off = static_cast<double>(off) / static_cast<double>(model.face_of_point.size());
     return result;
   }
 
@@ -123,6 +129,15 @@ class SiteModeller {
     for (const std::uint32_t other : overlapping_[number])
       others += (others.empty() ? "" : ", ") + work_.sites[other].id;
     if (!others.empty()) attributes.emplace_back("overlaps", others);
+  }
+
+  std::vector<Vec3> points_to_show(const RoofSite& site) const {
+    constexpr std::size_t kMost = 400;
+    std::vector<Vec3> points;
+    const std::size_t every = std::max<std::size_t>(1, site.points.size() / kMost);
+    for (std::size_t i = 0; i < site.points.size(); i += every)
+      points.push_back(site.anchor + (1 / work_.metres_per_unit) * site.points[i]);
+    return points;
   }
 
   std::vector<Building> levels_of(const RoofSite& site, RoofModel& model) const {
@@ -156,7 +171,11 @@ class RoofSink {
  public:
   RoofSink(const Store& store, const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
            Progress& progress, RunRecord& record)
-      : files_(folder, {params}, crs), labels_(store), progress_(progress), record_(record) {
+      : files_(folder, {params}, crs),
+        page_(folder / "roofs.html", params.metres_per_unit),
+        labels_(store),
+        progress_(progress),
+        record_(record) {
     record.roofs.emplace();
   }
 
@@ -166,6 +185,7 @@ class RoofSink {
       for (BuildingSurface& s : level.surfaces) s.plane_id += s.plane_id > 0 ? planes_ : 0;
     result.levels[0].attributes.emplace_back("unit_id", std::int64_t{units_});
     files_.add(result.levels);
+    page_.add(result.levels, result.points, result.share_off);
     for (LabelledPoint& p : result.labels) {
       p.label.unit = units_;
       p.label.plane += p.label.plane > 0 ? planes_ : 0;
@@ -178,6 +198,7 @@ class RoofSink {
 
   const RoofLabels& finish() {
     files_.finish();
+    page_.finish();
     return labels_;
   }
 
@@ -195,6 +216,7 @@ class RoofSink {
   }
 
   RoofFiles files_;
+  RoofsPage page_;
   RoofLabels labels_;
   Progress& progress_;
   RunRecord& record_;
