@@ -135,6 +135,10 @@ std::vector<Parameter> make_table() {
                    kErosions),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",
            "outlines lose the vertices that move them by less than this"),
+      make(
+          "boundaries.density_maps", ILOT_FIELD(boundaries.density_maps), {0, 1000}, "planes",
+          "those with the most points, whose density is written as rasters beside what stations predict; auto: 4 where "
+          "angular steps are known, else none"),
       make("roofs.trust_classes", ILOT_FIELD(roofs.trust_classes), {}, "",
            "false looks for ground and buildings by shape, as where no point is of classes.building"),
       make("roofs.cluster_distance", ILOT_FIELD(roofs.cluster_distance), {0.01, 100}, "m",

@@ -113,7 +113,8 @@ struct BoundariesSettings {
   BoundaryRule rule = BoundaryRule::circumradius;
   EdgeLength edge_length = EdgeLength::plane;  // of longest_edge
   Erosion erosion = Erosion::everywhere;
-  double tolerance = 0.001;  // metres; outlines are thinned to within it
+  double tolerance = 0.001;         // metres; outlines are thinned to within it
+  std::optional<int> density_maps;  // planes, the largest first, whose density is written beside the predicted one
 };
 
 // What attributes of buildings are called: by names of our own, or by those that roofer writes (rf_*).
