@@ -126,7 +126,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                  measured});
   if (!settings.planes.connectivity)
     record.chosen.push_back({"planes.connectivity", median(connectivity),
-                             "3 times the sampling step in " + air + " cells seen from the air, 8 times in " + ground +
+                             "4 times the sampling step in " + air + " cells seen from the air, 6 times in " + ground +
                                  " seen from the ground, where surfaces seen at a grazing angle have wide gaps; " +
                                  measured});
   if (!settings.planes.min_points)

@@ -322,12 +322,13 @@ void add_edges(const Surroundings& around, std::uint32_t plane, const PlaneOrder
         joined.unite(i, o);
       }
     }
+  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // by root
   for (const std::uint32_t e : open) {
     const std::uint32_t a = t.corner[e], b = t.corner[next_edge(e)];
-    out.edges.push_back({around.number(order.index[a]), around.number(order.index[b]), order.points[a],
-                         out.regions + joined.find(place[e / 3]), plane});
+    std::uint32_t& r = region[joined.find(place[e / 3])];
+    if (r == kNoEdge) r = out.regions++;
+    out.edges.push_back({around.number(order.index[a]), around.number(order.index[b]), order.points[a], r, plane});
   }
-  out.regions += static_cast<std::uint32_t>(triangles.size());
 }
 
 OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const BoundaryWork& work) {
@@ -390,9 +391,13 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
   }
   std::stable_sort(edges.begin(), edges.end(), [](const SeamEdge& a, const SeamEdge& b) { return a.plane < b.plane; });
   std::vector<SeamRun> runs;
+  std::vector<std::uint32_t> number(regions, kNoEdge);  // of a region within its run
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i, 0});
+    if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i});
     ++runs.back().count;
+    std::uint32_t& n = number[edges[i].region];
+    if (n == kNoEdge) n = runs.back().regions++;
+    edges[i].region = n;
   }
   store.write<Coincident>(block, "coincident", coincident);
   store.write<SeamRun>(block, "seam_runs", runs);

@@ -16,13 +16,14 @@ namespace ilot {
 struct SeamEdge {
   std::uint64_t from = 0, to = 0;  // points, numbered in global order
   Point2 at;                       // of `from`, in the plane's frame
-  std::uint32_t region = 0;        // triangles of this block and plane that hang together
+  std::uint32_t region = 0;        // triangles of this block and plane that hang together; dense from 0 within a run
   std::uint32_t plane = 0;         // final id
 };
 
 // Consecutive edges of one plane.
 struct SeamRun {
   std::uint32_t plane = 0, first = 0, count = 0;
+  std::uint32_t regions = 0;
 };
 
 // A point of this block that coincides on its plane with another, which stands for both.
