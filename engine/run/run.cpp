@@ -7,6 +7,7 @@
 
 #include "engine/deliverables/planes_csv.h"
 #include "engine/deliverables/planes_neighbours_csv.h"
+#include "engine/deliverables/shapes_csv.h"
 #include "engine/error.h"
 #include "engine/pass/index.h"
 #include "engine/report/resources.h"
@@ -184,9 +185,14 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
     write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
     record.planes = planes.segments.size();
+    if (options.settings.planes.curved) {
+      write_shapes_csv(out.staging() / "shapes.csv", planes.curved);
+      record.shapes = planes.curved.size();
+    }
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
     labels.final_id = std::move(planes.final_id);
     labels.planes = std::move(planes.planes);
+    labels.final_shape = std::move(planes.final_shape);
     labels.write_normals = options.settings.normals.write;
   }
   if (labels.with_roofs) {
@@ -210,6 +216,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
 std::string summary(const RunRecord& record) {
   std::string made;
   if (record.planes) made += grouped(*record.planes) + " planes, ";
+  if (record.shapes) made += grouped(*record.shapes) + " curved shapes, ";
   if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
   return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +

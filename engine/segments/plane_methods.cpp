@@ -11,6 +11,7 @@
 #include "kernels/planes/colour_ransac.h"
 #include "kernels/planes/facade_ransac.h"
 #include "kernels/planes/hough_planes.h"
+#include "kernels/planes/plane_fit.h"
 #include "kernels/planes/ransac.h"
 #include "kernels/planes/region_growing.h"
 #include "kernels/planes/region_planes.h"
@@ -108,15 +109,29 @@ PlaneSegments by_facade_ransac(const PlaneSearch& s) {
   return facade_ransac(s.points, params).segments;
 }
 
-PlaneSegments by_shape_ransac(const PlaneSearch& s) {
+ShapeRansacParams shape_params(const PlaneSearch& s, std::uint32_t min_points, unsigned kinds) {
   ShapeRansacParams params;
   params.epsilon = s.params.epsilon;
   params.min_cos = cos_degrees(s.params.normal_angle);
   params.connectivity = s.params.connectivity;
-  params.min_points = s.params.min_points;
+  params.min_points = min_points;
   params.probability = s.probability;
-  params.kinds = shape_bit(ShapeKind::kPlane);
+  params.kinds = kinds;
   params.key = s.key;
+  return params;
+}
+
+// As thin as the fringe where two planes meet: within four epsilons about a plane for the most part. Along such edges
+// normals are mixtures and turn evenly from one plane to the other, as those of a thin cylinder or a steep cone do.
+bool is_flat(Points points, std::span<const std::uint32_t> members, double epsilon) {
+  constexpr double kFringe = 2;  // root mean square, in epsilons
+  const Moments m = moments_of(points, members);
+  const PlaneFit fit = fit_plane(m);
+  return !fit.unique || rms_to_plane(m, fit.plane) <= kFringe * epsilon;
+}
+
+PlaneSegments by_shape_ransac(const PlaneSearch& s) {
+  const ShapeRansacParams params = shape_params(s, s.params.min_points, shape_bit(ShapeKind::kPlane));
   ShapeSegments found = ransac_shapes(s.points, params);
   PlaneSegments segments{std::move(found.label), {}};
   for (const FoundShape& shape : found.shapes) segments.planes.push_back(plane_of(shape.shape));
@@ -176,6 +191,24 @@ PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
   if (from_the_air && search.params.noisy) relabel.border = RelabelParams::Border::nearest;
   settle_planes(search.points.points, near, relabel, search.params.min_points, found);
   return found;
+}
+
+ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
+  ShapeSegments all = ransac_shapes(search.points, shape_params(search, min_points, kAllShapes));
+  std::vector<std::vector<std::uint32_t>> members(all.shapes.size());
+  for (std::uint32_t i = 0; i < all.label.size(); ++i)
+    if (all.label[i] != 0) members[all.label[i] - 1].push_back(i);
+  ShapeSegments curved;
+  std::vector<std::uint32_t> number{0};  // by label: among the curved ones, 0 = a plane
+  for (std::size_t s = 0; s < all.shapes.size(); ++s) {
+    const bool plane = all.shapes[s].shape.kind == ShapeKind::kPlane ||
+                       is_flat(search.points.points, members[s], search.params.epsilon);
+    if (!plane) curved.shapes.push_back(all.shapes[s]);
+    number.push_back(plane ? 0 : static_cast<std::uint32_t>(curved.shapes.size()));
+  }
+  curved.label = std::move(all.label);
+  for (std::uint32_t& label : curved.label) label = number[label];
+  return curved;
 }
 
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {
