@@ -132,7 +132,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                  measured});
   if (!settings.planes.min_points)
     record.chosen.push_back({"planes.min_points", median(min_points),
-                             "points on 1.2 m2, 12 to 1000, in " + air +
+                             "points on 1.2 m2, 12 to 200, in " + air +
                                  " cells seen from the air; on 50 cm2, 30 to "
                                  "200, in " +
                                  ground + " seen from the ground; " + measured});
