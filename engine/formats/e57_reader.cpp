@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <cstring>
 #include <optional>
 #include <string>
@@ -9,6 +10,7 @@
 #include "engine/formats/crs.h"
 #include "engine/formats/e57.h"
 #include "engine/formats/e57/rows.h"
+#include "engine/formats/scan_steps.h"
 
 namespace ilot {
 namespace {
@@ -18,6 +20,7 @@ using namespace e57;
 constexpr std::size_t kFileHeader = 48;
 constexpr std::uint64_t kMostXml = 16u << 20;
 constexpr std::size_t kSample = 1000;
+constexpr std::size_t kStepPoints = std::size_t{1} << 17;  // of a scan, that its angular steps are found from
 constexpr char kSignature[] = "ASTM-E57";
 
 struct FileHeader {
@@ -59,11 +62,46 @@ void find_crs(const std::string& text, CloudInfo& info) {
   }
 }
 
-// Where the scanner stood: the pose, or the origin of spherical coordinates.
-void find_stations(const std::vector<Scan>& scans, CloudInfo& info) {
+// Directions from the scanner of the first points of a scan, and their places in its grid where it has one.
+std::vector<GridPoint> first_rays(Pages& pages, const Scan& scan, Batch& batch) {
+  std::vector<GridPoint> rays;
+  ScanReader reader(pages, scan);
+  for (std::size_t done = 0; done < kStepPoints;) {
+    const std::size_t got = reader.next(kBatch, batch);
+    if (got == 0) break;
+    done += got;
+    for (std::size_t i = 0; i < got; ++i) {
+      const auto ray = local_position(scan, batch, i);
+      if (!ray || !(dot(*ray, *ray) > 0)) continue;
+      const auto place = [&](Use use) { return scan.has(use) ? std::llround(batch[use][i]) : 0; };
+      rays.push_back({place(kRow), place(kColumn), *ray});
+    }
+  }
+  return rays;
+}
+
+// By rows and columns where the points have them, else from the order of the points.
+AngularSteps steps_of(Pages& pages, const Scan& scan, Batch& batch) {
+  if (scan.points == 0) return {};
+  const std::vector<GridPoint> rays = first_rays(pages, scan, batch);
+  if (scan.has(kRow) && scan.has(kColumn)) return steps_of_grid(rays);
+  std::vector<Vec3> in_order;
+  for (const GridPoint& p : rays) in_order.push_back(p.ray);
+  return steps_of_sequence(in_order);
+}
+
+// Where the scanner stood, the pose or the origin of spherical coordinates, and how it turned.
+void find_stations(Pages& pages, const std::vector<Scan>& scans, Batch& batch, CloudInfo& info) {
   for (const Scan& scan : scans) {
     if (!scan.pose && (scan.cartesian() || !scan.spherical())) continue;
-    info.stations.push_back({scan.name, scan.pose ? scan.pose->translation : Vec3{}});
+    const AngularSteps steps = steps_of(pages, scan, batch);
+    Station station{scan.name, {}, steps.azimuth, steps.elevation};
+    if (scan.pose) {
+      const auto& r = scan.pose->rotation;
+      station.position = scan.pose->translation;
+      station.axis = {r[0].z, r[1].z, r[2].z};
+    }
+    info.stations.push_back(station);
   }
 }
 
@@ -82,7 +120,7 @@ class E57Reader final : public PointReader {
     if (header.major != 1) info_.warnings.push_back("its version is " + std::to_string(header.major) + ", not 1");
     measure();
     find_crs(description_.coordinates, info_);
-    find_stations(description_.scans, info_);
+    find_stations(pages_, description_.scans, *batch_, info_);
     plan_.emplace(info_.path, rows_.columns(), sample());
     info_.layout = plan_->layout();
     rewind();

@@ -9,6 +9,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/lines.h"
+#include "engine/formats/scan_steps.h"
 #include "engine/formats/table.h"
 
 namespace ilot {
@@ -16,12 +17,17 @@ namespace {
 
 constexpr std::size_t kHeadLines = 10, kSample = 1000, kMostNumbers = 8, kMostBlocks = 10000;
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 44;
+constexpr std::uint64_t kProbes = 8;          // places of a scan where its angular steps are looked at
+constexpr std::uint64_t kProbeCells = 40000;  // at each of them at most
 
 // One scan of the file.
 struct Block {
   std::uint64_t offset = 0;  // of its first point
   std::uint64_t line = 0;    // number of that line
   std::uint64_t declared = 0, points = 0;
+  std::uint64_t rows = 0;             // points of a column, which follow each other
+  std::vector<std::uint64_t> probes;  // offsets of lines where a column begins, evenly over the scan
+  std::uint64_t probe_columns = 1;    // between them
   Vec3 position;
   std::array<Vec3, 4> matrix{};  // rows: images of the axes, translation
 };
@@ -63,7 +69,10 @@ Head read_head(LineReader& lines, std::uint64_t& number, Block& block) {
   }
   number += kHeadLines - 1;
   if (!is_count(n[0][0]) || !is_count(n[1][0]) || n[9][3] != 1) return Head::malformed;
-  block.declared = static_cast<std::uint64_t>(n[0][0]) * static_cast<std::uint64_t>(n[1][0]);
+  const auto columns = static_cast<std::uint64_t>(n[0][0]);
+  block.rows = static_cast<std::uint64_t>(n[1][0]);
+  block.declared = columns * block.rows;
+  block.probe_columns = std::max<std::uint64_t>(1, columns / kProbes);
   block.position = {n[2][0], n[2][1], n[2][2]};
   for (std::size_t i = 0; i < 4; ++i) block.matrix[i] = {n[6 + i][0], n[6 + i][1], n[6 + i][2]};
   block.offset = lines.offset();
@@ -91,12 +100,44 @@ Walk walk_blocks(const InputFile& file) {
       return walk;
     }
     block.line = number + 1;
-    while (block.points < block.declared && lines.next(line)) {
+    for (std::uint64_t offset = lines.offset(); block.points < block.declared && lines.next(line);
+         offset = lines.offset()) {
       ++number;
-      block.points += !is_blank_line(line);
+      if (is_blank_line(line)) continue;
+      if (block.points % (block.rows * block.probe_columns) == 0) block.probes.push_back(offset);
+      ++block.points;
     }
     walk.blocks.push_back(block);
   }
+}
+
+// Directions in the scanner's own frame, at some of the columns and those beside them.
+std::vector<GridPoint> probe_grid(const InputFile& file, const Block& block) {
+  std::vector<GridPoint> points;
+  std::vector<std::string_view> fields;
+  std::string_view line;
+  Numbers n{};
+  for (std::uint64_t probe = 0; probe < block.probes.size(); ++probe) {
+    LineReader lines(file, block.probes[probe]);
+    const std::uint64_t first = probe * block.rows * block.probe_columns;
+    for (std::uint64_t i = first; i < std::min(first + kProbeCells, block.points) && lines.next(line);) {
+      if (is_blank_line(line)) continue;
+      const auto row = static_cast<std::int64_t>(i % block.rows), column = static_cast<std::int64_t>(i / block.rows);
+      ++i;
+      if (parse_line(line, fields, n) < 3 || (n[0] == 0 && n[1] == 0 && n[2] == 0)) continue;
+      points.push_back({row, column, {n[0], n[1], n[2]}});
+    }
+  }
+  return points;
+}
+
+// Where the scanner stood and how it turned. The matrix has the axes' images in its rows.
+Station station_of(const InputFile& file, const Block& block, const std::string& name) {
+  const AngularSteps steps = steps_of_grid(probe_grid(file, block));
+  Station station{name, block.position, steps.azimuth, steps.elevation};
+  const double length = norm(block.matrix[2]);
+  if (length > 0) station.axis = (1 / length) * block.matrix[2];
+  return station;
 }
 
 struct Content {
@@ -121,7 +162,7 @@ class PtxReader final : public PointReader {
     for (const Block& block : blocks_) {
       const std::string name = "scan " + std::to_string(info_.scans.size() + 1);
       info_.scans.push_back({name, block.points});
-      info_.stations.push_back({name, block.position});
+      info_.stations.push_back(station_of(*file_, block, name));
       info_.declared_points += block.declared;
       info_.points += block.points;
     }

@@ -46,6 +46,7 @@ Json counts_json(const RunRecord& record) {
                       {"unlabelled", record.points.unlabelled},
                       {"rejected", record.points.rejected_total()}};
   if (record.planes) counts["planes"] = *record.planes;
+  if (record.shapes) counts["shapes"] = *record.shapes;
   if (record.roofs)
     counts["roofs"] = {{"buildings", record.roofs->buildings}, {"lod22", record.roofs->lod22},
                        {"lod12", record.roofs->lod12},         {"footprint_only", record.roofs->footprint_only},

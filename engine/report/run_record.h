@@ -76,6 +76,7 @@ struct RunRecord {
   std::uint64_t blocks = 0;
   PointCounts points;
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
+  std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, where they were looked for
   std::optional<RoofCounts> roofs;
   std::optional<FootprintsRecord> footprints;
   std::optional<ClustersRecord> clusters;

@@ -25,7 +25,7 @@ constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk o
 
 // What the planes say of one input row.
 struct RowLabel {
-  std::uint32_t plane = 0;
+  std::uint32_t plane = 0, shape = 0;
   PackedNormal normal;
   std::uint8_t boundary = 0;
 };
@@ -41,12 +41,17 @@ void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams&
                      std::span<const std::uint32_t> sorted) {
   const auto plane = store.read<std::uint32_t>(block, "plane");
   const auto boundary = store.read<std::uint8_t>(block, "boundary");
+  std::vector<std::uint32_t> shape(sorted.size());
+  if (!params.final_shape.empty()) {
+    shape = store.read<std::uint32_t>(block, "shape");
+    for (std::uint32_t& s : shape) s = params.final_shape[s];
+  }
   std::vector<PackedNormal> normals(sorted.size());
   if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
   std::vector<RowLabel> rows(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const std::uint32_t from = sorted[i];
-    rows[i] = {params.final_id[plane[from]], normals[from], boundary[from]};
+    rows[i] = {params.final_id[plane[from]], shape[from], normals[from], boundary[from]};
   }
   store.write<RowLabel>(block, "rows", rows);
 }
@@ -131,6 +136,7 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   if (params.with_planes) {
     add("residual", "signed distance to plane, m", FieldType::f32);
     add("boundary", "1 = on its plane's outline", FieldType::u8);
+    if (!params.final_shape.empty()) add("shape_id", "sphere, cylinder, cone; 0 = none", FieldType::u32);
   }
   if (params.with_roofs) {
     add("unit_id", "building, 0 = none", FieldType::u32);
@@ -171,6 +177,7 @@ void append_labels(const RowLabel* row, double residual_m, const RoofLabel* roof
   if (row != nullptr) {
     out.add<float>(static_cast<float>(residual_m));
     out.add<std::uint8_t>(row->boundary);
+    if (!params.final_shape.empty()) out.add<std::uint32_t>(row->shape);
   }
   if (roof != nullptr) {
     out.add<std::uint32_t>(roof->unit);
@@ -214,7 +221,8 @@ class Labeller {
       const bool on_plane = plane != nullptr && plane->plane != 0;
       const double distance = on_plane ? metres * residual(row, lattice, params_.planes[plane->plane - 1]) : 0;
       append_labels(plane, distance, roof, params_, row + in_length);
-      s.labelled += on_plane || (roof != nullptr && (roof->unit != 0 || roof->label != PointLabel::none));
+      s.labelled += on_plane || (plane != nullptr && plane->shape != 0) ||
+                    (roof != nullptr && (roof->unit != 0 || roof->label != PointLabel::none));
       row += out_length;
     }
     s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));

@@ -17,11 +17,12 @@ namespace ilot {
 
 // Which products ran: each has its columns in the store and its extra bytes in the clouds.
 struct LabelParams {
-  std::vector<std::uint32_t> final_id;  // per joined plane + 1: the id that is written, 0 = none; [0] = 0
-  std::vector<JoinedPlane> planes;      // by final id - 1: what residuals are measured to
-  bool write_normals = false;           // with planes only
-  bool with_planes = true;              // columns "plane" and "boundary"
-  bool with_roofs = false;              // column "roof"
+  std::vector<std::uint32_t> final_id;          // per joined plane + 1: the id that is written, 0 = none; [0] = 0
+  std::vector<JoinedPlane> planes;              // by final id - 1: what residuals are measured to
+  bool write_normals = false;                   // with planes only
+  bool with_planes = true;                      // columns "plane" and "boundary"
+  bool with_roofs = false;                      // column "roof"
+  std::vector<std::uint32_t> final_shape = {};  // per joined shape + 1: the id that is written; empty = no "shape"
 };
 
 // Sorts the labels of each block by input order ("rows", "roof_rows"), so that a stretch of an input finds its own in a

@@ -12,6 +12,7 @@
 #include "engine/segments/label_pass.h"
 #include "engine/segments/normals_pass.h"
 #include "engine/segments/planes_pass.h"
+#include "engine/segments/shapes_pass.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/planes/plane_fit.h"
@@ -126,15 +127,57 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                  measured});
   if (!settings.planes.connectivity)
     record.chosen.push_back({"planes.connectivity", median(connectivity),
-                             "3 times the sampling step in " + air + " cells seen from the air, 8 times in " + ground +
+                             "4 times the sampling step in " + air + " cells seen from the air, 6 times in " + ground +
                                  " seen from the ground, where surfaces seen at a grazing angle have wide gaps; " +
                                  measured});
   if (!settings.planes.min_points)
     record.chosen.push_back({"planes.min_points", median(min_points),
-                             "points on 1.2 m2, 12 to 1000, in " + air +
+                             "points on 1.2 m2, 12 to 200, in " + air +
                                  " cells seen from the air; on 50 cm2, 30 to "
                                  "200, in " +
                                  ground + " seen from the ground; " + measured});
+}
+
+// Points up; level ones to the north, or east.
+Vec3 pointing_up(Vec3 axis) {
+  const bool down = axis.z < 0 || (axis.z == 0 && (axis.y < 0 || (axis.y == 0 && axis.x < 0)));
+  return down ? -1.0 * axis : axis;
+}
+
+CurvedSegment curved_of(const JoinedShape& j, const ShapeTally& t, double unit, double metres_per_unit) {
+  CurvedSegment s;
+  s.content_id = mix64(t.content_id);
+  s.kind = j.shape.kind;
+  s.points = t.points;
+  s.min = world(t.box.min, {}, unit);
+  s.max = world(t.box.max, {}, unit);
+  s.position = world(j.anchor, j.shape.origin, unit);
+  if (s.kind != ShapeKind::kSphere) s.axis = j.shape.axis;
+  if (s.kind == ShapeKind::kCylinder) {
+    s.axis = pointing_up(s.axis);
+    s.position = s.position + dot(0.5 * (s.min + s.max) - s.position, s.axis) * s.axis;
+  }
+  if (s.kind == ShapeKind::kCone)
+    s.half_angle_deg = degrees_of_cosine(j.shape.cosine);
+  else
+    s.radius_m = j.shape.radius * unit * metres_per_unit;
+  s.epsilon_m = j.epsilon * unit * metres_per_unit;
+  s.rms_m = std::sqrt(static_cast<double>(t.squared_errors) * kErrorUnit / static_cast<double>(t.points)) * s.epsilon_m;
+  return s;
+}
+
+// Ids are dense from 1 over the shapes that kept enough points, in global order of their first cells.
+void find_shapes(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
+                 const PassContext& context, PlanesResult& r) {
+  const JoinedShapes joined = join_shapes(store, cells);
+  const std::vector<ShapeTally> tallies = shapes_pass(store, cells, joined, context);
+  const std::uint64_t least = context.wanted ? 1 : static_cast<std::uint64_t>(settings.planes.curved_points);
+  r.final_shape.assign(tallies.size() + 1, 0);
+  for (std::size_t i = 0; i < tallies.size(); ++i) {
+    if (tallies[i].points < least) continue;
+    r.curved.push_back(curved_of(joined.shapes[i], tallies[i], store.unit(), context.metres_per_unit));
+    r.final_shape[i + 1] = r.curved.back().id = static_cast<std::uint32_t>(r.curved.size());
+  }
 }
 
 }  // namespace
@@ -158,6 +201,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   PlanesResult result =
       number_planes(joined, tallies, context.wanted != nullptr, store.unit(), context.metres_per_unit);
   find_neighbours(store, cells, found, context, result);
+  if (settings.planes.curved) find_shapes(store, cells, settings, context, result);
   progress.end_stage();
   result.ranges = neighbour_ranges(store, cells, found);
   return result;

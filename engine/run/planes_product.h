@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/formats/reader.h"
+#include "engine/model/curved_segment.h"
 #include "engine/model/segment.h"
 #include "engine/pass/context.h"
 #include "engine/report/progress.h"
@@ -19,6 +20,8 @@ struct PlanesResult {
   std::vector<JoinedPlane> planes;                  // the same on the lattice
   std::vector<std::uint32_t> final_id;              // per joined plane + 1; [0] = 0
   std::vector<std::vector<NeighbourRange>> ranges;  // per block
+  std::vector<CurvedSegment> curved;                // by id; none unless they are asked for
+  std::vector<std::uint32_t> final_shape;           // per joined shape + 1; [0] = 0; empty unless they are asked for
 };
 
 // Blocks to planes: colours where the inputs have them, normals, planes per cell, join over cells, labels. Adds its

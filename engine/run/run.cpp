@@ -6,14 +6,14 @@
 #include <cmath>
 
 #include "engine/deliverables/planes_csv.h"
-#include "engine/deliverables/planes_gpkg.h"
 #include "engine/deliverables/planes_neighbours_csv.h"
+#include "engine/deliverables/shapes_csv.h"
 #include "engine/error.h"
-#include "engine/model/outline_area.h"
 #include "engine/pass/index.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
+#include "engine/run/boundaries_product.h"
 #include "engine/run/cluster_plan.h"
 #include "engine/run/footprint_plan.h"
 #include "engine/run/found_roles.h"
@@ -152,45 +152,6 @@ void make_roles(const Store& store, const Settings& settings, const PassContext&
            " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
 }
 
-// Those whose angular steps are known, in lattice units.
-std::vector<Scanner> scanners_of(const std::vector<Station>& stations, double unit) {
-  std::vector<Scanner> scanners;
-  for (const Station& s : stations)
-    if (s.azimuth_step > 0 && s.elevation_step > 0)
-      scanners.push_back({(1 / unit) * s.position, s.axis, s.azimuth_step, s.elevation_step});
-  return scanners;
-}
-
-void record_step(const BoundariesSettings& settings, std::size_t scanners, std::size_t stations, RunRecord& record) {
-  if (settings.step || settings.threshold) return;
-  const std::string why = scanners > 0   ? "the angular steps of " + std::to_string(scanners) + " stations are known"
-                          : stations > 0 ? "stations are known, but not their angular steps: see --stations"
-                                         : "no station is known: see --stations";
-  record.chosen.push_back({"boundaries.step", std::string(scanners > 0 ? "stations" : "neighbours"), why});
-}
-
-void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
-                     const PassContext& context, const std::filesystem::path& folder, RunRecord& record) {
-  const BoundariesSettings& s = settings.boundaries;
-  const double metre = 1 / (store.unit() * context.metres_per_unit);
-  std::vector<Scanner> scanners = scanners_of(inputs.stations, store.unit());
-  record_step(s, scanners.size(), inputs.stations.size(), record);
-  if (s.step == StepSource::neighbours) scanners.clear();
-  BoundaryParams params{s.gamma, s.tolerance * metre, planes.planes, planes.final_id, planes.ranges, scanners};
-  params.threshold = s.threshold.value_or(0) * metre;
-  params.rule = s.rule == BoundaryRule::circumradius ? TriangleRule::kCircumradius : TriangleRule::kLongestEdge;
-  params.edge_length = s.edge_length;
-  params.erosion = s.erosion;
-  std::filesystem::create_directories(folder);
-  PlanesGpkg file(folder / "planes.gpkg", inputs.crs);
-  boundaries_pass(store, params, context, [&](const Outline& outline) {
-    Segment& segment = planes.segments[outline.plane_id - 1];
-    segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
-    file.add(segment, outline);
-  });
-  file.finish();
-}
-
 // What only the inputs can tell about the settings.
 void check_stations(const RunOptions& options, const RunInputs& inputs) {
   const bool known = !scanners_of(inputs.stations, 1).empty();
@@ -224,9 +185,14 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
     write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
     record.planes = planes.segments.size();
+    if (options.settings.planes.curved) {
+      write_shapes_csv(out.staging() / "shapes.csv", planes.curved);
+      record.shapes = planes.curved.size();
+    }
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
     labels.final_id = std::move(planes.final_id);
     labels.planes = std::move(planes.planes);
+    labels.final_shape = std::move(planes.final_shape);
     labels.write_normals = options.settings.normals.write;
   }
   if (labels.with_roofs) {
@@ -250,6 +216,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
 std::string summary(const RunRecord& record) {
   std::string made;
   if (record.planes) made += grouped(*record.planes) + " planes, ";
+  if (record.shapes) made += grouped(*record.shapes) + " curved shapes, ";
   if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
   return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +

@@ -20,7 +20,7 @@ struct Rule {
   double area_m2;       // of the smallest plane
   double fewest, most;  // points of the smallest plane
 };
-constexpr Rule kFromTheAir{4, 1.2, 12, 1000}, kFromTheGround{6, 0.005, 30, 200};
+constexpr Rule kFromTheAir{4, 1.2, 12, 200}, kFromTheGround{6, 0.005, 30, 200};
 
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;

@@ -41,12 +41,12 @@ struct PlaneParams {
 
 // Settings where they are given, else:
 //   epsilon = 3.5 noise, at least 3 lattice units and a quarter of the step, at most 0.5 m;
-//   connectivity = 3 steps from the air, 8 from the ground (a surface seen at a grazing angle or through glass has gaps
+//   connectivity = 4 steps from the air, 6 from the ground (a surface seen at a grazing angle or through glass has gaps
 //   of several steps), at most `reach` (units), beyond which a unit does not know its surroundings;
 //   normal_angle = 25 degrees; where the noise makes epsilon wide beside the step, so that faces that lean little from
 //   each other lie within it and only normals tell them apart, less from the air: 25 degrees times the square of a
 //   quarter of the step over epsilon, at least 10;
-//   min_points = as many as lie on the smallest surface worth a plane: 1.2 m2 from the air, 12 to 1,000 points; 50 cm2
+//   min_points = as many as lie on the smallest surface worth a plane: 1.2 m2 from the air, 12 to 200 points; 50 cm2
 //   from the ground, 30 to 200 points.
 // unit_metres is the lattice unit in metres.
 PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, SeenFrom from,

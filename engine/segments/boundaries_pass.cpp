@@ -2,10 +2,11 @@
 #include "engine/segments/boundaries_pass.h"
 
 #include <algorithm>
-#include <map>
 
 #include "engine/pass/pass.h"
 #include "engine/segments/boundary_edges.h"
+#include "kernels/core/parallel.h"
+#include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/delaunay/rings.h"
 #include "kernels/delaunay/thinning.h"
@@ -21,46 +22,87 @@ struct RunOfBlock {
   SeamRun run;
 };
 
-// A seam edge with its region numbered over all blocks.
-struct Edge {
-  std::uint64_t from = 0, to = 0;
-  Point2 at;
-  std::uint32_t region = 0;
-};
-
 struct PlaneBoundary {
   Outline outline;
   std::vector<std::uint64_t> vertices;  // points in global order
 };
 
-std::vector<Edge> read_edges(const Store& store, const std::vector<RunOfBlock>& runs) {
-  std::vector<Edge> edges;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> regions;
-  for (const RunOfBlock& r : runs)
-    for (const SeamEdge& e : store.read<SeamEdge>(r.block, "seam_edges", r.run.first, r.run.count)) {
-      const auto next = static_cast<std::uint32_t>(regions.size());
-      edges.push_back({e.from, e.to, e.at, regions.try_emplace({r.block, e.region}, next).first->second});
-    }
+// The seam edges of a plane, its points numbered by rank and its regions over all blocks.
+struct PlaneEdges {
+  std::vector<std::uint64_t> points;  // that edges start at, ascending, in global order
+  std::vector<Point2> places;         // of these
+  std::vector<BoundaryEdge> edges;
+};
+
+std::vector<SeamEdge> read_edges(const Store& store, const std::vector<RunOfBlock>& runs) {
+  std::size_t count = 0;
+  for (const RunOfBlock& r : runs) count += r.run.count;
+  std::vector<SeamEdge> edges(count);
+  std::uint32_t regions = 0;
+  std::size_t at = 0;
+  for (const RunOfBlock& r : runs) {
+    const auto part = std::span(edges).subspan(at, r.run.count);
+    ColumnReader(store.path(r.block, "seam_edges")).read<SeamEdge>(r.run.first, part);
+    for (SeamEdge& e : part) e.region += regions;
+    regions += r.run.regions;
+    at += part.size();
+  }
   return edges;
 }
 
-// Takes out the edges that two blocks give from both sides, and joins the regions that meet there.
-std::vector<Edge> joined(std::vector<Edge> edges) {
-  const auto key = [](const Edge& e) { return std::pair(std::min(e.from, e.to), std::max(e.from, e.to)); };
-  std::sort(edges.begin(), edges.end(),
-            [&](const Edge& a, const Edge& b) { return key(a) != key(b) ? key(a) < key(b) : a.from < b.from; });
-  std::vector<std::uint32_t> parent(edges.size());
-  UnionFind regions(parent);
-  std::vector<Edge> left;
+// Every point where an edge ends is one where another starts: the edges of a region close.
+PlaneEdges rank_points(const std::vector<SeamEdge>& edges) {
+  PlaneEdges out;
+  out.edges.resize(edges.size());
+  std::vector<KeyValue> order(edges.size()), scratch(edges.size());
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i + 1 < edges.size() && key(edges[i]) == key(edges[i + 1])) {
-      regions.unite(edges[i].region, edges[i + 1].region);
+    order[i] = {edges[i].from, i};
+    out.edges[i].region = edges[i].region;
+  }
+  sort_pairs(order, scratch);
+  for (const KeyValue& o : order) {
+    if (out.points.empty() || out.points.back() != o.key) {
+      out.points.push_back(o.key);
+      out.places.push_back(edges[o.value].at);
+    }
+    out.edges[o.value].from = static_cast<std::uint32_t>(out.points.size() - 1);
+  }
+  for (std::size_t i = 0; i < edges.size(); ++i) order[i] = {edges[i].to, i};
+  sort_pairs(order, scratch);
+  std::uint32_t rank = 0;
+  for (const KeyValue& o : order) {
+    while (out.points[rank] < o.key) ++rank;
+    out.edges[o.value].to = rank;
+  }
+  return out;
+}
+
+// Takes out the edges that two blocks give from both sides, and joins the regions that meet there.
+std::vector<BoundaryEdge> joined(const std::vector<BoundaryEdge>& edges) {
+  std::vector<KeyValue> order(edges.size());
+  std::uint32_t regions = 0;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const std::uint64_t a = std::min(edges[i].from, edges[i].to), b = std::max(edges[i].from, edges[i].to);
+    order[i] = {a << 32 | b, i};
+    regions = std::max(regions, edges[i].region + 1);
+  }
+  {
+    std::vector<KeyValue> scratch(edges.size());
+    sort_pairs(order, scratch);
+  }
+  std::vector<std::uint32_t> parent(regions);
+  UnionFind united(parent);
+  std::vector<BoundaryEdge> left;
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const BoundaryEdge& edge = edges[order[i].value];
+    if (i + 1 < order.size() && order[i].key == order[i + 1].key) {
+      united.unite(edge.region, edges[order[i + 1].value].region);
       ++i;
     } else {
-      left.push_back(edges[i]);
+      left.push_back(edge);
     }
   }
-  for (Edge& e : left) e.region = regions.find(e.region);
+  for (BoundaryEdge& e : left) e.region = united.find(e.region);
   return left;
 }
 
@@ -82,45 +124,40 @@ Outline outline_of(const Polygons& polygons, std::span<const Point2> places, con
 
 PlaneBoundary boundary_of(const Store& store, const BoundaryParams& params, std::uint32_t id,
                           const std::vector<RunOfBlock>& runs) {
-  const std::vector<Edge> edges = joined(read_edges(store, runs));
-  std::vector<std::uint64_t> points;
-  for (const Edge& e : edges) points.push_back(e.from);
-  std::sort(points.begin(), points.end());
-  points.erase(std::unique(points.begin(), points.end()), points.end());
-  const auto local = [&](std::uint64_t v) {
-    return static_cast<std::uint32_t>(std::lower_bound(points.begin(), points.end(), v) - points.begin());
-  };
-  std::vector<Point2> places(points.size());
-  std::vector<BoundaryEdge> boundary;
-  for (const Edge& e : edges) {
-    boundary.push_back({local(e.from), local(e.to), e.region});
-    places[boundary.back().from] = e.at;
-  }
-  Polygons rings = assemble_rings(boundary, places);
+  PlaneEdges plane = rank_points(read_edges(store, runs));
+  plane.edges = joined(plane.edges);
+  const std::span<const Point2> places = plane.places;
+  Polygons rings = assemble_rings(plane.edges, places);
   if (params.erosion == Erosion::outside) rings = outer_rings(rings, places);
   PlaneBoundary result;
-  for (const std::uint32_t v : rings.vertices) result.vertices.push_back(points[v]);
+  for (const std::uint32_t v : rings.vertices) result.vertices.push_back(plane.points[v]);
   result.outline = outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1],
                               id, store.unit());
   return result;
 }
 
-void write_flags(const Store& store, const std::vector<std::uint64_t>& first, const std::vector<bool>& is_vertex) {
-  for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    if (store.has(b, "boundary")) continue;
+void write_flags(const Store& store, const std::vector<std::uint64_t>& first, const std::vector<bool>& is_vertex,
+                 std::uint64_t budget) {
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * std::uint64_t{32}, b.points});
+  run_pass(tasks, budget, [&](std::size_t i) {
+    const auto b = static_cast<std::uint32_t>(i);
+    if (store.has(b, "boundary")) return;
     std::vector<std::uint8_t> flags(store.blocks()[b].points);
-    for (std::uint32_t i = 0; i < flags.size(); ++i) flags[i] = is_vertex[first[b] + i] ? 1 : 0;
+    for (std::uint32_t p = 0; p < flags.size(); ++p) flags[p] = is_vertex[first[b] + p] ? 1 : 0;
     for (const Coincident& c : read_column<Coincident>(store.path(b, "coincident")))
       flags[c.point] = is_vertex[c.kept] ? 1 : 0;
     store.write<std::uint8_t>(b, "boundary", flags);
-  }
+  });
 }
 
 // Per block in parallel, each once: what a killed run has done is not done again.
 void edges_of_blocks(const Store& store, const BoundaryWork& work, const PassContext& context) {
-  std::vector<PassTask> tasks;
-  for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
-    tasks.push_back({boundary_bytes(store, b, work), store.blocks()[b].points});
+  std::vector<PassTask> tasks(store.blocks().size());
+  parallel_for(tasks.size(), [&](std::size_t b) {
+    const auto block = static_cast<std::uint32_t>(b);
+    tasks[b] = {boundary_bytes(store, block, work), store.blocks()[b].points};
+  });
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, "seam_edges")) write_seam_edges(store, block, work);
@@ -164,7 +201,7 @@ void boundaries_pass(const Store& store, const BoundaryParams& params, const Pas
       take(b.outline);
     }
   }
-  write_flags(store, work.first, is_vertex);
+  write_flags(store, work.first, is_vertex, budget);
 }
 
 }  // namespace ilot

@@ -18,12 +18,6 @@ namespace {
 constexpr std::uint64_t kBytesPerPoint = 280;  // of a stretch and its surroundings: the triangulation
 constexpr int kNeighbours = 6;
 
-// The points of one octree cell of a block, and their box.
-struct Stretch {
-  std::uint32_t block = 0, first = 0, count = 0;
-  IndexBox box;
-};
-
 IndexBox common(const IndexBox& a, const IndexBox& b) {
   return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)},
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y), std::min(a.max.z, b.max.z)}};
@@ -31,15 +25,15 @@ IndexBox common(const IndexBox& a, const IndexBox& b) {
 
 // Cells are cut until they are small enough: compact ones have little around them.
 struct Cutter {
-  const Block& block;
   std::uint32_t number, most;
   std::span<const std::uint64_t> codes;
+  IndexBox box;  // around the points of the block
   std::vector<Stretch> out;
 
   void cut(const Node& node, std::uint32_t first, std::uint32_t count) {
     if (count == 0) return;
     if (count <= most || node.level == kTileBits) {
-      out.push_back({number, first, count, common(node.box(), block.box)});
+      out.push_back({node, number, first, count, common(node.box(), box)});
       return;
     }
     const std::uint32_t end = first + count;
@@ -53,12 +47,22 @@ struct Cutter {
   }
 };
 
-std::vector<Stretch> stretches(const Store& store, std::uint32_t block, const BoundaryWork& work) {
+std::vector<Stretch> cut_block(const Store& store, std::uint32_t block, std::uint32_t most, std::int64_t across) {
   const auto codes = store.read<std::uint64_t>(block, "codes");
   const Block& b = store.blocks()[block];
-  Cutter cutter{b, block, work.stretch_points, codes, {}};
+  Cutter cutter{block, most, codes, b.box.grown(across), {}};
   cutter.cut(b.node, 0, b.points);
-  return cutter.out;
+  return std::move(cutter.out);
+}
+
+// Does some stretch hold this place?
+bool is_held(const BoundaryWork& work, Index3 place) {
+  const PointKey key = key_of(place);
+  const auto after =
+      std::upper_bound(work.stretches.begin(), work.stretches.end(), key, [](const PointKey& k, const Stretch& s) {
+        return k < PointKey{s.node.tile, s.node.first_code};
+      });
+  return after != work.stretches.begin() && std::prev(after)->box.contains(place);
 }
 
 // In the steps of a frame; the search for neighbours takes no more.
@@ -78,15 +82,18 @@ std::int64_t farthest_of(std::span<const NeighbourRange> ranges, std::uint32_t f
 View plan_surroundings(const Store& store, const Stretch& s, const BoundaryWork& work, IndexBox& box) {
   const auto& ranges = work.params.ranges;
   const Index3 anchor = store.blocks()[s.block].node.min_corner();
-  const double own = static_cast<double>(in_steps(farthest_of(ranges[s.block], s.first, s.count)));
+  std::int64_t farthest_own = 1;
+  for (const Slice& slice : plan_view(store, s.box.grown(work.across), anchor).slices)
+    farthest_own = std::max(farthest_own, farthest_of(ranges[slice.block], slice.first, slice.count));
+  const double own = static_cast<double>(in_steps(farthest_own));
   const double largest = work.params.threshold > 0 ? work.params.threshold * kPlaneSteps
                                                    : work.params.gamma * raster_step(own * own, kNeighbours);
   const std::int64_t circles =
       shape_halo(work.params.rule, largest) / static_cast<std::int64_t>(kPlaneSteps) + work.across;
   std::int64_t farthest = 1;
-  for (const Slice& slice : plan_view(store, s.box.grown(circles), anchor).slices)
+  for (const Slice& slice : plan_view(store, s.box.grown(circles + work.across), anchor).slices)
     farthest = std::max(farthest, farthest_of(ranges[slice.block], slice.first, slice.count));
-  box = s.box.grown(circles + farthest + work.across);
+  box = s.box.grown(circles + farthest + 2 * work.across);
   return plan_view(store, box, anchor);
 }
 
@@ -94,14 +101,14 @@ View plan_surroundings(const Store& store, const Stretch& s, const BoundaryWork&
 struct PlanePlaces {
   std::uint32_t plane = 0;             // final id
   PlaneOrder order;                    // its indices: points of the view
-  std::vector<std::uint8_t> own;       // per place, 1 = of the stretch
+  std::vector<std::uint8_t> own;       // per place, 1 = the stretch's
   std::vector<std::int64_t> farthest;  // per place, of its point's range, in steps
 };
 
 // A stretch with what lies around it.
 class Surroundings {
  public:
-  Surroundings(const Store& store, const Stretch& stretch, const BoundaryWork& work) : work_(work) {
+  Surroundings(const Store& store, const Stretch& stretch, const BoundaryWork& work) : work_(work), stretch_(stretch) {
     IndexBox box;
     view_ = plan_surroundings(store, stretch, work, box);
     load_points(store, view_);
@@ -114,7 +121,8 @@ class Surroundings {
     own_end_ = own_ + stretch.count;
   }
 
-  bool is_own(std::uint32_t i) const { return i >= own_ && i < own_end_; }
+  // A point of the stretch's own stretch of its block.
+  bool is_inside(std::uint32_t i) const { return i >= own_ && i < own_end_; }
 
   // In global order.
   std::uint64_t number(std::uint32_t i) const {
@@ -133,10 +141,13 @@ class Surroundings {
     return heights;
   }
 
-  // One after the other, by id, the planes that points of the stretch lie on.
+  // One after the other, by id, the planes that have points of the stretch or next to it.
   template <class Use>
   void each_plane(const Use& use) const {
-    std::vector<std::uint32_t> ids(plane_.begin() + own_, plane_.begin() + own_end_);
+    std::vector<std::uint32_t> ids;
+    const IndexBox near = stretch_.box.grown(work_.across);
+    for (std::uint32_t i = 0; i < plane_.size(); ++i)
+      if ((ids.empty() || ids.back() != plane_[i]) && near.contains(view_.position(i))) ids.push_back(plane_[i]);
     std::sort(ids.begin(), ids.end());
     ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
     std::vector<std::vector<std::uint32_t>> members(ids.size());
@@ -156,6 +167,12 @@ class Surroundings {
   }
 
  private:
+  // By where the foot lies; by the point itself where no stretch holds the foot.
+  bool is_own(std::uint32_t i, Index3 foot) const {
+    if (stretch_.box.contains(foot)) return true;
+    return is_inside(i) && !is_held(work_, foot);
+  }
+
   PlanePlaces placed(std::uint32_t plane, const std::vector<std::uint32_t>& members) const {
     const JoinedPlane& joined = work_.params.planes[plane - 1];
     const PlaneFrame frame = frame_of_joined(joined);
@@ -164,10 +181,16 @@ class Surroundings {
     for (const std::uint32_t i : members) places.push_back(project(frame, from_anchor(joined, i)));
     const std::vector<std::int64_t> farthest = farthest_of_members(members);
     PlanePlaces out{plane, plane_order(places), {}, {}};
-    for (std::uint32_t& i : out.order.index) {
+    for (std::size_t at = 0; at < out.order.index.size(); ++at) {
+      std::uint32_t& i = out.order.index[at];
       out.farthest.push_back(farthest[i]);
       i = members[i];
-      out.own.push_back(is_own(i) ? 1 : 0);
+      const Vec3 foot = position(frame, out.order.points[at]);
+      const auto whole = [](double v) { return static_cast<std::int64_t>(std::floor(v + 0.5)); };
+      out.own.push_back(
+          is_own(i, {joined.anchor.x + whole(foot.x), joined.anchor.y + whole(foot.y), joined.anchor.z + whole(foot.z)})
+              ? 1
+              : 0);
     }
     for (auto& [left_out, kept] : out.order.duplicates) {
       left_out = members[left_out];
@@ -201,6 +224,7 @@ class Surroundings {
   }
 
   const BoundaryWork& work_;
+  const Stretch& stretch_;
   View view_;
   std::vector<std::uint32_t> plane_;  // final ids; 0 also beyond the box that is looked at
   std::uint32_t own_ = 0, own_end_ = 0;
@@ -322,18 +346,24 @@ void add_edges(const Surroundings& around, std::uint32_t plane, const PlaneOrder
         joined.unite(i, o);
       }
     }
+  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // by root
   for (const std::uint32_t e : open) {
     const std::uint32_t a = t.corner[e], b = t.corner[next_edge(e)];
-    out.edges.push_back({around.number(order.index[a]), around.number(order.index[b]), order.points[a],
-                         out.regions + joined.find(place[e / 3]), plane});
+    std::uint32_t& r = region[joined.find(place[e / 3])];
+    if (r == kNoEdge) r = out.regions++;
+    out.edges.push_back({around.number(order.index[a]), around.number(order.index[b]), order.points[a], r, plane});
   }
-  out.regions += static_cast<std::uint32_t>(triangles.size());
 }
 
 OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const BoundaryWork& work) {
   OwnedEdges out;
   const Surroundings around(store, stretch, work);
   around.each_plane([&](const PlanePlaces& p) {
+    for (const auto& [left_out, kept] : p.order.duplicates)
+      if (around.is_inside(left_out))
+        out.coincident.push_back(
+            {static_cast<std::uint32_t>(around.number(left_out) - work.first[stretch.block]), around.number(kept)});
+    if (std::find(p.own.begin(), p.own.end(), 1) == p.own.end()) return;
     const NeededPlaces needed = needed_places(p, work.params);
     const Triangulation t = delaunay(needed.order);
     const std::vector<std::int32_t> heights = work.params.edge_length == EdgeLength::space
@@ -341,10 +371,6 @@ OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const Boundar
                                                   : std::vector<std::int32_t>();
     const auto own = owned_triangles(t, needed.order.points, {work.params.rule, needed.reach, heights, {}}, needed.own);
     add_edges(around, p.plane, needed.order, t, own, out);
-    for (const auto& [left_out, kept] : p.order.duplicates)
-      if (around.is_own(left_out))
-        out.coincident.push_back(
-            {static_cast<std::uint32_t>(around.number(left_out) - work.first[stretch.block]), around.number(kept)});
   });
   return out;
 }
@@ -353,11 +379,19 @@ OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const Boundar
 
 BoundaryWork boundary_work(const Store& store, const BoundaryParams& params, const PassContext& context) {
   constexpr std::uint64_t kLeast = std::uint64_t{1} << 14, kMost = std::uint64_t{1} << 18;
-  BoundaryWork work{params, 0, static_cast<std::uint32_t>(std::clamp(context.task_points / 8, kLeast, kMost)), {0}};
+  const auto most = static_cast<std::uint32_t>(std::clamp(context.task_points / 8, kLeast, kMost));
+  BoundaryWork work{params, 0, {0}, {}, {0}};
   double epsilon = 0;
   for (const JoinedPlane& p : params.planes) epsilon = std::max(epsilon, p.epsilon);
   work.across = static_cast<std::int64_t>(std::ceil(2 * epsilon)) + 2;  // and a unit for rounding
-  for (const Block& b : store.blocks()) work.first.push_back(work.first.back() + b.points);
+  std::vector<std::vector<Stretch>> cut(store.blocks().size());
+  parallel_for(cut.size(),
+               [&](std::size_t b) { cut[b] = cut_block(store, static_cast<std::uint32_t>(b), most, work.across); });
+  for (std::size_t b = 0; b < cut.size(); ++b) {
+    work.first.push_back(work.first.back() + store.blocks()[b].points);
+    work.stretches.insert(work.stretches.end(), cut[b].begin(), cut[b].end());
+    work.of_block.push_back(work.stretches.size());
+  }
   return work;
 }
 
@@ -368,14 +402,14 @@ PlaneFrame frame_of_joined(const JoinedPlane& plane) {
 std::uint64_t boundary_bytes(const Store& store, std::uint32_t block, const BoundaryWork& work) {
   std::uint64_t most = 0;
   IndexBox box;
-  const std::vector<Stretch> all = stretches(store, block, work);
+  const std::span<const Stretch> all = work.of(block);
   for (const Stretch& s : all) most = std::max<std::uint64_t>(most, plan_surroundings(store, s, work, box).size);
   const auto together = std::min(all.size(), static_cast<std::size_t>(thread_count()));
   return together * most * kBytesPerPoint + store.blocks()[block].points * std::uint64_t{8};
 }
 
 void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWork& work) {
-  const std::vector<Stretch> all = stretches(store, block, work);
+  const std::span<const Stretch> all = work.of(block);
   std::vector<OwnedEdges> owned(all.size());
   parallel_for(all.size(), [&](std::size_t i) { owned[i] = owned_edges(store, all[i], work); });
   std::vector<SeamEdge> edges;
@@ -390,9 +424,13 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
   }
   std::stable_sort(edges.begin(), edges.end(), [](const SeamEdge& a, const SeamEdge& b) { return a.plane < b.plane; });
   std::vector<SeamRun> runs;
+  std::vector<std::uint32_t> number(regions, kNoEdge);  // of a region within its run
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
-    if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i, 0});
+    if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i});
     ++runs.back().count;
+    std::uint32_t& n = number[edges[i].region];
+    if (n == kNoEdge) n = runs.back().regions++;
+    edges[i].region = n;
   }
   store.write<Coincident>(block, "coincident", coincident);
   store.write<SeamRun>(block, "seam_runs", runs);

@@ -11,6 +11,7 @@
 #include "kernels/planes/colour_ransac.h"
 #include "kernels/planes/facade_ransac.h"
 #include "kernels/planes/hough_planes.h"
+#include "kernels/planes/plane_fit.h"
 #include "kernels/planes/ransac.h"
 #include "kernels/planes/region_growing.h"
 #include "kernels/planes/region_planes.h"
@@ -24,6 +25,9 @@ namespace {
 
 constexpr std::uint32_t kNeighbours = 16;    // of region growing and of settling
 constexpr std::uint32_t kFewNeighbours = 8;  // of settling from the air, where faces are wide beside epsilon
+// Epsilons within which points count for a plane where noise is wide: 2.3 of 3.5 standard deviations hold 98% of its
+// own points, and far fewer of those of its neighbours', for which a plane would lean towards them.
+constexpr double kCore = 0.65;
 constexpr int kSettlings = 4;
 constexpr double kLean = 0.2;  // epsilons by which borders lean towards the larger plane, seen from the ground
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
@@ -108,15 +112,29 @@ PlaneSegments by_facade_ransac(const PlaneSearch& s) {
   return facade_ransac(s.points, params).segments;
 }
 
-PlaneSegments by_shape_ransac(const PlaneSearch& s) {
+ShapeRansacParams shape_params(const PlaneSearch& s, std::uint32_t min_points, unsigned kinds) {
   ShapeRansacParams params;
   params.epsilon = s.params.epsilon;
   params.min_cos = cos_degrees(s.params.normal_angle);
   params.connectivity = s.params.connectivity;
-  params.min_points = s.params.min_points;
+  params.min_points = min_points;
   params.probability = s.probability;
-  params.kinds = shape_bit(ShapeKind::kPlane);
+  params.kinds = kinds;
   params.key = s.key;
+  return params;
+}
+
+// As thin as the fringe where two planes meet: within four epsilons about a plane for the most part. Along such edges
+// normals are mixtures and turn evenly from one plane to the other, as those of a thin cylinder or a steep cone do.
+bool is_flat(Points points, std::span<const std::uint32_t> members, double epsilon) {
+  constexpr double kFringe = 2;  // root mean square, in epsilons
+  const Moments m = moments_of(points, members);
+  const PlaneFit fit = fit_plane(m);
+  return !fit.unique || rms_to_plane(m, fit.plane) <= kFringe * epsilon;
+}
+
+PlaneSegments by_shape_ransac(const PlaneSearch& s) {
+  const ShapeRansacParams params = shape_params(s, s.params.min_points, shape_bit(ShapeKind::kPlane));
   ShapeSegments found = ransac_shapes(s.points, params);
   PlaneSegments segments{std::move(found.label), {}};
   for (const FoundShape& shape : found.shapes) segments.planes.push_back(plane_of(shape.shape));
@@ -167,15 +185,36 @@ PlaneSegments by_method(PlaneMethod method, const PlaneSearch& search, const Nei
 
 PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
   const bool from_the_air = search.from == SeenFrom::air;
-  const std::uint32_t k = from_the_air && !grows(method) ? kFewNeighbours : kNeighbours;
+  const bool noisy = from_the_air && search.params.noisy;
+  const std::uint32_t k = from_the_air && !noisy && !grows(method) ? kFewNeighbours : kNeighbours;
   const std::vector<std::uint32_t> lists = neighbours_of_all(search, k);
   const NeighbourLists near{lists, k};
-  PlaneSegments found = by_method(method, search, near);
+  PlaneSearch narrow = search;
+  if (noisy) narrow.params.epsilon *= kCore;
+  PlaneSegments found = by_method(method, narrow, near);
   RelabelParams relabel{search.params.epsilon, search.params.connectivity, 2, kSettlings};
   if (!from_the_air) relabel.lean = kLean * search.params.epsilon;
-  if (from_the_air && search.params.noisy) relabel.border = RelabelParams::Border::nearest;
+  if (noisy) relabel.border = RelabelParams::Border::nearest;
   settle_planes(search.points.points, near, relabel, search.params.min_points, found);
   return found;
+}
+
+ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
+  ShapeSegments all = ransac_shapes(search.points, shape_params(search, min_points, kAllShapes));
+  std::vector<std::vector<std::uint32_t>> members(all.shapes.size());
+  for (std::uint32_t i = 0; i < all.label.size(); ++i)
+    if (all.label[i] != 0) members[all.label[i] - 1].push_back(i);
+  ShapeSegments curved;
+  std::vector<std::uint32_t> number{0};  // by label: among the curved ones, 0 = a plane
+  for (std::size_t s = 0; s < all.shapes.size(); ++s) {
+    const bool plane = all.shapes[s].shape.kind == ShapeKind::kPlane ||
+                       is_flat(search.points.points, members[s], search.params.epsilon);
+    if (!plane) curved.shapes.push_back(all.shapes[s]);
+    number.push_back(plane ? 0 : static_cast<std::uint32_t>(curved.shapes.size()));
+  }
+  curved.label = std::move(all.label);
+  for (std::uint32_t& label : curved.label) label = number[label];
+  return curved;
 }
 
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {

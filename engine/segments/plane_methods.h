@@ -10,6 +10,7 @@
 #include "kernels/neighbours/normals.h"
 #include "kernels/planes/plane_score.h"
 #include "kernels/planes/plane_segments.h"
+#include "kernels/planes/shape_ransac.h"
 
 namespace ilot {
 
@@ -28,6 +29,11 @@ struct PlaneSearch {
 // Labels and planes by the method, then settled (kernels/planes/relabel.h): strays adopted, borders parted, planes
 // fitted anew until nothing changes. No labelled point lies farther than epsilon from its plane.
 PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search);
+
+// Spheres, cylinders and cones with at least so many points, found among planes and these together [A6]; the points of
+// planes have no label, nor have those of shapes so flat that two planes' common edge explains them. Shapes are
+// numbered from 1 in the order they were taken.
+ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points);
 
 // Bytes of memory that the method takes for a point of a cell, beside the cell itself; the most where it is not chosen.
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);

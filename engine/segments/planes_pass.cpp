@@ -7,6 +7,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/segments/cell_cleaning.h"
+#include "engine/segments/cell_shapes.h"
 #include "engine/segments/plane_methods.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
@@ -90,6 +91,7 @@ struct Solved {
   PlaneParams params;
   Sampling sampling;
   SeenFrom from = SeenFrom::air;
+  ShapeSegments curved;  // no labels where none were looked for
 };
 
 // Epsilon at the knee of the mean squared distance over epsilon, of the largest plane; what it was without a plane.
@@ -128,18 +130,41 @@ Solved search(const CellPoints& cp, const NeighbourIndex& index, const Settings&
   return s;
 }
 
-// The search over those points alone that cleaning keeps; the others have no plane.
-Solved search_cleaned(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
-                      std::int64_t reach) {
+// The spheres, cylinders and cones of a cell; its points with these labels take no part in the search for planes.
+ShapeSegments search_curved(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings,
+                            const PlaneParams& params, SeenFrom from) {
+  const Normals n = unpack(cp);
+  const PlaneSearch search{{cp.points(), n.x.data(), n.y.data(), n.z.data()},
+                           std::span(cp.normals).first(cp.size),
+                           index,
+                           params,
+                           from,
+                           cp.colour_class,
+                           settings.planes.probability,
+                           content_key(cp, settings.seed)};
+  return find_curved(search, static_cast<std::uint32_t>(settings.planes.curved_points));
+}
+
+// The search over those points alone that cleaning keeps and no curved shape has; the others have no plane.
+Solved search_rest(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
+                   std::int64_t reach) {
   const SeenFrom from = seen_from(std::span(cp.normals).first(cp.size));
   const PlaneParams params = choose_plane_params(settings.planes, measure_sampling(index), from, unit_metres, reach);
-  const std::vector<std::uint8_t> kept = kept_points(index, settings.planes.cleaning, params);
+  std::vector<std::uint8_t> kept(cp.size, 1);
+  if (settings.planes.cleaning != Cleaning::none) kept = kept_points(index, settings.planes.cleaning, params);
+  ShapeSegments curved;
+  if (settings.planes.curved) {
+    curved = search_curved(cp, index, settings, params, from);
+    for (std::size_t i = 0; i < cp.size; ++i)
+      if (curved.label[i] != 0) kept[i] = 0;
+  }
   const CellPoints part = only(cp, kept);
   Solved s = search(part, build_neighbour_index(part.points()), settings, unit_metres, reach);
   std::vector<std::uint32_t> label(cp.size, 0);
   for (std::size_t i = 0, at = 0; i < cp.size; ++i)
     if (kept[i] != 0) label[i] = s.found.label[at++];
   s.found.label = std::move(label);
+  s.curved = std::move(curved);
   return s;
 }
 
@@ -149,8 +174,10 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
   const CellPoints cp = load_cell(store, cell, coloured ? palette : ColourPalette{});
   const NeighbourIndex index = build_neighbour_index(cp.points());
   const double unit_metres = store.unit() * context.metres_per_unit;
-  const auto how = settings.planes.cleaning == Cleaning::none ? search : search_cleaned;
+  const bool rest = settings.planes.curved || settings.planes.cleaning != Cleaning::none;
+  const auto how = rest ? search_rest : search;
   const Solved s = how(cp, index, settings, unit_metres, margin_of(cell));
+  if (settings.planes.curved) write_cell_shapes(store, cell, cp, s.curved, s.params);
   CellResult r = own_part(cp, s.found);
   r.header = {r.planes.size(), s.params.connectivity, s.params.epsilon,    s.params.normal_angle,
               s.sampling.step, s.sampling.noise,      s.params.min_points, s.from};
@@ -222,7 +249,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * bytes, c.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
-    if (!std::filesystem::exists(cell_path(store, cell)))
+    if (!std::filesystem::exists(cell_path(store, cell)))  // written behind the cell's shapes
       write_cell(store, cell, solve(store, cell, settings, palette, context));
     context.advance(cell.points);
   });

@@ -117,6 +117,10 @@ std::vector<Parameter> make_table() {
                    kEpsilonBy),
       make("planes.colour_classes", ILOT_FIELD(planes.colour_classes), {0, 16}, "",
            "classes that colours are parted into where points have them"),
+      make("planes.curved", ILOT_FIELD(planes.curved), {}, "",
+           "spheres, cylinders and cones are looked for too; planes lie on the points that these leave"),
+      make("planes.curved_points", ILOT_FIELD(planes.curved_points), {30, 1e9}, "points",
+           "fewest points of a sphere, cylinder or cone"),
       make("boundaries.gamma", ILOT_FIELD(boundaries.gamma), {0.1, 100}, "",
            "threshold around a point over the sampling step there: gaps wider than twice that are openings"),
       make("boundaries.threshold", ILOT_FIELD(boundaries.threshold), {0.001, 1000}, "m",
@@ -135,6 +139,10 @@ std::vector<Parameter> make_table() {
                    kErosions),
       make("boundaries.tolerance", ILOT_FIELD(boundaries.tolerance), {0, 10}, "m",
            "outlines lose the vertices that move them by less than this"),
+      make(
+          "boundaries.density_maps", ILOT_FIELD(boundaries.density_maps), {0, 1000}, "planes",
+          "those with the most points, whose density is written as rasters beside what stations predict; auto: 4 where "
+          "angular steps are known, else none"),
       make("roofs.trust_classes", ILOT_FIELD(roofs.trust_classes), {}, "",
            "false looks for ground and buildings by shape, as where no point is of classes.building"),
       make("roofs.cluster_distance", ILOT_FIELD(roofs.cluster_distance), {0.01, 100}, "m",

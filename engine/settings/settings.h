@@ -75,7 +75,9 @@ struct PlanesSettings {
   double probability = 0.99;           // that the best plane was among those tried
   Cleaning cleaning = Cleaning::none;
   EpsilonBy epsilon_by = EpsilonBy::noise;
-  int colour_classes = 6;  // that colours are parted into where points have them; 0 = none
+  int colour_classes = 6;   // that colours are parted into where points have them; 0 = none
+  bool curved = false;      // spheres, cylinders and cones too, before planes
+  int curved_points = 300;  // fewest points of one of these
 };
 
 // Where the sampling step around a point comes from.
@@ -113,7 +115,8 @@ struct BoundariesSettings {
   BoundaryRule rule = BoundaryRule::circumradius;
   EdgeLength edge_length = EdgeLength::plane;  // of longest_edge
   Erosion erosion = Erosion::everywhere;
-  double tolerance = 0.001;  // metres; outlines are thinned to within it
+  double tolerance = 0.001;         // metres; outlines are thinned to within it
+  std::optional<int> density_maps;  // planes, the largest first, whose density is written beside the predicted one
 };
 
 // What attributes of buildings are called: by names of our own, or by those that roofer writes (rf_*).

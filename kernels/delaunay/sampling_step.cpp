@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "kernels/delaunay/place_neighbours.h"
 #include "kernels/delaunay/plane_order.h"
@@ -31,29 +32,51 @@ bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
   return true;
 }
 
-}  // namespace
+// The cell that the rays half a step to each side of the one to a point cut out of a plane: a parallelogram, nearly.
+struct RayCell {
+  Vec3 across, along;  // its sides; the first between profiles
+};
 
-double predicted_step(const Scanner& s, const Plane& plane, Vec3 p) {
+std::optional<RayCell> ray_cell(const Scanner& s, const Plane& plane, Vec3 p) {
   const Vec3 ray = p - s.position;
   const Vec3 side = cross(ray, s.axis);
   const double level = norm(side);
   const double height = signed_distance(plane, s.position);
-  if (!(level > 0)) return kNever;
+  if (!(level > 0)) return std::nullopt;
   const Vec3 lift = (1 / level) * side;
   Vec3 left, right, up, down;
   if (!meet(turned(ray, s.axis, s.azimuth_step / 2), plane, height, left) ||
       !meet(turned(ray, s.axis, -s.azimuth_step / 2), plane, height, right) ||
       !meet(turned(ray, lift, s.elevation_step / 2), plane, height, up) ||
       !meet(turned(ray, lift, -s.elevation_step / 2), plane, height, down))
-    return kNever;
-  const Vec3 across = left - right, along = up - down;
-  return std::max(norm(across + along), norm(across - along));
+    return std::nullopt;
+  return RayCell{left - right, up - down};
+}
+
+}  // namespace
+
+double predicted_step(const Scanner& s, const Plane& plane, Vec3 p) {
+  const auto cell = ray_cell(s, plane, p);
+  return cell ? std::max(norm(cell->across + cell->along), norm(cell->across - cell->along)) : kNever;
 }
 
 double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec3 p) {
   double least = kNever;
   for (const Scanner& s : stations) least = std::min(least, predicted_step(s, plane, p));
   return least;
+}
+
+double predicted_density(const Scanner& s, const Plane& plane, Vec3 p) {
+  const auto cell = ray_cell(s, plane, p);
+  if (!cell) return 0;
+  const double area = norm(cross(cell->across, cell->along));
+  return area > 0 ? 1 / area : 0;
+}
+
+double predicted_density(std::span<const Scanner> stations, const Plane& plane, Vec3 p) {
+  double sum = 0;
+  for (const Scanner& s : stations) sum += predicted_density(s, plane, p);
+  return sum;
 }
 
 double documented_step(const Scanner& s, const Plane& plane, Vec3 p) {

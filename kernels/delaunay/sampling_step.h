@@ -27,6 +27,12 @@ double predicted_step(const Scanner& station, const Plane& plane, Vec3 p);
 // With several stations the smallest; infinite without any.
 double predicted_step(std::span<const Scanner> stations, const Plane& plane, Vec3 p);
 
+// Points per square unit that the station puts there: one on the area of that cell. Zero where there is no such cell.
+double predicted_density(const Scanner& station, const Plane& plane, Vec3 p);
+
+// Of several stations the sum, as if nothing stood between them and the plane.
+double predicted_density(std::span<const Scanner> stations, const Plane& plane, Vec3 p);
+
 // The document's formula for a levelled scanner and a vertical plane, without the cell's shear: short by a quarter at
 // 45 degrees to both sides. For comparison.
 double documented_step(const Scanner& station, const Plane& plane, Vec3 p);

@@ -99,6 +99,20 @@ class Synthetic(Determinism):
     def test_any_files(self):
         self.same_in_any_files(self.district(100000))
 
+    def test_shapes_and_density(self):
+        """What only terrestrial scans have, with the stations known."""
+        path = self.folder / "shapes.laz"
+        self.assertEqual(ilot("scan", "shapes", "--points", "150000", "-o", path, "-q").returncode, 0)
+        asked = ["--stations", self.folder / "shapes.stations.csv", "--set", "planes.curved=true"]
+        hashes = set()
+        for way in (["--threads", "1"], ["--threads", "3", "--block-points", "8192"], ["--memory", "96M"]):
+            out, told = self.work(path, *asked, *way)
+            hashes.add(told["result_hash"])
+            self.assertGreater(told["counts"]["shapes"], 5)
+            self.assertEqual(len(list((out / "density").glob("*.tif"))), 4)
+        _, told = self.work(path, *asked, env={"ILOT_FORCE_ISA": "baseline"})
+        self.assertEqual(hashes, {told["result_hash"]})
+
     def test_each_point_twice(self):
         cloud = Las.read(self.district(60000))
         files = [cloud.write(self.folder / name) for name in ("a.las", "b.las")]

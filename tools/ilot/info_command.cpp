@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <numbers>
 
 #include "engine/error.h"
 #include "engine/formats/reader.h"
@@ -15,6 +16,8 @@ namespace ilot {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr double kDegrees = 180 / std::numbers::pi;
 
 struct InfoArguments {
   std::vector<std::string> inputs;
@@ -96,7 +99,10 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
   for (const ScanPart& scan : info.scans) j["scans"].push_back({{"name", scan.name}, {"points", scan.points}});
   j["stations"] = Json::array();
   for (const Station& station : info.stations) {
-    j["stations"].push_back({{"name", station.name}, {"position", vector_json(station.position)}});
+    j["stations"].push_back({{"name", station.name},
+                             {"position", vector_json(station.position)},
+                             {"azimuth_step_deg", station.azimuth_step * kDegrees},
+                             {"elevation_step_deg", station.elevation_step * kDegrees}});
   }
   const Suitability suits = suitability(info, m);
   j["suits"]["planes"] = {{"yes", suits.planes}, {"reason", suits.reason}};
@@ -138,7 +144,11 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   for (const ScanPart& scan : info.scans) row("scan", scan.name + ": " + grouped(scan.points) + " points");
   for (const Station& station : info.stations) {
     const Vec3 at = station.position;
-    row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}", station.name, at.x, at.y, at.z));
+    const bool known = station.azimuth_step > 0;
+    const std::string steps = known ? fmt::format(", steps of {:.4f} and {:.4f} degrees",
+                                                  station.azimuth_step * kDegrees, station.elevation_step * kDegrees)
+                                    : "";
+    row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}{}", station.name, at.x, at.y, at.z, steps));
   }
   const Suitability suits = suitability(info, m);
   row("planes", (suits.planes ? "yes: " : "no: ") + suits.reason);

@@ -51,6 +51,13 @@ double value_of(const Scan& scan, Use use, const Batch& batch, std::size_t i) {
 
 }  // namespace
 
+std::optional<Vec3> local_position(const Scan& scan, const Batch& batch, std::size_t i) {
+  const bool cartesian = scan.cartesian();
+  if (flagged(scan, cartesian ? kCartesianState : kSphericalState, batch, i)) return std::nullopt;
+  if (cartesian) return Vec3{batch[kX][i], batch[kY][i], batch[kZ][i]};
+  return from_spherical(batch[kRange][i], batch[kAzimuth][i], batch[kElevation][i]);
+}
+
 Rows::Rows(const std::vector<Scan>& scans)
     : columns_{
           {"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64}, {"point source id", FieldType::u16}} {
@@ -82,11 +89,9 @@ void Rows::add(const char* name, FieldType type, Use use, bool wanted) {
 
 bool Rows::fill(const Scan& scan, std::size_t number, const Batch& batch, std::size_t i,
                 std::span<double> values) const {
-  const bool cartesian = scan.cartesian();
-  if (flagged(scan, cartesian ? kCartesianState : kSphericalState, batch, i)) return false;
-  const Vec3 local = cartesian ? Vec3{batch[kX][i], batch[kY][i], batch[kZ][i]}
-                               : from_spherical(batch[kRange][i], batch[kAzimuth][i], batch[kElevation][i]);
-  const Vec3 world = turned(scan, local) + (scan.pose ? scan.pose->translation : Vec3{});
+  const auto local = local_position(scan, batch, i);
+  if (!local) return false;
+  const Vec3 world = turned(scan, *local) + (scan.pose ? scan.pose->translation : Vec3{});
   values[0] = world.x;
   values[1] = world.y;
   values[2] = world.z;

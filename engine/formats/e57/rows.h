@@ -2,6 +2,7 @@
 // Points of E57 scans as rows of one table: every scan fills the same columns, whatever fields it has.
 #pragma once
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,6 +11,10 @@
 #include "engine/formats/table.h"
 
 namespace ilot::e57 {
+
+// Where point i of a batch lies from the scanner, in its own frame; nothing when the point is in an invalid state. May
+// be not a number.
+std::optional<Vec3> local_position(const Scan& scan, const Batch& batch, std::size_t i);
 
 class Rows {
  public:

@@ -140,6 +140,48 @@ TEST(E57, PosesTurnAndMovePointsAndNormals) {
   EXPECT_TRUE(o.reader->info().warnings.empty());
 }
 
+// A wall at x = 10 m in steps of 2 mrad about the scanner's axis and 1 mrad along it, by a scanner that lies on its
+// side.
+std::string scanned_wall(bool with_grid) {
+  std::vector<double> x, y, z;
+  std::vector<std::int64_t> row, column;
+  for (int c = 0; c < 40; ++c)
+    for (int r = 0; r < 60; ++r) {
+      const double a = 0.002 * c - 0.03, e = 0.001 * r - 0.02;
+      if ((c * 7 + r) % 9 == 0) continue;
+      x.push_back(10);
+      y.push_back(10 * std::tan(a));
+      z.push_back(10 / std::cos(a) * std::tan(e));
+      row.push_back(r);
+      column.push_back(c);
+    }
+  E57Scan scan{"s",
+               e57_pose("0.70710678118654752", "0.70710678118654752", "0", "0", "5", "6", "7"),
+               {double_field("cartesianX", x), double_field("cartesianY", y), double_field("cartesianZ", z)}};
+  if (with_grid) {
+    scan.fields.push_back(integer_field("rowIndex", 0, 59, row));
+    scan.fields.push_back(integer_field("columnIndex", 0, 39, column));
+  }
+  E57Writer writer;
+  writer.add(scan);
+  return writer.finish();
+}
+
+TEST(E57, RowsAndColumnsOrTheOrderOfPointsTellTheAngularSteps) {
+  for (const bool with_grid : {true, false}) {
+    SCOPED_TRACE(with_grid);
+    const Folder folder;
+    const Opened o = open_bytes(folder, scanned_wall(with_grid));
+    ASSERT_EQ(o.reader->info().stations.size(), 1u);
+    const Station& s = o.reader->info().stations[0];
+    EXPECT_NEAR(s.azimuth_step, 0.002, 2e-5);
+    EXPECT_NEAR(s.elevation_step, 0.001, 1e-5);
+    EXPECT_NEAR(s.axis.y, -1, 1e-12);
+    EXPECT_NEAR(s.axis.z, 0, 1e-12);
+    EXPECT_EQ(s.position.x, 5);
+  }
+}
+
 TEST(E57, SphericalCoordinatesBecomeCartesian) {
   const Folder folder;
   const std::vector<double> range{10, 20, 5, 1}, azimuth{0, 0.7, -2.5, NAN}, elevation{0, 0.3, -1.1, 0};

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/formats/ptx.h"
 
+#include <cmath>
+#include <cstdio>
+
 #include "tests/engine/formats/fixtures.h"
 
 namespace ilot {
@@ -65,6 +68,34 @@ TEST(Ptx, ScansOfDifferentContentFollowEachOther) {
   EXPECT_EQ(o.fields(2).source_id, 2);
   EXPECT_NEAR(o.point(2).y, 21, 1e-9);
   EXPECT_EQ(read_all(*o.reader, 1).bytes, o.rows.bytes) << "a second reading gives the same";
+}
+
+// A wall at x = 10 m, scanned in steps of 2 and 1 mrad by a scanner that lies on its side.
+TEST(Ptx, TheGridTellsTheAngularSteps) {
+  const Folder folder;
+  std::string text = "40\n60\n5 6 7\n1 0 0\n0 0 -1\n0 1 0\n1 0 0 0\n0 0 -1 0\n0 1 0 0\n5 6 7 1\n";
+  for (int column = 0; column < 40; ++column)
+    for (int row = 0; row < 60; ++row) {
+      const double a = 0.002 * column - 0.03, e = 0.001 * row - 0.02;
+      char line[100];
+      std::snprintf(line, sizeof line, "10 %.4f %.4f 0.5\n", 10 * std::tan(a), 10 / std::cos(a) * std::tan(e));
+      text += (column * 7 + row) % 9 == 0 ? "0 0 0 0.5\n" : line;
+    }
+  const Opened o = open_text_of(folder, text);
+  ASSERT_EQ(o.reader->info().stations.size(), 1u);
+  const Station& s = o.reader->info().stations[0];
+  EXPECT_NEAR(s.azimuth_step, 0.002, 2e-5);
+  EXPECT_NEAR(s.elevation_step, 0.001, 1e-5);
+  EXPECT_EQ(s.position.y, 6);
+  EXPECT_EQ(s.axis.y, 1);
+  EXPECT_EQ(s.axis.z, 0);
+}
+
+TEST(Ptx, TooFewPointsTellNoSteps) {
+  const Folder folder;
+  const Opened o =
+      open_text_of(folder, std::string("2\n2\n") + kPlain + "5 0 0 1\n5 0 0.1 1\n5 0.1 0 1\n5 0.1 0.1 1\n");
+  EXPECT_EQ(o.reader->info().stations.at(0).azimuth_step, 0);
 }
 
 TEST(Ptx, MalformedLinesAreRejectedAndCutFilesKeepWhatIsThere) {

@@ -8,6 +8,7 @@
 #include <functional>
 #include <span>
 
+#include "engine/segments/boundary_edges.h"
 #include "engine/segments/label_pass.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/plane_frame.h"
@@ -236,6 +237,22 @@ TEST(BoundariesPass, PointsAtOnePlaceShareTheirFlag) {
     }
   }
   EXPECT_GT(flagged, 100u);
+}
+
+// Noise puts the points of a plane at z = 0 on both sides of a border of tiles, one by one.
+TEST(BoundariesPass, APlaneAlongABorderOfCellsIsNotTorn) {
+  std::vector<Index3> points;
+  test::add_surface(points, {0, 0, 0}, {6000, 6000, 0}, 60, 4, [](double, double) { return 0.0; });
+  const PlaneStore s(points);
+  ASSERT_EQ(s.joined.planes.size(), 1u);
+  ASSERT_GE(s.cloud.store().blocks().size(), 2u);
+  const Result r = boundaries(s, 0);
+  expect_equal(r.outlines[0], outline_at_once(s, 1, 0));
+  std::size_t edges = 0, around = 0;
+  for (std::uint32_t b = 0; b < s.cloud.store().blocks().size(); ++b)
+    edges += read_column<SeamEdge>(s.cloud.store().path(b, "seam_edges")).size();
+  for (const std::uint8_t flag : r.boundary) around += flag;
+  EXPECT_LT(edges, around + around / 10) << "edges inside would be given by both sides";
 }
 
 // More points in a block than are looked at together.

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kRoofShare = 0.9;  // of the points that carry their face
+constexpr double kRoofShare = 0.93;  // of the points that carry their face
 
 struct Labelled {
   std::vector<Index3> points;         // millimetres

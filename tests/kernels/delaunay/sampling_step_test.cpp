@@ -53,6 +53,25 @@ TEST(PredictedStep, EqualsTheRaysCellForAnyPlaneAndDirection) {
   EXPECT_GT(met, 1000);
 }
 
+// A raster of rays on a slanting wall: as many points fall into a window as its density says.
+TEST(PredictedDensity, IsThatOfTheRaysOnAnyPlane) {
+  const double length = std::sqrt(0.8 * 0.8 + 0.5 * 0.5 + 0.3 * 0.3);
+  const Plane wall{{-0.8 / length, 0.5 / length, 0.3 / length}, 20};
+  const Scanner station{{1, 2, 0}, {0, 0, 1}, 0.002, 0.001};
+  const Vec3 middle = hit(wall, station.position, direction(0.1, 0.2));
+  int inside = 0;
+  for (int a = -400; a <= 400; ++a)
+    for (int e = -800; e <= 800; ++e)
+      inside += norm(hit(wall, station.position, direction(0.1 + 0.002 * a, 0.2 + 0.001 * e)) - middle) < 0.8;
+  const double expected = inside / (M_PI * 0.8 * 0.8);
+  ASSERT_GT(inside, 500);
+  // The density changes over the disc and its edge cuts cells: a few per cent of either.
+  EXPECT_NEAR(predicted_density(station, wall, middle), expected, 0.05 * expected);
+  const std::vector<Scanner> twice{station, station};
+  EXPECT_DOUBLE_EQ(predicted_density(twice, wall, middle), 2 * predicted_density(station, wall, middle));
+  EXPECT_EQ(predicted_density(station, wall, station.position), 0);
+}
+
 TEST(PredictedStep, TheDocumentsFormulaIsAQuarterShortAt45Degrees) {
   const Plane wall{{-1, 0, 0}, 10};
   const Scanner station{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
