@@ -17,6 +17,7 @@ constexpr double kTallestWall = 1;  // metres
 constexpr Cost kForbidden = Cost{1} << 40;
 constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
+constexpr double kBareTipSteps = 3;  // a tip that long holds nine points or more, were it as wide: one is seen
 constexpr int kRounds = 8;
 
 struct Box {
@@ -122,12 +123,19 @@ class Labelling {
     }
   }
 
+  // Metres that a face may rise above its highest point: its tip, or a face that has narrowed to nothing, is as steep as
+  // the rest and may be without a point for some steps.
+  double overshoot(const RoofPlane& plane) const {
+    const double slope = std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy);
+    return std::max(params_.overshoot, kBareTipSteps * planes_.step * slope);
+  }
+
   void forbid_overshoot() {
     const auto check = [&](std::uint32_t region, FlatPoint at) {
       if (region == kOutside) return;
       for (Candidate& c : candidates_[region - 1]) {
         const RoofPlane& plane = planes_.planes[c.plane];
-        const double over = plane.at(at.x, at.y) - plane.highest - params_.overshoot;
+        const double over = plane.at(at.x, at.y) - plane.highest - overshoot(plane);
         if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
       }
     };
