@@ -282,7 +282,8 @@ void pass_through_near_vertices(Partition& p, double reach) {
     const auto first = std::lower_bound(p.vertices.begin(), p.vertices.end(), a.x - reach_mm,
                                         [](Point2 v, double x) { return v.x < x; });
     for (auto v = first; v != p.vertices.end() && v->x <= b.x + reach_mm; ++v) {
-      const double along = static_cast<double>(v->x - a.x) * (b.x - a.x) + static_cast<double>(v->y - a.y) * (b.y - a.y);
+      const double along =
+          static_cast<double>(v->x - a.x) * (b.x - a.x) + static_cast<double>(v->y - a.y) * (b.y - a.y);
       if (along <= 0 || along >= length2 || *v == a || *v == b) continue;
       if (std::abs(static_cast<double>(orient2d(a, b, *v))) > reach_mm * length) continue;
       passed.emplace_back(along, static_cast<std::uint32_t>(v - p.vertices.begin()));

@@ -8,6 +8,7 @@
 #include <queue>
 #include <tuple>
 
+#include "engine/roofs/face_rectangles.h"
 #include "engine/roofs/step_offset.h"
 #include "kernels/delaunay/delaunay.h"
 
@@ -22,11 +23,8 @@ constexpr double kFarthest = 15;                         // metres that a line g
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
 constexpr double kLeastRunSteps = 1;
 constexpr double kAligned = 0.1;           // metres between a step and the line that it is taken to lie on
-constexpr double kSmallFace = 10;          // m2; faces below are tried as rectangles too ...
-constexpr double kFilled = 0.65;           // ... where their points cover so much of the rectangle: triangles do not
 constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
-constexpr double kClearlySmaller = 0.98;   // of rectangles: the likelier direction unless another saves so much
 constexpr std::size_t kMostDirections = 16;
 
 // A place on the border of two planes.
@@ -338,9 +336,7 @@ void align(std::vector<Run>& runs, const std::vector<FlatEdge>& outline) {
   for (Run& run : runs) {
     const FlatPoint low = on(run, run.low), high = on(run, run.high);
     const auto off = [&](const Line& line) {
-      const auto from = [&](FlatPoint p) {
-        return std::abs(cross(line.along, {p.x - line.at.x, p.y - line.at.y}));
-      };
+      const auto from = [&](FlatPoint p) { return std::abs(cross(line.along, {p.x - line.at.x, p.y - line.at.y})); };
       return std::max(from(low), from(high));
     };
     const auto nearest =
@@ -398,47 +394,6 @@ std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, cons
   return longer;
 }
 
-// The sides of the smallest rectangle around a plane's points in one of the directions, half a step beyond them.
-void add_rectangle(const std::vector<FlatPoint>& points, const std::vector<FlatPoint>& directions, double step,
-                   std::vector<FlatEdge>& lines) {
-  const double margin = step / 2;
-  struct Rectangle {
-    double area = INFINITY, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    FlatPoint along;
-  } best;
-  for (const FlatPoint d : directions) {
-    Rectangle r{0, INFINITY, -INFINITY, INFINITY, -INFINITY, d};
-    for (const FlatPoint p : points) {
-      r.u0 = std::min(r.u0, dot(d, p) - margin);
-      r.u1 = std::max(r.u1, dot(d, p) + margin);
-      r.v0 = std::min(r.v0, cross(d, p) - margin);
-      r.v1 = std::max(r.v1, cross(d, p) + margin);
-    }
-    r.area = (r.u1 - r.u0) * (r.v1 - r.v0);
-    if (r.area < best.area * kClearlySmaller) best = r;
-  }
-  if (static_cast<double>(points.size()) * step * step < kFilled * best.area) return;
-  const auto at = [&](double u, double v) {
-    return FlatPoint{u * best.along.x - v * best.along.y, u * best.along.y + v * best.along.x};
-  };
-  constexpr double kBeyond = 0.01;  // metres past the corners, so that rounding leaves no gap
-  for (const double v : {best.v0, best.v1}) lines.push_back({at(best.u0 - kBeyond, v), at(best.u1 + kBeyond, v)});
-  for (const double u : {best.u0, best.u1}) lines.push_back({at(u, best.v0 - kBeyond), at(u, best.v1 + kBeyond)});
-}
-
-// Dormers and chimneys show too little of their borders for lines of their own: they are boxes more often than not.
-void add_rectangles(const RoofSite& site, const RoofPlanes& planes, const std::vector<FlatPoint>& directions,
-                    std::vector<FlatEdge>& lines) {
-  std::vector<std::vector<FlatPoint>> members(planes.planes.size());
-  for (std::size_t i = 0; i < site.points.size(); ++i) {
-    const std::uint32_t plane = planes.of_point[i];
-    if (plane != 0 && planes.planes[plane - 1].points * planes.step * planes.step < kSmallFace)
-      members[plane - 1].push_back({site.points[i].x, site.points[i].y});
-  }
-  for (const auto& points : members)
-    if (!points.empty()) add_rectangle(points, directions, planes.step, lines);
-}
-
 }  // namespace
 
 std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
@@ -454,7 +409,8 @@ std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes)
     add_steps(runs, extension(planes), lines);
   }
   lines = reaching_the_next(lines, outline);
-  add_rectangles(site, planes, directions, lines);
+  const std::vector<FlatEdge> sides = face_rectangles(site, planes, directions, lines);
+  lines.insert(lines.end(), sides.begin(), sides.end());
   return lines;
 }
 
