@@ -5,6 +5,9 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <optional>
+#include <set>
+#include <utility>
 
 namespace ilot {
 namespace {
@@ -14,6 +17,7 @@ constexpr double kFilled = 0.65;          // of the rectangle, by its points giv
 constexpr double kClearlySmaller = 0.98;  // the likelier direction unless another saves so much
 constexpr double kAligned = 0.1;          // metres between a side and the line that it is taken to lie on
 constexpr double kReachSteps = 2;         // beyond a side, where the points of others bear on it
+constexpr double kLeastRise = 0.3;        // of a plane over another that ends where it meets it
 constexpr double kBeyond = 0.01;          // metres past the corners, so that rounding leaves no gap
 
 double cross(FlatPoint a, FlatPoint b) {
@@ -91,18 +95,27 @@ class Drawer {
     double gap = INFINITY;
     bool higher = false;
   };
+  struct Surroundings {
+    std::array<Beyond, 2> u, v;
+    std::set<std::uint32_t> planes;
+  };
 
   Rectangle placed(const Rectangle& box, std::uint32_t plane) const {
-    std::array<Beyond, 2> u, v;
     const double reach = kReachSteps * planes_.step;
-    look_around(box, plane, reach, u, v);
+    const Surroundings seen = look_around(box, plane, reach);
     Rectangle r = box;
+    const FlatPoint across{-box.along.y, box.along.x};
     const double width = box.u[1] - box.u[0], depth = box.v[1] - box.v[0];
     for (const std::size_t end : {0u, 1u}) {
       const double out = end == 0 ? -1 : 1;
-      r.u[end] += out * margin(u[end], depth, reach);
-      r.v[end] += out * margin(v[end], width, reach);
+      const auto at_u = meeting(plane, seen.planes, {box.at(box.u[end], box.v[0]), box.at(box.u[end], box.v[1])},
+                                {out * box.along.x, out * box.along.y}, seen.u[end].gap);
+      const auto at_v = meeting(plane, seen.planes, {box.at(box.u[0], box.v[end]), box.at(box.u[1], box.v[end])},
+                                {out * across.x, out * across.y}, seen.v[end].gap);
+      r.u[end] += out * at_u.value_or(margin(seen.u[end], depth, reach));
+      r.v[end] += out * at_v.value_or(margin(seen.v[end], width, reach));
     }
+    if (r.u[0] >= r.u[1] || r.v[0] >= r.v[1]) r = box;
     for (const FlatEdge& line : lines_) align(line, r);
     return r;
   }
@@ -115,8 +128,26 @@ class Drawer {
     return beyond.higher ? beyond.gap - share : share;
   }
 
-  void look_around(const Rectangle& box, std::uint32_t plane, double reach, std::array<Beyond, 2>& u,
-                   std::array<Beyond, 2>& v) const {
+  // How far beyond a side the plane runs into one that rises outwards, parallel to the side.
+  std::optional<double> meeting(std::uint32_t plane, const std::set<std::uint32_t>& others, FlatEdge side,
+                                FlatPoint outwards, double gap) const {
+    const RoofPlane& own = planes_.planes[plane - 1];
+    std::optional<double> nearest;
+    for (const std::uint32_t number : others) {
+      const RoofPlane& other = planes_.planes[number - 1];
+      const double rise = (other.gx - own.gx) * outwards.x + (other.gy - own.gy) * outwards.y;
+      if (rise < kLeastRise) continue;
+      const double a = (own.at(side.a.x, side.a.y) - other.at(side.a.x, side.a.y)) / rise;
+      const double b = (own.at(side.b.x, side.b.y) - other.at(side.b.x, side.b.y)) / rise;
+      const double at = (a + b) / 2;
+      if (std::abs(a - b) > 2 * kAligned || at < -planes_.step || at > std::min(gap, planes_.step)) continue;
+      if (!nearest || at < *nearest) nearest = at;
+    }
+    return nearest;
+  }
+
+  Surroundings look_around(const Rectangle& box, std::uint32_t plane, double reach) const {
+    Surroundings seen;
     double low_x = INFINITY, high_x = -INFINITY;
     for (const double s : box.u)
       for (const double t : box.v) {
@@ -130,9 +161,12 @@ class Drawer {
       const Vec3 p = site_.points[*at];
       const double s = dot(box.along, {p.x, p.y}), t = cross(box.along, {p.x, p.y});
       const bool higher = p.z > planes_.planes[plane - 1].at(p.x, p.y);
-      if (t > box.v[0] && t < box.v[1]) note(s, box.u, higher, u);
-      if (s > box.u[0] && s < box.u[1]) note(t, box.v, higher, v);
+      if (t > box.v[0] && t < box.v[1]) note(s, box.u, higher, seen.u);
+      if (s > box.u[0] && s < box.u[1]) note(t, box.v, higher, seen.v);
+      if (s > box.u[0] - reach && s < box.u[1] + reach && t > box.v[0] - reach && t < box.v[1] + reach)
+        seen.planes.insert(planes_.of_point[*at]);
     }
+    return seen;
   }
 
   static void note(double s, const std::array<double, 2>& ends, bool higher, std::array<Beyond, 2>& sides) {

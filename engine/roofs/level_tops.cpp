@@ -2,6 +2,7 @@
 #include "engine/roofs/level_tops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -14,12 +15,12 @@
 namespace ilot {
 namespace {
 
-constexpr double kReachSteps = 2;
+constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // of one point of a top to the next; less where that joins several
 constexpr std::size_t kFewest = 5;
 constexpr std::size_t kMembersPerOther = 5;  // within the hull
 constexpr double kLeastCover = 0.25;         // of the hull, of what its points stand for
-constexpr double kSmallPlane = 2;            // m2 that the points of a plane stand for; below, a top may take them ...
-constexpr double kMostOf = 0.6;              // ... when it takes so much of them: a slope is no top
+constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
+constexpr double kMostOf = 0.6;              // ... when it takes so much of them or the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -50,7 +51,11 @@ class ByPlace {
 class TopFinder {
  public:
   TopFinder(const RoofSite& site, RoofPlanes& planes)
-      : site_(site), planes_(planes), free_(site.points, free_points()), all_(site.points, everyone()) {}
+      : site_(site),
+        planes_(planes),
+        all_(site.points, everyone()),
+        no_surface_(torn()),
+        free_(site.points, free_points()) {}
 
   void run() {
     std::vector<std::pair<std::size_t, std::uint32_t>> seeds;  // by the points around them
@@ -62,9 +67,14 @@ class TopFinder {
               [](const auto& a, const auto& b) { return std::pair(b.first, a.second) < std::pair(a.first, b.second); });
     for (const auto& [around, seed] : seeds) {
       if (!is_free(seed)) continue;
-      Indices top = grown_from(seed, site_.points[seed].z);
-      top = grown_from(seed, mean_height(top));
-      if (top.size() >= kFewest && is_surface(top) && takes_most(top)) add(top);
+      for (const double steps : kReachSteps) {
+        reach_ = steps * planes_.step;
+        Indices top = grown_from(seed, site_.points[seed].z);
+        top = grown_from(seed, mean_height(top));
+        if (top.size() < kFewest || !is_surface(top) || !takes_most(top)) continue;
+        add(top);
+        break;
+      }
     }
   }
 
@@ -80,7 +90,30 @@ class TopFinder {
     if (planes_.on_wall[i] != 0) return false;
     const std::uint32_t plane = planes_.of_point[i];
     if (plane == 0) return true;
-    return plane <= given_ && planes_.planes[plane - 1].points * planes_.step * planes_.step < kSmallPlane;
+    return plane <= given_ && is_small(plane);
+  }
+
+  bool is_small(std::uint32_t plane) const {
+    return planes_.planes[plane - 1].points * planes_.step * planes_.step < kSmallPlane;
+  }
+
+  // Small planes with many points off them in the midst of their own: tops of several boxes taken for one.
+  std::set<std::uint32_t> torn() const {
+    std::map<std::uint32_t, Indices> members;
+    for (const std::uint32_t i : everyone())
+      if (planes_.of_point[i] != 0 && is_small(planes_.of_point[i])) members[planes_.of_point[i]].push_back(i);
+    std::set<std::uint32_t> planes;
+    for (const auto& [plane, points] : members)
+      if (others_within(hull_of(points), planes_.planes[plane - 1]) * kMembersPerOther > points.size())
+        planes.insert(plane);
+    return planes;
+  }
+
+  std::vector<Point2> hull_of(const Indices& points) const {
+    std::vector<Point2> places, hull;
+    for (const std::uint32_t i : points) places.push_back(millimetres(site_.points[i]));
+    for (const std::uint32_t v : convex_hull(places)) hull.push_back(places[v]);
+    return hull;
   }
 
   Indices free_points() const {
@@ -97,13 +130,12 @@ class TopFinder {
 
   // Free points around one of them, at a height.
   Indices level_around(std::uint32_t i, double height) const {
-    const double reach = kReachSteps * planes_.step;
     const Vec3 p = site_.points[i];
     Indices found;
-    free_.between(p.x - reach, p.x + reach, [&](std::uint32_t j) {
+    free_.between(p.x - reach_, p.x + reach_, [&](std::uint32_t j) {
       const Vec3 q = site_.points[j];
       const double dx = q.x - p.x, dy = q.y - p.y;
-      if (j == i || !is_free(j) || dx * dx + dy * dy > reach * reach) return;
+      if (j == i || !is_free(j) || dx * dx + dy * dy > reach_ * reach_) return;
       if (std::abs(q.z - height) <= planes_.epsilon) found.push_back(j);
     });
     return found;
@@ -119,19 +151,19 @@ class TopFinder {
   }
 
   bool is_surface(const Indices& top) const {
-    std::vector<Point2> places;
-    for (const std::uint32_t i : top) places.push_back(millimetres(site_.points[i]));
-    std::vector<Point2> hull;
-    for (const std::uint32_t v : convex_hull(places)) hull.push_back(places[v]);
+    const std::vector<Point2> hull = hull_of(top);
     double twice_area = 0;
     for (std::size_t i = 1; i + 1 < hull.size(); ++i)
       twice_area += static_cast<double>(orient2d(hull[0], hull[i], hull[i + 1]));
     const double stood_for = static_cast<double>(top.size()) * planes_.step * planes_.step;
     if (twice_area * 0.5e-6 < kLeastCover * stood_for) return false;
-    return others_within(hull, mean_height(top)) * kMembersPerOther <= top.size();
+    RoofPlane level;
+    level.c = mean_height(top);
+    return others_within(hull, level) * kMembersPerOther <= top.size();
   }
 
-  std::size_t others_within(std::span<const Point2> hull, double height) const {
+  // Points off the plane.
+  std::size_t others_within(std::span<const Point2> hull, const RoofPlane& plane) const {
     std::int32_t low = hull[0].x, high = low;
     for (const Point2 v : hull) {
       low = std::min(low, v.x);
@@ -142,26 +174,38 @@ class TopFinder {
       const Point2 p = millimetres(site_.points[i]);
       for (std::size_t k = 0; k < hull.size(); ++k)
         if (orient2d(hull[k], hull[(k + 1) % hull.size()], p) <= 0) return;
-      others += std::abs(site_.points[i].z - height) > 2 * planes_.epsilon;
+      const Vec3 at = site_.points[i];
+      const double lean = std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy);
+      others += std::abs(at.z - plane.at(at.x, at.y)) > 2 * planes_.epsilon * lean;
     });
     return others;
   }
 
-  // Of every plane whose points it has; of two small slopes no top is made.
-  bool takes_most(const Indices& top) const {
+  // Points of every plane in the top.
+  std::map<std::uint32_t, std::uint32_t> taken_by(const Indices& top) const {
     std::map<std::uint32_t, std::uint32_t> taken;
-    for (const std::uint32_t i : top) ++taken[planes_.of_point[i]];
+    for (const std::uint32_t i : top)
+      if (planes_.of_point[i] != 0) ++taken[planes_.of_point[i]];
+    return taken;
+  }
+
+  bool is_most(std::uint32_t plane, std::uint32_t points) const {
+    return points >= kMostOf * planes_.planes[plane - 1].points;
+  }
+
+  bool takes_most(const Indices& top) const {
+    const auto taken = taken_by(top);
     return std::all_of(taken.begin(), taken.end(), [&](const auto& entry) {
-      return entry.first == 0 || entry.second >= kMostOf * planes_.planes[entry.first - 1].points;
+      return no_surface_.contains(entry.first) || is_most(entry.first, entry.second);
     });
   }
 
-  // Planes that lost points to it lose them all.
+  // A plane that lost most of its points to it loses the others too.
   void add(const Indices& top) {
-    std::set<std::uint32_t> lost;
-    for (const std::uint32_t i : top) lost.insert(planes_.of_point[i]);
-    for (std::uint32_t& label : planes_.of_point)
-      if (label != 0 && lost.contains(label)) label = 0;
+    for (const auto& [plane, points] : taken_by(top)) {
+      if (is_most(plane, points)) std::replace(planes_.of_point.begin(), planes_.of_point.end(), plane, 0u);
+      planes_.planes[plane - 1].points -= points;
+    }
     RoofPlane plane;
     plane.c = mean_height(top);
     plane.lowest = plane.highest = site_.points[top[0]].z;
@@ -178,8 +222,11 @@ class TopFinder {
 
   const RoofSite& site_;
   RoofPlanes& planes_;
+  double reach_ = kReachSteps.front() * planes_.step;
   std::size_t given_ = planes_.planes.size();  // planes that were there before
-  ByPlace free_, all_;
+  ByPlace all_;
+  std::set<std::uint32_t> no_surface_;  // planes
+  ByPlace free_;
 };
 
 void drop_empty_planes(RoofPlanes& planes) {
