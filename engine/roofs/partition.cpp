@@ -14,6 +14,7 @@
 #include "engine/error.h"
 #include "engine/geos_context.h"
 #include "kernels/core/union_find.h"
+#include "kernels/delaunay/rings.h"
 
 namespace ilot {
 namespace {
@@ -411,6 +412,25 @@ Partition merged(const Partition& partition, std::span<const std::uint32_t> labe
   Straightener(m, fixed).run();
   tidy(m);
   return m;
+}
+
+std::vector<SitePolygon> region_polygons(const Partition& partition) {
+  std::vector<std::vector<BoundaryEdge>> edges(partition.regions + 1);
+  for (const PartitionEdge& e : partition.edges) {
+    edges[e.left].push_back({e.from, e.to, e.left});
+    edges[e.right].push_back({e.to, e.from, e.right});
+  }
+  std::vector<SitePolygon> all;
+  for (std::uint32_t r = 1; r <= partition.regions; ++r) {
+    const Polygons polygons = assemble_rings(edges[r], partition.vertices);
+    for (const Ring& ring : polygons.rings) {
+      if (&ring == &polygons.rings.front() || ring.polygon != (&ring - 1)->polygon) all.emplace_back();
+      auto& corners = all.back().emplace_back();
+      for (std::uint32_t i = 0; i < ring.count; ++i)
+        corners.push_back(partition.vertices[polygons.vertices[ring.first + i]]);
+    }
+  }
+  return all;
 }
 
 std::vector<double> region_areas(const Partition& partition) {
