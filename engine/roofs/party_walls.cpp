@@ -34,7 +34,8 @@ double cross(FlatPoint a, FlatPoint b) {
 // Where an upright line of the frame could part the outline, and the clearness of that.
 struct Wall {
   FlatEdge cut;
-  double metres = 0;  // of step
+  double clearness = 0;  // metres with a step less those without
+  double length = 0;
 };
 
 // Directions of the outline and across them, the longest first.
@@ -156,11 +157,15 @@ class HeightRows {
                                                                : heights_[r * columns_ + static_cast<std::size_t>(c)];
   }
 
+  struct Jump {
+    double rise = 0, top = 0;  // towards the right; height of the upper side
+  };
+
   // How much higher the right side of a border is than the roof of the left side goes on to be; nothing where one of
   // them has no point. Cells that hold both sides show the upper one, so a step is looked for one cell farther too.
-  std::optional<double> jump(std::size_t r, std::size_t c) const {
+  std::optional<Jump> jump(std::size_t r, std::size_t c) const {
     const auto left = static_cast<std::ptrdiff_t>(c);
-    std::optional<double> largest;
+    std::optional<Jump> largest;
     for (const std::ptrdiff_t l : {left, left - 1}) {
       const double a = at(r, l), b = at(r, l + 1);
       if (a == kEmpty || b == kEmpty) continue;
@@ -168,7 +173,7 @@ class HeightRows {
       const double slope_a = before == kEmpty ? 0 : a - before, slope_b = after == kEmpty ? 0 : after - b;
       const double most = kSteepest * cell_;
       const double rise = b - a - (std::clamp(slope_a, -most, most) + std::clamp(slope_b, -most, most)) / 2;
-      if (!largest || std::abs(rise) > std::abs(*largest)) largest = rise;
+      if (!largest || std::abs(rise) > std::abs(largest->rise)) largest = Jump{rise, std::max(a, b)};
     }
     return largest;
   }
@@ -178,12 +183,12 @@ class HeightRows {
     const double length = static_cast<double>(last - first) * cell_;
     if (length < params.least_wall || !deep(c, first, last, params.least_depth)) return std::nullopt;
     std::size_t seen_rows = 0, stepped = 0;
-    std::vector<double> jumps;
+    std::vector<Jump> jumps;
     for (std::size_t r = first; r < last; ++r) {
-      const std::optional<double> rise = jump(r, c);
-      seen_rows += rise.has_value();
-      jumps.push_back(rise && std::abs(*rise) >= params.least_step ? *rise : 0);
-      stepped += jumps.back() != 0;
+      const std::optional<Jump> seen_here = jump(r, c);
+      seen_rows += seen_here.has_value();
+      jumps.push_back(seen_here && std::abs(seen_here->rise) >= params.least_step ? *seen_here : Jump());
+      stepped += jumps.back().rise != 0;
     }
     if (static_cast<double>(seen_rows) < kSeenRows * static_cast<double>(last - first)) return std::nullopt;
     if (static_cast<double>(stepped) < params.least_share * static_cast<double>(seen_rows)) return std::nullopt;
@@ -195,7 +200,8 @@ class HeightRows {
       if (v >= middle) v1 = std::min(v1, v);
     }
     if (v1 - v0 > length + 2 * kLongerCells * cell_) return std::nullopt;
-    return Wall{{back({u, v0 - kBeyond}), back({u, v1 + kBeyond})}, static_cast<double>(stepped) * cell_};
+    return Wall{
+        {back({u, v0 - kBeyond}), back({u, v1 + kBeyond})}, 2 * static_cast<double>(stepped) * cell_ - length, length};
   }
 
   // Where an upright line of the frame meets the outline.
@@ -210,7 +216,7 @@ class HeightRows {
   }
 
   // Across the wall, between the upper and the lower points beside it.
-  double place(std::size_t c, std::size_t first, const std::vector<double>& jumps, double step) const {
+  double place(std::size_t c, std::size_t first, const std::vector<Jump>& jumps, double step) const {
     struct Ends {
       double upper = kEmpty, lower = kEmpty;  // towards the other side
     };
@@ -219,11 +225,12 @@ class HeightRows {
       const FlatPoint s = seen({p.x, p.y});
       if (s.x < border(c) - kNearCells * cell_ || s.x > border(c) + kNearCells * cell_ || s.y < low_.y) continue;
       const std::size_t r = row(s.y);
-      if (r < first || r - first >= jumps.size() || jumps[r - first] == 0) continue;
-      const double rise = jumps[r - first], outwards = rise > 0 ? -s.x : s.x;  // from the upper side to the lower
-      const double high = rise > 0 ? highest(r, c + 1, c + 2) : highest(r, c > 0 ? c - 1 : 0, c);
+      if (r < first || r - first >= jumps.size() || jumps[r - first].rise == 0) continue;
+      const Jump& here = jumps[r - first];
+      const double outwards = here.rise > 0 ? -s.x : s.x;  // from the upper side to the lower
       Ends& e = ends[r - first];
-      if (p.z > high - std::abs(rise) / 2) {
+      if (p.z > here.top + std::abs(here.rise) / 2) continue;  // of another step
+      if (p.z > here.top - std::abs(here.rise) / 2) {
         e.upper = std::max(e.upper, outwards);
       } else {
         e.lower = std::max(e.lower, -outwards);
@@ -232,15 +239,11 @@ class HeightRows {
     std::vector<StepGap> gaps;
     for (std::size_t i = 0; i < ends.size(); ++i) {
       if (ends[i].upper == kEmpty || ends[i].lower == kEmpty) continue;
-      const double sense = jumps[i] > 0 ? -1 : 1;
+      const double sense = jumps[i].rise > 0 ? -1 : 1;
       gaps.push_back({sense * ends[i].upper, -sense * ends[i].lower});
     }
     if (gaps.empty()) return border(c);
     return step_offset(gaps, step * step / (static_cast<double>(gaps.size()) * cell_));
-  }
-
-  double highest(std::size_t r, std::size_t c0, std::size_t c1) const {
-    return std::max(at(r, static_cast<std::ptrdiff_t>(c0)), at(r, static_cast<std::ptrdiff_t>(c1)));
   }
 
   static constexpr double kSteepest = 1.2;  // slopes beyond are steps of their own
@@ -262,7 +265,7 @@ std::vector<SitePolygon> parts_of(const SitePolygon& polygon, const Wall& wall, 
   const Partition cells = part(polygon, std::span(&wall.cut, 1));
   if (cells.regions != 2) return {};
   for (const double area : region_areas(cells))
-    if (area != 0 && (area < params.least_area || area < params.least_depth * wall.metres)) return {};
+    if (area != 0 && (area < params.least_area || area < params.least_depth * wall.length)) return {};
   return region_polygons(cells);
 }
 
@@ -271,7 +274,7 @@ std::optional<Wall> clearest_wall(const SitePolygon& polygon, std::span<const Ve
   std::vector<Wall> walls;
   for (const FlatPoint along : directions_of(polygon))
     HeightRows(polygon, points, along, kCellSteps * step).add_walls(step, params, walls);
-  std::stable_sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.metres > b.metres; });
+  std::stable_sort(walls.begin(), walls.end(), [](const Wall& a, const Wall& b) { return a.clearness > b.clearness; });
   if (walls.size() > kMostTried) walls.resize(kMostTried);
   for (const Wall& wall : walls)
     if (!parts_of(polygon, wall, params).empty()) return wall;

@@ -18,9 +18,10 @@ struct PartyWallParams {
 
 // The outline cut along straight lines from border to border, in a direction of its own or across it, where roofs are
 // apart in height nearly all the way: houses in a row seldom have the same roof. The clearest wall first (the most
-// metres of step), then those of its parts. Between the points of both sides a wall lies as other steps do
-// (step_offset.h). Parts share the vertices of their walls. Points in metres from the outline's anchor; `step` metres
-// between them. The largest part first. A function of the outline and the set of points. O(points x walls).
+// metres with a step less those without), then those of its parts. Between the points of both sides a wall lies as
+// other steps do (step_offset.h). Parts share the vertices of their walls. Points in metres from the outline's anchor;
+// `step` metres between them. The largest part first. A function of the outline and the set of points. O(points x
+// walls).
 std::vector<SitePolygon> split_at_party_walls(const SitePolygon& outline, std::span<const Vec3> points, double step,
                                               const PartyWallParams& params = {});
 
