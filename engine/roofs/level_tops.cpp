@@ -19,6 +19,7 @@ constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // of one point of a top to th
 constexpr std::size_t kFewest = 5;
 constexpr std::size_t kMembersPerOther = 5;  // within the hull
 constexpr double kLeastCover = 0.25;         // of the hull, of what its points stand for
+constexpr double kLargestTop = 10;           // m2 that its points stand for; more would be a plane by itself
 constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
 constexpr double kMostOf = 0.6;              // ... when it takes so much of them or the plane is no surface
 
@@ -66,15 +67,17 @@ class TopFinder {
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::pair(b.first, a.second) < std::pair(a.first, b.second); });
     for (const auto& [around, seed] : seeds) {
-      if (!is_free(seed)) continue;
+      if (!is_free(seed) || tried_[seed] != 0) continue;
+      Indices top;
       for (const double steps : kReachSteps) {
         reach_ = steps * planes_.step;
-        Indices top = grown_from(seed, site_.points[seed].z);
-        top = grown_from(seed, mean_height(top));
-        if (top.size() < kFewest || !is_surface(top) || !takes_most(top)) continue;
+        top = grown_from(seed, mean_height(grown_from(seed, site_.points[seed].z)));
+        if (top.size() < kFewest || is_large(top) || !is_surface(top) || !takes_most(top)) continue;
         add(top);
+        top.clear();
         break;
       }
+      for (const std::uint32_t i : top) tried_[i] = 1;  // what grows from them is much the same
     }
   }
 
@@ -141,11 +144,17 @@ class TopFinder {
     return found;
   }
 
-  Indices grown_from(std::uint32_t seed, double height) const {
+  bool is_large(const Indices& top) const {
+    return static_cast<double>(top.size()) * planes_.step * planes_.step > kLargestTop;
+  }
+
+  // Until it is too large.
+  Indices grown_from(std::uint32_t seed, double height) {
     Indices top{seed};
-    for (std::size_t next = 0; next < top.size(); ++next)
+    grown_[seed] = ++growth_;
+    for (std::size_t next = 0; next < top.size() && !is_large(top); ++next)
       for (const std::uint32_t j : level_around(top[next], height))
-        if (std::find(top.begin(), top.end(), j) == top.end()) top.push_back(j);
+        if (std::exchange(grown_[j], growth_) != growth_) top.push_back(j);
     std::sort(top.begin(), top.end());
     return top;
   }
@@ -222,6 +231,9 @@ class TopFinder {
 
   const RoofSite& site_;
   RoofPlanes& planes_;
+  std::vector<std::uint8_t> tried_ = std::vector<std::uint8_t>(site_.points.size(), 0);
+  std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // the last growth with it
+  std::uint32_t growth_ = 0;
   double reach_ = kReachSteps.front() * planes_.step;
   std::size_t given_ = planes_.planes.size();  // planes that were there before
   ByPlace all_;
