@@ -16,7 +16,9 @@ constexpr double kNearPlane = 3;    // metres around a plane's points where it i
 constexpr double kTallestWall = 1;  // metres
 constexpr Cost kForbidden = Cost{1} << 40;
 constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
+constexpr double kFar = 1;           // shares more that a point costs per metre off, up to one metre
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
+constexpr double kBareTipSteps = 3;  // a tip that long holds nine points or more, were it as wide: one is seen
 constexpr int kRounds = 8;
 constexpr std::uint32_t kNone = 0xffffffffu;
 
@@ -62,9 +64,10 @@ Cost cost_of(double square_metres) {
 // The share of its area that a point costs on a plane.
 double misfit(const RoofPlane& plane, Vec3 p, bool labelled, double epsilon) {
   const double lean = std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy);
-  const double off = std::abs(p.z - plane.at(p.x, p.y)) / (lean * epsilon);
+  const double gap = std::abs(p.z - plane.at(p.x, p.y)), off = gap / (lean * epsilon);
   if (!labelled) return off <= 1 ? 0 : kUnlabelled * std::min(1.0, (off - 1) / 2);
-  return off <= 1 ? kForeign * off * off : kForeign + (1 - kForeign) * std::min(1.0, (off - 1) / 2);
+  if (off <= 1) return kForeign * off * off;
+  return kForeign + (1 - kForeign) * std::min(1.0, (off - 1) / 2) + std::min(kFar, kFar * gap);
 }
 
 class Labelling {
@@ -133,12 +136,19 @@ class Labelling {
     }
   }
 
+  // Metres that a face may rise above its highest point: its tip, or a face that has narrowed to nothing, is as steep
+  // as the rest and may be without a point for some steps.
+  double overshoot(const RoofPlane& plane) const {
+    const double slope = std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy);
+    return std::max(params_.overshoot, kBareTipSteps * planes_.step * slope);
+  }
+
   void forbid_overshoot() {
     const auto check = [&](std::uint32_t region, FlatPoint at) {
       if (region == kOutside) return;
       for (Candidate& c : candidates_[region - 1]) {
         const RoofPlane& plane = planes_.planes[c.plane];
-        const double over = plane.at(at.x, at.y) - plane.highest - params_.overshoot;
+        const double over = plane.at(at.x, at.y) - plane.highest - overshoot(plane);
         if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
       }
     };

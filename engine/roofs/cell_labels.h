@@ -13,11 +13,11 @@ namespace ilot {
 struct CellLabelParams {
   double border = 0.15;    // m2 of contradicting points that a metre of border between two faces is worth
   double wall = 0.1;       // m2 that a square metre of wall between them is worth, up to a height of 1 m
-  double overshoot = 0.5;  // metres that a face may rise above its highest point
+  double overshoot = 0.5;  // metres that a face may rise above its highest point; a steep one three steps' rise
 };
 
 // A plane (1 + index) for every cell, so that the sum is least of
-//  - the points that lie off their cell's plane, each with the area it stands for,
+//  - the points that lie off their cell's plane, each with the area it stands for, twice that from a metre on,
 //  - the borders between cells with different planes, by length and by the height of the wall along them,
 //  - cells whose plane would rise above its points.
 // Alpha-expansion [Boykov, Veksler, Zabih 2001] with integer capacities, planes in the order of their numbers, until

@@ -14,6 +14,7 @@
 #include "engine/error.h"
 #include "engine/geos_context.h"
 #include "kernels/core/union_find.h"
+#include "kernels/delaunay/rings.h"
 #include "kernels/outlines/simple_ring.h"
 
 namespace ilot {
@@ -276,6 +277,36 @@ void drop_unused_vertices(Partition& p) {
   }
 }
 
+// Edges inside that pass a vertex within reach (metres) go through it.
+void pass_through_near_vertices(Partition& p, double reach) {
+  const double reach_mm = reach * 1000;
+  const auto edges = static_cast<std::uint32_t>(p.edges.size());
+  for (std::uint32_t i = 0; i < edges; ++i) {
+    const PartitionEdge e = p.edges[i];
+    if (e.left == kOutside || e.right == kOutside) continue;
+    const Point2 a = p.vertices[e.from], b = p.vertices[e.to];  // a.x <= b.x, as vertices ascend
+    const double length2 = static_cast<double>(squared_distance(a, b)), length = std::sqrt(length2);
+    std::vector<std::pair<double, std::uint32_t>> passed;
+    const auto first = std::lower_bound(p.vertices.begin(), p.vertices.end(), a.x - reach_mm,
+                                        [](Point2 v, double x) { return v.x < x; });
+    for (auto v = first; v != p.vertices.end() && v->x <= b.x + reach_mm; ++v) {
+      const double along =
+          static_cast<double>(v->x - a.x) * (b.x - a.x) + static_cast<double>(v->y - a.y) * (b.y - a.y);
+      if (along <= 0 || along >= length2 || *v == a || *v == b) continue;
+      if (std::abs(static_cast<double>(orient2d(a, b, *v))) > reach_mm * length) continue;
+      passed.emplace_back(along, static_cast<std::uint32_t>(v - p.vertices.begin()));
+    }
+    std::sort(passed.begin(), passed.end());
+    std::uint32_t from = e.from;
+    for (const auto& [along, v] : passed) {
+      p.edges.push_back({from, v, e.left, e.right});
+      from = v;
+    }
+    p.edges[i].from = from;
+  }
+  tidy(p);
+}
+
 }  // namespace
 
 void tidy(Partition& p) {
@@ -320,6 +351,7 @@ void close_short_edges(Partition& p, const SitePolygon& outline, double shortest
   }
   for (std::uint32_t v = 0; v < p.vertices.size(); ++v) p.vertices[v] = p.vertices[sets.find(v)];
   tidy(p);
+  pass_through_near_vertices(p, shortest);
 }
 
 std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolygon& outline) {
@@ -388,6 +420,25 @@ Partition merged(const Partition& partition, std::span<const std::uint32_t> labe
   Straightener(m, fixed).run();
   tidy(m);
   return m;
+}
+
+std::vector<SitePolygon> region_polygons(const Partition& partition) {
+  std::vector<std::vector<BoundaryEdge>> edges(partition.regions + 1);
+  for (const PartitionEdge& e : partition.edges) {
+    edges[e.left].push_back({e.from, e.to, e.left});
+    edges[e.right].push_back({e.to, e.from, e.right});
+  }
+  std::vector<SitePolygon> all;
+  for (std::uint32_t r = 1; r <= partition.regions; ++r) {
+    const Polygons polygons = assemble_rings(edges[r], partition.vertices);
+    for (const Ring& ring : polygons.rings) {
+      if (&ring == &polygons.rings.front() || ring.polygon != (&ring - 1)->polygon) all.emplace_back();
+      auto& corners = all.back().emplace_back();
+      for (std::uint32_t i = 0; i < ring.count; ++i)
+        corners.push_back(partition.vertices[polygons.vertices[ring.first + i]]);
+    }
+  }
+  return all;
 }
 
 std::vector<double> region_areas(const Partition& partition) {

@@ -50,6 +50,9 @@ std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolyg
 // The ends of edges below `shortest` metres become one vertex; corners of the outline stay where they are.
 void close_short_edges(Partition& partition, const SitePolygon& outline, double shortest);
 
+// The regions as polygons, in their order, with all vertices of their borders.
+std::vector<SitePolygon> region_polygons(const Partition& partition);
+
 // Square metres of every region, [0] = 0.
 std::vector<double> region_areas(const Partition& partition);
 

@@ -8,6 +8,8 @@
 #include <queue>
 #include <tuple>
 
+#include "engine/roofs/face_rectangles.h"
+#include "engine/roofs/step_offset.h"
 #include "kernels/delaunay/delaunay.h"
 
 namespace ilot {
@@ -16,22 +18,20 @@ namespace {
 constexpr double kCreaseSteps = 1;          // farthest, in steps, that a border is seen beside the line of its planes
 constexpr double kLeastSlopeChange = 0.05;  // of two planes that cross in a line worth drawing
 constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a border
-constexpr double kShadowSteps = 3;                       // longer edges cross a strip without points
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
 constexpr double kFarthest = 15;                         // metres that a line goes on to meet another
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
 constexpr double kLeastRunSteps = 1;
-constexpr double kSmallFace = 10;          // m2; faces below are tried as rectangles too ...
-constexpr double kFilled = 0.65;           // ... where their points cover so much of the rectangle: triangles do not
+constexpr double kAligned = 0.1;           // metres between a step and the line that it is taken to lie on
 constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
-constexpr double kClearlySmaller = 0.98;   // of rectangles: the likelier direction unless another saves so much
 constexpr std::size_t kMostDirections = 16;
 
 // A place on the border of two planes.
 struct Sighting {
   FlatPoint at;
   std::uint32_t a = 0, b = 0;  // planes, a < b
+  FlatPoint upper, lower;      // the points between which it was seen
 };
 
 double cross(FlatPoint a, FlatPoint b) {
@@ -83,18 +83,19 @@ class BorderFinder {
     const double slope = std::sqrt((pa.gx - pb.gx) * (pa.gx - pb.gx) + (pa.gy - pb.gy) * (pa.gy - pb.gy));
     const double reach = std::max(kCreaseSteps * planes_.step, length);
     const bool crosses = slope >= kLeastSlopeChange && apart <= slope * reach;
-    FlatPoint at{middle.x, middle.y};
-    if (!crosses && length > kShadowSteps * planes_.step) at = beside_the_higher(p, q, length);
     if (a > b) std::swap(a, b);
-    (crosses ? borders_.creases : borders_.steps).push_back({at, a, b});
+    if (site_.points[q].z > site_.points[p].z) std::swap(p, q);
+    const FlatPoint upper = flat(site_.points[p]), lower = flat(site_.points[q]);
+    if (crosses) {
+      borders_.creases.push_back({flat(middle), a, b, upper, lower});
+    } else {  // half a step from the upper point: what lies farther may be its shadow
+      const double share = std::min(0.5, 0.5 * planes_.step / length);
+      const FlatPoint at{upper.x + share * (lower.x - upper.x), upper.y + share * (lower.y - upper.y)};
+      borders_.steps.push_back({at, a, b, upper, lower});
+    }
   }
 
-  FlatPoint beside_the_higher(std::uint32_t p, std::uint32_t q, double length) const {
-    if (site_.points[q].z > site_.points[p].z) std::swap(p, q);
-    const double share = 0.5 * planes_.step / length;
-    const Vec3 at = site_.points[p] + share * (site_.points[q] - site_.points[p]);
-    return {at.x, at.y};
-  }
+  static FlatPoint flat(Vec3 p) { return {p.x, p.y}; }
 
   const RoofSite& site_;
   const RoofPlanes& planes_;
@@ -199,6 +200,10 @@ struct Run {
   double offset = 0, low = 0, high = 0;
 };
 
+FlatPoint on(const Run& run, double t) {
+  return {t * run.along.x - run.offset * run.along.y, t * run.along.y + run.offset * run.along.x};
+}
+
 // Takes runs, those with the most sightings first, each sighting once. Sightings lie in strips of half a step along
 // every direction; a run lies in two neighbouring strips. What a window of two strips can give only shrinks as
 // sightings are taken, so a window is looked at again only when it comes to the top.
@@ -221,6 +226,7 @@ class StepFinder {
         continue;
       }
       for (const std::uint32_t i : run.members) used_[i] = 1;
+      place(run);
       runs.push_back(std::move(run));
       windows_.push(window);
     }
@@ -294,17 +300,19 @@ class StepFinder {
     }
     Run run;
     if (best_last - best_first < kFewestOnStep) return run;
-    std::vector<double> offsets;
-    for (std::size_t i = best_first; i < best_last; ++i) {
-      run.members.push_back(places[i].sighting);
-      offsets.push_back(places[i].offset);
-    }
+    for (std::size_t i = best_first; i < best_last; ++i) run.members.push_back(places[i].sighting);
     run.along = directions_[window.direction];
     run.low = places[best_first].along;
     run.high = places[best_last - 1].along;
-    std::sort(offsets.begin(), offsets.end());
-    run.offset = (offsets[(offsets.size() - 1) / 2] + offsets[offsets.size() / 2]) / 2;
     return run;
+  }
+
+  // Across its direction, between the points that it parts.
+  void place(Run& run) const {
+    std::vector<StepGap> gaps;
+    for (const std::uint32_t i : run.members)
+      gaps.push_back({cross(run.along, seen_[i].upper), cross(run.along, seen_[i].lower)});
+    run.offset = step_offset(gaps, step_ * step_ / (run.high - run.low));
   }
 
   std::vector<Sighting> seen_;
@@ -316,12 +324,38 @@ class StepFinder {
   std::priority_queue<Window> windows_;
 };
 
+// Runs that a wall of the outline or a longer run continues lie on its line: between the two nothing but slivers would
+// be left.
+void align(std::vector<Run>& runs, const std::vector<FlatEdge>& outline) {
+  std::vector<Line> known;
+  for (const FlatEdge& e : outline) {
+    const FlatPoint d{e.b.x - e.a.x, e.b.y - e.a.y};
+    const double length = std::sqrt(dot(d, d));
+    if (length > 0) known.push_back({e.a, {d.x / length, d.y / length}});
+  }
+  for (Run& run : runs) {
+    const FlatPoint low = on(run, run.low), high = on(run, run.high);
+    const auto off = [&](const Line& line) {
+      const auto from = [&](FlatPoint p) { return std::abs(cross(line.along, {p.x - line.at.x, p.y - line.at.y})); };
+      return std::max(from(low), from(high));
+    };
+    const auto nearest =
+        std::min_element(known.begin(), known.end(), [&](const Line& a, const Line& b) { return off(a) < off(b); });
+    if (nearest == known.end() || off(*nearest) > kAligned) {
+      known.push_back({low, run.along});
+      continue;
+    }
+    const double turn = dot(nearest->along, run.along) < 0 ? -1 : 1;
+    run.along = {turn * nearest->along.x, turn * nearest->along.y};
+    run.offset = cross(run.along, nearest->at);
+    run.low = dot(run.along, low);
+    run.high = dot(run.along, high);
+  }
+}
+
 void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge>& lines) {
   for (const Run& run : runs) {
-    const auto at = [&](double t) {
-      return FlatPoint{t * run.along.x - run.offset * run.along.y, t * run.along.y + run.offset * run.along.x};
-    };
-    lines.push_back({at(run.low - extend), at(run.high + extend)});
+    lines.push_back({on(run, run.low - extend), on(run, run.high + extend)});
   }
 }
 
@@ -360,47 +394,6 @@ std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, cons
   return longer;
 }
 
-// The sides of the smallest rectangle around a plane's points in one of the directions, half a step beyond them.
-void add_rectangle(const std::vector<FlatPoint>& points, const std::vector<FlatPoint>& directions, double step,
-                   std::vector<FlatEdge>& lines) {
-  const double margin = step / 2;
-  struct Rectangle {
-    double area = INFINITY, u0 = 0, u1 = 0, v0 = 0, v1 = 0;
-    FlatPoint along;
-  } best;
-  for (const FlatPoint d : directions) {
-    Rectangle r{0, INFINITY, -INFINITY, INFINITY, -INFINITY, d};
-    for (const FlatPoint p : points) {
-      r.u0 = std::min(r.u0, dot(d, p) - margin);
-      r.u1 = std::max(r.u1, dot(d, p) + margin);
-      r.v0 = std::min(r.v0, cross(d, p) - margin);
-      r.v1 = std::max(r.v1, cross(d, p) + margin);
-    }
-    r.area = (r.u1 - r.u0) * (r.v1 - r.v0);
-    if (r.area < best.area * kClearlySmaller) best = r;
-  }
-  if (static_cast<double>(points.size()) * step * step < kFilled * best.area) return;
-  const auto at = [&](double u, double v) {
-    return FlatPoint{u * best.along.x - v * best.along.y, u * best.along.y + v * best.along.x};
-  };
-  constexpr double kBeyond = 0.01;  // metres past the corners, so that rounding leaves no gap
-  for (const double v : {best.v0, best.v1}) lines.push_back({at(best.u0 - kBeyond, v), at(best.u1 + kBeyond, v)});
-  for (const double u : {best.u0, best.u1}) lines.push_back({at(u, best.v0 - kBeyond), at(u, best.v1 + kBeyond)});
-}
-
-// Dormers and chimneys show too little of their borders for lines of their own: they are boxes more often than not.
-void add_rectangles(const RoofSite& site, const RoofPlanes& planes, const std::vector<FlatPoint>& directions,
-                    std::vector<FlatEdge>& lines) {
-  std::vector<std::vector<FlatPoint>> members(planes.planes.size());
-  for (std::size_t i = 0; i < site.points.size(); ++i) {
-    const std::uint32_t plane = planes.of_point[i];
-    if (plane != 0 && planes.planes[plane - 1].points * planes.step * planes.step < kSmallFace)
-      members[plane - 1].push_back({site.points[i].x, site.points[i].y});
-  }
-  for (const auto& points : members)
-    if (!points.empty()) add_rectangle(points, directions, planes.step, lines);
-}
-
 }  // namespace
 
 std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
@@ -409,10 +402,15 @@ std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes)
   Borders borders = BorderFinder(site, planes).find();
   const std::vector<FlatPoint> directions = likely_directions(site, planes);
   add_creases(std::move(borders.creases), planes, lines);
-  if (!borders.steps.empty())
-    add_steps(StepFinder(std::move(borders.steps), directions, planes.step).find(), extension(planes), lines);
-  lines = reaching_the_next(lines, outline_edges(site.outline));
-  add_rectangles(site, planes, directions, lines);
+  const std::vector<FlatEdge> outline = outline_edges(site.outline);
+  if (!borders.steps.empty()) {
+    std::vector<Run> runs = StepFinder(std::move(borders.steps), directions, planes.step).find();
+    align(runs, outline);
+    add_steps(runs, extension(planes), lines);
+  }
+  lines = reaching_the_next(lines, outline);
+  const std::vector<FlatEdge> sides = face_rectangles(site, planes, directions, lines);
+  lines.insert(lines.end(), sides.begin(), sides.end());
   return lines;
 }
 

@@ -22,6 +22,8 @@ constexpr double kLeastFaceArea = 0.25;  // m2
 constexpr double kBlockHeight = 0.7;     // quantile of the points' heights that a block of LoD1.2 ends at
 constexpr double kLeastOutline = 0.01;   // m2
 constexpr std::size_t kFewestPoints = 3;
+constexpr int kAttempts = 4;       // to raise a roof, each time with larger faces only ...
+constexpr double kFewerFaces = 4;  // ... by this factor of their area
 
 Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {
   Building b;
@@ -45,14 +47,19 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
   return plane;
 }
 
-RoofFaces faces_of(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
-  const std::vector<FlatEdge> lines = roof_lines(site, planes);
-  const Partition cells = part(site.outline, lines);
+// The outline parted and every cell given to a plane.
+struct LabelledCells {
+  Partition cells;
+  std::vector<std::uint32_t> of_point, label;
+};
+
+LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes) {
+  LabelledCells c{part(site.outline, roof_lines(site, planes)), {}, {}};
   std::vector<FlatPoint> flat;
   for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
-  const std::vector<std::uint32_t> cell_of_point = regions_of(cells, flat);
-  const double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
-  return roof_faces(site, planes, cells, cell_of_point, label_cells(site, planes, cells, cell_of_point), least);
+  c.of_point = regions_of(c.cells, flat);
+  c.label = label_cells(site, planes, c.cells, c.of_point);
+  return c;
 }
 
 // How vertices are shared: faces whose heights agree within same_height, ends of edges below shortest (metres).
@@ -101,6 +108,27 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
   return true;
 }
 
+// The faces of the roof raised; where the check refuses that, with ever more of the small ones given to their
+// neighbours.
+void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
+               const SolidCheck& check, RoofModel& model) {
+  const LabelledCells c = labelled_cells(site, planes);
+  double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
+  std::string first_fault;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
+    RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, least);
+    auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
+    if (house) {
+      model.lod22 = std::move(*house);
+      model.face_of_point = std::move(roof.of_point);
+      model.status = RoofStatus::lod22;
+      return;
+    }
+    if (attempt == 0) first_fault = model.reason;
+  }
+  model.reason = first_fault;
+}
+
 }  // namespace
 
 RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
@@ -121,12 +149,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     model.reason = "no plane has enough points";
     return model;
   }
-  RoofFaces roof = faces_of(site, planes, params);
-  auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
-  if (!house) return model;
-  model.lod22 = std::move(*house);
-  model.face_of_point = std::move(roof.of_point);
-  model.status = RoofStatus::lod22;
+  add_house(site, planes, params, metres_per_unit, check, model);
   return model;
 }
 

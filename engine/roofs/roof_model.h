@@ -36,9 +36,9 @@ struct RoofModel {
 using SolidCheck = std::function<std::string(const Building&)>;
 
 // Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
-// modelled. A solid that the check refuses is raised again with fewer faces sharing vertices; if that does not help
-// either, the next lower level of detail is the answer. Never throws for what the data holds. `metres_per_unit` of the
-// CRS.
+// modelled. A solid that the check refuses is raised again with fewer faces sharing vertices, then with small faces
+// given to their neighbours, up to 16 m2; if that does not help either, the next lower level of detail is the answer.
+// Never throws for what the data holds. `metres_per_unit` of the CRS.
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
     const SolidCheck& check = [](const Building&) { return std::string(); });

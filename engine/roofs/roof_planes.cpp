@@ -7,6 +7,7 @@
 #include <map>
 #include <numeric>
 
+#include "engine/roofs/level_tops.h"
 #include "engine/segments/auto_params.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
@@ -257,6 +258,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   settle_planes(c.points(), neighbours, relabel, min_points, s);
   if (!params.superstructures) drop_superstructures(r.step * r.step, c, s);
   sort_out(site, c, s, r);
+  if (params.superstructures) add_level_tops(site, r);
   return r;
 }
 

@@ -25,7 +25,8 @@ struct RoofPlanes {
 };
 
 // RANSAC [A6] over normals that stay sharp beside edges [D2], borders settled by neighbours; planes that are one within
-// the noise are joined. Planes steeper than 75 degrees are walls. O(n log n).
+// the noise are joined. Planes steeper than 75 degrees are walls. With superstructures, level tops too small for that
+// are added (level_tops.h). O(n log n).
 RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params);
 
 }  // namespace ilot

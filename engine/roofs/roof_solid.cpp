@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kLeastHeight = 0.1;  // metres of the lowest eave over the floor
 constexpr double kCorner = 20;        // millimetres of the corners that part pinched faces
+constexpr double kLeastStep = 0.002;  // metres between vertices of one place: two on any grid of millimetres
 constexpr double kHeightGrid = 1e4;   // steps a metre
 
 // A spoke of a vertex: an edge seen from it, with the region on the left of the outward direction.
@@ -112,7 +113,12 @@ class Solid {
     for (std::size_t first = 0; first < all.size();) {
       std::size_t last = first;
       while (last + 1 < all.size() && all[last + 1] - all[first] <= same_height_) ++last;
-      groups.push_back((all[first] + all[last]) / 2);
+      const double z = (all[first] + all[last]) / 2;
+      if (!groups.empty() && z - groups.back() < kLeastStep) {
+        groups.back() = (groups.back() + z) / 2;
+      } else {
+        groups.push_back(z);
+      }
       first = last + 1;
     }
     return groups;

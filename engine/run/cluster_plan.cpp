@@ -6,6 +6,8 @@
 
 #include "engine/pass/pass.h"
 #include "engine/roofs/cluster_outline.h"
+#include "engine/roofs/outline_repair.h"
+#include "engine/roofs/party_walls.h"
 #include "engine/roofs/site_points.h"
 #include "engine/segments/clusters_pass.h"
 #include "engine/store/view.h"
@@ -111,7 +113,7 @@ class Outliner {
     const std::string id = std::to_string(c.first.x) + "_" + std::to_string(c.first.y);
     const std::int64_t x = grid(c.box.min.x), y = grid(c.box.min.y);
     std::vector<PlannedSite> sites;
-    for (const SitePolygon& polygon : cluster_outline(points_of(cluster, x, y), params_)) {
+    for (const SitePolygon& polygon : buildings_of(cluster, x, y)) {
       std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>> rings;
       for (const auto& ring : polygon) {
         auto& placed = rings.emplace_back();
@@ -127,8 +129,26 @@ class Outliner {
  private:
   std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
 
-  std::vector<Point2> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
-    std::vector<Point2> points;
+  // Outlines of the cluster, parted where buildings adjoin.
+  std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    const std::vector<Vec3> points = points_of(cluster, x, y);
+    std::vector<Point2> places;
+    for (const Vec3& p : points)
+      places.push_back({static_cast<std::int32_t>(std::lround(p.x * kMillimetresPerMetre)),
+                        static_cast<std::int32_t>(std::lround(p.y * kMillimetresPerMetre))});
+    std::vector<SitePolygon> outlines = cluster_outline(places, params_);
+    double area = 0;
+    for (const SitePolygon& outline : outlines) area += area_of(outline);
+    const double step = std::sqrt(area / static_cast<double>(points.size()));
+    std::vector<SitePolygon> buildings;
+    for (const SitePolygon& outline : outlines)
+      for (SitePolygon& part : split_at_party_walls(outline, points, step)) buildings.push_back(std::move(part));
+    return buildings;
+  }
+
+  // Metres from the anchor on its grid of millimetres.
+  std::vector<Vec3> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    std::vector<Vec3> points;
     for (const Slice& s : plan_view(store_, clusters_[cluster].box, {}).slices) {
       const auto codes = store_.read<std::uint64_t>(s.block, "codes", s.first, s.count);
       const auto of = store_.read<std::uint32_t>(s.block, "cluster", s.first, s.count);
@@ -136,7 +156,9 @@ class Outliner {
       for (std::size_t i = 0; i < codes.size(); ++i) {
         if (of[i] != cluster + 1) continue;
         const Index3 p = index_of({tile, codes[i]});
-        points.push_back({static_cast<std::int32_t>(grid(p.x) - x), static_cast<std::int32_t>(grid(p.y) - y)});
+        points.push_back({static_cast<double>(grid(p.x) - x) / kMillimetresPerMetre,
+                          static_cast<double>(grid(p.y) - y) / kMillimetresPerMetre,
+                          static_cast<double>(grid(p.z)) / kMillimetresPerMetre});
       }
     }
     return points;

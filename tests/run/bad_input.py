@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Bad input, bad requests and bad disks: one line that says file, place and what to do, and nothing half-written."""
+import json
 import math
 import random
 import resource
@@ -204,5 +205,112 @@ class BadInput(RunTest):
                 self.assertEqual(told["result_hash"], whole["result_hash"])
 
 
+class BadBuildings(RunTest):
+    """Footprints and roofs that are none: every one comes back, with a status and a reason, and what is solid is valid."""
+
+    X, Y = 84000, 447000
+
+    def setUp(self):
+        super().setUp()
+        self.rng = random.Random(8)
+        self.points = []
+        self.features = []
+
+    def roof(self, x, y, width, depth, height, step=0.3, code=6):
+        for i in range(int(width / step)):
+            for j in range(int(depth / step)):
+                px, py = x + (i + self.rng.random()) * step, y + (j + self.rng.random()) * step
+                self.points.append((px, py, height(px, py) + self.rng.uniform(-0.03, 0.03), code))
+
+    def footprint(self, name, *corners, shift=(0, 0)):
+        ring = [[self.X + x - shift[0], self.Y + y - shift[1]] for x, y in (*corners, corners[0])]
+        self.features.append({"type": "Feature", "properties": {"id": name},
+                              "geometry": {"type": "Polygon", "coordinates": [ring]}})
+
+    def box(self, name, x, y, width, depth, **way):
+        self.footprint(name, (x, y), (x + width, y), (x + width, y + depth), (x, y + depth), **way)
+
+    def model(self, *arguments, code=0, epsg=28992, cloud=None):
+        """Attributes by id."""
+        if cloud is None:
+            cloud = small_las(self.folder / "cloud.las", [(round(x * 1000), round(y * 1000), round(z * 1000), c)
+                                                          for x, y, z, c in self.points], offset=(self.X, self.Y, 0))
+        path = self.folder / "footprints.geojson"
+        path.write_text(json.dumps({"type": "FeatureCollection", "features": self.features, "crs": {
+            "type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{epsg}"}}}))
+        out, told = self.work(cloud, "--products", "roofs", "--crs", "EPSG:28992", "--footprints", path, *arguments,
+                              code=code)
+        written = out / "roofs" / "roofs.city.jsonl"
+        found = {}
+        for line in written.read_text().splitlines()[1:]:
+            feature = json.loads(line)
+            found[feature["id"]] = feature["CityObjects"][feature["id"]]["attributes"]
+        for name, attributes in found.items():
+            self.assertIn(attributes["status"], ("lod22", "lod12", "footprint_only"), name)
+            self.assertEqual(attributes["status"] == "lod22", not attributes.get("reason"), f"{name}: {attributes}")
+        self.assertEqual(told["counts"]["roofs"]["buildings"], len(found))
+        self.assertEqual(told["counts"]["roofs"]["invalid"], 0)
+        checked = ilot("validate", "-q", written)
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+        return found
+
+    def test_footprints(self):
+        self.roof(0, 0, 60, 30, lambda x, y: 6 + min(y % 10, 10 - y % 10) / 2)
+        self.box("house", 0, 0, 10, 10)
+        self.footprint("bow-tie", (20, 0), (30, 10), (30, 0), (20, 10))
+        self.footprint("flat", (12, 2), (12, 8), (12, 5))
+        self.footprint("speck", (15, 5), (15.01, 5), (15.01, 5.01))
+        self.box("empty", 500, 500, 10, 10)
+        self.box("over", 40, 0, 10, 10)
+        self.box("under", 45, 0, 10, 10)
+        self.box("twin", 0, 0, 10, 10)
+        found = self.model(code=3)
+        self.assertEqual(set(found), {"house", "bow-tie", "bow-tie-2", "flat", "speck", "empty", "over", "under", "twin"})
+        for name in ("house", "bow-tie", "bow-tie-2", "over", "under", "twin"):
+            self.assertEqual(found[name]["status"], "lod22", found[name])
+        for name in ("flat", "speck", "empty"):
+            self.assertEqual(found[name]["status"], "footprint_only", found[name])
+        self.assertIn("outline", found["bow-tie"])
+        self.assertEqual([found[name]["overlaps"] for name in ("over", "under", "house")], ["under", "over", "twin"])
+
+    def test_points(self):
+        self.roof(-5, -5, 110, 20, lambda x, y: 1, step=0.8, code=2)
+        self.points += [(self.rng.uniform(0, 10), self.rng.uniform(0, 10), 6, 6) for _ in range(20)]
+        self.box("few", 0, 0, 10, 10)
+        self.points += [(20 + i * 0.05, 5, 6, 6) for i in range(200)]
+        self.box("line", 20, 0, 10, 10)
+        self.points += [(40 + self.rng.uniform(0, 10), self.rng.uniform(0, 10), 1.05 if i % 4 else 6, 6)
+                        for i in range(1000)]
+        self.box("glass", 40, 0, 10, 10)
+        self.points += [(65, 5, 6, 6)] * 300
+        self.box("stack", 60, 0, 10, 10)
+        self.points += [(80 + self.rng.uniform(0, 10), self.rng.uniform(0, 10), self.rng.uniform(1, 9), 6)
+                        for i in range(1000)]
+        self.box("cloud", 80, 0, 10, 10)
+        found = self.model()
+        self.assertEqual(set(found), {"few", "line", "glass", "stack", "cloud"})
+        for name, attributes in found.items():
+            self.assertNotEqual(attributes["status"], "footprint_only", name)
+        for name in ("line", "stack"):
+            self.assertEqual(found[name]["status"], "lod12", name)
+
+    def test_heights_that_are_no_numbers_and_no_classes(self):
+        self.roof(-10, -10, 40, 40, lambda x, y: 7 if 0 <= x < 10 and 0 <= y < 10 else 1)
+        self.box("house", 0, 0, 10, 10)
+        rows = [f"{self.X + x} {self.Y + y} {'nan' if i % 50 == 0 else z}"
+                for i, (x, y, z, _) in enumerate(self.points)]
+        ply = self.folder / "cloud.ply"
+        ply.write_text("ply\nformat ascii 1.0\nelement vertex %d\nproperty double x\nproperty double y\n"
+                       "property double z\nend_header\n" % len(rows) + "\n".join(rows) + "\n")
+        found = self.model(cloud=ply)
+        self.assertEqual(found["house"]["status"], "lod22", found)
+        self.assertAlmostEqual(found["house"]["h_roof_50"], 7, delta=0.1)
+
+    def test_footprints_in_another_crs(self):
+        self.roof(0, 0, 10, 10, lambda x, y: 6)
+        self.box("house", 0, 0, 10, 10, shift=(155000, 463000))  # RD Old: RD New but for its origin
+        self.assertEqual(self.model(epsg=28991)["house"]["status"], "lod22")
+
+
 if __name__ == "__main__":
-    main(synthetic=[BadInput])
+    main(synthetic=[BadInput, BadBuildings])

@@ -78,11 +78,12 @@ class Las:
 
 
 def small_las(path, points, scale=(0.001, 0.001, 0.001), offset=(0, 0, 0), declared=None):
-    """LAS 1.2, point format 0; points are raw integers (x, y, z)."""
+    """LAS 1.2, point format 0; points are raw integers (x, y, z), a fourth is their class (6)."""
     head = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, b"", 1, 2, b"test", b"test", 1, 2026, 227, 227, 0,
                        0, 20, len(points) if declared is None else declared, len(points), 0, 0, 0, 0)
     head += struct.pack("<12d", *scale, *offset, 0, 0, 0, 0, 0, 0)
-    rows = b"".join(struct.pack("<iiiHBBbBH", x, y, z, 7, 0b001001, 6, 0, 0, 1) for x, y, z in points)
+    rows = b"".join(struct.pack("<iiiHBBbBH", x, y, z, 7, 0b001001, *(code or (6,)), 0, 0, 1)
+                    for x, y, z, *code in points)
     pathlib.Path(path).write_bytes(head + rows)
     return path
 

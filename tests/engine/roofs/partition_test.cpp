@@ -122,5 +122,31 @@ TEST(Partition, TidyDropsARegionThatHasLostItsWidth) {
   }
 }
 
+TEST(Partition, EdgesPassThroughVerticesTheyNearlyTouch) {
+  // Two regions whose border runs a millimetre beside a corner of the outline: no spike may be left there.
+  const SitePolygon outline{{{0, 0}, {10000, 0}, {10000, 6000}, {5000, 6000}, {5000, 6001}, {0, 6001}}};
+  Partition p = part(outline, std::vector<FlatEdge>{{{5.001, -1}, {5.001, 7}}});
+  close_short_edges(p, outline, 0.003);
+  expect_in_order(p);
+  ASSERT_EQ(p.regions, 2u);
+  EXPECT_NEAR(total_area(p), 60.005, 0.01);
+  for (const PartitionEdge& e : p.edges) {
+    if (e.left == kOutside || e.right == kOutside) continue;
+    EXPECT_TRUE(p.vertices[e.to] == (Point2{5000, 6000}) || p.vertices[e.from] == (Point2{5000, 6000}));
+  }
+}
+
+TEST(Partition, RegionsComeBackAsPolygons) {
+  SitePolygon courtyard = rectangle(10, 10);
+  courtyard.push_back({{3000, 3000}, {3000, 7000}, {7000, 7000}, {7000, 3000}});
+  EXPECT_EQ(region_polygons(part(courtyard, {})), (std::vector<SitePolygon>{courtyard}));
+  const auto halves = region_polygons(part(courtyard, std::vector<FlatEdge>{{{5, -1}, {5, 11}}}));
+  ASSERT_EQ(halves.size(), 2u);
+  for (const SitePolygon& half : halves) {
+    ASSERT_EQ(half.size(), 1u);
+    EXPECT_EQ(half[0].size(), 8u);
+  }
+}
+
 }  // namespace
 }  // namespace ilot

@@ -150,6 +150,71 @@ TEST(RoofModel, TooLittleToWorkOnSaysWhy) {
   EXPECT_NE(model_roof(site, {}, 1).status, RoofStatus::footprint_only);
 }
 
+// The vertices of the highest face, as a box in plan.
+struct Extent {
+  double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
+};
+
+Extent extent_of_top(const RoofModel& m, Vec3 anchor) {
+  Extent e;
+  double top = -1e9;
+  for (const BuildingSurface& s : m.lod22.surfaces) {
+    if (s.kind != SurfaceKind::roof) continue;
+    double z = 0;
+    Extent here;
+    for (const std::uint32_t v : s.rings[0]) {
+      const Vec3 p = m.lod22.vertices[v] - anchor;
+      z += p.z / static_cast<double>(s.rings[0].size());
+      here = {std::min(here.x0, p.x), std::min(here.y0, p.y), std::max(here.x1, p.x), std::max(here.y1, p.y)};
+    }
+    if (z > top) e = here;
+    top = std::max(top, z);
+  }
+  return e;
+}
+
+TEST(RoofModel, TheShadowOfAHighRoofIsTheLowOnes) {
+  RoofSite site = roof_site(12, 8, stepped);
+  std::erase_if(site.points, [](Vec3 p) { return p.x > 5 && p.x < 5.8; });
+  const RoofModel m = model_roof(site, {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_NEAR(extent_of_top(m, site.anchor).x1, 5, 0.06);
+}
+
+TEST(RoofModel, ASmallBoxOnASteepRoofIsSeen) {
+  const auto dormer = [](double x, double y) { return x > 5 && x < 6.5 && y > 1 && y < 1.6 ? 8.0 : 4 + 2.5 * y; };
+  const RoofSite site = roof_site(12, 2.4, dormer, 12);
+  const RoofModel m = model_roof(site, {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 2u);
+  EXPECT_TRUE(valid(m.lod22));
+  RoofModelParams plain;
+  plain.superstructures = false;
+  EXPECT_EQ(roof_faces(model_roof(site, plain, 1).lod22), 1u);
+}
+
+TEST(RoofModel, ASteepTipMayBeWithoutPoints) {
+  const auto steep = [](double x, double y) { return 4 + 1.3 * std::min({x, 9 - x, y, 6 - y}); };
+  RoofSite site = roof_site(9, 6, steep);
+  std::erase_if(site.points, [](Vec3 p) { return p.x < 4 && p.x > 2.4 && std::abs(p.y - 3) < p.x - 1.8; });
+  const RoofModel m = model_roof(site, {}, 1);
+  ASSERT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_EQ(roof_faces(m.lod22), 4u);
+}
+
+TEST(RoofModel, ARefusedRoofLosesItsSmallFacesFirst) {
+  const auto boxes = [](double x, double y) { return y > 2 && y < 4 && x > 2 && x < 3.5 ? 7.0 : gable(x, y); };
+  const RoofSite site = roof_site(12, 6, boxes);
+  const std::size_t all = roof_faces(model_roof(site, {}, 1).lod22);
+  ASSERT_GT(all, 2u);
+  const RoofModel m = model_roof(site, {}, 1, [&](const Building& b) {
+    return b.lod == "2.2" && roof_faces(b) > 2 ? std::string("too many faces") : std::string();
+  });
+  EXPECT_EQ(m.status, RoofStatus::lod22);
+  EXPECT_TRUE(m.reason.empty());
+  EXPECT_EQ(roof_faces(m.lod22), 2u);
+}
+
 TEST(RoofPlanes, WallsAreNotRoofs) {
   RoofSite site = roof_site(12, 6, gable);
   Rng rng(2);
