@@ -114,7 +114,7 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name : {"runs", "blocks", "cells", "colours", "ground", "roofs", "index", "rejected"})
+  for (const char* name : {"runs", "blocks", "cells", "colours", "ground", "roofs", "streets", "index", "rejected"})
     fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }
@@ -122,7 +122,7 @@ void clear_store(const fs::path& store) {
 void remove_products(const fs::path& folder) {
   clear_store(folder / ".store");
   for (const char* name :
-       {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "roofs", "run.json", ".new", ".store"})
+       {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "roofs", "streets", "run.json", ".new", ".store"})
     fs::remove_all(folder / name);
 }
 

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/streets/things.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+
+#include "kernels/core/parallel.h"
+#include "kernels/core/portable_math.h"
+#include "kernels/rasters/flat_zones_tiled.h"
+#include "kernels/rasters/gradient.h"
+
+namespace ilot {
+namespace {
+
+constexpr Height kModeMetres100 = 5;  // bins of the mode of heights, centimetres
+
+struct PixelRect {
+  std::int64_t x0 = INT64_MAX, y0 = INT64_MAX, x1 = INT64_MIN, y1 = INT64_MIN;  // closed
+  void add(std::int64_t x, std::int64_t y) {
+    x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
+  }
+  void add(const PixelRect& o) {
+    x0 = std::min(x0, o.x0), y0 = std::min(y0, o.y0), x1 = std::max(x1, o.x1), y1 = std::max(y1, o.y1);
+  }
+  bool within(const PixelRect& o) const { return x0 >= o.x0 && y0 >= o.y0 && x1 <= o.x1 && y1 <= o.y1; }
+  std::uint32_t width() const { return static_cast<std::uint32_t>(x1 - x0 + 1); }
+  std::uint32_t height() const { return static_cast<std::uint32_t>(y1 - y0 + 1); }
+};
+
+// The layers of a rectangle and of one pixel around it.
+struct Patch {
+  std::int64_t x = 0, y = 0;  // of its first pixel
+  Image height, range, accumulation, mask, above, low, components;
+};
+
+Patch load_patch(const StreetLayers& layers, const PixelRect& r) {
+  const auto read = [&](const char* layer) {
+    return layer_window(layers, layer, r.x0 - 1, r.y0 - 1, r.width() + 2, r.height() + 2);
+  };
+  return {r.x0 - 1,     r.y0 - 1,      read("height"), read("range"),     read("accumulation"),
+          read("mask"), read("above"), read("low"),    read("components")};
+}
+
+Image cut(const Image& image, std::uint32_t x, std::uint32_t y, std::uint32_t width, std::uint32_t height) {
+  Image out{width, height, {}};
+  out.values.reserve(std::size_t{width} * height);
+  for (std::uint32_t v = y; v < y + height; ++v) {
+    const auto row = image.values.begin() + static_cast<std::ptrdiff_t>(std::size_t{v} * image.width + x);
+    out.values.insert(out.values.end(), row, row + width);
+  }
+  return out;
+}
+
+Patch cut(const Patch& p, const PixelRect& r) {
+  const auto x = static_cast<std::uint32_t>(r.x0 - 1 - p.x), y = static_cast<std::uint32_t>(r.y0 - 1 - p.y);
+  const auto part = [&](const Image& image) { return cut(image, x, y, r.width() + 2, r.height() + 2); };
+  return {r.x0 - 1,     r.y0 - 1,      part(p.height), part(p.range),     part(p.accumulation),
+          part(p.mask), part(p.above), part(p.low),    part(p.components)};
+}
+
+// Sums over the pixels of one thing.
+struct Tally {
+  double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // pixels
+  double low = 0, low_x = 0, low_y = 0;                // points, and where they are
+  double above = 0, points = 0, slope = 0, edge = 0, contact = 0;
+  Height ground = kAboveAll;
+};
+
+class ComponentWork {
+ public:
+  ComponentWork(const Patch& patch, std::uint32_t component, const RasterScale& scale, const ThingsParams& params)
+      : patch_(patch), scale_(scale), params_(params), own_(patch.height) {
+    for (std::size_t i = 0; i < own_.size(); ++i)
+      if (static_cast<std::uint32_t>(patch.components.values[i]) != component) own_.values[i] = kNoHeight;
+    labels_ = separate_artefacts(own_, scale, params.separation);
+  }
+
+  const PixelLabels& labels() const { return labels_; }
+
+  std::vector<Thing> things() const {
+    const std::vector<ComponentFeatures> features = document_features();
+    const std::vector<Tally> tallies = tally();
+    std::vector<Thing> out;
+    for (std::uint32_t i = 0; i < labels_.count; ++i) out.push_back(thing(features[i], tallies[i]));
+    return out;
+  }
+
+ private:
+  std::vector<ComponentFeatures> document_features() const {
+    PixelLabels seen = labels_;
+    std::vector<std::uint32_t> accumulation(seen.of.size(), 0);
+    std::vector<std::uint8_t> any(std::size_t{seen.count} + 1, 0);
+    for (std::size_t i = 0; i < seen.of.size(); ++i) {
+      accumulation[i] = static_cast<std::uint32_t>(std::max(0, patch_.accumulation.values[i]));
+      any[seen.of[i]] |= accumulation[i] > 0;
+    }
+    for (std::size_t i = 0; i < seen.of.size(); ++i)
+      if (accumulation[i] == 0 && any[seen.of[i]] != 0) seen.of[i] = 0;
+    const Height bin = std::max(1, scale_.units(0.01 * kModeMetres100));
+    auto features = component_features(seen, own_, accumulation, {scale_.unit, scale_.pixel, bin});
+    for (ComponentFeatures& f : features)
+      for (auto a = static_cast<std::size_t>(ComponentFeature::mean_accumulation);
+           a <= static_cast<std::size_t>(ComponentFeature::mode_accumulation); ++a)
+        f[a] /= params_.mean_accumulation;
+    return features;
+  }
+
+  std::vector<Tally> tally() const {
+    std::vector<Tally> tallies(labels_.count);
+    const Image slope = gradient(own_, Adjacency::eight);
+    const std::size_t w = own_.width;
+    for (std::size_t i = 0; i < labels_.of.size(); ++i) {
+      if (labels_.of[i] == 0) continue;
+      Tally& t = tallies[labels_.of[i] - 1];
+      const auto x = static_cast<double>(i % w), y = static_cast<double>(i / w);
+      ++t.n;
+      t.x += x, t.y += y, t.xx += x * x, t.xy += x * y, t.yy += y * y;
+      const double low = std::max(0, patch_.low.values[i]);
+      t.low += low, t.low_x += low * x, t.low_y += low * y;
+      t.above += std::max(0, patch_.above.values[i]);
+      t.points += std::max(0, patch_.accumulation.values[i]);
+      t.slope += slope.values[i];
+      if (patch_.range.values[i] != kNoHeight)
+        t.ground = std::min(t.ground, patch_.range.values[i] - patch_.height.values[i]);
+      bool edge = false, contact = false;
+      for (const std::size_t q : {i - w, i - 1, i + 1, i + w}) {
+        edge |= labels_.of[q] != labels_.of[i];
+        contact |= patch_.mask.values[q] != 1;
+      }
+      t.edge += edge;
+      t.contact += contact;
+    }
+    return tallies;
+  }
+
+  Thing thing(const ComponentFeatures& document, const Tally& t) const {
+    Thing out;
+    const double n = std::max(1.0, t.n), x = t.x / n, y = t.y / n;
+    const double xx = t.xx / n - x * x, xy = t.xy / n - x * y, yy = t.yy / n - y * y;
+    const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
+    const auto side = [&](double variance) {
+      return scale_.pixel * std::sqrt(12 * std::max(0.0, variance) + 1);  // a single pixel is one wide
+    };
+    out.length = side(half + root);
+    out.width = side(half - root);
+    const double twice = direction_degrees((xx - yy) / 2, xy);
+    out.heading_deg = twice / 2;
+    out.x = static_cast<double>(patch_.x) + (t.low > 0 ? t.low_x / t.low : x);
+    out.y = static_cast<double>(patch_.y) + (t.low > 0 ? t.low_y / t.low : y);
+    out.middle_x = static_cast<double>(patch_.x) + x;
+    out.middle_y = static_cast<double>(patch_.y) + y;
+    out.ground = t.ground == kAboveAll ? 0 : t.ground;
+    out.points = static_cast<std::uint64_t>(t.above);
+    out.pixels = static_cast<std::uint32_t>(t.n);
+    std::copy(document.begin(), document.end(), out.features.begin());
+    const auto set = [&](ThingFeature f, double v) { out.features[static_cast<std::size_t>(f)] = v; };
+    out.features[static_cast<std::size_t>(ComponentFeature::area)] = t.n * scale_.pixel * scale_.pixel;
+    set(ThingFeature::low_share, t.above > 0 ? t.low / t.above : 0);
+    set(ThingFeature::ground_share, t.points > 0 ? 1 - t.above / t.points : 0);
+    set(ThingFeature::roughness, t.slope / n * scale_.unit);
+    set(ThingFeature::length, out.length);
+    set(ThingFeature::width, out.width);
+    set(ThingFeature::facade_contact, t.edge > 0 ? t.contact / t.edge : 0);
+    return out;
+  }
+
+  const Patch& patch_;
+  const RasterScale& scale_;
+  const ThingsParams& params_;
+  Image own_;
+  PixelLabels labels_;
+};
+
+PixelRect rect_of(const TileFrame& f) {
+  return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
+}
+
+struct Components {
+  std::vector<std::uint64_t> pixels;
+  std::vector<PixelRect> boxes;
+};
+
+Components find_components(const StreetLayers& layers) {
+  Components found;
+  std::mutex mutex;
+  std::vector<std::pair<std::uint32_t, PixelRect>> boxes;
+  const auto standing = [&](std::size_t tile) {
+    Image image = layer_tile(layers, "height", tile);
+    for (Height& v : image.values) v = v == kNoHeight ? kNoHeight : 0;
+    return image;
+  };
+  const auto write = [&](std::size_t tile, const PixelLabels& labels) {
+    const TileFrame frame = tile_frame(layers.grid, tile);
+    std::vector<std::pair<std::uint32_t, PixelRect>> runs;  // one a run of a row
+    Image image{labels.width, labels.height, std::vector<Height>(labels.of.size())};
+    for (std::uint32_t y = 0; y < labels.height; ++y) {
+      for (std::uint32_t x = 0; x < labels.width; ++x) {
+        const std::size_t i = std::size_t{y} * labels.width + x;
+        image.values[i] = static_cast<Height>(labels.of[i]);
+        if (labels.of[i] == 0) continue;
+        if (x == 0 || labels.of[i - 1] != labels.of[i]) runs.push_back({labels.of[i], {}});
+        runs.back().second.add(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
+      }
+    }
+    layers.write("components", tile, image);
+    std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::pair<std::uint32_t, PixelRect>> here;
+    for (const auto& [label, box] : runs) {
+      if (here.empty() || here.back().first != label) here.push_back({label, {}});
+      here.back().second.add(box);
+    }
+    const std::lock_guard lock(mutex);
+    boxes.insert(boxes.end(), here.begin(), here.end());
+  };
+  found.pixels = flat_zones_tiled(layers.grid, 0, Adjacency::eight, standing, write).pixels;
+  found.boxes.resize(found.pixels.size());
+  for (const auto& [label, box] : boxes) found.boxes[label].add(box);
+  return found;
+}
+
+// The labels of a component that several tiles share: a pixel of the whole, and its label in the component.
+struct SharedLabels {
+  std::uint32_t component = 0;
+  PixelRect box;
+  PixelLabels labels;  // of the box and a pixel around it
+};
+
+class ThingFinder {
+ public:
+  ThingFinder(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params)
+      : layers_(layers),
+        scale_(scale),
+        params_(params),
+        components_(find_components(layers)),
+        things_(components_.pixels.size()) {}
+
+  std::vector<Thing> find() {
+    const std::vector<std::vector<std::uint32_t>> of_tile = share_out();
+    for_each_tile(layers_.grid, [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); });
+    shared_.resize(spanning_.size());
+    parallel_for(spanning_.size(), [&](std::size_t i) { work_on_spanning(i); });
+    std::vector<std::uint32_t> first(things_.size() + 1, 0);
+    for (std::size_t c = 0; c < things_.size(); ++c)
+      first[c + 1] = first[c] + static_cast<std::uint32_t>(things_[c].size());
+    for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, first); });
+    std::vector<Thing> all;
+    for (auto& list : things_) all.insert(all.end(), list.begin(), list.end());
+    return all;
+  }
+
+ private:
+  bool large_enough(std::uint32_t component) const {
+    return components_.pixels[component] >= std::max(1u, scale_.area(params_.separation.least_area));
+  }
+
+  // Components that lie in one tile, by tile; the others are set aside.
+  std::vector<std::vector<std::uint32_t>> share_out() {
+    std::vector<std::vector<std::uint32_t>> of_tile(layers_.grid.count());
+    for (std::uint32_t c = 1; c < components_.pixels.size(); ++c) {
+      if (!large_enough(c)) continue;
+      const PixelRect& box = components_.boxes[c];
+      const std::uint32_t side = layers_.grid.side;
+      const std::int64_t column = box.x0 / side, row = box.y0 / side;
+      if (box.x1 / side == column && box.y1 / side == row)
+        of_tile[static_cast<std::size_t>(row * layers_.grid.columns() + column)].push_back(c);
+      else
+        spanning_.push_back(c);
+    }
+    return of_tile;
+  }
+
+  void work_on_tile(std::size_t tile, const std::vector<std::uint32_t>& components) {
+    const TileFrame frame = tile_frame(layers_.grid, tile);
+    Image local = filled_image(frame.width, frame.height, 0);
+    if (!components.empty()) {
+      const Patch patch = load_patch(layers_, rect_of(frame));
+      for (const std::uint32_t c : components) {
+        const PixelRect& box = components_.boxes[c];
+        const Patch part = cut(patch, box);
+        const ComponentWork work(part, c, scale_, params_);
+        things_[c] = work.things();
+        put(work.labels(), box, frame, local);
+      }
+    }
+    layers_.write("things", tile, local);
+  }
+
+  void work_on_spanning(std::size_t i) {
+    const std::uint32_t c = spanning_[i];
+    const Patch patch = load_patch(layers_, components_.boxes[c]);
+    const ComponentWork work(patch, c, scale_, params_);
+    things_[c] = work.things();
+    shared_[i] = {c, components_.boxes[c], work.labels()};
+  }
+
+  // Labels of a box with a pixel around it, where they lie in a tile.
+  static void put(const PixelLabels& labels, const PixelRect& box, const TileFrame& frame, Image& tile) {
+    for (std::int64_t y = std::max<std::int64_t>(box.y0, frame.y); y <= box.y1 && y < frame.y + frame.height; ++y) {
+      for (std::int64_t x = std::max<std::int64_t>(box.x0, frame.x); x <= box.x1 && x < frame.x + frame.width; ++x) {
+        const std::uint32_t label =
+            labels.of[static_cast<std::size_t>((y - box.y0 + 1) * labels.width + x - box.x0 + 1)];
+        if (label != 0)
+          tile.values[static_cast<std::size_t>((y - frame.y) * frame.width + x - frame.x)] = static_cast<Height>(label);
+      }
+    }
+  }
+
+  void number_tile(std::size_t tile, const std::vector<std::uint32_t>& first) const {
+    const TileFrame frame = tile_frame(layers_.grid, tile);
+    Image local = layer_tile(layers_, "things", tile);
+    const PixelRect own = rect_of(frame);
+    for (const SharedLabels& s : shared_)
+      if (s.box.x0 <= own.x1 && s.box.x1 >= own.x0 && s.box.y0 <= own.y1 && s.box.y1 >= own.y0)
+        put(s.labels, s.box, frame, local);
+    const Image components = layer_tile(layers_, "components", tile);
+    for (std::size_t i = 0; i < local.size(); ++i)
+      if (local.values[i] != 0)
+        local.values[i] += static_cast<Height>(first[static_cast<std::uint32_t>(components.values[i])]);
+    layers_.write("things", tile, local);
+  }
+
+  const StreetLayers& layers_;
+  const RasterScale& scale_;
+  const ThingsParams& params_;
+  Components components_;
+  std::vector<std::vector<Thing>> things_;  // by component
+  std::vector<std::uint32_t> spanning_;
+  std::vector<SharedLabels> shared_;
+};
+
+}  // namespace
+
+const char* thing_feature_name(std::size_t feature) {
+  static constexpr const char* kOwn[] = {"low share", "ground share", "roughness", "length", "width", "facade contact"};
+  if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
+  return kOwn[feature - kComponentFeatures];
+}
+
+std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params) {
+  return ThingFinder(layers, scale, params).find();
+}
+
+}  // namespace ilot
