@@ -14,8 +14,9 @@ namespace {
 
 constexpr std::uint32_t kSide = 1024;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kFinestPixel = 0.05;  // metres
-constexpr int kCoarsest = 20;          // times that
+constexpr double kShareOfLayers = 0.4;  // of the budget, for packed layers
+constexpr double kFinestPixel = 0.05;   // metres
+constexpr int kCoarsest = 20;           // times that
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
@@ -115,7 +116,10 @@ double pixel_for(double density) {
 }
 
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
-    : store_(store), context_(context) {
+    : store_(store),
+      context_(context),
+      packed_(store.folder() / "streets",
+              static_cast<std::uint64_t>(kShareOfLayers * static_cast<double>(context.budget_bytes))) {
   raster_.pixel = whole_units(store, context, pixel_metres);
   raster_.unit = store.unit();
   const double metres = store.unit() * context.metres_per_unit;
@@ -129,8 +133,6 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
   raster_.y = windows.front().first * kSide;
   raster_.grid = {
       static_cast<std::uint32_t>((last - first + 1) * kSide), static_cast<std::uint32_t>(rows * kSide), kSide, {}};
-  std::filesystem::remove_all(store.folder() / "streets");
-  std::filesystem::create_directories(store.folder() / "streets");
   std::vector<std::uint8_t> present(raster_.grid.count(), 0);
   std::vector<std::size_t> tiles;
   for (const auto& [row, column] : windows)
@@ -140,30 +142,11 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
     draw(tiles[i], present);
   });
   raster_.grid.present = std::move(present);
-  layers_ = {raster_.grid,
-             [this](const char* layer, std::size_t tile, const TileFrame& part) { return read(layer, tile, part); },
-             [this](const char* layer, std::size_t tile, const Image& image) { write(layer, tile, image); }};
-}
-
-std::filesystem::path StreetTiles::path(const char* layer, std::size_t tile) const {
-  return store_.folder() / "streets" / (std::string(layer) + "_" + std::to_string(tile));
-}
-
-Image StreetTiles::read(const char* layer, std::size_t tile, const TileFrame& part) const {
-  const ColumnReader reader(path(layer, tile));
-  Image image = filled_image(part.width, part.height, 0);
-  if (part.width == kSide) {
-    reader.read<Height>(std::uint64_t{part.y} * kSide, image.values);
-    return image;
-  }
-  for (std::uint32_t y = 0; y < part.height; ++y)
-    reader.read<Height>(std::uint64_t{part.y + y} * kSide + part.x,
-                        std::span(image.values).subspan(std::size_t{y} * part.width, part.width));
-  return image;
-}
-
-void StreetTiles::write(const char* layer, std::size_t tile, const Image& image) const {
-  write_column<Height>(path(layer, tile), image.values);
+  layers_ = {
+      raster_.grid,
+      [this](const char* layer, std::size_t tile, const TileFrame& part) { return packed_.read(layer, tile, part); },
+      [this](const char* layer, std::size_t tile, const Image& image) { packed_.write(layer, tile, image); },
+      [this](const char* layer) { packed_.drop(layer); }};
 }
 
 // take(pixel in the tile, z)
@@ -180,7 +163,7 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
   });
 }
 
-void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) const {
+void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) {
   Image range = filled_image(kSide, kSide, kNoHeight), accumulation = filled_image(kSide, kSide, 0);
   std::uint64_t points = 0;
   for_points(tile, [&](std::size_t pixel, Height z) {
@@ -190,8 +173,8 @@ void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) con
   });
   if (points == 0) return;
   present[tile] = 1;
-  write("range", tile, range);
-  write("accumulation", tile, accumulation);
+  packed_.write("range", tile, range);
+  packed_.write("accumulation", tile, accumulation);
   context_.advance(points);
 }
 
@@ -224,7 +207,7 @@ void StreetTiles::spread_level(double reach) const {
       }
     }
     spread(level, halo - 1);
-    write("level", tile, without_halo(level, halo));
+    layers_.write("level", tile, without_halo(level, halo));
   });
 }
 
@@ -240,8 +223,8 @@ void StreetTiles::count_above(double least_height, double low_height) const {
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;
     });
-    write("above", tile, above);
-    write("low", tile, low);
+    layers_.write("above", tile, above);
+    layers_.write("low", tile, low);
   });
 }
 

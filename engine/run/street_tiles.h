@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The images of a street on disk, and what is drawn in them from the points.
 #pragma once
-#include <filesystem>
-
 #include "engine/pass/context.h"
+#include "engine/run/packed_layers.h"
 #include "engine/store/store.h"
 #include "engine/streets/raster_scale.h"
 #include "engine/streets/street_layers.h"
@@ -54,16 +53,14 @@ class StreetTiles {
   void count_above(double least_height, double low_height) const;
 
  private:
-  Image read(const char* layer, std::size_t tile, const TileFrame& part) const;
-  void write(const char* layer, std::size_t tile, const Image& image) const;
-  std::filesystem::path path(const char* layer, std::size_t tile) const;
-  void draw(std::size_t tile, std::vector<std::uint8_t>& present) const;
+  void draw(std::size_t tile, std::vector<std::uint8_t>& present);
   template <class Take>
   void for_points(std::size_t tile, const Take& take) const;
 
   const Store& store_;
   const PassContext& context_;
   StreetRaster raster_;
+  PackedLayers packed_;
   StreetLayers layers_;
 };
 

@@ -13,6 +13,7 @@ struct StreetLayers {
   TileGrid grid;
   std::function<Image(const char* layer, std::size_t tile, const TileFrame& part)> read;  // part: within the tile
   std::function<void(const char* layer, std::size_t tile, const Image& image)> write;
+  std::function<void(const char* layer)> drop;  // not while others read it
 };
 
 // A whole tile of a layer.

@@ -244,6 +244,7 @@ class ThingFinder {
     for (std::size_t c = 0; c < things_.size(); ++c)
       first[c + 1] = first[c] + static_cast<std::uint32_t>(things_[c].size());
     for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, first); });
+    layers_.drop("components");
     std::vector<Thing> all;
     for (auto& list : things_) all.insert(all.end(), list.begin(), list.end());
     return all;

@@ -44,7 +44,7 @@ struct ThingsParams {
 // "above" (points above the ground) and "low" (those lower than low_height) to the layer "things": numbers from 1 in
 // the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
-// of all. A component is worked on whole: memory some 60 bytes a pixel of its box. Leaves "components" behind.
+// of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot

@@ -98,6 +98,7 @@ void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, 
       if (v < least) v = kNoHeight;
     layers.write("height", tile, height);
   });
+  for (const char* layer : {"over", "raised", "regions", "marker"}) layers.drop(layer);
 }
 
 }  // namespace ilot

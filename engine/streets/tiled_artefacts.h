@@ -6,8 +6,7 @@
 namespace ilot {
 
 // find_artefacts of a street that is too large to hold: from the layers "filled" and "mask" to "height" (above the
-// ground around; kNoHeight where nothing stands), pixel by pixel what find_artefacts makes of the whole. Leaves the
-// layers "over", "raised" and "regions" behind.
+// ground around; kNoHeight where nothing stands), pixel by pixel what find_artefacts makes of the whole.
 void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
 
 }  // namespace ilot

@@ -112,6 +112,7 @@ void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, con
     for (Height& v : mask.values) v = any && (v == 0 || open[static_cast<std::uint32_t>(v)] == 0);
     layers.write("mask", tile, mask);
   });
+  for (const char* layer : {"closed", "linked", "regions", "zones"}) layers.drop(layer);
 }
 
 }  // namespace ilot

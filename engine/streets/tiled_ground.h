@@ -7,7 +7,6 @@ namespace ilot {
 
 // find_ground of a street that is too large to hold: from the layer "range" to "filled" and "mask", pixel by pixel what
 // find_ground makes of the whole. Where tiles are absent, each group of tiles that touch has a ground of its own.
-// Leaves the layers "closed", "linked", "regions" and "zones" behind.
 void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params = {});
 
 }  // namespace ilot
