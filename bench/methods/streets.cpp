@@ -18,6 +18,7 @@
 #include "engine/evaluate/point_stream.h"
 #include "engine/pass/index.h"
 #include "engine/run/streets_product.h"
+#include "engine/streets/whole_things.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
 
@@ -41,6 +42,9 @@ std::string name_of(PointLabel label) {
 // What one cloud gave: things with their truth, and the objects that none of them is.
 struct Street {
   std::vector<ThingSample> samples;
+  std::vector<Thing> things;                     // of the samples: pixels and parts
+  std::vector<std::uint32_t> object;             // which one a sample is; 0 = none
+  std::vector<double> overlaps;                  // with it
   std::map<std::string, std::uint64_t> objects;  // seen, by class
   std::uint64_t blocks = 0, gaps = 0, found_gaps = 0, ground = 0, ground_found = 0;
 };
@@ -146,9 +150,20 @@ Street study(const fs::path& cloud) {
   });
   for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
+    for (const std::uint32_t part : found.things[i - 1].parts) {
+      if (part == 0) continue;
+      points[i] += points[part];
+      for (const auto& [c, n] : of_class[part]) of_class[i][c] += n;
+      for (const auto& [o, n] : of_object[part]) of_object[i][o] += n;
+    }
+  }
+  street.things = found.things;
+  for (std::size_t i = 1; i < points.size(); ++i) {
     const Thing& thing = found.things[i - 1];
     ThingSample sample{thing.features, PointLabel::none, 0};
     sample.group = block_of(truth, raster.crs_x(thing.x), raster.crs_y(thing.y));
+    street.object.push_back(0);
+    street.overlaps.push_back(0);
     std::uint64_t most = 0;
     for (const auto& [true_class, count] : of_class[i])
       if (count > most) most = count, sample.label = true_class == 7 ? PointLabel::vegetation : PointLabel::none;
@@ -156,7 +171,10 @@ Street study(const fs::path& cloud) {
       TrueThing& o = truth.objects.at(object);
       const double overlap = static_cast<double>(common) / static_cast<double>(o.points + points[i] - common);
       if (overlap > o.overlap) o.overlap = overlap, o.common = common, o.of_thing = points[i];
-      if (2 * common >= o.points + points[i] - common) sample.label = label_of(o.class_name);
+      if (overlap < 0.5) continue;
+      sample.label = label_of(o.class_name);
+      street.object.back() = object;
+      street.overlaps.back() = overlap;
     }
     street.samples.push_back(sample);
   }
@@ -178,7 +196,10 @@ void save(const Street& street, const fs::path& path) {
     text += fmt::format("{} ", street.objects.count(name) ? street.objects.at(name) : 0);
   text += "\n";
   for (const ThingSample& s : street.samples) {
-    text += fmt::format("{} {}", static_cast<int>(s.label), s.group);
+    const std::size_t i = static_cast<std::size_t>(&s - street.samples.data());
+    const Thing& t = street.things[i];
+    text += fmt::format("{} {} {} {:.17g} {} {} {}", static_cast<int>(s.label), s.group, street.object[i],
+                        street.overlaps[i], t.pixels, t.parts[0], t.parts[1]);
     for (const double f : s.features) text += fmt::format(" {:.17g}", f);
     text += "\n";
   }
@@ -193,6 +214,9 @@ Street load(const fs::path& path) {
   int label = 0;
   for (ThingSample s; file >> label >> s.group;) {
     s.label = static_cast<PointLabel>(label);
+    street.object.push_back(0), street.overlaps.push_back(0), street.things.push_back({});
+    Thing& t = street.things.back();
+    file >> street.object.back() >> street.overlaps.back() >> t.pixels >> t.parts[0] >> t.parts[1];
     for (double& f : s.features) file >> f;
     street.samples.push_back(s);
   }
@@ -263,10 +287,16 @@ void print_intervals(const std::map<std::string, std::vector<double>>& shares) {
   }
 }
 
-std::vector<ThingSample> objects_of(const std::vector<ThingSample>& samples) {
+// Of each object that was found the thing that is most of it.
+std::vector<ThingSample> objects_of(const Street& street) {
+  std::map<std::uint32_t, std::size_t> best;
+  for (std::size_t i = 0; i < street.samples.size(); ++i)
+    if (street.object[i] != 0)
+      if (const auto entry = best.try_emplace(street.object[i], i).first;
+          street.overlaps[i] > street.overlaps[entry->second])
+        entry->second = i;
   std::vector<ThingSample> out;
-  for (const ThingSample& s : samples)
-    if (is_object(s.label)) out.push_back(s);
+  for (const auto& [object, i] : best) out.push_back(street.samples[i]);
   return out;
 }
 
@@ -276,6 +306,43 @@ void print_ranking(const std::vector<ThingSample>& samples, const ThingTrainingP
   fmt::print("\n");
 }
 
+void add(const Matrix& m, Matrix& all) {
+  for (const auto& [row, cells] : m)
+    for (const auto& [column, n] : cells) all[row][column] += n;
+}
+
+// What a run would give: the things that are whole, by class; all objects that points lie on count.
+void judge_whole(const Street& street, const std::vector<ThingClass>& classes, Matrix& all,
+                 std::map<std::string, std::vector<double>>& shares) {
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  Matrix m;
+  std::map<std::string, std::uint64_t> detected;
+  std::uint64_t found = 0, wrong = 0, right = 0, objects = 0;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i] == 0 || !is_object(classes[i].label)) continue;
+    ++found;
+    if (street.object[i] == 0) {
+      ++wrong;
+      ++m[street.samples[i].label][classes[i].label];
+      continue;
+    }
+    ++m[street.samples[i].label][classes[i].label];
+    ++detected[name_of(street.samples[i].label)];
+    ++right;
+  }
+  Matrix judged = m;
+  judged.erase(PointLabel::none), judged.erase(PointLabel::vegetation);
+  note_shares(judged, shares);
+  for (const auto& [name, n] : street.objects) {
+    m[label_of(name)][PointLabel::none] += n - detected[name];
+    objects += n;
+  }
+  add(m, all);
+  shares["recall"].push_back(100.0 * static_cast<double>(right) / static_cast<double>(objects));
+  shares["false"].push_back(100.0 * static_cast<double>(wrong) /
+                            static_cast<double>(std::max<std::uint64_t>(1, found)));
+}
+
 // Cross-validation of all streets, one by one: what the document does with 4 classes of what was found, then all.
 void judge(const std::vector<Street>& streets, const char* title, const ThingTrainingParams& params,
            bool objects_only) {
@@ -283,23 +350,17 @@ void judge(const std::vector<Street>& streets, const char* title, const ThingTra
   std::map<std::string, std::vector<double>> shares;
   Matrix all;
   for (const Street& street : streets) {
-    const std::vector<ThingSample> samples = objects_only ? objects_of(street.samples) : street.samples;
+    if (!objects_only) {
+      judge_whole(street, cross_validate(street.samples, params), all, shares);
+      continue;
+    }
+    const std::vector<ThingSample> samples = objects_of(street);
     print_ranking(samples, params);
-    const Matrix m = matrix_of(samples, cross_validate(samples, params));
+    std::vector<PointLabel> given;
+    for (const ThingClass& c : cross_validate(samples, params)) given.push_back(c.label);
+    const Matrix m = matrix_of(samples, given);
     note_shares(m, shares);
-    for (const auto& [row, cells] : m)
-      for (const auto& [column, n] : cells) all[row][column] += n;
-    if (objects_only) continue;
-    std::uint64_t objects = 0, detected = 0, found = 0, wrong = 0;
-    for (const auto& [name, n] : street.objects) objects += n;
-    for (const auto& [row, cells] : m)
-      for (const auto& [column, n] : cells) {
-        if (is_object(column)) found += n, wrong += is_object(row) ? 0 : n;
-        if (is_object(column) && is_object(row)) detected += n;
-      }
-    shares["recall"].push_back(100.0 * static_cast<double>(detected) / static_cast<double>(objects));
-    shares["false"].push_back(100.0 * static_cast<double>(wrong) /
-                              static_cast<double>(std::max<std::uint64_t>(1, found)));
+    add(m, all);
   }
   print_matrix(all);
   print_intervals(shares);

@@ -11,20 +11,24 @@
 #include "engine/deliverables/street_map.h"
 #include "engine/deliverables/streets_gpkg.h"
 #include "engine/run/street_labels.h"
+#include "engine/run/street_training.h"
 #include "engine/streets/tiled_artefacts.h"
 #include "engine/streets/tiled_ground.h"
+#include "engine/streets/whole_things.h"
+#include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
 
-constexpr double kFarFromStreet = 30;  // metres from a line of facades; objects beyond are of no block
-constexpr double kStepsOfGap = 5;      // pixels that a gap between scan lines may have at least
-constexpr float kNone = -9999;         // pixels without a height
-constexpr double kPixelsOfThing = 4;   // of a thing at least
+constexpr double kFarFromStreet = 30;      // metres from a line of facades; objects beyond are of no block
+constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
+constexpr float kNone = -9999;             // pixels without a height
+constexpr std::uint64_t kLeastPoints = 3;  // of an object [B7]
+constexpr double kPixelsOfThing = 4;       // of a thing at least
 
-// Images of tiles come and go all the time: memory that is given back to the system each time comes back as page faults,
-// which are a third of the work.
+// Images of tiles come and go all the time: memory that is given back to the system each time comes back as page
+// faults, which are a third of the work.
 void keep_freed_memory() {
 #ifdef __GLIBC__
   mallopt(M_MMAP_THRESHOLD, 64 << 20);
@@ -49,12 +53,12 @@ Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
 }
 
 // What a thing is called, for all things.
-std::vector<ThingClass> classes_of(const std::vector<Thing>& things, const ThingModel& model) {
+std::vector<ThingClass> classes_of(const std::vector<Thing>& things, const StreetClasses& model) {
   std::vector<ThingClass> classes(things.size());
   constexpr std::size_t kGrain = 256;
   parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
     for (std::size_t i = part * kGrain; i < std::min(things.size(), (part + 1) * kGrain); ++i)
-      classes[i] = classify_thing(model, things[i].features);
+      classes[i] = model.of(things[i].features);
   });
   return classes;
 }
@@ -201,27 +205,36 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   return street;
 }
 
-void make_streets(const Store& store, const Settings& settings, const ThingModel& model, const Crs& crs,
+void make_streets(const Store& store, const Settings& settings, const std::filesystem::path& train, const Crs& crs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                   RunRecord& record) {
   progress.begin_stage("streets", 2 * store.points());
   std::filesystem::create_directories(folder);
   const FoundStreet street = find_street(store, settings.streets, context);
   choose_pixel(settings.streets, street, record);
+  const StreetClasses model = street_classes(street, train, crs, progress, record);
+  if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
   const std::vector<ThingClass> classes = classes_of(street.things, model);
-  ThingLabels labels{std::vector<std::uint32_t>(street.things.size() + 1, 0),
-                     std::vector<PointLabel>(street.things.size() + 1, PointLabel::none)};
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
   StreetPlan plan;
+  std::vector<std::uint32_t> object_of_thing(street.things.size() + 1, 0);
   const double unit = store.unit();
   for (std::size_t i = 0; i < street.things.size(); ++i) {
-    labels.label[i + 1] = classes[i].label;
-    if (!is_object(classes[i].label)) continue;
+    if (taken[i] == 0 || !is_object(classes[i].label) || street.things[i].points < kLeastPoints) continue;
     StreetObject object = object_of(street, street.things[i], classes[i]);
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
-    labels.object[i + 1] = object.id;
+    object_of_thing[i + 1] = object.id;
     plan.objects.push_back(object);
+  }
+  ThingLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < thing_of.size(); ++part) {
+    const std::uint32_t thing = thing_of[part];
+    const PointLabel label = classes[thing - 1].label;
+    labels.object.push_back(object_of_thing[thing]);
+    labels.label.push_back(is_object(label) && object_of_thing[thing] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
   write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);

@@ -26,9 +26,10 @@ struct FoundStreet {
 // B1 to B6 on a store. Works in tiles on disk; memory is that of a few tiles and of their borders.
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context);
 
-// find_street, the class of each thing by the model, and all that is written: the files of `folder` (streets/) and the
-// column "street" (StreetLabel) of every block. Objects whose base is not wanted are left out.
-void make_streets(const Store& store, const Settings& settings, const ThingModel& model, const Crs& crs,
+// find_street, the class of each thing by the default model or as learnt from `train` (street_classes), and all that is
+// written: the files of `folder` (streets/) and the column "street" (StreetLabel) of every block. Objects whose base is
+// not wanted are left out.
+void make_streets(const Store& store, const Settings& settings, const std::filesystem::path& train, const Crs& crs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                   RunRecord& record);
 

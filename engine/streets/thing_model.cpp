@@ -146,18 +146,22 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
         decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
             weight_against(model, v, own, other) * kernel;
   }
-  const double even = 1 / static_cast<double>(k);
-  if (nearest < kUnlike) return {PointLabel::other, even};
-  std::vector<double> share(k, 0);
+  if (nearest < kUnlike) return {PointLabel::other, 1 / static_cast<double>(k), 1};
+  std::vector<double> share(k, 1);
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
       const std::size_t p = pair_index(a, b, k);
       const double first = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
-      share[a] += first;
-      share[b] += 1 - first;
+      share[a] *= first;
+      share[b] *= 1 - first;
     }
+  double sum = 0;
+  for (const double s : share) sum += s;
   const auto best = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
-  return {model.classes[best], share[best] / static_cast<double>(k - 1)};
+  ThingClass out{model.classes[best], sum > 0 ? share[best] / sum : 1 / static_cast<double>(k), 1};
+  for (std::size_t c = 0; c < k; ++c)
+    if (model.classes[c] == PointLabel::none && sum > 0) out.whole = 1 - share[c] / sum;
+  return out;
 }
 
 std::string thing_model_text(const ThingModel& model) {

@@ -25,7 +25,7 @@ enum class FeatureSet : std::uint8_t { document, all };
 struct ThingTrainingParams {
   FeatureSet features = FeatureSet::all;
   double max_p = 0.01;                // of the stepwise selection
-  std::uint32_t folds = 10;           // of the cross-validation that the grid is searched by
+  std::uint32_t folds = 5;            // of the cross-validation that the grid is searched by
   std::uint32_t most_of_class = 400;  // samples; of more, as many evenly spread
 };
 
@@ -45,6 +45,7 @@ struct ThingModel {
 struct ThingClass {
   PointLabel label = PointLabel::other;
   double probability = 0;
+  double whole = 1;  // probability of being anything but `none`
 };
 
 // The features that the stepwise selection takes, in its order.
@@ -55,13 +56,15 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 // (Platt 1999 as Lin, Lin and Weng 2007 do it). At least two classes with two samples each, else Error(usage).
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
-// The class with the greatest mean of pairwise probabilities. Things unlike all that the machine was trained on (kernel
-// below 0.001 to every support vector) are `other`, as probable as any class.
+// The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things
+// unlike all that the machine was trained on (kernel below 0.001 to every support vector) are `other`, as probable as
+// any class.
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
 
-// Cross-validation by groups: the class that a machine gives each sample when trained on the other folds' samples, all
-// steps of the training included.
-std::vector<PointLabel> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params);
+// Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of
+// the training included.
+std::vector<ThingClass> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params,
+                                       std::uint32_t folds = 10);
 
 // The model as text and back; parse throws Error naming `name` and the line.
 std::string thing_model_text(const ThingModel& model);

@@ -16,8 +16,8 @@
 namespace ilot {
 namespace {
 
-constexpr int kCosts[] = {-1, 1, 3, 5, 7, 9};  // powers of two
-constexpr int kGammas[] = {-9, -7, -5, -3, -1, 1};
+constexpr int kCosts[] = {0, 3, 6, 9};  // powers of two
+constexpr int kGammas[] = {-7, -5, -3, -1};
 
 struct FreeModel {
   void operator()(svm_model* model) const { svm_free_and_destroy_model(&model); }
@@ -91,27 +91,32 @@ TrainingSet training_set(std::span<const ThingSample> samples, const ThingModel&
   return set;
 }
 
-// All kernels of a set.
+// All kernels of a set, as libsvm takes them: a row begins with its own number, the last node ends it.
 class KernelTable {
  public:
-  KernelTable(const TrainingSet& set, double gamma) : n_(set.size()), values_(n_ * n_) {
-    for (std::size_t i = 0; i < n_; ++i)
-      for (std::size_t j = 0; j <= i; ++j)
-        values_[i * n_ + j] = values_[j * n_ + i] = radial(set.rows[i], set.rows[j], gamma);
+  KernelTable(const TrainingSet& set, double gamma) : stride_(set.size() + 2), nodes_(set.size() * stride_) {
+    for (std::size_t i = 0; i < set.size(); ++i) {
+      nodes_[i * stride_] = {0, static_cast<double>(i + 1)};
+      nodes_[i * stride_ + stride_ - 1] = {-1, 0};
+      for (std::size_t j = 0; j <= i; ++j) {
+        const double kernel = radial(set.rows[i], set.rows[j], gamma);
+        nodes_[i * stride_ + j + 1] = {static_cast<int>(j + 1), kernel};
+        nodes_[j * stride_ + i + 1] = {static_cast<int>(i + 1), kernel};
+      }
+    }
   }
-  double at(std::size_t i, std::size_t j) const { return values_[i * n_ + j]; }
+  double at(std::size_t i, std::size_t j) const { return nodes_[i * stride_ + j + 1].value; }
+  svm_node* row(std::size_t i) const { return const_cast<svm_node*>(&nodes_[i * stride_]); }  // libsvm only reads
 
  private:
-  std::size_t n_;
-  std::vector<double> values_;
+  std::size_t stride_;
+  std::vector<svm_node> nodes_;
 };
 
 // A machine trained on some samples of a set, and which they are.
 struct Machine {
   SvmModel model;
   std::vector<std::size_t> samples;
-  std::vector<std::vector<svm_node>> nodes;
-  std::vector<double> labels;
 };
 
 Machine train_on(const TrainingSet& set, const KernelTable& kernels, std::vector<std::size_t> samples, double cost,
@@ -119,18 +124,13 @@ Machine train_on(const TrainingSet& set, const KernelTable& kernels, std::vector
   Machine m;
   m.samples = std::move(samples);
   const std::size_t n = m.samples.size();
-  std::vector<double> count(class_count, 0);
-  for (const std::size_t s : m.samples) ++count[set.classes[s]];
+  std::vector<double> count(class_count, 0), labels;
   std::vector<svm_node*> rows;
-  for (std::size_t i = 0; i < n; ++i) {
-    std::vector<svm_node> row{{0, static_cast<double>(i + 1)}};
-    for (std::size_t j = 0; j < n; ++j)
-      row.push_back({static_cast<int>(j + 1), kernels.at(m.samples[i], m.samples[j])});
-    row.push_back({-1, 0});
-    m.nodes.push_back(std::move(row));
-    m.labels.push_back(set.classes[m.samples[i]]);
+  for (const std::size_t s : m.samples) {
+    ++count[set.classes[s]];
+    labels.push_back(set.classes[s]);
+    rows.push_back(kernels.row(s));
   }
-  for (auto& row : m.nodes) rows.push_back(row.data());
   std::vector<int> weight_label;
   std::vector<double> weight;
   for (std::size_t c = 0; c < class_count; ++c) {
@@ -148,7 +148,7 @@ Machine train_on(const TrainingSet& set, const KernelTable& kernels, std::vector
   p.nr_weight = static_cast<int>(weight.size());
   p.weight_label = weight_label.data();
   p.weight = weight.data();
-  const svm_problem problem{static_cast<int>(n), m.labels.data(), rows.data()};
+  const svm_problem problem{static_cast<int>(n), labels.data(), rows.data()};
   m.model.reset(svm_train(&problem, &p));
   return m;
 }
@@ -375,17 +375,18 @@ ThingModel train_things(std::span<const ThingSample> all, const ThingTrainingPar
   return model;
 }
 
-std::vector<PointLabel> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params) {
-  const std::vector<std::uint32_t> folds = folds_of(samples, params.folds);
-  std::vector<PointLabel> out(samples.size(), PointLabel::none);
-  for (std::uint32_t fold = 0; fold < params.folds; ++fold) {
+std::vector<ThingClass> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params,
+                                       std::uint32_t folds) {
+  const std::vector<std::uint32_t> fold_of = folds_of(samples, folds);
+  std::vector<ThingClass> out(samples.size(), {PointLabel::none, 0, 0});
+  for (std::uint32_t fold = 0; fold < folds; ++fold) {
     std::vector<ThingSample> rest;
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (folds[i] != fold) rest.push_back(samples[i]);
+      if (fold_of[i] != fold) rest.push_back(samples[i]);
     if (rest.size() == samples.size()) continue;
     const ThingModel model = train_things(rest, params);
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (folds[i] == fold) out[i] = classify_thing(model, samples[i].features).label;
+      if (fold_of[i] == fold) out[i] = classify_thing(model, samples[i].features);
   }
   return out;
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <mutex>
 
 #include "kernels/core/parallel.h"
@@ -74,21 +75,125 @@ class ComponentWork {
     for (std::size_t i = 0; i < own_.size(); ++i)
       if (static_cast<std::uint32_t>(patch.components.values[i]) != component) own_.values[i] = kNoHeight;
     labels_ = separate_artefacts(own_, scale, params.separation);
+    slope_ = gradient(own_, Adjacency::eight);
   }
 
   const PixelLabels& labels() const { return labels_; }
 
+  // The separated ones, then those that join two of them; parts by their place here, from 1.
   std::vector<Thing> things() const {
-    const std::vector<ComponentFeatures> features = document_features();
-    const std::vector<Tally> tallies = tally();
-    std::vector<Thing> out;
-    for (std::uint32_t i = 0; i < labels_.count; ++i) out.push_back(thing(features[i], tallies[i]));
+    std::vector<Thing> out = described(labels_);
+    const std::vector<Join> joins = joins_of();
+    // What joins what, level by level, so that the things of one level have no pixel in common.
+    std::vector<std::uint32_t> of(labels_.of), level(out.size() + joins.size() + 1, 0);
+    const auto parts = static_cast<std::uint32_t>(out.size());
+    std::uint32_t levels = 0;
+    for (std::uint32_t j = 0; j < joins.size(); ++j) {
+      level[parts + j + 1] = 1 + std::max(level[joins[j].a], level[joins[j].b]);
+      levels = std::max(levels, level[parts + j + 1]);
+    }
+    out.resize(out.size() + joins.size());
+    for (std::uint32_t l = 1; l <= levels; ++l) {
+      std::vector<std::uint32_t> becomes(out.size() + 1, 0);
+      for (std::uint32_t j = 0; j < joins.size(); ++j)
+        if (level[parts + j + 1] == l) becomes[joins[j].a] = becomes[joins[j].b] = parts + j + 1;
+      PixelLabels joined{labels_.width, labels_.height, 0, std::vector<std::uint32_t>(of.size(), 0)};
+      std::vector<std::uint32_t> number(out.size() + 1, 0), who;
+      for (std::size_t i = 0; i < of.size(); ++i) {
+        const std::uint32_t next = becomes[of[i]];
+        if (next == 0) continue;
+        of[i] = next;
+        if (number[next] == 0) {
+          number[next] = ++joined.count;
+          who.push_back(next);
+        }
+        joined.of[i] = number[next];
+      }
+      const std::vector<Thing> described_now = described(joined);
+      for (std::size_t i = 0; i < who.size(); ++i) out[who[i] - 1] = described_now[i];
+    }
+    for (std::uint32_t j = 0; j < joins.size(); ++j) {
+      out[parts + j].parts[0] = joins[j].a;
+      out[parts + j].parts[1] = joins[j].b;
+    }
     return out;
   }
 
  private:
-  std::vector<ComponentFeatures> document_features() const {
-    PixelLabels seen = labels_;
+  struct Join {
+    std::uint32_t a = 0, b = 0;
+  };
+
+  // Pairs of parts, or of what they were joined to, in the order in which they are joined.
+  std::vector<Join> joins_of() const {
+    struct Side {
+      Height top = kNoHeight;
+      double pixels = 0;
+      std::map<std::uint32_t, Height> passes;  // to those beside it
+    };
+    std::map<std::uint32_t, Side> sides;
+    const std::size_t w = labels_.width;
+    for (std::size_t i = 0; i < labels_.of.size(); ++i) {
+      const std::uint32_t a = labels_.of[i];
+      if (a == 0) continue;
+      Side& side = sides[a];
+      side.top = std::max(side.top, own_.values[i]);
+      ++side.pixels;
+      for (const std::size_t q : {i + 1, i + w - 1, i + w, i + w + 1}) {
+        const std::uint32_t b = labels_.of[q];
+        if (b == 0 || b == a) continue;
+        const Height pass = std::min(own_.values[i], own_.values[q]);
+        for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+          Height& known = sides[from].passes.try_emplace(to, pass).first->second;
+          known = std::max(known, pass);
+        }
+      }
+    }
+    const double largest = params_.largest / (scale_.pixel * scale_.pixel);
+    std::vector<Join> joins;
+    std::uint32_t next = labels_.count;
+    for (;;) {
+      Join best;
+      double highest = -1;
+      for (const auto& [a, side] : sides)
+        for (const auto& [b, pass] : side.passes) {
+          if (b < a || side.pixels + sides.at(b).pixels > largest) continue;
+          const double ratio = static_cast<double>(pass) / std::min(side.top, sides.at(b).top);
+          if (ratio > highest) highest = ratio, best = {a, b};
+        }
+      if (best.a == 0) break;
+      joins.push_back(best);
+      Side whole = sides.at(best.a);
+      const Side& other = sides.at(best.b);
+      whole.top = std::max(whole.top, other.top);
+      whole.pixels += other.pixels;
+      for (const auto& [c, pass] : other.passes) {
+        Height& known = whole.passes.try_emplace(c, pass).first->second;
+        known = std::max(known, pass);
+      }
+      whole.passes.erase(best.a), whole.passes.erase(best.b);
+      sides.erase(best.a), sides.erase(best.b);
+      ++next;
+      for (const auto& [c, pass] : whole.passes) {
+        Side& beside = sides.at(c);
+        beside.passes.erase(best.a), beside.passes.erase(best.b);
+        beside.passes[next] = pass;
+      }
+      sides[next] = std::move(whole);
+    }
+    return joins;
+  }
+
+  std::vector<Thing> described(const PixelLabels& labels) const {
+    const std::vector<ComponentFeatures> features = document_features(labels);
+    const std::vector<Tally> tallies = tally(labels);
+    std::vector<Thing> out;
+    for (std::uint32_t i = 0; i < labels.count; ++i) out.push_back(thing(features[i], tallies[i]));
+    return out;
+  }
+
+  std::vector<ComponentFeatures> document_features(const PixelLabels& labels) const {
+    PixelLabels seen = labels;
     std::vector<std::uint32_t> accumulation(seen.of.size(), 0);
     std::vector<std::uint8_t> any(std::size_t{seen.count} + 1, 0);
     for (std::size_t i = 0; i < seen.of.size(); ++i) {
@@ -106,13 +211,12 @@ class ComponentWork {
     return features;
   }
 
-  std::vector<Tally> tally() const {
-    std::vector<Tally> tallies(labels_.count);
-    const Image slope = gradient(own_, Adjacency::eight);
+  std::vector<Tally> tally(const PixelLabels& labels) const {
+    std::vector<Tally> tallies(labels.count);
     const std::size_t w = own_.width;
-    for (std::size_t i = 0; i < labels_.of.size(); ++i) {
-      if (labels_.of[i] == 0) continue;
-      Tally& t = tallies[labels_.of[i] - 1];
+    for (std::size_t i = 0; i < labels.of.size(); ++i) {
+      if (labels.of[i] == 0) continue;
+      Tally& t = tallies[labels.of[i] - 1];
       const auto x = static_cast<double>(i % w), y = static_cast<double>(i / w);
       ++t.n;
       t.x += x, t.y += y, t.xx += x * x, t.xy += x * y, t.yy += y * y;
@@ -120,12 +224,12 @@ class ComponentWork {
       t.low += low, t.low_x += low * x, t.low_y += low * y;
       t.above += std::max(0, patch_.above.values[i]);
       t.points += std::max(0, patch_.accumulation.values[i]);
-      t.slope += slope.values[i];
+      t.slope += slope_.values[i];
       if (patch_.range.values[i] != kNoHeight)
         t.ground = std::min(t.ground, patch_.range.values[i] - patch_.height.values[i]);
       bool edge = false, contact = false;
       for (const std::size_t q : {i - w, i - 1, i + 1, i + w}) {
-        edge |= labels_.of[q] != labels_.of[i];
+        edge |= labels.of[q] != labels.of[i];
         contact |= patch_.mask.values[q] != 1;
       }
       t.edge += edge;
@@ -170,6 +274,7 @@ class ComponentWork {
   const ThingsParams& params_;
   Image own_;
   PixelLabels labels_;
+  Image slope_;
 };
 
 PixelRect rect_of(const TileFrame& f) {
@@ -241,16 +346,30 @@ class ThingFinder {
     shared_.resize(spanning_.size());
     parallel_for(spanning_.size(), [&](std::size_t i) { work_on_spanning(i); });
     std::vector<std::uint32_t> first(things_.size() + 1, 0);
-    for (std::size_t c = 0; c < things_.size(); ++c)
-      first[c + 1] = first[c] + static_cast<std::uint32_t>(things_[c].size());
+    for (std::size_t c = 0; c < things_.size(); ++c) first[c + 1] = first[c] + separated(things_[c]);
     for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, first); });
     layers_.drop("components");
     std::vector<Thing> all;
-    for (auto& list : things_) all.insert(all.end(), list.begin(), list.end());
+    for (const auto& list : things_) all.insert(all.end(), list.begin(), list.begin() + separated(list));
+    for (std::size_t c = 0; c < things_.size(); ++c) add_joined(things_[c], first[c], all);
     return all;
   }
 
  private:
+  static std::uint32_t separated(const std::vector<Thing>& things) {
+    return static_cast<std::uint32_t>(
+        std::count_if(things.begin(), things.end(), [](const Thing& t) { return t.parts[0] == 0; }));
+  }
+
+  // The joined things of a component, their parts by number in the whole.
+  static void add_joined(const std::vector<Thing>& things, std::uint32_t first, std::vector<Thing>& all) {
+    const std::uint32_t parts = separated(things), joined = static_cast<std::uint32_t>(all.size());
+    for (std::size_t i = parts; i < things.size(); ++i) {
+      all.push_back(things[i]);
+      for (std::uint32_t& part : all.back().parts) part += part <= parts ? first : joined - parts;
+    }
+  }
+
   bool large_enough(std::uint32_t component) const {
     return components_.pixels[component] >= std::max(1u, scale_.area(params_.separation.least_area));
   }

@@ -32,10 +32,12 @@ struct Thing {
   double length = 0, width = 0, heading_deg = 0;  // metres; heading of the length, from x towards y, 0 to below 180
   std::uint64_t points = 0;                       // above the ground
   std::uint32_t pixels = 0;
+  std::uint32_t parts[2] = {0, 0};  // numbers of the things that this one joins; 0: a thing as it was separated
 };
 
 struct ThingsParams {
   SeparationParams separation;
+  double largest = 40;           // square metres; parts are joined to no larger things
   double low_height = 2;         // metres above the ground
   double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
 };
@@ -45,6 +47,10 @@ struct ThingsParams {
 // the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
 // of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
+//
+// Ours: a watershed also parts what is one, as a bicycle from saddle to handlebar. Behind the parts as they were
+// separated come the things that join two of them or of those: in each component the two whose pass is highest beside
+// the lower top, again and again, up to `largest`. Which of them are things, classes tell: whole_things.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot
