@@ -343,22 +343,40 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, M
                             static_cast<double>(std::max<std::uint64_t>(1, found)));
 }
 
-// Cross-validation of all streets, one by one: what the document does with 4 classes of what was found, then all.
+// Samples of all streets, their blocks told apart.
+std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets) {
+  std::vector<ThingSample> all;
+  for (std::size_t s = 0; s < streets.size(); ++s)
+    for (ThingSample sample : streets[s]) {
+      sample.group += static_cast<std::uint32_t>(1000 * s);
+      all.push_back(sample);
+    }
+  return all;
+}
+
+// One cross-validation over the blocks of all streets: what the document does with 4 classes of what was found, or what
+// a run would give.
 void judge(const std::vector<Street>& streets, const char* title, const ThingTrainingParams& params,
            bool objects_only) {
   fmt::print("\n{}\n", title);
+  std::vector<std::vector<ThingSample>> samples;
+  for (const Street& street : streets) samples.push_back(objects_only ? objects_of(street) : street.samples);
+  const std::vector<ThingSample> all_samples = pooled(samples);
+  print_ranking(all_samples, params);
+  const std::vector<ThingClass> given = cross_validate(all_samples, params);
   std::map<std::string, std::vector<double>> shares;
   Matrix all;
-  for (const Street& street : streets) {
+  std::size_t first = 0;
+  for (std::size_t s = 0; s < streets.size(); first += samples[s++].size()) {
+    const std::vector<ThingClass> own(given.begin() + static_cast<std::ptrdiff_t>(first),
+                                      given.begin() + static_cast<std::ptrdiff_t>(first + samples[s].size()));
     if (!objects_only) {
-      judge_whole(street, cross_validate(street.samples, params), all, shares);
+      judge_whole(streets[s], own, all, shares);
       continue;
     }
-    const std::vector<ThingSample> samples = objects_of(street);
-    print_ranking(samples, params);
-    std::vector<PointLabel> given;
-    for (const ThingClass& c : cross_validate(samples, params)) given.push_back(c.label);
-    const Matrix m = matrix_of(samples, given);
+    std::vector<PointLabel> labels;
+    for (const ThingClass& c : own) labels.push_back(c.label);
+    const Matrix m = matrix_of(samples[s], labels);
     note_shares(m, shares);
     add(m, all);
   }
@@ -367,15 +385,9 @@ void judge(const std::vector<Street>& streets, const char* title, const ThingTra
 }
 
 void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, const fs::path& path) {
-  std::vector<ThingSample> samples;
-  std::uint32_t first = 0;
-  for (const Street& street : streets) {
-    for (ThingSample s : street.samples) {
-      s.group += first;
-      samples.push_back(s);
-    }
-    first += 1000;
-  }
+  std::vector<std::vector<ThingSample>> lists;
+  for (const Street& street : streets) lists.push_back(street.samples);
+  const std::vector<ThingSample> samples = pooled(lists);
   ThingTrainingParams params;
   ThingModel model = train_things(samples, params);
   std::string names;

@@ -89,11 +89,14 @@ class ModelReader {
   }
 
   void take_class(std::istringstream& words) {
+    const double prior = numbers(words, 1)[0];
+    if (!(prior > 0)) fail("a class is never there");
     std::string name;
     words >> name;
     for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
       if (name_of(static_cast<PointLabel>(value)) != name) continue;
       model_.classes.push_back(static_cast<PointLabel>(value));
+      model_.prior.push_back(prior);
       return;
     }
     fail("there is no class '" + name + "'");
@@ -147,7 +150,7 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
             weight_against(model, v, own, other) * kernel;
   }
   if (nearest < kUnlike) return {PointLabel::other, 1 / static_cast<double>(k), 1};
-  std::vector<double> share(k, 1);
+  std::vector<double> share = model.prior;
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
       const std::size_t p = pair_index(a, b, k);
@@ -168,7 +171,8 @@ std::string thing_model_text(const ThingModel& model) {
   std::string text = std::string(kFirstLine) + "\n";
   std::istringstream recipe(model.recipe);
   for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
-  for (const PointLabel label : model.classes) text += "class " + name_of(label) + "\n";
+  for (std::size_t c = 0; c < model.classes.size(); ++c)
+    text += fmt::format("class {:.9g} {}\n", model.prior[c], name_of(model.classes[c]));
   for (std::size_t i = 0; i < model.features.size(); ++i)
     text +=
         fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i], thing_feature_name(model.features[i]));

@@ -36,6 +36,7 @@ struct ThingModel {
   std::vector<double> mean, sd;       // of each, after signed_root
   double gamma = 1, cost = 1;
   std::vector<PointLabel> classes;
+  std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
   std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
   std::vector<std::uint32_t> class_of_vector;  // index into classes, rising
@@ -53,7 +54,9 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 
 // Selects features, searches cost and gamma on a grid by cross-validation over groups, trains on all with what was best
 // (ties: the lower cost, then the lower gamma) and fits the probabilities to the decisions of the cross-validation
-// (Platt 1999 as Lin, Lin and Weng 2007 do it). At least two classes with two samples each, else Error(usage).
+// (Platt 1999 as Lin, Lin and Weng 2007 do it). Where samples were left out because a class has many, those that the
+// machine gets wrong join the others, and it is trained once more; probabilities stay those of the even choice, times
+// how many samples each class really had. At least two classes with two samples each, else Error(usage).
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
 // The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things

@@ -41,16 +41,28 @@ std::vector<PointLabel> classes_of(std::span<const ThingSample> samples) {
   return classes;
 }
 
-// At most so many of each class, evenly spread in their order.
-std::vector<ThingSample> thinned(std::span<const ThingSample> samples, std::uint32_t most) {
+// At most so many of each class, evenly spread in their order; the others go to `rest`.
+std::vector<ThingSample> thinned(std::span<const ThingSample> samples, std::uint32_t most,
+                                 std::vector<ThingSample>& rest) {
   std::map<PointLabel, std::uint64_t> total, seen;
   for (const ThingSample& s : samples) ++total[s.label];
   std::vector<ThingSample> kept;
   for (const ThingSample& s : samples) {
     const std::uint64_t n = total[s.label], i = seen[s.label]++;
-    if (n <= most || i * most / n != (i + 1) * most / n) kept.push_back(s);
+    (n <= most || i * most / n != (i + 1) * most / n ? kept : rest).push_back(s);
   }
   return kept;
+}
+
+// Those that a model gets wrong.
+std::vector<ThingSample> wrong_ones(const ThingModel& model, std::span<const ThingSample> samples) {
+  std::vector<std::uint8_t> wrong(samples.size(), 0);
+  parallel_for(samples.size(),
+               [&](std::size_t i) { wrong[i] = classify_thing(model, samples[i].features).label != samples[i].label; });
+  std::vector<ThingSample> out;
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (wrong[i] != 0) out.push_back(samples[i]);
+  return out;
 }
 
 // Groups in their order, dealt out one by one; single samples where there are fewer groups than folds.
@@ -275,13 +287,15 @@ Sigmoid fit_sigmoid(const std::vector<double>& f, const std::vector<std::uint8_t
   return s;
 }
 
-void fit_probabilities(const TrainingSet& set, const std::vector<std::vector<double>>& decided, ThingModel& model) {
+// From the first `even` samples of the set.
+void fit_probabilities(const TrainingSet& set, std::size_t even, const std::vector<std::vector<double>>& decided,
+                       ThingModel& model) {
   const std::size_t k = model.classes.size();
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
       std::vector<double> f;
       std::vector<std::uint8_t> first;
-      for (std::size_t i = 0; i < set.size(); ++i) {
+      for (std::size_t i = 0; i < even; ++i) {
         if (set.classes[i] != a && set.classes[i] != b) continue;
         f.push_back(decided[i][pair_index(a, b, k)]);
         first.push_back(set.classes[i] == a);
@@ -337,6 +351,18 @@ std::uint32_t usable_folds(const TrainingSet& set, std::uint32_t folds) {
   return std::max(2u, std::min<std::uint32_t>(folds, static_cast<std::uint32_t>(set.size())));
 }
 
+// Trains the model's machine, features, cost and gamma given, and fits its probabilities.
+void finish(const TrainingSet& set, std::size_t even, const ThingTrainingParams& params, ThingModel& model) {
+  model.vectors.clear(), model.weights.clear(), model.class_of_vector.clear();
+  model.slope.clear(), model.offset.clear();
+  const std::size_t k = model.classes.size();
+  const KernelTable kernels(set, model.gamma);
+  fit_probabilities(set, even, held_out(set, kernels, model.cost, usable_folds(set, params.folds), k), model);
+  std::vector<std::size_t> everything(set.size());
+  for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = i;
+  take_over(train_on(set, kernels, everything, model.cost, k), set, model);
+}
+
 }  // namespace
 
 std::vector<std::size_t> selected_features(std::span<const ThingSample> samples, const ThingTrainingParams& params) {
@@ -355,23 +381,28 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 ThingModel train_things(std::span<const ThingSample> all, const ThingTrainingParams& params) {
   svm_set_print_string_function(print_nothing);
   check(all);
-  const std::vector<ThingSample> samples = thinned(all, params.most_of_class);
+  std::vector<ThingSample> rest, ignored;
+  std::vector<ThingSample> samples = thinned(all, params.most_of_class, rest);
+  const std::size_t even = samples.size();
   ThingModel model;
   model.classes = classes_of(samples);
+  for (const PointLabel label : model.classes) {
+    const auto of_class = [label](const ThingSample& s) { return s.label == label; };
+    model.prior.push_back(static_cast<double>(std::count_if(all.begin(), all.end(), of_class)) /
+                          static_cast<double>(std::count_if(samples.begin(), samples.end(), of_class)));
+  }
   model.features = selected_features(samples, params);
   if (model.features.empty()) throw Error("training: no feature tells the classes apart", ExitCode::usage);
   standardise(samples, model);
-  TrainingSet set = training_set(samples, model, params.folds);
-  const std::uint32_t folds = usable_folds(set, params.folds);
-  const std::size_t k = model.classes.size();
-  const GridBest best = search_grid(set, folds, k);
+  const TrainingSet first = training_set(samples, model, params.folds);
+  const GridBest best = search_grid(first, usable_folds(first, params.folds), model.classes.size());
   model.cost = best.cost;
   model.gamma = best.gamma;
-  const KernelTable kernels(set, best.gamma);
-  fit_probabilities(set, held_out(set, kernels, best.cost, folds, k), model);
-  std::vector<std::size_t> everything(set.size());
-  for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = i;
-  take_over(train_on(set, kernels, everything, best.cost, k), set, model);
+  finish(first, even, params, model);
+  const std::vector<ThingSample> wrong = thinned(wrong_ones(model, rest), params.most_of_class, ignored);
+  if (wrong.empty()) return model;
+  samples.insert(samples.end(), wrong.begin(), wrong.end());
+  finish(training_set(samples, model, params.folds), even, params, model);
   return model;
 }
 

@@ -108,7 +108,7 @@ TEST(ThingModel, BrokenTextsAreRefusedWithTheirLine) {
     }
   }
   std::string wrong = text;
-  wrong.replace(wrong.find("class car"), 9, "class cat");
+  wrong.replace(wrong.find("class 1 car"), 11, "class 1 cat");
   EXPECT_THROW(parse_thing_model(wrong, "m"), Error);
 }
 
