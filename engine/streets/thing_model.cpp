@@ -13,7 +13,6 @@
 namespace ilot {
 namespace {
 
-constexpr double kUnlike = 0.001;  // kernel to the nearest support vector
 constexpr const char* kFirstLine = "ilot things 1";
 
 std::string name_of(PointLabel label) {
@@ -55,8 +54,8 @@ class ModelReader {
     if (word == "feature") return take_feature(words);
     if (word == "class") return take_class(words);
     if (word == "kernel") {
-      const auto v = numbers(words, 2);
-      model_.cost = v[0], model_.gamma = v[1];
+      const auto v = numbers(words, 3);
+      model_.cost = v[0], model_.gamma = v[1], model_.unlike = v[2];
       return;
     }
     if (word == "pair") {
@@ -149,7 +148,7 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
         decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
             weight_against(model, v, own, other) * kernel;
   }
-  if (nearest < kUnlike) return {PointLabel::other, 1 / static_cast<double>(k), 1};
+  if (nearest < model.unlike) return {PointLabel::other, 1 / static_cast<double>(k), 0};
   std::vector<double> share = model.prior;
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
@@ -176,7 +175,7 @@ std::string thing_model_text(const ThingModel& model) {
   for (std::size_t i = 0; i < model.features.size(); ++i)
     text +=
         fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i], thing_feature_name(model.features[i]));
-  text += fmt::format("kernel {:.9g} {:.9g}\n", model.cost, model.gamma);
+  text += fmt::format("kernel {:.9g} {:.9g} {:.9g}\n", model.cost, model.gamma, model.unlike);
   for (std::size_t p = 0; p < model.rho.size(); ++p)
     text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {

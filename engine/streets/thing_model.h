@@ -35,6 +35,7 @@ struct ThingModel {
   std::vector<std::size_t> features;  // in the order of their selection
   std::vector<double> mean, sd;       // of each, after signed_root
   double gamma = 1, cost = 1;
+  double unlike = 0;  // what has a smaller kernel to every support vector is like nothing that was trained on
   std::vector<PointLabel> classes;
   std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
@@ -60,8 +61,7 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
 // The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things
-// unlike all that the machine was trained on (kernel below 0.001 to every support vector) are `other`, as probable as
-// any class.
+// like nothing that the machine was trained on are `other`, as probable as any class, and not whole.
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
 
 // Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of

@@ -351,6 +351,18 @@ std::uint32_t usable_folds(const TrainingSet& set, std::uint32_t folds) {
   return std::max(2u, std::min<std::uint32_t>(folds, static_cast<std::uint32_t>(set.size())));
 }
 
+// The kernel to the nearest support vector that is not the sample itself: what all but a hundredth of the even samples
+// have at least.
+double least_likeness(const TrainingSet& set, std::size_t even, const ThingModel& model) {
+  std::vector<double> nearest(even, 0);
+  parallel_for(even, [&](std::size_t i) {
+    for (const auto& vector : model.vectors)
+      if (vector != set.rows[i]) nearest[i] = std::max(nearest[i], radial(set.rows[i], vector, model.gamma));
+  });
+  std::sort(nearest.begin(), nearest.end());
+  return nearest[even / 100];
+}
+
 // Trains the model's machine, features, cost and gamma given, and fits its probabilities.
 void finish(const TrainingSet& set, std::size_t even, const ThingTrainingParams& params, ThingModel& model) {
   model.vectors.clear(), model.weights.clear(), model.class_of_vector.clear();
@@ -361,6 +373,7 @@ void finish(const TrainingSet& set, std::size_t even, const ThingTrainingParams&
   std::vector<std::size_t> everything(set.size());
   for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = i;
   take_over(train_on(set, kernels, everything, model.cost, k), set, model);
+  model.unlike = least_likeness(set, even, model);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
+#include "kernels/rasters/box_minimum.h"
 #include "kernels/rasters/flat_zones_tiled.h"
 #include "kernels/rasters/gradient.h"
 
@@ -68,6 +69,8 @@ struct Tally {
   Height ground = kAboveAll;
 };
 
+std::uint32_t gap_reach(const RasterScale& scale, const ThingsParams& params);
+
 class ComponentWork {
  public:
   ComponentWork(const Patch& patch, std::uint32_t component, const RasterScale& scale, const ThingsParams& params)
@@ -83,7 +86,8 @@ class ComponentWork {
   // The separated ones, then those that join two of them; parts by their place here, from 1.
   std::vector<Thing> things() const {
     std::vector<Thing> out = described(labels_);
-    const std::vector<Join> joins = joins_of();
+    const Joins passes = joins_of();
+    const std::vector<Join>& joins = passes.list;
     // What joins what, level by level, so that the things of one level have no pixel in common.
     std::vector<std::uint32_t> of(labels_.of), level(out.size() + joins.size() + 1, 0);
     const auto parts = static_cast<std::uint32_t>(out.size());
@@ -116,21 +120,63 @@ class ComponentWork {
       out[parts + j].parts[0] = joins[j].a;
       out[parts + j].parts[1] = joins[j].b;
     }
+    const auto inner = static_cast<std::size_t>(ThingFeature::inner_pass),
+               beside = static_cast<std::size_t>(ThingFeature::outer_pass);
+    for (std::size_t i = 0; i < out.size(); ++i) {
+      out[i].features[inner] = 1;
+      out[i].features[beside] = std::max(0.0, passes.outer[i + 1]);
+      if (i < parts) continue;
+      const Join& join = joins[i - parts];
+      out[i].features[inner] =
+          std::min({std::max(0.0, join.pass), out[join.a - 1].features[inner], out[join.b - 1].features[inner]});
+    }
     return out;
   }
 
  private:
   struct Join {
     std::uint32_t a = 0, b = 0;
+    double pass = 1;  // over the lower top
+  };
+  struct Joins {
+    std::vector<Join> list;
+    std::vector<double> outer;  // of each part and each join, from 1: the highest pass to another over the lower top
   };
 
+  struct Side {
+    Height top = kNoHeight;
+    double pixels = 0;
+    std::map<std::uint32_t, Height> passes;  // to those beside it; below 0: the gap in pixels, turned over
+  };
+
+  // Parts with ground between them, seen from every pixel on an edge.
+  void add_gaps(std::map<std::uint32_t, Side>& sides) const {
+    const auto reach = static_cast<std::int64_t>(2 * gap_reach(scale_, params_));
+    const auto w = std::int64_t{labels_.width}, h = std::int64_t{labels_.height};
+    if (labels_.count < 2) return;
+    for (std::int64_t y = 1; y + 1 < h; ++y)
+      for (std::int64_t x = 1; x + 1 < w; ++x) {
+        const auto i = static_cast<std::size_t>(y * w + x);
+        const std::uint32_t a = labels_.of[i];
+        const auto row = static_cast<std::size_t>(w);
+        if (a == 0 ||
+            (labels_.of[i - 1] != 0 && labels_.of[i + 1] != 0 && labels_.of[i - row] != 0 && labels_.of[i + row] != 0))
+          continue;
+        for (std::int64_t v = std::max<std::int64_t>(0, y - reach - 1); v <= std::min(h - 1, y + reach + 1); ++v)
+          for (std::int64_t u = std::max<std::int64_t>(0, x - reach - 1); u <= std::min(w - 1, x + reach + 1); ++u) {
+            const std::uint32_t b = labels_.of[static_cast<std::size_t>(v * w + u)];
+            if (b == 0 || b == a) continue;
+            const auto gap = static_cast<Height>(-std::max(std::abs(u - x), std::abs(v - y)));
+            for (const auto& [from, to] : {std::pair{a, b}, std::pair{b, a}}) {
+              Height& known = sides[from].passes.try_emplace(to, gap).first->second;
+              known = std::max(known, gap);
+            }
+          }
+      }
+  }
+
   // Pairs of parts, or of what they were joined to, in the order in which they are joined.
-  std::vector<Join> joins_of() const {
-    struct Side {
-      Height top = kNoHeight;
-      double pixels = 0;
-      std::map<std::uint32_t, Height> passes;  // to those beside it
-    };
+  Joins joins_of() const {
     std::map<std::uint32_t, Side> sides;
     const std::size_t w = labels_.width;
     for (std::size_t i = 0; i < labels_.of.size(); ++i) {
@@ -149,8 +195,16 @@ class ComponentWork {
         }
       }
     }
+    add_gaps(sides);
     const double largest = params_.largest / (scale_.pixel * scale_.pixel);
-    std::vector<Join> joins;
+    const auto outer = [&](const Side& side) {
+      double highest = 0;
+      for (const auto& [b, pass] : side.passes)
+        highest = std::max(highest, static_cast<double>(pass) / std::min(side.top, sides.at(b).top));
+      return highest;
+    };
+    Joins joins{{}, std::vector<double>(std::size_t{labels_.count} + 1, 0)};
+    for (const auto& [a, side] : sides) joins.outer[a] = outer(side);
     std::uint32_t next = labels_.count;
     for (;;) {
       Join best;
@@ -159,10 +213,10 @@ class ComponentWork {
         for (const auto& [b, pass] : side.passes) {
           if (b < a || side.pixels + sides.at(b).pixels > largest) continue;
           const double ratio = static_cast<double>(pass) / std::min(side.top, sides.at(b).top);
-          if (ratio > highest) highest = ratio, best = {a, b};
+          if (ratio > highest) highest = ratio, best = {a, b, ratio};
         }
       if (best.a == 0) break;
-      joins.push_back(best);
+      joins.list.push_back(best);
       Side whole = sides.at(best.a);
       const Side& other = sides.at(best.b);
       whole.top = std::max(whole.top, other.top);
@@ -179,6 +233,7 @@ class ComponentWork {
         beside.passes.erase(best.a), beside.passes.erase(best.b);
         beside.passes[next] = pass;
       }
+      joins.outer.push_back(outer(whole));
       sides[next] = std::move(whole);
     }
     return joins;
@@ -277,6 +332,11 @@ class ComponentWork {
   Image slope_;
 };
 
+// Half of the gap over which parts may be one thing, pixels.
+std::uint32_t gap_reach(const RasterScale& scale, const ThingsParams& params) {
+  return scale.pixels(params.nearest_apart) / 2;
+}
+
 PixelRect rect_of(const TileFrame& f) {
   return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
 }
@@ -286,41 +346,54 @@ struct Components {
   std::vector<PixelRect> boxes;
 };
 
-Components find_components(const StreetLayers& layers) {
+// Components of what stands there, joined over gaps of up to twice `reach` pixels.
+Components find_components(const StreetLayers& layers, std::uint32_t reach) {
   Components found;
   std::mutex mutex;
-  std::vector<std::pair<std::uint32_t, PixelRect>> boxes;
+  struct Seen {
+    std::uint32_t component;
+    std::uint64_t pixels;
+    PixelRect box;
+  };
+  std::vector<Seen> seen;
   const auto standing = [&](std::size_t tile) {
-    Image image = layer_tile(layers, "height", tile);
+    Image image = layer_around(layers, "height", tile, reach);
     for (Height& v : image.values) v = v == kNoHeight ? kNoHeight : 0;
-    return image;
+    return without_halo(box_minimum(image, reach), reach);
   };
   const auto write = [&](std::size_t tile, const PixelLabels& labels) {
     const TileFrame frame = tile_frame(layers.grid, tile);
-    std::vector<std::pair<std::uint32_t, PixelRect>> runs;  // one a run of a row
-    Image image{labels.width, labels.height, std::vector<Height>(labels.of.size())};
+    const Image height = layer_tile(layers, "height", tile);
+    std::vector<Seen> runs;  // one a run of a row
+    Image image{labels.width, labels.height, std::vector<Height>(labels.of.size(), 0)};
     for (std::uint32_t y = 0; y < labels.height; ++y) {
       for (std::uint32_t x = 0; x < labels.width; ++x) {
         const std::size_t i = std::size_t{y} * labels.width + x;
+        if (height.values[i] == kNoHeight) continue;
         image.values[i] = static_cast<Height>(labels.of[i]);
-        if (labels.of[i] == 0) continue;
-        if (x == 0 || labels.of[i - 1] != labels.of[i]) runs.push_back({labels.of[i], {}});
-        runs.back().second.add(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
+        if (x == 0 || image.values[i - 1] != image.values[i]) runs.push_back({labels.of[i], 0, {}});
+        ++runs.back().pixels;
+        runs.back().box.add(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
       }
     }
     layers.write("components", tile, image);
-    std::stable_sort(runs.begin(), runs.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    std::vector<std::pair<std::uint32_t, PixelRect>> here;
-    for (const auto& [label, box] : runs) {
-      if (here.empty() || here.back().first != label) here.push_back({label, {}});
-      here.back().second.add(box);
+    std::stable_sort(runs.begin(), runs.end(), [](const Seen& a, const Seen& b) { return a.component < b.component; });
+    std::vector<Seen> here;
+    for (const Seen& run : runs) {
+      if (here.empty() || here.back().component != run.component) here.push_back({run.component, 0, {}});
+      here.back().pixels += run.pixels;
+      here.back().box.add(run.box);
     }
     const std::lock_guard lock(mutex);
-    boxes.insert(boxes.end(), here.begin(), here.end());
+    seen.insert(seen.end(), here.begin(), here.end());
   };
-  found.pixels = flat_zones_tiled(layers.grid, 0, Adjacency::eight, standing, write).pixels;
-  found.boxes.resize(found.pixels.size());
-  for (const auto& [label, box] : boxes) found.boxes[label].add(box);
+  const ZoneSizes sizes = flat_zones_tiled(layers.grid, 0, Adjacency::eight, standing, write);
+  found.pixels.resize(sizes.pixels.size(), 0);
+  found.boxes.resize(sizes.pixels.size());
+  for (const Seen& s : seen) {
+    found.pixels[s.component] += s.pixels;
+    found.boxes[s.component].add(s.box);
+  }
   return found;
 }
 
@@ -337,7 +410,7 @@ class ThingFinder {
       : layers_(layers),
         scale_(scale),
         params_(params),
-        components_(find_components(layers)),
+        components_(find_components(layers, gap_reach(scale, params))),
         things_(components_.pixels.size()) {}
 
   std::vector<Thing> find() {
@@ -452,7 +525,8 @@ class ThingFinder {
 }  // namespace
 
 const char* thing_feature_name(std::size_t feature) {
-  static constexpr const char* kOwn[] = {"low share", "ground share", "roughness", "length", "width", "facade contact"};
+  static constexpr const char* kOwn[] = {"low share", "ground share", "roughness",  "length",
+                                         "width",     "inner pass",   "outer pass", "facade contact"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

@@ -17,9 +17,11 @@ enum class ThingFeature : std::uint8_t {
   roughness,                       // metres; mean of the highest less the lowest of a pixel and its neighbours
   length,                          // metres; of the rectangle with the moments of its pixels
   width,
+  inner_pass,  // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
+  outer_pass,  // the highest pass to another part of its component over the lower top; 0 without any
   facade_contact,  // of its pixels on its edge, those beside what is not ground
 };
-constexpr std::size_t kThingFeatures = kComponentFeatures + 6;
+constexpr std::size_t kThingFeatures = kComponentFeatures + 8;
 using ThingFeatures = std::array<double, kThingFeatures>;
 const char* thing_feature_name(std::size_t feature);
 
@@ -38,6 +40,7 @@ struct Thing {
 struct ThingsParams {
   SeparationParams separation;
   double largest = 40;           // square metres; parts are joined to no larger things
+  double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
   double low_height = 2;         // metres above the ground
   double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
 };
@@ -50,7 +53,8 @@ struct ThingsParams {
 //
 // Ours: a watershed also parts what is one, as a bicycle from saddle to handlebar. Behind the parts as they were
 // separated come the things that join two of them or of those: in each component the two whose pass is highest beside
-// the lower top, again and again, up to `largest`. Which of them are things, classes tell: whole_things.
+// the lower top, again and again, then those that a gap of less than nearest_apart parts, up to `largest`. Components
+// are joined over such gaps too. Which of them are things, classes tell: whole_things.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot
