@@ -243,8 +243,8 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
 
   labels.with_streets = makes(options, "streets");
   if (labels.with_streets) {
-    make_streets(index.store, options.settings, options.train, inputs.crs, context, out.staging() / "streets",
-                 progress, record);
+    make_streets(index.store, options.settings, options.train, inputs.crs, context, out.staging() / "streets", progress,
+                 record);
     if (record.streets->objects == 0) skip_product("streets", kNoObject, progress, record);
   }
 

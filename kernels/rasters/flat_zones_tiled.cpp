@@ -88,7 +88,8 @@ void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& 
 
 ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
   ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
-  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + (grid.has(t) ? told[t].first.size() - 1 : 0);
+  for (std::size_t t = 0; t < told.size(); ++t)
+    list.first[t + 1] = list.first[t] + (grid.has(t) ? told[t].first.size() - 1 : 0);
   assert(list.first.back() < (std::size_t{1} << 32));
   std::vector<std::uint32_t> parents(list.first.back());
   UnionFind sets(parents);
