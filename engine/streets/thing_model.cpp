@@ -148,7 +148,6 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
         decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
             weight_against(model, v, own, other) * kernel;
   }
-  if (nearest < model.unlike) return {PointLabel::other, 1 / static_cast<double>(k), 0};
   std::vector<double> share = model.prior;
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
@@ -163,6 +162,9 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
   ThingClass out{model.classes[best], sum > 0 ? share[best] / sum : 1 / static_cast<double>(k), 1};
   for (std::size_t c = 0; c < k; ++c)
     if (model.classes[c] == PointLabel::none && sum > 0) out.whole = 1 - share[c] / sum;
+  if (nearest >= model.unlike) return out;
+  out.whole = 0;
+  if (out.label >= PointLabel::car) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(k);
   return out;
 }
 

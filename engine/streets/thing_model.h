@@ -61,7 +61,8 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
 // The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things
-// like nothing that the machine was trained on are `other`, as probable as any class, and not whole.
+// like nothing that the machine was trained on are not whole, and where they are called an object they are `other`, as
+// probable as any class.
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
 
 // Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of

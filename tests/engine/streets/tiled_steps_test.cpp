@@ -23,7 +23,8 @@ Image busy_street() {
   Image range = test::sloping_street(330, 150, 4);
   put(range, {20, test::kFacade, 250, 40}, 150);
   put(range, {60, 80, 80, 36}, 900);
-  put(range, {140, 85, 50, 30}, 1100);
+  put(range, {140, 85, 4, 30}, 400);
+  put(range, {144, 85, 46, 30}, 1100);
   put(range, {100, 30, 14, 14}, 800);
   put(range, {200, test::kFacade, 20, 20}, 800);
   put(range, {250, 70, 6, 6}, 3500);
