@@ -48,6 +48,10 @@ struct RoofCounts {
   std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
 };
 
+struct StreetCounts {
+  std::uint64_t objects = 0, blocks = 0, gaps = 0;
+};
+
 // What was found in a file of footprints.
 struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
@@ -78,6 +82,7 @@ struct RunRecord {
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
   std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, where they were looked for
   std::optional<RoofCounts> roofs;
+  std::optional<StreetCounts> streets;
   std::optional<FootprintsRecord> footprints;
   std::optional<ClustersRecord> clusters;
   std::vector<SkippedRecord> skipped;

@@ -9,6 +9,7 @@
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
 #include "engine/run/roof_labels.h"
+#include "engine/run/street_labels.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/radix_sort.h"
@@ -56,6 +57,15 @@ void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams&
   store.write<RowLabel>(block, "rows", rows);
 }
 
+template <class T>
+void sort_column(const Store& store, std::uint32_t block, const char* column, const char* as,
+                 std::span<const std::uint32_t> sorted) {
+  const auto labels = store.read<T>(block, column);
+  std::vector<T> rows(labels.size());
+  for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
+  store.write<T>(block, as, rows);
+}
+
 // "row_order" is written first: whoever looks for finished blocks asks for what is written last.
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
   const auto order = store.read<InputOrder>(block, "order");
@@ -64,12 +74,8 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
   store.write<InputOrder>(block, "row_order", orders);
   if (params.with_planes) sort_plane_rows(store, block, params, sorted);
-  if (params.with_roofs) {
-    const auto labels = store.read<RoofLabel>(block, "roof");
-    std::vector<RoofLabel> rows(labels.size());
-    for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
-    store.write<RoofLabel>(block, "roof_rows", rows);
-  }
+  if (params.with_streets) sort_column<StreetLabel>(store, block, "street", "street_rows", sorted);
+  if (params.with_roofs) sort_column<RoofLabel>(store, block, "roof", "roof_rows", sorted);
 }
 
 std::vector<BlockRows> sample_rows(const Store& store) {
@@ -91,6 +97,7 @@ std::vector<BlockRows> sample_rows(const Store& store) {
 struct StretchLabels {
   std::vector<RowLabel> planes;
   std::vector<RoofLabel> roofs;
+  std::vector<StreetLabel> streets;
 };
 
 // What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
@@ -106,7 +113,8 @@ void collect(const Store& store, std::uint32_t block, const char* column, std::u
 StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
                              std::size_t count, const LabelParams& params) {
   StretchLabels labels{std::vector<RowLabel>(params.with_planes ? count : 0),
-                       std::vector<RoofLabel>(params.with_roofs ? count : 0)};
+                       std::vector<RoofLabel>(params.with_roofs ? count : 0),
+                       std::vector<StreetLabel>(params.with_streets ? count : 0)};
   const InputOrder end = first + count;
   std::vector<InputOrder> orders;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
@@ -121,6 +129,7 @@ StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& b
     ColumnReader(store.path(b, "row_order")).read<InputOrder>(from, orders);
     if (params.with_planes) collect<RowLabel>(store, b, "rows", from, orders, first, labels.planes);
     if (params.with_roofs) collect<RoofLabel>(store, b, "roof_rows", from, orders, first, labels.roofs);
+    if (params.with_streets) collect<StreetLabel>(store, b, "street_rows", from, orders, first, labels.streets);
   }
   return labels;
 }
@@ -132,15 +141,16 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   const auto add = [&](const char* name, const char* meaning, FieldType type) {
     spec.appended.push_back({name, meaning, type});
   };
-  add("plane_id", "0 = none", FieldType::u32);
+  if (params.with_planes || params.with_roofs) add("plane_id", "0 = none", FieldType::u32);
   if (params.with_planes) {
     add("residual", "signed distance to plane, m", FieldType::f32);
     add("boundary", "1 = on its plane's outline", FieldType::u8);
     if (!params.final_shape.empty()) add("shape_id", "sphere, cylinder, cone; 0 = none", FieldType::u32);
   }
+  if (params.with_roofs) add("unit_id", "building, 0 = none", FieldType::u32);
+  if (params.with_streets) add("object_id", "on the street, 0 = none", FieldType::u32);
+  if (params.with_roofs || params.with_streets) add("label", "1 ground, 2 roof, 5 facade...", FieldType::u8);
   if (params.with_roofs) {
-    add("unit_id", "building, 0 = none", FieldType::u32);
-    add("label", "1 ground, 2 roof, 3 wall", FieldType::u8);
     if (params.with_planes) add("roof_plane_id", "roof face, 0 = none", FieldType::u32);
   }
   if (params.write_normals)
@@ -169,23 +179,40 @@ class Appender {
   std::byte* to_;
 };
 
+// What the products say of one input row; nullptr: the product did not run.
+struct RowOf {
+  const RowLabel* plane = nullptr;
+  const RoofLabel* roof = nullptr;
+  const StreetLabel* street = nullptr;
+
+  // A building's word comes first, then the street's.
+  PointLabel label() const {
+    if (street == nullptr) return roof == nullptr ? PointLabel::none : roof->label;
+    if (roof == nullptr || (roof->unit == 0 && street->label != PointLabel::none)) return street->label;
+    return roof->label;
+  }
+  bool says_anything() const {
+    return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
+           (street != nullptr && street->object != 0) || label() != PointLabel::none;
+  }
+};
+
 // In the order of labelled_spec().
-void append_labels(const RowLabel* row, double residual_m, const RoofLabel* roof, const LabelParams& params,
-                   std::byte* to) {
+void append_labels(const RowOf& row, double residual_m, const LabelParams& params, std::byte* to) {
   Appender out(to);
-  out.add<std::uint32_t>(row != nullptr ? row->plane : roof->plane);
-  if (row != nullptr) {
+  if (row.plane != nullptr || row.roof != nullptr)
+    out.add<std::uint32_t>(row.plane != nullptr ? row.plane->plane : row.roof->plane);
+  if (row.plane != nullptr) {
     out.add<float>(static_cast<float>(residual_m));
-    out.add<std::uint8_t>(row->boundary);
-    if (!params.final_shape.empty()) out.add<std::uint32_t>(row->shape);
+    out.add<std::uint8_t>(row.plane->boundary);
+    if (!params.final_shape.empty()) out.add<std::uint32_t>(row.plane->shape);
   }
-  if (roof != nullptr) {
-    out.add<std::uint32_t>(roof->unit);
-    out.add<std::uint8_t>(static_cast<std::uint8_t>(roof->label));
-    if (row != nullptr) out.add<std::uint32_t>(roof->plane);
-  }
-  if (row == nullptr || !params.write_normals) return;
-  for (const std::int16_t n : {row->normal.x, row->normal.y, row->normal.z})
+  if (row.roof != nullptr) out.add<std::uint32_t>(row.roof->unit);
+  if (row.street != nullptr) out.add<std::uint32_t>(row.street->object);
+  if (row.roof != nullptr || row.street != nullptr) out.add<std::uint8_t>(static_cast<std::uint8_t>(row.label()));
+  if (row.roof != nullptr && row.plane != nullptr) out.add<std::uint32_t>(row.roof->plane);
+  if (row.plane == nullptr || !params.write_normals) return;
+  for (const std::int16_t n : {row.plane->normal.x, row.plane->normal.y, row.plane->normal.z})
     out.add<float>(static_cast<float>(n) / 32767.0f);
 }
 
@@ -216,13 +243,13 @@ class Labeller {
     for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
       std::copy_n(in.data() + i * in_length, in_length, row);
-      const RowLabel* plane = params_.with_planes ? &labels.planes[i] : nullptr;
-      const RoofLabel* roof = params_.with_roofs ? &labels.roofs[i] : nullptr;
-      const bool on_plane = plane != nullptr && plane->plane != 0;
-      const double distance = on_plane ? metres * residual(row, lattice, params_.planes[plane->plane - 1]) : 0;
-      append_labels(plane, distance, roof, params_, row + in_length);
-      s.labelled += on_plane || (plane != nullptr && plane->shape != 0) ||
-                    (roof != nullptr && (roof->unit != 0 || roof->label != PointLabel::none));
+      const RowOf say{params_.with_planes ? &labels.planes[i] : nullptr,
+                      params_.with_roofs ? &labels.roofs[i] : nullptr,
+                      params_.with_streets ? &labels.streets[i] : nullptr};
+      const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
+      const double distance = on_plane ? metres * residual(row, lattice, params_.planes[say.plane->plane - 1]) : 0;
+      append_labels(say, distance, params_, row + in_length);
+      s.labelled += say.says_anything();
       row += out_length;
     }
     s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));
@@ -283,7 +310,7 @@ void rows_pass(const Store& store, const LabelParams& params, const PassContext&
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const char* last = params.with_roofs ? "roof_rows" : "rows";
+    const char* last = params.with_roofs ? "roof_rows" : params.with_streets ? "street_rows" : "rows";
     if (!store.has(block, last)) sort_rows(store, block, params);
   });
 }

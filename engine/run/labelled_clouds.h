@@ -22,15 +22,16 @@ struct LabelParams {
   bool write_normals = false;                   // with planes only
   bool with_planes = true;                      // columns "plane" and "boundary"
   bool with_roofs = false;                      // column "roof"
+  bool with_streets = false;                    // column "street"
   std::vector<std::uint32_t> final_shape = {};  // per joined shape + 1: the id that is written; empty = no "shape"
 };
 
-// Sorts the labels of each block by input order ("rows", "roof_rows"), so that a stretch of an input finds its own in a
-// few reads.
+// Sorts the labels of each block by input order ("rows", "roof_rows", "street_rows"), so that a stretch of an input
+// finds its own in a few reads.
 void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
 
 // Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the
-// number of points with a plane, a unit or a label.
+// number of points with a plane, a unit, an object or a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);

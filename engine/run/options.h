@@ -26,6 +26,7 @@ struct RunOptions {
   std::optional<Area> area;                             // products inside only, neighbours as halo
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
+  std::filesystem::path train;                          // what things on streets are, to learn from; empty = none
   std::string crs;                                      // overrides the inputs'; "EPSG:2154" or empty
   Existing existing = Existing::refuse;
   bool strict = false;      // the first skipped file or unit ends the run with exit 1

@@ -35,7 +35,7 @@ json inputs_json(const RunInputs& inputs) {
   return list;
 }
 
-json footprints_json(const std::filesystem::path& path) {
+json file_json(const std::filesystem::path& path) {
   if (path.empty()) return nullptr;
   std::error_code ignored;
   return {fs::absolute(path).lexically_normal().string(), fs::file_size(path, ignored),
@@ -64,7 +64,8 @@ json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t 
           {"inputs", inputs_json(inputs)},
           {"settings", json::parse(settings_json(settings))},
           {"area", area_json(options.area)},
-          {"footprints", footprints_json(options.footprints)},
+          {"footprints", file_json(options.footprints)},
+          {"train", file_json(options.train)},
           {"stations", stations_json(inputs.stations)},
           {"products", options.products},
           {"crs", options.crs},
@@ -114,15 +115,15 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name : {"runs", "blocks", "cells", "colours", "ground", "roofs", "index", "rejected"})
+  for (const char* name : {"runs", "blocks", "cells", "colours", "ground", "roofs", "streets", "index", "rejected"})
     fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }
 
 void remove_products(const fs::path& folder) {
   clear_store(folder / ".store");
-  for (const char* name :
-       {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "roofs", "run.json", ".new", ".store"})
+  for (const char* name : {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "roofs", "streets",
+                           "run.json", ".new", ".store"})
     fs::remove_all(folder / name);
 }
 

@@ -23,6 +23,7 @@
 #include "engine/run/planes_product.h"
 #include "engine/run/point_roles.h"
 #include "engine/run/roofs_product.h"
+#include "engine/run/streets_product.h"
 #include "engine/segments/cells.h"
 #include "engine/segments/normals_pass.h"
 #include "kernels/core/parallel.h"
@@ -128,6 +129,7 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
 }
 
 constexpr const char* kNoBuilding = "there is no building";
+constexpr const char* kNoObject = "nothing was found that stands on the ground";
 constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
 
 void skip_product(const std::string& product, const std::string& reason, Progress& progress, RunRecord& record) {
@@ -205,6 +207,13 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     if (record.roofs->buildings == 0) skip_product("roofs", kNoBuilding, progress, record);
   }
 
+  labels.with_streets = makes(options, "streets");
+  if (labels.with_streets) {
+    make_streets(index.store, options.settings, options.train, inputs.crs, context, out.staging() / "streets", progress,
+                 record);
+    if (record.streets->objects == 0) skip_product("streets", kNoObject, progress, record);
+  }
+
   progress.begin_stage("write", inputs.points);
   rows_pass(index.store, labels, context);
   const std::uint64_t labelled =
@@ -218,6 +227,7 @@ std::string summary(const RunRecord& record) {
   if (record.planes) made += grouped(*record.planes) + " planes, ";
   if (record.shapes) made += grouped(*record.shapes) + " curved shapes, ";
   if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
+  if (record.streets) made += grouped(record.streets->objects) + " objects, ";
   return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +
          std::to_string(record.peak_rss_bytes >> 20) + " MiB, " + std::to_string(record.skipped.size()) + " skipped";

@@ -138,6 +138,16 @@ struct RoofsSettings {
   AttributeStyle attribute_style = AttributeStyle::plain;
 };
 
+struct StreetsSettings {
+  std::optional<double> pixel;  // metres; of the images from above
+  double flat = 1;              // metres; heights of neighbours on the ground differ by at most this
+  double longest_gap = 0.5;     // metres; gaps between scan lines are closed up to it
+  double longest_link = 10;     // metres; shadows on the ground are crossed up to it
+  double least_height = 0.1;    // metres; lower things are part of the ground
+  double least_area = 0.01;     // m2; smaller things are dropped
+  double rise = 0.1;            // metres; what stands so much above the pass to a higher thing is a thing of its own
+};
+
 struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
@@ -151,6 +161,7 @@ struct Settings {
   PlanesSettings planes;
   BoundariesSettings boundaries;
   RoofsSettings roofs;
+  StreetsSettings streets;
   ClassesSettings classes;
 };
 

@@ -14,7 +14,7 @@ namespace ilot {
 class BorderPixels {
  public:
   explicit BorderPixels(const TileGrid& grid) : grid_(grid), first_(grid.count() + 1, 0) {
-    for (std::size_t t = 0; t < grid.count(); ++t) first_[t + 1] = first_[t] + perimeter(t).size();
+    for (std::size_t t = 0; t < grid.count(); ++t) first_[t + 1] = first_[t] + (grid.has(t) ? perimeter(t).size() : 0);
     assert(first_.back() < (std::size_t{1} << 32));
   }
 
@@ -40,7 +40,7 @@ class BorderPixels {
     for (std::int64_t qy = y - 1; qy <= y + 1; ++qy) {
       for (std::int64_t qx = x - 1; qx <= x + 1; ++qx) {
         if (adjacency == Adjacency::four && qx != x && qy != y) continue;
-        if (qx < 0 || qy < 0 || qx >= grid_.width || qy >= grid_.height) continue;
+        if (!grid_.holds(qx, qy)) continue;
         const auto other = static_cast<std::size_t>(qy / grid_.side * grid_.columns() + qx / grid_.side);
         if (other != tile) take(at(other, qx, qy));
       }

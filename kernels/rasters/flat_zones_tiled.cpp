@@ -88,7 +88,8 @@ void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& 
 
 ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
   ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
-  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + told[t].first.size() - 1;
+  for (std::size_t t = 0; t < told.size(); ++t)
+    list.first[t + 1] = list.first[t] + (grid.has(t) ? told[t].first.size() - 1 : 0);
   assert(list.first.back() < (std::size_t{1} << 32));
   std::vector<std::uint32_t> parents(list.first.back());
   UnionFind sets(parents);
@@ -103,17 +104,20 @@ ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjace
                            const WriteLabels& write) {
   std::vector<TileZones> told(grid.count());
   parallel_for(grid.count(), [&](std::size_t tile) {
+    if (!grid.has(tile)) return;
     const Image image = read(tile);
     told[tile] = told_by(grid, tile, image, flat_zones(image, lambda, adjacency));
   });
   const ZoneList list = numbered(grid, told, lambda, adjacency);
   ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
   for (std::size_t t = 0; t < told.size(); ++t) {
+    if (!grid.has(t)) continue;
     sizes.pixels[0] += told[t].size[0];
     for (std::size_t z = 1; z < told[t].size.size(); ++z)
       sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
   }
   parallel_for(grid.count(), [&](std::size_t tile) {
+    if (!grid.has(tile)) return;
     PixelLabels labels = flat_zones(read(tile), lambda, adjacency);
     for (std::uint32_t& label : labels.of)
       if (label != 0) label = list.number[list.first[tile] + label - 1];

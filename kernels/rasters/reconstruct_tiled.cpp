@@ -132,9 +132,10 @@ Image with_border(Image marker, const BorderGraph& graph, std::size_t tile) {
 Image border_marker(const TileGrid& grid, std::size_t tile, Image image) {
   const TileFrame frame = tile_frame(grid, tile);
   for (std::uint32_t y = 0; y < frame.height; ++y) {
-    const bool end = frame.y + y == 0 || frame.y + y + 1 == grid.height;
-    for (std::uint32_t x = 0; x < frame.width && !end; ++x)
-      if (frame.x + x != 0 && frame.x + x + 1 != grid.width) image.values[std::size_t{y} * frame.width + x] = kAboveAll;
+    for (std::uint32_t x = 0; x < frame.width; ++x) {
+      const bool inside = x > 0 && y > 0 && x + 1 < frame.width && y + 1 < frame.height;
+      if (inside || !grid.ends_at(frame.x + x, frame.y + y)) image.values[std::size_t{y} * frame.width + x] = kAboveAll;
+    }
   }
   return image;
 }
@@ -146,10 +147,13 @@ Image turned_over(Image image) {
 
 void settle_tiles(const TileGrid& grid, Adjacency adjacency, const ReadImages& read, const WriteTile& write) {
   std::vector<Border> borders(grid.count());
-  parallel_for(grid.count(), [&](std::size_t tile) { borders[tile] = told_by(read(tile), adjacency); });
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    if (grid.has(tile)) borders[tile] = told_by(read(tile), adjacency);
+  });
   BorderGraph graph(grid, std::move(borders));
   graph.settle(adjacency);
   parallel_for(grid.count(), [&](std::size_t tile) {
+    if (!grid.has(tile)) return;
     TileImages images = read(tile);
     write(tile, reconstruct_by_erosion(with_border(std::move(images.marker), graph, tile), images.mask, adjacency));
   });

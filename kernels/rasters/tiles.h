@@ -4,20 +4,35 @@
 #include <cassert>
 #include <cstdint>
 #include <functional>
+#include <vector>
 
 #include "kernels/rasters/image.h"
 
 namespace ilot {
 
 // An image of any size cut into square tiles, those at the far ends smaller; numbered row by row. Only tiles are ever
-// held, never the whole.
+// held, never the whole. Tiles may be absent: then they are no part of the image, and it ends at their neighbours.
 struct TileGrid {
-  std::uint32_t width = 0, height = 0;  // of the whole, pixels; below 2^31
-  std::uint32_t side = 1024;            // of a tile, pixels
+  std::uint32_t width = 0, height = 0;     // of the whole, pixels; below 2^31
+  std::uint32_t side = 1024;               // of a tile, pixels
+  std::vector<std::uint8_t> present = {};  // of each tile, 1 or 0; empty: all are
 
   std::uint32_t columns() const { return (width + side - 1) / side; }
   std::uint32_t rows() const { return (height + side - 1) / side; }
   std::size_t count() const { return width == 0 || height == 0 ? 0 : std::size_t{columns()} * rows(); }
+  bool has(std::size_t tile) const { return present.empty() || present[tile] != 0; }
+  // Whether a pixel belongs to the image; any x and y.
+  bool holds(std::int64_t x, std::int64_t y) const {
+    return x >= 0 && y >= 0 && x < width && y < height &&
+           (present.empty() || present[static_cast<std::size_t>(y / side * columns() + x / side)] != 0);
+  }
+  // The pixels of the image that have a neighbour, of sides and corners, outside of it.
+  bool ends_at(std::int64_t x, std::int64_t y) const {
+    for (std::int64_t v = y - 1; v <= y + 1; ++v)
+      for (std::int64_t u = x - 1; u <= x + 1; ++u)
+        if (!holds(u, v)) return true;
+    return false;
+  }
 };
 
 struct TileFrame {
@@ -31,7 +46,9 @@ inline TileFrame tile_frame(const TileGrid& grid, std::size_t tile) {
   return {x, y, std::min(grid.side, grid.width - x), std::min(grid.side, grid.height - y)};
 }
 
-// The caller's access to the tiles, called from several threads at once, for different tiles.
+// The caller's access to the tiles that are present, called from several threads at once, for different tiles. Around:
+// with so many pixels on all four sides, kNoHeight outside of the image.
+using ReadAround = std::function<Image(std::size_t tile, std::uint32_t halo)>;
 using ReadTile = std::function<Image(std::size_t tile)>;
 using WriteTile = std::function<void(std::size_t tile, const Image& image)>;
 

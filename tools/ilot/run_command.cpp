@@ -14,13 +14,13 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kProducts[] = {"planes", "roofs"};
+constexpr const char* kProducts[] = {"planes", "roofs", "streets"};
 constexpr std::uint64_t kLeastMemory = 96u << 20;
 
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, crs, log;
+  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false;
@@ -44,7 +44,8 @@ std::vector<std::string> products_of(const RunArguments& given) {
   std::vector<std::string> products = given.products;
   for (const std::string& product : products) {
     if (std::find(std::begin(kProducts), std::end(kProducts), product) == std::end(kProducts)) {
-      throw Error("--products " + product + ": there is no such product; there is: planes, roofs", ExitCode::usage);
+      throw Error("--products " + product + ": there is no such product; there is: planes, roofs, streets",
+                  ExitCode::usage);
     }
   }
   std::sort(products.begin(), products.end());
@@ -58,6 +59,7 @@ RunOptions options_of(const RunArguments& given) {
   options.products = products_of(given);
   options.footprints = given.footprints;
   options.stations = given.stations;
+  options.train = given.train;
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
@@ -91,7 +93,7 @@ int run_command(const RunArguments& given) {
 void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")->option_text("OUT");
-  command.add_option("--products", given.products, "what to make, comma separated: planes, roofs [planes]")
+  command.add_option("--products", given.products, "what to make, comma separated: planes, roofs, streets [planes]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");
@@ -109,6 +111,9 @@ void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("--footprints", given.footprints, "outlines of buildings, any vector file, for roofs [none]")
       ->option_text("FILE");
   command.add_option("--stations", given.stations, "where scanners stood and how they turned, text [as inputs say]")
+      ->option_text("FILE");
+  command
+      .add_option("--train", given.train, "what things on streets are, any vector file or truth, for streets [none]")
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
 }

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+
+#include "engine/model/street.h"
+
+namespace ilot {
+
+// The corners of the rectangle of length and width around an object, counter-clockwise; its middle is `middle`.
+std::array<Vec3, 4> extent_of(const StreetObject& object, double metres_per_unit);
+
+}  // namespace ilot

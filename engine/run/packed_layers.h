@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include "kernels/rasters/tiles.h"
+
+namespace ilot {
+
+// Images of tiles by layer, packed row by row (runs of equal values are one), in memory up to a budget and in files
+// beyond it. Called from several threads at once.
+class PackedLayers {
+ public:
+  PackedLayers(std::filesystem::path folder, std::uint64_t budget_bytes);
+  ~PackedLayers();
+  PackedLayers(const PackedLayers&) = delete;
+  PackedLayers& operator=(const PackedLayers&) = delete;
+
+  void write(const char* layer, std::size_t tile, const Image& image);
+  Image read(const char* layer, std::size_t tile, const TileFrame& part) const;
+  void drop(const char* layer);
+
+ private:
+  struct Packed {
+    std::vector<std::uint32_t> rows;   // where each row begins, and the end
+    std::vector<std::uint32_t> words;  // empty: in the file
+  };
+  using Key = std::pair<std::string, std::size_t>;
+  std::filesystem::path path(const Key& key) const;
+
+  std::filesystem::path folder_;
+  std::uint64_t budget_, held_ = 0;
+  mutable std::mutex mutex_;
+  std::map<Key, std::shared_ptr<const Packed>> tiles_;
+};
+
+}  // namespace ilot

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/street_tiles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/pass/pass.h"
+#include "engine/store/view.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kSide = 1024;
+constexpr std::int64_t kFar = std::int64_t{1} << 52;
+constexpr double kShareOfLayers = 0.4;  // of the budget, for packed layers
+constexpr double kFinestPixel = 0.05;   // metres
+constexpr int kCoarsest = 20;           // times that
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
+  return a >= 0 ? a / b : -((b - 1 - a) / b);
+}
+
+// Calls take(point) for the points of the store in a box.
+template <class Take>
+void for_points_in(const Store& store, const IndexBox& box, const Take& take) {
+  for (const Slice& s : plan_view(store, box, {}).slices) {
+    const Tile tile = store.blocks()[s.block].node.tile;
+    const auto codes = store.read<std::uint64_t>(s.block, "codes", s.first, s.count);
+    for (const std::uint64_t code : codes)
+      if (const Index3 p = index_of({tile, code}); box.contains(p)) take(p);
+  }
+}
+
+// Windows of a lattice of squares that may hold points: row, column.
+std::vector<std::pair<std::int64_t, std::int64_t>> windows_of(const Store& store, std::int64_t side) {
+  std::vector<std::pair<std::int64_t, std::int64_t>> windows;
+  for (const Block& b : store.blocks())
+    for (std::int64_t row = floor_divided(b.box.min.y, side); row <= floor_divided(b.box.max.y, side); ++row)
+      for (std::int64_t column = floor_divided(b.box.min.x, side); column <= floor_divided(b.box.max.x, side); ++column)
+        windows.emplace_back(row, column);
+  std::sort(windows.begin(), windows.end());
+  windows.erase(std::unique(windows.begin(), windows.end()), windows.end());
+  return windows;
+}
+
+std::int64_t whole_units(const Store& store, const PassContext& context, double metres) {
+  return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
+}
+
+// The level of each pixel of a window that has none, from the nearest that has one within so many steps from side to
+// side, of equally near ones the first, row by row.
+void spread(Image& level, std::uint32_t reach) {
+  const auto w = std::int64_t{level.width}, h = std::int64_t{level.height};
+  std::vector<std::uint32_t> source(level.size(), kNone), wave, next;
+  for (std::uint32_t i = 0; i < level.size(); ++i)
+    if (level.values[i] != kNoHeight) source[i] = i, wave.push_back(i);
+  std::vector<std::uint32_t> step(level.size(), 0);
+  for (std::uint32_t d = 1; d <= reach && !wave.empty(); ++d) {
+    next.clear();
+    for (const std::uint32_t p : wave) {
+      const std::int64_t x = p % w, y = p / w;
+      const auto reach_pixel = [&](std::int64_t u, std::int64_t v) {
+        if (u < 0 || v < 0 || u >= w || v >= h) return;
+        const auto q = static_cast<std::uint32_t>(v * w + u);
+        if (source[q] == kNone) {
+          source[q] = source[p];
+          step[q] = d;
+          next.push_back(q);
+        } else if (step[q] == d) {
+          source[q] = std::min(source[q], source[p]);
+        }
+      };
+      reach_pixel(x, y - 1), reach_pixel(x - 1, y), reach_pixel(x + 1, y), reach_pixel(x, y + 1);
+    }
+    wave.swap(next);
+  }
+  for (std::uint32_t i = 0; i < level.size(); ++i)
+    if (source[i] != kNone) level.values[i] = level.values[source[i]];
+}
+
+}  // namespace
+
+double median_density(const Store& store, const PassContext& context) {
+  constexpr std::int64_t kCells = 64;
+  const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
+  const auto windows = windows_of(store, side);
+  std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
+  parallel_for(windows.size(), [&](std::size_t i) {
+    const auto [row, column] = windows[i];
+    std::vector<std::uint32_t> cells(kCells * kCells, 0);
+    for_points_in(
+        store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
+        [&](Index3 p) {
+          ++cells[static_cast<std::size_t>((p.y - row * side) / cell * kCells + (p.x - column * side) / cell)];
+        });
+    for (const std::uint32_t n : cells)
+      if (n > 0) ++counts[i][n];
+  });
+  std::map<std::uint32_t, std::uint64_t> all;
+  std::uint64_t total = 0, below = 0;
+  for (const auto& some : counts)
+    for (const auto& [n, cells] : some) all[n] += cells, total += cells;
+  const double metres = static_cast<double>(cell) * store.unit() * context.metres_per_unit;
+  for (const auto& [n, cells] : all)
+    if (below += cells; 2 * below >= total) return n / (metres * metres);
+  return 0;
+}
+
+double pixel_for(double density) {
+  int times = 1;
+  while (times < kCoarsest && density * 4 * kFinestPixel * kFinestPixel * times * times < 1) ++times;
+  return kFinestPixel * times;
+}
+
+StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
+    : store_(store),
+      context_(context),
+      packed_(store.folder() / "streets",
+              static_cast<std::uint64_t>(kShareOfLayers * static_cast<double>(context.budget_bytes))) {
+  raster_.pixel = whole_units(store, context, pixel_metres);
+  raster_.unit = store.unit();
+  const double metres = store.unit() * context.metres_per_unit;
+  raster_.scale = {metres, metres * static_cast<double>(raster_.pixel)};
+  const std::int64_t side = raster_.pixel * kSide;
+  const auto windows = windows_of(store, side);
+  std::int64_t first = INT64_MAX, last = INT64_MIN;
+  for (const auto& [row, column] : windows) first = std::min(first, column), last = std::max(last, column);
+  const std::int64_t rows = windows.back().first - windows.front().first + 1;
+  raster_.x = first * kSide;
+  raster_.y = windows.front().first * kSide;
+  raster_.grid = {
+      static_cast<std::uint32_t>((last - first + 1) * kSide), static_cast<std::uint32_t>(rows * kSide), kSide, {}};
+  std::vector<std::uint8_t> present(raster_.grid.count(), 0);
+  std::vector<std::size_t> tiles;
+  for (const auto& [row, column] : windows)
+    tiles.push_back(static_cast<std::size_t>((row - windows.front().first) * raster_.grid.columns() + column - first));
+  parallel_for(tiles.size(), [&](std::size_t i) {
+    stop_if_asked();
+    draw(tiles[i], present);
+  });
+  raster_.grid.present = std::move(present);
+  layers_ = {
+      raster_.grid,
+      [this](const char* layer, std::size_t tile, const TileFrame& part) { return packed_.read(layer, tile, part); },
+      [this](const char* layer, std::size_t tile, const Image& image) { packed_.write(layer, tile, image); },
+      [this](const char* layer) { packed_.drop(layer); }};
+}
+
+// take(pixel in the tile, z)
+template <class Take>
+void StreetTiles::for_points(std::size_t tile, const Take& take) const {
+  const TileFrame frame = tile_frame(raster_.grid, tile);
+  const std::int64_t pixel = raster_.pixel, x0 = (raster_.x + frame.x) * pixel, y0 = (raster_.y + frame.y) * pixel;
+  const IndexBox box{{x0, y0, -kFar}, {x0 + pixel * kSide - 1, y0 + pixel * kSide - 1, kFar}};
+  const auto divide = [pixel](std::int64_t v) {  // v below 2^31 and not negative
+    return static_cast<std::uint32_t>(v) / static_cast<std::uint32_t>(pixel);
+  };
+  for_points_in(store_, box, [&](Index3 p) {
+    take(std::size_t{divide(p.y - y0)} * kSide + divide(p.x - x0), static_cast<Height>(p.z));
+  });
+}
+
+void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) {
+  Image range = filled_image(kSide, kSide, kNoHeight), accumulation = filled_image(kSide, kSide, 0);
+  std::uint64_t points = 0;
+  for_points(tile, [&](std::size_t pixel, Height z) {
+    range.values[pixel] = std::max(range.values[pixel], z);
+    ++accumulation.values[pixel];
+    ++points;
+  });
+  if (points == 0) return;
+  present[tile] = 1;
+  packed_.write("range", tile, range);
+  packed_.write("accumulation", tile, accumulation);
+  context_.advance(points);
+}
+
+double StreetTiles::mean_accumulation() const {
+  std::vector<std::uint64_t> points(raster_.grid.count(), 0), pixels(raster_.grid.count(), 0);
+  for_each_tile(raster_.grid, [&](std::size_t tile) {
+    const Image mask = layer_tile(layers_, "mask", tile), height = layer_tile(layers_, "height", tile),
+                accumulation = layer_tile(layers_, "accumulation", tile);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      if (mask.values[i] != 1 || height.values[i] != kNoHeight || accumulation.values[i] == 0) continue;
+      points[tile] += static_cast<std::uint64_t>(accumulation.values[i]);
+      ++pixels[tile];
+    }
+  });
+  std::uint64_t all_points = 0, all_pixels = 0;
+  for (std::size_t t = 0; t < points.size(); ++t) all_points += points[t], all_pixels += pixels[t];
+  return all_pixels == 0 ? 1 : static_cast<double>(all_points) / static_cast<double>(all_pixels);
+}
+
+void StreetTiles::spread_level(double reach) const {
+  const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
+  for_each_tile(raster_.grid, [&](std::size_t tile) {
+    Image level = layer_around(layers_, "filled", tile, halo);
+    const Image mask = layer_around(layers_, "mask", tile, halo), height = layer_around(layers_, "height", tile, halo);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+      if (mask.values[i] != 1) {
+        level.values[i] = kNoHeight;
+      } else if (height.values[i] != kNoHeight) {
+        level.values[i] -= height.values[i];
+      }
+    }
+    spread(level, halo - 1);
+    layers_.write("level", tile, without_halo(level, halo));
+  });
+}
+
+void StreetTiles::count_above(double least_height, double low_height) const {
+  const Height least = raster_.scale.units(least_height), low_below = raster_.scale.units(low_height);
+  for_each_tile(raster_.grid, [&](std::size_t tile) {
+    stop_if_asked();
+    const Image level = layer_tile(layers_, "level", tile);
+    Image above = filled_image(kSide, kSide, 0), low = above;
+    for_points(tile, [&](std::size_t pixel, Height z) {
+      const Height ground = level.values[pixel];
+      if (ground == kNoHeight || z - ground < least) return;
+      ++above.values[pixel];
+      low.values[pixel] += z - ground < low_below;
+    });
+    layers_.write("above", tile, above);
+    layers_.write("low", tile, low);
+  });
+}
+
+}  // namespace ilot

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+
+#include "engine/run/streets_product.h"
+
+namespace ilot {
+
+// What things are called by: a model of its own, or the default one with another's classes.
+struct StreetClasses {
+  const ThingModel* base = nullptr;        // says what is whole, and what is no object
+  std::optional<ThingModel> trained = {};  // says what objects are called
+
+  ThingClass of(const ThingFeatures& features) const;
+};
+
+// Learns from the places in `train` what the things of this street are called, or reads a model that a run wrote
+// (things.model); empty: the default model. A place belongs to the thing at it, or within half a metre; of what joins
+// that with others the largest that holds no other place. Error(usage) where nothing can be learnt.
+StreetClasses street_classes(const FoundStreet& street, const std::filesystem::path& train, const Crs& crs,
+                             Progress& progress, RunRecord& record);
+
+}  // namespace ilot

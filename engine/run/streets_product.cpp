@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/streets_product.h"
+
+#include <fmt/format.h>
+#include <malloc.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/deliverables/raster_file.h"
+#include "engine/deliverables/street_map.h"
+#include "engine/deliverables/streets_gpkg.h"
+#include "engine/run/street_labels.h"
+#include "engine/run/street_training.h"
+#include "engine/streets/tiled_artefacts.h"
+#include "engine/streets/tiled_ground.h"
+#include "engine/streets/whole_things.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kFarFromStreet = 30;      // metres from a line of facades; objects beyond are of no block
+constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
+constexpr float kNone = -9999;             // pixels without a height
+constexpr std::uint64_t kLeastPoints = 3;  // of an object [B7]
+constexpr double kPixelsOfThing = 4;       // of a thing at least
+
+// Images of tiles come and go all the time: memory that is given back to the system each time comes back as page
+// faults, which are a third of the work.
+void keep_freed_memory() {
+#ifdef __GLIBC__
+  mallopt(M_MMAP_THRESHOLD, 64 << 20);
+  mallopt(M_TRIM_THRESHOLD, 128 << 20);
+#endif
+}
+
+GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
+  return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
+}
+
+ThingsParams things_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
+  ThingsParams params;
+  params.separation.least_area = std::max(s.least_area, kPixelsOfThing * scale.pixel * scale.pixel);
+  params.separation.rise = s.rise;
+  params.mean_accumulation = mean_accumulation;
+  return params;
+}
+
+Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
+  return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
+}
+
+// What a thing is called, for all things.
+std::vector<ThingClass> classes_of(const std::vector<Thing>& things, const StreetClasses& model) {
+  std::vector<ThingClass> classes(things.size());
+  constexpr std::size_t kGrain = 256;
+  parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
+    for (std::size_t i = part * kGrain; i < std::min(things.size(), (part + 1) * kGrain); ++i)
+      classes[i] = model.of(things[i].features);
+  });
+  return classes;
+}
+
+// The block of a place: that of the nearest line of facades, nearest along it.
+void set_block(const std::vector<StreetStretch>& stretches, const RasterScale& scale, double x, double y,
+               StreetObject& object) {
+  double nearest = kFarFromStreet;
+  for (std::size_t s = 0; s < stretches.size(); ++s) {
+    const StreetStretch& stretch = stretches[s];
+    const double px = (x - stretch.x) * scale.pixel, py = (y - stretch.y) * scale.pixel;
+    const double along = px * stretch.dx + py * stretch.dy;
+    const double across = std::abs(py * stretch.dx - px * stretch.dy);
+    const double beyond = std::max({0.0, -along, along - stretch.length});
+    const double distance = std::sqrt(across * across + beyond * beyond);
+    if (distance >= nearest) continue;
+    nearest = distance;
+    double least = INFINITY;
+    for (std::size_t b = 0; b < stretch.blocks.size(); ++b) {
+      const double outside = std::max({0.0, stretch.blocks[b].from - along, along - stretch.blocks[b].to});
+      if (outside >= least) continue;
+      least = outside;
+      object.stretch = static_cast<std::uint32_t>(s + 1);
+      object.block = static_cast<std::uint32_t>(b + 1);
+    }
+  }
+}
+
+StreetObject object_of(const FoundStreet& street, const Thing& thing, const ThingClass& what) {
+  const StreetRaster& raster = street.tiles->raster();
+  StreetObject o;
+  o.label = what.label;
+  o.probability = what.probability;
+  o.base = place_of(raster, thing.x, thing.y, thing.ground);
+  o.middle = place_of(raster, thing.middle_x, thing.middle_y, thing.ground);
+  o.height_m = thing.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  o.length_m = thing.length;
+  o.width_m = thing.width;
+  o.heading_deg = thing.heading_deg;
+  o.area_m2 = thing.features[static_cast<std::size_t>(ComponentFeature::area)];
+  o.points = thing.points;
+  set_block(street.stretches, raster.scale, thing.x, thing.y, o);
+  return o;
+}
+
+bool is_object(PointLabel label) {
+  return label >= PointLabel::car && label <= PointLabel::other;
+}
+
+void add_parts(const FoundStreet& street, StreetPlan& plan) {
+  const StreetRaster& raster = street.tiles->raster();
+  const auto part_of = [&](std::size_t s, std::size_t number, const StretchPart& part) {
+    const StreetStretch& stretch = street.stretches[s];
+    const auto at = [&](double along) {
+      const double pixels = along / raster.scale.pixel;
+      return place_of(raster, stretch.x + pixels * stretch.dx, stretch.y + pixels * stretch.dy, 0);
+    };
+    return FacadePart{static_cast<std::uint32_t>(s + 1),
+                      static_cast<std::uint32_t>(number + 1),
+                      at(part.from),
+                      at(part.to),
+                      part.to - part.from,
+                      part.height};
+  };
+  for (std::size_t s = 0; s < street.stretches.size(); ++s) {
+    for (std::size_t b = 0; b < street.stretches[s].blocks.size(); ++b)
+      plan.blocks.push_back(part_of(s, b, street.stretches[s].blocks[b]));
+    for (std::size_t g = 0; g < street.stretches[s].gaps.size(); ++g)
+      plan.gaps.push_back(part_of(s, g, street.stretches[s].gaps[g]));
+  }
+}
+
+// A layer as a GeoTIFF, north up; `value` of a pixel, NaN for none.
+void write_raster(const StreetTiles& tiles, const std::filesystem::path& path, RasterValue kind, double nodata,
+                  const Crs& crs, const std::function<std::vector<float>(std::size_t tile)>& values) {
+  const StreetRaster& raster = tiles.raster();
+  const TileGrid& grid = raster.grid;
+  RasterFile file(path,
+                  {raster.crs_x(0), raster.crs_y(grid.height), static_cast<double>(raster.pixel) * raster.unit,
+                   grid.width, grid.height},
+                  kind, nodata, crs);
+  for (std::size_t tile = 0; tile < grid.count(); ++tile) {
+    if (!grid.has(tile)) continue;
+    const TileFrame frame = tile_frame(grid, tile);
+    const std::vector<float> rows = values(tile);
+    std::vector<float> turned(rows.size());
+    for (std::uint32_t y = 0; y < frame.height; ++y)
+      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * frame.width), frame.width,
+                  turned.begin() + static_cast<std::ptrdiff_t>(std::size_t{frame.height - 1 - y} * frame.width));
+    file.write(frame.x, grid.height - frame.y - frame.height, frame.width, frame.height, turned);
+  }
+  file.finish();
+}
+
+void write_rasters(const StreetTiles& tiles, const std::filesystem::path& folder, const Crs& crs) {
+  const double unit = tiles.raster().unit;
+  const auto heights = [&](const char* layer, double per_unit, const char* where) {
+    return [&tiles, layer, per_unit, where](std::size_t tile) {
+      const Image image = layer_tile(tiles.layers(), layer, tile);
+      const Image mask = where == nullptr ? Image{} : layer_tile(tiles.layers(), where, tile);
+      std::vector<float> out(image.size(), kNone);
+      for (std::size_t i = 0; i < image.size(); ++i)
+        if (image.values[i] != kNoHeight && (where == nullptr || mask.values[i] == 1))
+          out[i] = static_cast<float>(image.values[i] * per_unit);
+      return out;
+    };
+  };
+  const auto counts = [&](std::size_t tile) {
+    const Image image = layer_tile(tiles.layers(), "accumulation", tile);
+    return std::vector<float>(image.values.begin(), image.values.end());
+  };
+  write_raster(tiles, folder / "range.tif", RasterValue::real, kNone, crs, heights("range", unit, nullptr));
+  write_raster(tiles, folder / "accumulation.tif", RasterValue::whole, 0, crs, counts);
+  write_raster(tiles, folder / "ground.tif", RasterValue::real, kNone, crs, heights("level", unit, "mask"));
+  write_raster(tiles, folder / "artefacts.tif", RasterValue::real, kNone, crs,
+               heights("height", tiles.raster().scale.unit, nullptr));
+}
+
+void choose_pixel(const StreetsSettings& settings, const FoundStreet& street, RunRecord& record) {
+  if (settings.pixel) return;
+  record.chosen.push_back(
+      {"streets.pixel", street.tiles->raster().scale.pixel,
+       fmt::format("half of the sampling step at {:.1f} points a square metre, in steps of 5 cm", street.density)});
+}
+
+}  // namespace
+
+FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
+  keep_freed_memory();
+  FoundStreet street;
+  street.density = median_density(store, context);
+  street.tiles = std::make_unique<StreetTiles>(store, context, settings.pixel.value_or(pixel_for(street.density)));
+  const StreetTiles& tiles = *street.tiles;
+  const RasterScale& scale = tiles.raster().scale;
+  ArtefactParams artefacts;
+  artefacts.least_height = settings.least_height;
+  find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
+  find_artefacts_tiled(tiles.layers(), scale, artefacts);
+  tiles.spread_level(artefacts.ring_reach);
+  const ThingsParams params = things_params(settings, scale, tiles.mean_accumulation());
+  tiles.count_above(settings.least_height, params.low_height);
+  street.things = find_things(tiles.layers(), scale, params);
+  street.stretches = find_city_blocks(tiles.layers(), scale);
+  return street;
+}
+
+void make_streets(const Store& store, const Settings& settings, const std::filesystem::path& train, const Crs& crs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record) {
+  progress.begin_stage("streets", 2 * store.points());
+  std::filesystem::create_directories(folder);
+  const FoundStreet street = find_street(store, settings.streets, context);
+  choose_pixel(settings.streets, street, record);
+  const StreetClasses model = street_classes(street, train, crs, progress, record);
+  if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
+  const std::vector<ThingClass> classes = classes_of(street.things, model);
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
+  StreetPlan plan;
+  std::vector<std::uint32_t> object_of_thing(street.things.size() + 1, 0);
+  const double unit = store.unit();
+  for (std::size_t i = 0; i < street.things.size(); ++i) {
+    if (taken[i] == 0 || !is_object(classes[i].label) || street.things[i].points < kLeastPoints) continue;
+    StreetObject object = object_of(street, street.things[i], classes[i]);
+    if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
+      continue;
+    object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
+    object_of_thing[i + 1] = object.id;
+    plan.objects.push_back(object);
+  }
+  ThingLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < thing_of.size(); ++part) {
+    const std::uint32_t thing = thing_of[part];
+    const PointLabel label = classes[thing - 1].label;
+    labels.object.push_back(object_of_thing[thing]);
+    labels.label.push_back(is_object(label) && object_of_thing[thing] == 0 ? PointLabel::none : label);
+  }
+  add_parts(street, plan);
+  write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);
+  write_objects_gpkg(folder / "objects.gpkg", plan, crs);
+  write_blocks_gpkg(folder / "blocks.gpkg", plan, crs);
+  write_rasters(*street.tiles, folder, crs);
+  write_street_map(folder, plan, context.metres_per_unit);
+  record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
+  progress.end_stage();
+}
+
+}  // namespace ilot

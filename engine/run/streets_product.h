@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/model/street.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/run/street_tiles.h"
+#include "engine/settings/settings.h"
+#include "engine/streets/city_blocks.h"
+#include "engine/streets/thing_model.h"
+
+namespace ilot {
+
+// A street taken apart, before anything is called by its name.
+struct FoundStreet {
+  std::unique_ptr<StreetTiles> tiles;  // all layers
+  std::vector<Thing> things;           // by number in the layer "things", from 1
+  std::vector<StreetStretch> stretches;
+  double density = 0;  // points a square metre: the median over those that hold any
+};
+
+// B1 to B6 on a store. Works in tiles on disk; memory is that of a few tiles and of their borders.
+FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context);
+
+// find_street, the class of each thing by the default model or as learnt from `train` (street_classes), and all that is
+// written: the files of `folder` (streets/) and the column "street" (StreetLabel) of every block. Objects whose base is
+// not wanted are left out.
+void make_streets(const Store& store, const Settings& settings, const std::filesystem::path& train, const Crs& crs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record);
+
+}  // namespace ilot

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+// The images of a street, tile by tile: what the tiled steps read and write.
+#pragma once
+#include <functional>
+
+#include "kernels/rasters/tiles.h"
+
+namespace ilot {
+
+// Layers by name, kept by the caller; called from several threads at once, for different tiles when writing. All layers
+// are images of whole tiles; masks are 0 and 1, labels are numbers as heights.
+struct StreetLayers {
+  TileGrid grid;
+  std::function<Image(const char* layer, std::size_t tile, const TileFrame& part)> read;  // part: within the tile
+  std::function<void(const char* layer, std::size_t tile, const Image& image)> write;
+  std::function<void(const char* layer)> drop;  // not while others read it
+};
+
+// A whole tile of a layer.
+Image layer_tile(const StreetLayers& layers, const char* layer, std::size_t tile);
+
+// A rectangle of the whole; kNoHeight outside of the image. The corner may lie anywhere.
+Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
+                   std::uint32_t height);
+
+// A tile and so many pixels on all sides.
+Image layer_around(const StreetLayers& layers, const char* layer, std::size_t tile, std::uint32_t halo);
+
+// Without so many pixels on all sides.
+Image without_halo(const Image& image, std::uint32_t halo);
+
+// The access that kernels ask for.
+ReadTile reader_of(const StreetLayers& layers, const char* layer);
+ReadAround around_reader_of(const StreetLayers& layers, const char* layer);
+WriteTile writer_of(const StreetLayers& layers, const char* layer);
+
+// Calls body(tile) for the tiles that are present, in parallel.
+void for_each_tile(const TileGrid& grid, const std::function<void(std::size_t)>& body);
+
+}  // namespace ilot

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/streets/thing_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "engine/error.h"
+#include "engine/streets/thing_decisions.h"
+
+namespace ilot {
+namespace {
+
+constexpr const char* kFirstLine = "ilot things 1";
+
+std::string name_of(PointLabel label) {
+  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+}
+
+// Reads a model line by line: a word, then what belongs to it.
+class ModelReader {
+ public:
+  ModelReader(std::string_view text, const std::string& name) : text_(std::string(text)), name_(name) {}
+
+  ThingModel read() {
+    std::string line;
+    next(line);
+    if (line != kFirstLine) fail("is no model of things: its first line is not '" + std::string(kFirstLine) + "'");
+    while (next(line)) take(line);
+    check();
+    return model_;
+  }
+
+ private:
+  bool next(std::string& line) {
+    ++number_;
+    return static_cast<bool>(std::getline(text_, line));
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(name_ + ":" + std::to_string(number_) + ": " + what, ExitCode::usage);
+  }
+
+  void take(const std::string& line) {
+    if (line.empty()) return;
+    if (line[0] == '#') {
+      model_.recipe += line.substr(line.size() > 1 && line[1] == ' ' ? 2 : 1) + "\n";
+      return;
+    }
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "feature") return take_feature(words);
+    if (word == "class") return take_class(words);
+    if (word == "kernel") {
+      const auto v = numbers(words, 3);
+      model_.cost = v[0], model_.gamma = v[1], model_.unlike = v[2];
+      return;
+    }
+    if (word == "pair") {
+      const auto v = numbers(words, 3);
+      model_.rho.push_back(v[0]), model_.slope.push_back(v[1]), model_.offset.push_back(v[2]);
+      return;
+    }
+    if (word != "vector") fail("'" + word + "' is not known");
+    const auto v = numbers(words, model_.classes.size() + model_.features.size());
+    if (v[0] < 0 || v[0] >= static_cast<double>(model_.classes.size())) fail("there is no such class");
+    const auto weights = v.begin() + static_cast<std::ptrdiff_t>(model_.classes.size());
+    model_.class_of_vector.push_back(static_cast<std::uint32_t>(v[0]));
+    model_.weights.emplace_back(v.begin() + 1, weights);
+    model_.vectors.emplace_back(weights, v.end());
+  }
+
+  void take_feature(std::istringstream& words) {
+    const auto v = numbers(words, 2);
+    std::string name;
+    std::getline(words >> std::ws, name);
+    for (std::size_t f = 0; f < kThingFeatures; ++f) {
+      if (name != thing_feature_name(f)) continue;
+      model_.features.push_back(f);
+      model_.mean.push_back(v[0]);
+      model_.sd.push_back(v[1]);
+      if (!(v[1] > 0)) fail("a deviation is not above 0");
+      return;
+    }
+    fail("there is no feature '" + name + "'");
+  }
+
+  void take_class(std::istringstream& words) {
+    const double prior = numbers(words, 1)[0];
+    if (!(prior > 0)) fail("a class is never there");
+    std::string name;
+    words >> name;
+    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
+      if (name_of(static_cast<PointLabel>(value)) != name) continue;
+      model_.classes.push_back(static_cast<PointLabel>(value));
+      model_.prior.push_back(prior);
+      return;
+    }
+    fail("there is no class '" + name + "'");
+  }
+
+  std::vector<double> numbers(std::istringstream& words, std::size_t count) const {
+    std::vector<double> list;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string word;
+      double value = 0;
+      if (!(words >> word) || std::from_chars(word.data(), word.data() + word.size(), value).ec != std::errc())
+        fail("fewer than " + std::to_string(count) + " numbers");
+      if (!std::isfinite(value)) fail("a number is not finite");
+      list.push_back(value);
+    }
+    return list;
+  }
+
+  void check() const {
+    const std::size_t k = model_.classes.size();
+    if (k < 2 || model_.features.empty() || model_.vectors.empty()) fail("ends before its vectors");
+    if (model_.rho.size() != k * (k - 1) / 2) fail("there must be a line 'pair' for each two classes");
+  }
+
+  std::istringstream text_;
+  std::string name_;
+  std::size_t number_ = 0;
+  ThingModel model_;
+};
+
+// Of the weights of a support vector of class a, the one against class b.
+double weight_against(const ThingModel& model, std::size_t vector, std::size_t a, std::size_t b) {
+  return model.weights[vector][b < a ? b : b - 1];
+}
+
+}  // namespace
+
+ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
+  const std::vector<double> row = standardised(model, features);
+  const std::size_t k = model.classes.size();
+  std::vector<double> decision(k * (k - 1) / 2, 0);
+  for (std::size_t p = 0; p < decision.size(); ++p) decision[p] = -model.rho[p];
+  double nearest = 0;
+  for (std::size_t v = 0; v < model.vectors.size(); ++v) {
+    const double kernel = radial(row, model.vectors[v], model.gamma);
+    nearest = std::max(nearest, kernel);
+    const std::size_t own = model.class_of_vector[v];
+    for (std::size_t other = 0; other < k; ++other)
+      if (other != own)
+        decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
+            weight_against(model, v, own, other) * kernel;
+  }
+  std::vector<double> share = model.prior;
+  for (std::size_t a = 0; a < k; ++a)
+    for (std::size_t b = a + 1; b < k; ++b) {
+      const std::size_t p = pair_index(a, b, k);
+      const double first = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
+      share[a] *= first;
+      share[b] *= 1 - first;
+    }
+  double sum = 0;
+  for (const double s : share) sum += s;
+  const auto best = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
+  ThingClass out{model.classes[best], sum > 0 ? share[best] / sum : 1 / static_cast<double>(k), 1};
+  for (std::size_t c = 0; c < k; ++c)
+    if (model.classes[c] == PointLabel::none && sum > 0) out.whole = 1 - share[c] / sum;
+  if (nearest >= model.unlike) return out;
+  out.whole = 0;
+  if (out.label >= PointLabel::car) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(k);
+  return out;
+}
+
+std::string thing_model_text(const ThingModel& model) {
+  std::string text = std::string(kFirstLine) + "\n";
+  std::istringstream recipe(model.recipe);
+  for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  for (std::size_t c = 0; c < model.classes.size(); ++c)
+    text += fmt::format("class {:.9g} {}\n", model.prior[c], name_of(model.classes[c]));
+  for (std::size_t i = 0; i < model.features.size(); ++i)
+    text +=
+        fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i], thing_feature_name(model.features[i]));
+  text += fmt::format("kernel {:.9g} {:.9g} {:.9g}\n", model.cost, model.gamma, model.unlike);
+  for (std::size_t p = 0; p < model.rho.size(); ++p)
+    text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
+  for (std::size_t v = 0; v < model.vectors.size(); ++v) {
+    text += fmt::format("vector {}", model.class_of_vector[v]);
+    for (const double w : model.weights[v]) text += fmt::format(" {:.7g}", w);
+    for (const double x : model.vectors[v]) text += fmt::format(" {:.5g}", x);
+    text += "\n";
+  }
+  return text;
+}
+
+ThingModel parse_thing_model(std::string_view text, const std::string& name) {
+  return ModelReader(text, name).read();
+}
+
+}  // namespace ilot

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+// What things are, by a support vector machine [B7]. Training and use are plain arithmetic: the same on every machine.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/model/point_label.h"
+#include "engine/streets/things.h"
+
+namespace ilot {
+
+// A thing whose class is known. `none`: a remnant that is no thing at all.
+struct ThingSample {
+  ThingFeatures features{};
+  PointLabel label = PointLabel::none;
+  std::uint32_t group = 0;  // things of one group are never parted by a fold: the number of a block
+};
+
+// Which features may be selected.
+enum class FeatureSet : std::uint8_t { document, all };
+
+struct ThingTrainingParams {
+  FeatureSet features = FeatureSet::all;
+  double max_p = 0.01;                // of the stepwise selection
+  std::uint32_t folds = 5;            // of the cross-validation that the grid is searched by
+  std::uint32_t most_of_class = 400;  // samples; of more, as many evenly spread
+};
+
+// A trained machine: one against one, radial kernel exp(-gamma d^2) on standardised features.
+struct ThingModel {
+  std::string recipe;                 // how it was trained, for people: lines without a leading blank
+  std::vector<std::size_t> features;  // in the order of their selection
+  std::vector<double> mean, sd;       // of each, after signed_root
+  double gamma = 1, cost = 1;
+  double unlike = 0;  // what has a smaller kernel to every support vector is like nothing that was trained on
+  std::vector<PointLabel> classes;
+  std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
+  std::vector<std::vector<double>> vectors;    // support vectors, standardised
+  std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
+  std::vector<std::uint32_t> class_of_vector;  // index into classes, rising
+  std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
+};
+
+struct ThingClass {
+  PointLabel label = PointLabel::other;
+  double probability = 0;
+  double whole = 1;  // probability of being anything but `none`
+};
+
+// The features that the stepwise selection takes, in its order.
+std::vector<std::size_t> selected_features(std::span<const ThingSample> samples, const ThingTrainingParams& params);
+
+// Selects features, searches cost and gamma on a grid by cross-validation over groups, trains on all with what was best
+// (ties: the lower cost, then the lower gamma) and fits the probabilities to the decisions of the cross-validation
+// (Platt 1999 as Lin, Lin and Weng 2007 do it). Where samples were left out because a class has many, those that the
+// machine gets wrong join the others, and it is trained once more; probabilities stay those of the even choice, times
+// how many samples each class really had. At least two classes with two samples each, else Error(usage).
+ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
+
+// The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things
+// like nothing that the machine was trained on are not whole, and where they are called an object they are `other`, as
+// probable as any class.
+ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
+
+// Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of
+// the training included.
+std::vector<ThingClass> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params,
+                                       std::uint32_t folds = 10);
+
+// The model as text and back; parse throws Error naming `name` and the line.
+std::string thing_model_text(const ThingModel& model);
+ThingModel parse_thing_model(std::string_view text, const std::string& name);
+
+// What ships with ilot: trained on the virtual scanner's streets. Its recipe stands in it.
+const ThingModel& default_thing_model();
+
+}  // namespace ilot

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "engine/streets/separation.h"
+#include "engine/streets/street_layers.h"
+#include "kernels/rasters/component_features.h"
+
+namespace ilot {
+
+// What a thing is told by: the document's eleven [B6], then ours.
+enum class ThingFeature : std::uint8_t {
+  low_share = kComponentFeatures,  // of its points, those lower than low_height
+  ground_share,                    // of the points in its pixels, those on the ground below it
+  roughness,                       // metres; mean of the highest less the lowest of a pixel and its neighbours
+  length,                          // metres; of the rectangle with the moments of its pixels
+  width,
+  inner_pass,  // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
+  outer_pass,  // the highest pass to another part of its component over the lower top; 0 without any
+  facade_contact,  // of its pixels on its edge, those beside what is not ground
+};
+constexpr std::size_t kThingFeatures = kComponentFeatures + 8;
+using ThingFeatures = std::array<double, kThingFeatures>;
+const char* thing_feature_name(std::size_t feature);
+
+// Something that stands on the ground.
+struct Thing {
+  ThingFeatures features{};
+  double x = 0, y = 0;                            // base point, pixels of the whole; centres of pixels at whole numbers
+  double middle_x = 0, middle_y = 0;              // of its pixels
+  Height ground = 0;                              // lowest ground below it
+  double length = 0, width = 0, heading_deg = 0;  // metres; heading of the length, from x towards y, 0 to below 180
+  std::uint64_t points = 0;                       // above the ground
+  std::uint32_t pixels = 0;
+  std::uint32_t parts[2] = {0, 0};  // numbers of the things that this one joins; 0: a thing as it was separated
+};
+
+struct ThingsParams {
+  SeparationParams separation;
+  double largest = 40;           // square metres; parts are joined to no larger things
+  double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
+  double low_height = 2;         // metres above the ground
+  double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
+};
+
+// Things that touch told apart [B5] and described [B6]: from the layers "height", "range", "accumulation", "mask",
+// "above" (points above the ground) and "low" (those lower than low_height) to the layer "things": numbers from 1 in
+// the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
+// by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
+// of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
+//
+// Ours: a watershed also parts what is one, as a bicycle from saddle to handlebar. Behind the parts as they were
+// separated come the things that join two of them or of those: in each component the two whose pass is highest beside
+// the lower top, again and again, then those that a gap of less than nearest_apart parts, up to `largest`. Components
+// are joined over such gaps too. Which of them are things, classes tell: whole_things.
+std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
+
+}  // namespace ilot

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include "engine/streets/artefacts.h"
+#include "engine/streets/street_layers.h"
+
+namespace ilot {
+
+// find_artefacts of a street that is too large to hold: from the layers "filled" and "mask" to "height" (above the
+// ground around; kNoHeight where nothing stands), pixel by pixel what find_artefacts makes of the whole.
+void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
+
+}  // namespace ilot

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <span>
+
+#include "engine/streets/thing_model.h"
+
+namespace ilot {
+
+// Which of the things are whole, where parts and what joins them are given (find_things): those that have the greatest
+// sum of pixels times probability of being whole, each pixel in one of them; ties: the joined one. For each thing
+// whether it was taken. O(n).
+std::vector<std::uint8_t> whole_things(std::span<const Thing> things, std::span<const ThingClass> classes);
+
+// Of each thing that was separated the number of the thing taken that holds it; [0] = 0.
+std::vector<std::uint32_t> thing_of_part(std::span<const Thing> things, std::span<const std::uint8_t> taken);
+
+}  // namespace ilot

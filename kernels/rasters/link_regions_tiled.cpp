@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/rasters/link_regions_tiled.h"
+
+#include <algorithm>
+
+#include "kernels/core/parallel.h"
+#include "kernels/core/union_find.h"
+#include "kernels/rasters/region_links.h"
+
+namespace ilot {
+namespace {
+
+LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, const Image& zones, std::uint32_t halo) {
+  const TileFrame frame = tile_frame(grid, tile);
+  LinkWindow window;
+  window.halo = halo;
+  window.x = std::int64_t{frame.x} - halo;
+  window.y = std::int64_t{frame.y} - halo;
+  window.whole_width = grid.width;
+  window.zones.resize(zones.size());
+  window.inside.resize(zones.size());
+  std::size_t i = 0;
+  for (std::uint32_t y = 0; y < heights.height; ++y) {
+    for (std::uint32_t x = 0; x < heights.width; ++x, ++i) {
+      window.inside[i] = grid.holds(window.x + x, window.y + y);
+      window.zones[i] = zones.values[i] == kNoHeight ? 0 : static_cast<std::uint32_t>(zones.values[i]);
+    }
+  }
+  window.heights = std::move(heights);
+  return window;
+}
+
+// The pixels of the links that are drawn, by tile.
+std::vector<std::vector<LinkPixel>> drawn(const TileGrid& grid, std::vector<RegionLink> links) {
+  std::sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) { return a.order() < b.order(); });
+  std::uint32_t zones = 0;
+  for (const RegionLink& link : links) zones = std::max({zones, link.zone_a, link.zone_b});
+  std::vector<std::uint32_t> parents(std::size_t{zones} + 1);
+  UnionFind regions(parents);
+  std::vector<std::vector<LinkPixel>> pixels(grid.count());
+  for (const RegionLink& link : links) {
+    if (!regions.unite(link.zone_a, link.zone_b)) continue;
+    for (const LinkPixel& p : link.way) {
+      const std::uint64_t x = p.pixel % grid.width, y = p.pixel / grid.width;
+      pixels[y / grid.side * grid.columns() + x / grid.side].push_back(p);
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+void link_regions_tiled(const TileGrid& grid, const LinkRegionsParams& params, const ReadTile& read,
+                        const ReadAround& heights, const ReadAround& zones, const WriteTile& write) {
+  const std::uint32_t halo = link_halo(params);
+  std::vector<std::vector<RegionLink>> found(grid.count());
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    if (grid.has(tile))
+      found[tile] = links_in(window_of(grid, tile, heights(tile, halo), zones(tile, halo), halo), params);
+  });
+  std::vector<RegionLink> links;
+  for (auto& list : found) {
+    std::move(list.begin(), list.end(), std::back_inserter(links));
+    list = {};
+  }
+  const std::vector<std::vector<LinkPixel>> pixels = drawn(grid, std::move(links));
+  parallel_for(grid.count(), [&](std::size_t tile) {
+    if (!grid.has(tile)) return;
+    const TileFrame frame = tile_frame(grid, tile);
+    Image image = read(tile);
+    for (const LinkPixel& p : pixels[tile]) {
+      const std::uint64_t x = p.pixel % grid.width - frame.x, y = p.pixel / grid.width - frame.y;
+      Height& v = image.values[y * frame.width + x];
+      if (v == kNoHeight) v = p.height;
+    }
+    write(tile, image);
+  });
+}
+
+}  // namespace ilot

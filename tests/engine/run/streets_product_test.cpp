@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/streets_product.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engine/error.h"
+#include "engine/run/run.h"
+#include "tests/support/cloud_store.h"
+
+namespace ilot {
+namespace {
+
+using nlohmann::json;
+
+json record_of(const std::filesystem::path& out) {
+  std::stringstream text;
+  text << std::ifstream(out / "run.json").rdbuf();
+  return json::parse(text.str());
+}
+
+struct Outcome {
+  int code = 0;
+  json record;
+  std::filesystem::path out;
+};
+
+Outcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const std::string& name,
+                  const std::function<void(RunOptions&)>& change = {}) {
+  const auto cloud = folder.path() / "street.las";
+  test::write_cloud(cloud, points);
+  RunOptions options;
+  options.inputs = {cloud};
+  options.output = folder.path() / name;
+  options.products = {"streets"};
+  options.crs = "EPSG:2154";
+  options.threads = 2;
+  if (change) change(options);
+  Progress progress;
+  Outcome out{run(options, progress), {}, options.output};
+  out.record = record_of(out.out);
+  return out;
+}
+
+// 24 m of street between facades of 9 m, a point each 5 cm, millimetres; boxes stand on it.
+std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side = true) {
+  Rng rng(3);
+  std::vector<Index3> points;
+  for (std::int64_t x = 0; x < 24000; x += 50)
+    for (std::int64_t y = 0; y < 12000; y += 50) {
+      const std::int64_t base = 30000 + x * slope_percent / 100 + static_cast<std::int64_t>(rng.below(15));
+      if (y < 600 || (right_side && y >= 11400)) {
+        for (std::int64_t z = 0; z < 9000; z += 900) points.push_back({700000000 + x, 660000000 + y, base + z});
+        continue;
+      }
+      bool on_box = false;
+      for (std::int64_t b = 0; b < boxes; ++b)
+        on_box |= x >= 3000 + 6000 * b && x < 7000 + 6000 * b && y >= 3000 && y < 4700;
+      points.push_back({700000000 + x, 660000000 + y, base + (on_box ? 1400 : 0)});
+    }
+  return points;
+}
+
+TEST(StreetsProduct, AllFilesAreThere) {
+  const TemporaryFolder folder;
+  const Outcome out = run_cloud(folder, street_points(2, 3), "out");
+  for (const char* file : {"objects.gpkg", "blocks.gpkg", "range.tif", "accumulation.tif", "ground.tif",
+                           "artefacts.tif", "streets.svg", "streets.html"})
+    EXPECT_GT(std::filesystem::file_size(out.out / "streets" / file), 0u) << file;
+  const json counts = out.record["counts"];
+  EXPECT_EQ(counts["points"]["read"], street_points(2, 3).size());
+  EXPECT_EQ(counts["points"]["labelled"].get<std::uint64_t>() + counts["points"]["unlabelled"].get<std::uint64_t>(),
+            street_points(2, 3).size());
+  EXPECT_TRUE(counts["streets"].contains("objects"));
+  EXPECT_EQ(out.record["chosen"][0]["key"], "streets.pixel");
+}
+
+TEST(StreetsProduct, ThingsAreFoundOnEverySlope) {
+  for (const int percent : {0, 20}) {
+    const auto points = street_points(percent, 3);
+    const test::CloudStore store(points);
+    const FoundStreet street = find_street(store.store(), {}, {});
+    std::size_t boxes = 0;
+    for (const Thing& t : street.things)
+      if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
+    EXPECT_EQ(boxes, 3u) << percent;
+    ASSERT_EQ(street.stretches.size(), 2u) << percent;
+    for (const StreetStretch& s : street.stretches) EXPECT_TRUE(s.gaps.empty()) << percent;
+  }
+}
+
+TEST(StreetsProduct, OneSideOnly) {
+  const test::CloudStore store(street_points(2, 2, false));
+  const FoundStreet street = find_street(store.store(), {}, {});
+  EXPECT_EQ(street.stretches.size(), 1u);
+  EXPECT_GE(street.things.size(), 2u);
+}
+
+TEST(StreetsProduct, NothingDependsOnThreadsOrBlocks) {
+  const auto points = street_points(3, 2);
+  std::string hash;
+  for (const auto& [threads, block_points] : {std::pair{1, 1u << 20}, {3, 1u << 20}, {2, 5000u}}) {
+    const TemporaryFolder folder;
+    const Outcome out = run_cloud(folder, points, "out", [&, t = threads, b = block_points](RunOptions& o) {
+      o.threads = t;
+      o.settings.index.block_points = b;
+    });
+    const std::string got = out.record["result_hash"];
+    if (hash.empty()) hash = got;
+    EXPECT_EQ(got, hash) << threads << " " << block_points;
+  }
+}
+
+// Clouds that hold no street: a clear end, nothing thrown.
+TEST(StreetsProduct, CloudsWithoutAStreet) {
+  std::vector<Index3> sparse, wall;
+  Rng rng(8);
+  for (int i = 0; i < 300; ++i)
+    sparse.push_back({static_cast<std::int64_t>(rng.below(400000)), static_cast<std::int64_t>(rng.below(400000)),
+                      static_cast<std::int64_t>(rng.below(20000))});
+  for (std::int64_t x = 0; x < 8000; x += 40)
+    for (std::int64_t z = 0; z < 8000; z += 40) wall.push_back({x, 0, z});
+  const std::vector<std::pair<std::string, std::vector<Index3>>> clouds{
+      {"one point", {{5, 5, 5}}},
+      {"one pixel", {{5, 5, 5}, {6, 6, 900}, {7, 7, 4000}}},
+      {"sparse", sparse},
+      {"no ground", wall}};
+  for (const auto& [name, points] : clouds) {
+    const TemporaryFolder folder;
+    const Outcome out = run_cloud(folder, points, "out");
+    EXPECT_EQ(out.record["counts"]["streets"]["objects"], 0) << name;
+    EXPECT_EQ(out.code, static_cast<int>(ExitCode::incomplete)) << name;
+    ASSERT_EQ(out.record["skipped"].size(), 1u) << name;
+    EXPECT_EQ(out.record["skipped"][0]["where"], "streets");
+  }
+}
+
+std::string place(double x, double y, const std::string& name) {
+  std::ostringstream out;
+  out.precision(12);
+  out << R"({"type":"Feature","properties":{"class":")" << name << R"("},"geometry":{"type":"Point","coordinates":[)"
+      << x << "," << y << "]}}";
+  return out.str();
+}
+
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2154"}},)"
+         R"("features":[)" +
+         features + "]}";
+}
+
+TEST(StreetsProduct, LearnsFromPlaces) {
+  const TemporaryFolder folder;
+  std::string features = place(900000, 660001, "car");
+  for (int b = 0; b < 3; ++b) features += "," + place(700005 + 6 * b, 660003.8, b == 0 ? "car" : "other");
+  features += "," + place(700005.01, 660003.8, "car");
+  const auto train = folder.put("labels.geojson", collection(features));
+  EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one", [&](RunOptions& o) { o.train = train; }), Error)
+      << "one thing of a class is too little";
+}
+
+TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {
+  const TemporaryFolder folder;
+  const auto outside = folder.put("outside.geojson", collection(place(1, 1, "car") + "," + place(2, 2, "other")));
+  const auto unknown = folder.put("unknown.geojson", collection(place(700005, 660003.8, "cow")));
+  for (const auto& [file, part] : {std::pair{outside, "none of its 2 places"}, {unknown, "no class 'cow'"}}) {
+    try {
+      run_cloud(folder, street_points(2, 3), "out", [&, f = file](RunOptions& o) { o.train = f; });
+      FAIL() << part;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ExitCode::usage);
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+    std::filesystem::remove_all(folder.path() / "out");
+  }
+}
+
+}  // namespace
+}  // namespace ilot
