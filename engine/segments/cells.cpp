@@ -12,7 +12,14 @@ namespace {
 
 constexpr int kMarginShift = 4;  // margin = edge / 16
 
+constexpr std::size_t kPadding = 16;
 constexpr std::uint32_t kBatch = 1 << 14;
+
+void reserve(CellPoints& cp, std::size_t points) {
+  for (auto* v : {&cp.x, &cp.y, &cp.z}) v->reserve(points + kPadding);
+  cp.normals.reserve(points);
+  cp.core.reserve(points);
+}
 
 // Calls visit(position, code, slice, point of the block) for the points of the plan that lie in the box, in global
 // order.
@@ -152,18 +159,22 @@ std::int64_t margin_of(const Cell& cell) {
 }
 
 CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette) {
-  const IndexBox around = cell.node.box().grown(margin_of(cell));
+  const IndexBox own = cell.node.box(), around = own.grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
-  std::uint64_t in_margin = 0;
-  for_each_in(store, plan, around,
-              [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) { in_margin += !cell.node.box().contains(p); });
+  std::uint64_t in_margin = plan.size - cell.points;  // at most
+  if (in_margin > kCellPoints) {
+    in_margin = 0;
+    for_each_in(store, plan, around,
+                [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) { in_margin += !own.contains(p); });
+  }
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;
+  reserve(cp, std::min<std::uint64_t>(plan.size, cell.points + 2 * std::uint64_t{kCellPoints}));
   Cursor<PackedNormal> normals(store, "normals");
   Cursor<StoredColour> colours(store, "colour");
   for_each_in(store, plan, around, [&](Index3 p, std::uint64_t code, const Slice& slice, std::uint32_t point) {
-    const bool core = cell.node.box().contains(p);
+    const bool core = own.contains(p);
     if (!core && thin && mix64(code) > keep_below) return;
     cp.x.push_back(static_cast<float>(p.x - plan.anchor.x));
     cp.y.push_back(static_cast<float>(p.y - plan.anchor.y));
@@ -173,7 +184,6 @@ CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& 
     if (!palette.centre.empty()) cp.colour_class.push_back(palette.class_of(colours.at(slice, point)));
   });
   cp.size = cp.core.size();
-  constexpr std::size_t kPadding = 16;
   for (auto* v : {&cp.x, &cp.y, &cp.z}) v->resize(cp.size + kPadding, 0.0f);
   return cp;
 }

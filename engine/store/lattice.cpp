@@ -11,17 +11,6 @@ constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps less than
 
 }  // namespace
 
-Index3 corner(Tile tile) {
-  constexpr std::int64_t edge = std::int64_t{1} << kTileBits;
-  return {tile.x * edge, tile.y * edge, tile.z * edge};
-}
-
-Index3 index_of(const PointKey& key) {
-  const Index3 c = corner(key.tile);
-  const Cell3 cell = morton_cell(key.code);
-  return {c.x + cell.x, c.y + cell.y, c.z + cell.z};
-}
-
 Node Node::ancestor(int at_level) const {
   const int shift = 3 * (kTileBits - at_level);
   return {tile, at_level, first_code >> shift << shift};

@@ -26,15 +26,22 @@ struct PointKey {
   friend auto operator<=>(const PointKey&, const PointKey&) = default;
 };
 
-// Inline: each point of every input passes here.
+// Inline, as the way back: each point of every input passes here.
 inline PointKey key_of(Index3 p) {
   constexpr std::int64_t kMask = (std::int64_t{1} << kTileBits) - 1;
   const auto high = [](std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); };
   const auto low = [](std::int64_t v) { return static_cast<std::uint32_t>(v & kMask); };
   return {{high(p.x), high(p.y), high(p.z)}, morton_code({low(p.x), low(p.y), low(p.z)})};
 }
-Index3 index_of(const PointKey& key);
-Index3 corner(Tile tile);
+inline Index3 corner(Tile tile) {
+  constexpr std::int64_t kEdge = std::int64_t{1} << kTileBits;
+  return {tile.x * kEdge, tile.y * kEdge, tile.z * kEdge};
+}
+inline Index3 index_of(const PointKey& key) {
+  const Index3 c = corner(key.tile);
+  const Cell3 cell = morton_cell(key.code);
+  return {c.x + cell.x, c.y + cell.y, c.z + cell.z};
+}
 
 // A cube of the octree of one tile: level 0 is the tile, level 21 a single lattice point.
 struct Node {
