@@ -30,10 +30,15 @@ struct BorderPoints {
 BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& labels, PointRange own,
                            const std::vector<Cell>& cells, const CellPlanes& planes, std::int64_t reach) {
   BorderPoints border;
+  std::uint32_t last_cell = UINT32_MAX;  // points of a cell follow one another
+  IndexBox box;
   for (std::uint32_t i = 0; i < view.size; ++i) {
     if (labels[i] == 0) continue;
     const std::uint32_t segment = labels[i] - 1;
-    const IndexBox box = cells[planes.cell_of[segment]].node.box();
+    if (planes.cell_of[segment] != last_cell) {
+      last_cell = planes.cell_of[segment];
+      box = cells[last_cell].node.box();
+    }
     const Index3 p = view.position(i);
     const std::int64_t clear = std::min(
         {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});

@@ -86,15 +86,24 @@ class BlockLabels {
     std::map<std::uint32_t, PlaneTally> by_plane;
     const auto codes = store_.read<std::uint64_t>(block_, "codes");
     const auto normals = store_.read<PackedNormal>(block_, "normals");
+    std::uint32_t last = 0;  // neighbours in the list mostly share their plane
+    PlaneTally* of_last = nullptr;
+    PlaneFrame frame;
     for (std::uint32_t i = 0; i < plane_.size(); ++i) {
       if (plane_[i] == 0) continue;
-      PlaneTally& t = by_plane[plane_[i]];
+      if (plane_[i] != last) {
+        last = plane_[i];
+        of_last = &by_plane[last];
+        frame = frame_of(joined_.planes[last - 1].plane, {});
+      }
+      PlaneTally& t = *of_last;
       const Index3 p = view_.position(own_.begin + i);
-      const Index3 anchor = joined_.planes[plane_[i] - 1].anchor;
-      t.moments.add_point({p.x - anchor.x, p.y - anchor.y, p.z - anchor.z});
+      const Index3 anchor = joined_.planes[last - 1].anchor;
+      const Index3 from_anchor{p.x - anchor.x, p.y - anchor.y, p.z - anchor.z};
+      t.moments.add_point(from_anchor);
       t.content_id += mix64(codes[i]);
-      add_extent(i, plane_[i], t);
-      add_normal(i, plane_[i], normals[i], t);
+      add_extent(frame, from_anchor, t);
+      add_normal(i, last, normals[i], t);
       t.box.min = {std::min(t.box.min.x, p.x), std::min(t.box.min.y, p.y), std::min(t.box.min.z, p.z)};
       t.box.max = {std::max(t.box.max.x, p.x), std::max(t.box.max.y, p.y), std::max(t.box.max.z, p.z)};
     }
@@ -140,13 +149,10 @@ class BlockLabels {
     }
   }
 
-  void add_extent(std::uint32_t point, std::uint32_t plane, PlaneTally& t) const {
-    const JoinedPlane& j = joined_.planes[plane - 1];
-    const PlaneFrame frame = frame_of(j.plane, {});
-    const Index3 p = view_.position(own_.begin + point);
-    const Vec3 from_anchor{static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
-                           static_cast<double>(p.z - j.anchor.z)};
-    const double along[2]{dot(from_anchor, frame.u), dot(from_anchor, frame.v)};
+  static void add_extent(const PlaneFrame& frame, Index3 from_anchor, PlaneTally& t) {
+    const Vec3 v{static_cast<double>(from_anchor.x), static_cast<double>(from_anchor.y),
+                 static_cast<double>(from_anchor.z)};
+    const double along[2]{dot(v, frame.u), dot(v, frame.v)};
     for (int axis = 0; axis < 2; ++axis) {
       t.low[axis] = std::min(t.low[axis], along[axis]);
       t.high[axis] = std::max(t.high[axis], along[axis]);
