@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes of a cloud beside CGAL's Efficient RANSAC and region growing at the same epsilon.
+// Planes of a cloud beside CGAL's Efficient RANSAC and region growing at the same epsilon, the latter also with its own
+// normals before it, in parallel.
 // Usage: bench_cgal_planes CLOUD EPSILON_M WORK_DIR
+#define CGAL_LINKED_WITH_TBB
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Random.h>
 #include <CGAL/Shape_detection/Efficient_RANSAC.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing.h>
 #include <CGAL/Shape_detection/Region_growing/Region_growing_on_point_set.h>
+#include <CGAL/pca_estimate_normals.h>
 #include <CGAL/property_map.h>
 
 #include "bench/peers/planes.h"
@@ -61,6 +64,13 @@ Found efficient_ransac(Cloud cloud, double epsilon) {
   return found;
 }
 
+// CGAL asks for neighbours beside the point itself. The signs of the normals do not count in what follows.
+Cloud with_own_normals(Cloud cloud) {
+  CGAL::pca_estimate_normals<CGAL::Parallel_tag>(cloud, bench::kPlaneNeighbours - 1,
+                                                 CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));
+  return cloud;
+}
+
 Found region_growing(const bench::OrientedCloud& oriented, const Cloud& cloud, double epsilon) {
   Neighbours neighbours(cloud, bench::kPlaneNeighbours);
   Region region(cloud, epsilon, bench::kPlaneAngleDeg, bench::kPlaneMinPoints);
@@ -82,7 +92,9 @@ int main(int argc, char** argv) try {
         {"CGAL Efficient RANSAC, in memory",
          [&, epsilon](const bench::OrientedCloud&) { return efficient_ransac(cloud, epsilon); }},
         {"CGAL region growing, in memory",
-         [&, epsilon](const bench::OrientedCloud& o) { return region_growing(o, cloud, epsilon); }}};
+         [&, epsilon](const bench::OrientedCloud& o) { return region_growing(o, cloud, epsilon); }},
+        {"CGAL normals and region growing, in memory",
+         [&, epsilon](const bench::OrientedCloud& o) { return region_growing(o, with_own_normals(cloud), epsilon); }}};
   });
 } catch (const Error& e) {
   bench::require(false, e.what());
