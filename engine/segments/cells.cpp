@@ -154,6 +154,18 @@ std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit) {
   return cells;
 }
 
+std::vector<std::vector<CellPiece>> pieces_of_blocks(const Store& store, const std::vector<Cell>& cells) {
+  std::vector<std::vector<CellPiece>> pieces(store.blocks().size());
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    std::uint32_t offset = 0;
+    for (const CellSlice& s : cells[c].slices) {
+      pieces[s.block].push_back({c, offset, s});
+      offset += s.count;
+    }
+  }
+  return pieces;
+}
+
 std::int64_t margin_of(const Cell& cell) {
   return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift);
 }

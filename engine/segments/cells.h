@@ -29,6 +29,15 @@ constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 // All cells that hold points, in global order.
 std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit);
 
+// A stretch of a block that what is stored of a cell tells about.
+struct CellPiece {
+  std::uint32_t cell = 0, offset = 0;  // of its first point among those of the cell
+  CellSlice slice;
+};
+
+// Per block, in the order of the cells.
+std::vector<std::vector<CellPiece>> pieces_of_blocks(const Store& store, const std::vector<Cell>& cells);
+
 // Depth of the margin around a cell that is looked at along with it: 1/16 of its edge, in units.
 std::int64_t margin_of(const Cell& cell);
 

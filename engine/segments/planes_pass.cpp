@@ -210,25 +210,14 @@ void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t
 // Labels of the cells become one column per block, numbered over all cells.
 void write_segments(const Store& store, const std::vector<Cell>& cells, const CellPlanes& all,
                     const PassContext& context) {
-  struct Piece {
-    std::uint32_t cell, offset;  // in the cell's labels
-    CellSlice slice;
-  };
-  std::vector<std::vector<Piece>> pieces(store.blocks().size());
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    std::uint32_t offset = 0;
-    for (const CellSlice& s : cells[c].slices) {
-      pieces[s.block].push_back({c, offset, s});
-      offset += s.count;
-    }
-  }
+  const auto pieces = pieces_of_blocks(store, cells);
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * 8ull, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (store.has(block, "segment")) return;
     std::vector<std::uint32_t> segment(store.blocks()[block].points);
-    for (const Piece& p : pieces[block]) {
+    for (const CellPiece& p : pieces[block]) {
       const auto part = std::span(segment).subspan(p.slice.first, p.slice.count);
       const std::uint64_t labels = sizeof(StoredCell) + all.cells[p.cell].plane_count * sizeof(CellPlane);
       ColumnReader(cell_path(store, cells[p.cell]))

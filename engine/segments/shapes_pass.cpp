@@ -152,24 +152,6 @@ class Joiner {
   std::vector<std::uint32_t> first_;
 };
 
-// A stretch of a block that a cell's labels tell about.
-struct Piece {
-  std::uint32_t cell = 0, offset = 0;  // in the cell's labels
-  CellSlice slice;
-};
-
-std::vector<std::vector<Piece>> pieces_of_blocks(const Store& store, const std::vector<Cell>& cells) {
-  std::vector<std::vector<Piece>> pieces(store.blocks().size());
-  for (std::uint32_t c = 0; c < cells.size(); ++c) {
-    std::uint32_t offset = 0;
-    for (const CellSlice& s : cells[c].slices) {
-      pieces[s.block].push_back({c, offset, s});
-      offset += s.count;
-    }
-  }
-  return pieces;
-}
-
 struct StoredTally {
   std::uint32_t shape = 0;
   ShapeTally tally;
@@ -184,13 +166,13 @@ double share_of_epsilon(const JoinedShape& j, Index3 p) {
 }
 
 void label_block(const Store& store, std::uint32_t block, const std::vector<Cell>& cells,
-                 const std::vector<Piece>& pieces, const JoinedShapes& joined, const PassContext& context) {
+                 const std::vector<CellPiece>& pieces, const JoinedShapes& joined, const PassContext& context) {
   const auto codes = store.read<std::uint64_t>(block, "codes");
   const auto plane = store.read<std::uint32_t>(block, "plane");
   const Tile tile = store.blocks()[block].node.tile;
   std::vector<std::uint32_t> shape(codes.size(), 0);
   std::map<std::uint32_t, ShapeTally> tallies;
-  for (const Piece& piece : pieces) {
+  for (const CellPiece& piece : pieces) {
     const CellShapes found = read_cell_shapes(store, cells[piece.cell], CellPart::labels);
     if (found.labels.empty()) continue;
     for (std::uint32_t k = 0; k < piece.slice.count; ++k) {
