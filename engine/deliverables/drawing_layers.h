@@ -17,7 +17,7 @@ struct DrawingLayer {
   int colour = 7;               // AutoCAD colour index, 1 to 255; 7 is black on paper
   double lineweight_mm = 0.25;  // one of the pens of the exchange format
   LinePattern pattern = LinePattern::continuous;
-  bool shown = true;  // a layer that is not shown is there, and switched off
+  bool shown = true;  // a layer that is not shown is there, and frozen
 };
 
 struct DrawingLayers {

@@ -73,6 +73,10 @@ void write_header(Tags& tags, const Drawing& drawing, unsigned next_handle) {
   corner("$EXTMAX", box.max_x, box.max_y, true);
   corner("$LIMMIN", drawing.sheet.min_x, drawing.sheet.min_y, false);
   corner("$LIMMAX", drawing.sheet.max_x, drawing.sheet.max_y, false);
+  // The size of the paper, in metres of paper.
+  const double paper = 1 / drawing.scale;
+  corner("$PLIMMIN", 0, 0, false);
+  corner("$PLIMMAX", paper * drawing.sheet.width(), paper * drawing.sheet.height(), false);
   // Patterns are in millimetres of paper.
   tags.add(9, "$LTSCALE");
   tags.number(40, drawing.paper_mm(1));
@@ -187,18 +191,19 @@ void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
   for (const DrawingLayer& layer : layers.of_role) by_name.try_emplace(layer.name, &layer);
   by_name.erase("0");
   begin_table(tags, "LAYER", 0x2, static_cast<int>(by_name.size()) + 1);
-  const auto record = [&](unsigned own, const std::string& name, int colour, const char* pattern, int pen) {
+  // What is not shown is frozen: some programs take a negative colour, which means switched off, for no colour.
+  const auto record = [&](unsigned own, const std::string& name, bool shown, int colour, const char* pattern, int pen) {
     begin_record(tags, "LAYER", own, 0x2, "AcDbLayerTableRecord");
     tags.add(2, name);
-    tags.add(70, 0);
+    tags.add(70, shown ? 0 : 1);
     tags.add(62, colour);
     tags.add(6, pattern);
     tags.add(370, pen);
     tags.handle(0xF, 390);
   };
-  record(0x10, "0", 7, "Continuous", -3);
+  record(0x10, "0", true, 7, "Continuous", -3);
   for (const auto& [name, layer] : by_name)
-    record(handle++, name, layer->shown ? layer->colour : -layer->colour, pattern_of(*layer),
+    record(handle++, name, layer->shown, layer->colour, pattern_of(*layer),
            static_cast<int>(std::lround(layer->lineweight_mm * 100)));
   tags.words({{0, "ENDTAB"}});
 }

@@ -224,7 +224,10 @@ bool has_level(const FacadeElement& e) {
 
 void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawing& drawing) {
   FreePlaces places(flat);
-  for (std::size_t i = 0; i < flat.size(); ++i) {
+  std::vector<std::size_t> order(flat.size());  // openings have the first choice of places
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return is_opening(facade.elements[i]); });
+  for (const std::size_t i : order) {
     const FacadeElement& e = facade.elements[i];
     if (!is_numbered(e) || flat[i].corners.size() < 3) continue;
     const std::string id = std::to_string(e.id);
