@@ -12,6 +12,7 @@
 namespace ilot {
 namespace {
 
+constexpr double kKeyStep = 1e-5;  // metres
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr double kDigitWidth = 0.78;  // of Arial and Helvetica, in heights of capitals
 
@@ -55,6 +56,34 @@ class Extent {
   DrawingBox box_;
 };
 
+std::int64_t steps(double v) {
+  return static_cast<std::int64_t>(std::llround(std::clamp(v / kKeyStep, -9e17, 9e17)));
+}
+
+std::vector<std::int64_t> steps_of(const std::vector<DrawingCorner>& corners, bool closed) {
+  const std::size_t n = corners.size();
+  std::size_t first = 0;
+  if (closed)
+    for (std::size_t i = 1; i < n; ++i)
+      if (std::pair(steps(corners[i].x), steps(corners[i].y)) <
+          std::pair(steps(corners[first].x), steps(corners[first].y)))
+        first = i;
+  std::vector<std::int64_t> list;
+  for (std::size_t k = 0; k < n; ++k) {
+    const DrawingCorner& c = corners[(first + k) % n];
+    list.insert(list.end(), {steps(c.x), steps(c.y), closed || k + 1 < n ? steps(c.bulge) : 0});
+  }
+  return list;
+}
+
+std::vector<DrawingCorner> reversed(const std::vector<DrawingCorner>& corners) {
+  std::vector<DrawingCorner> back;
+  const std::size_t n = corners.size();
+  for (std::size_t k = 0; k < n; ++k)
+    back.push_back({corners[n - 1 - k].x, corners[n - 1 - k].y, -corners[(2 * n - 2 - k) % n].bulge});
+  return back;
+}
+
 }  // namespace
 
 const char* name_of(DrawingRole role) {
@@ -95,6 +124,10 @@ DrawingBox extent_of(const Drawing& drawing) {
     }
   }
   return extent.box();
+}
+
+std::vector<std::int64_t> place_key(const std::vector<DrawingCorner>& corners, bool closed) {
+  return std::min(steps_of(corners, closed), steps_of(reversed(corners), closed));
 }
 
 std::string clean_text(const std::string& text) {

@@ -50,6 +50,7 @@ struct DrawingLine {
   DrawingRole role = DrawingRole::detail;
   std::vector<DrawingCorner> corners;
   bool closed = false;
+  bool is_sample = false;  // of the role's pen, for a legend: it lies on the layer of titles
 };
 
 // Counter-clockwise from one direction to the other.
@@ -98,6 +99,10 @@ double text_width(const std::string& text, double height);
 
 // What the lines, arcs, points and texts of a drawing cover; all zero when there are none.
 DrawingBox extent_of(const Drawing& drawing);
+
+// Equal for lines that lie on each other to a hundredth of a millimetre, wherever a closed one begins and whichever way
+// it runs.
+std::vector<std::int64_t> place_key(const std::vector<DrawingCorner>& corners, bool closed);
 
 // Valid UTF-8 on one line: control characters become blanks, bytes that are none U+FFFD.
 std::string clean_text(const std::string& text);

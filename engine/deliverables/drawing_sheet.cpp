@@ -37,6 +37,10 @@ class PaperPen {
   void line(double ax, double ay, double bx, double by, DrawingRole role) {
     drawing_.lines.push_back({role, {{x(ax), y(ay)}, {x(bx), y(by)}}, false});
   }
+  void sample(double ax, double ay, double length, DrawingRole role) {
+    line(ax, ay, ax + length, ay, role);
+    drawing_.lines.back().is_sample = true;
+  }
   void box(double ax, double ay, double bx, double by, DrawingRole role) {
     drawing_.lines.push_back({role, {{x(ax), y(ay)}, {x(bx), y(ay)}, {x(bx), y(by)}, {x(ax), y(by)}}, true});
   }
@@ -101,7 +105,7 @@ void title_block(PaperPen& pen, const SheetText& text, const Drawing& drawing, d
   }
   line = top - 4.5;
   for (const auto& [role, words] : text.legend) {
-    pen.line(x + kSecond + kPad, line + kPlain / 2, x + kSecond + kPad + 8, line + kPlain / 2, role);
+    pen.sample(x + kSecond + kPad, line + kPlain / 2, 8, role);
     pen.text(x + kSecond + kPad + 10, line, kPlain, kBlockWidth - kSecond - 2 * kPad - 10, words);
     line -= kLine;
   }

@@ -70,49 +70,54 @@ std::string text_of(const DrawingText& text, const PaperPlace& at) {
                      at.length(text.height / kCapitalHeight), anchor, turn, escaped_markup(clean_text(text.text)));
 }
 
-std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLayer& layer, const PaperPlace& at) {
+std::string stroke_of(const DrawingLayer& layer) {
+  const auto [red, green, blue] = colour_on_paper(layer.colour);
+  const char* dashes = layer.pattern == LinePattern::dashed   ? " stroke-dasharray=\"3 1.5\""
+                       : layer.pattern == LinePattern::dotted ? " stroke-dasharray=\"0.5 1\""
+                                                              : "";
+  return fmt::format("fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" stroke-linecap=\"round\"{}", red,
+                     green, blue, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
+}
+
+// Samples of all pens, on the layer of titles.
+std::string samples_of(const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
+  std::string paths;
+  for (const DrawingLine& line : drawing.lines)
+    if (line.is_sample) paths += fmt::format("<path {} d=\"{}\"/>\n", stroke_of(layers[line.role]), path_of(line, at));
+  return paths;
+}
+
+std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
   std::string paths, texts;
   for (const DrawingLine& line : drawing.lines)
-    if (line.role == role && line.corners.size() > 1) paths += "<path d=\"" + path_of(line, at) + "\"/>\n";
+    if (line.role == role && !line.is_sample && line.corners.size() > 1)
+      paths += "<path d=\"" + path_of(line, at) + "\"/>\n";
   for (const DrawingArc& arc : drawing.arcs)
     if (arc.role == role) paths += "<path d=\"" + path_of(arc, at) + "\"/>\n";
   for (const DrawingPoint& point : drawing.points)
     if (point.role == role) paths += fmt::format("<path d=\"M{} {}h0\"/>\n", at.x(point.x), at.y(point.y));
   for (const DrawingText& text : drawing.texts)
     if (text.role == role) texts += text_of(text, at);
-  if (paths.empty() && texts.empty()) return "";
+  const std::string samples = role == DrawingRole::title ? samples_of(drawing, layers, at) : "";
+  if (paths.empty() && texts.empty() && samples.empty()) return "";
+  const DrawingLayer& layer = layers[role];
   const auto [red, green, blue] = colour_on_paper(layer.colour);
-  const char* dashes = layer.pattern == LinePattern::dashed   ? " stroke-dasharray=\"3 1.5\""
-                       : layer.pattern == LinePattern::dotted ? " stroke-dasharray=\"0.5 1\""
-                                                              : "";
-  const std::string colour = fmt::format("#{:02x}{:02x}{:02x}", red, green, blue);
   std::string group = fmt::format("<g class=\"role-{}\" data-layer=\"{}\"{}>\n", name_of(role),
                                   escaped_markup(layer.name), layer.shown ? "" : " style=\"display:none\"");
-  if (!paths.empty())
-    group += fmt::format("<g fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\"{}>\n{}</g>\n",
-                         colour, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes, paths);
-  if (!texts.empty()) group += fmt::format("<g fill=\"{}\">\n{}</g>\n", colour, texts);
-  return group + "</g>\n";
+  if (!paths.empty()) group += fmt::format("<g {}>\n{}</g>\n", stroke_of(layer), paths);
+  if (!texts.empty()) group += fmt::format("<g fill=\"#{:02x}{:02x}{:02x}\">\n{}</g>\n", red, green, blue, texts);
+  return group + samples + "</g>\n";
 }
 
 bool is_paper(DrawingRole role) {
   return role == DrawingRole::frame || role == DrawingRole::title;
 }
 
-// What is neither frame nor title block: the legend's samples lie in the block, below what is drawn.
+// What is neither frame nor title block.
 Drawing plan_of(const Drawing& drawing) {
   Drawing plan = drawing;
-  const auto paper = [](const auto& piece) { return is_paper(piece.role); };
-  double floor = drawing.sheet.min_y;
-  for (const DrawingLine& line : drawing.lines)
-    if (line.role == DrawingRole::frame)
-      for (const DrawingCorner& c : line.corners)
-        if (c.y < (drawing.sheet.min_y + drawing.sheet.max_y) / 2) floor = std::max(floor, c.y);
-  std::erase_if(plan.lines, [&](const DrawingLine& line) {
-    return paper(line) ||
-           std::all_of(line.corners.begin(), line.corners.end(), [&](const DrawingCorner& c) { return c.y < floor; });
-  });
-  std::erase_if(plan.texts, paper);
+  std::erase_if(plan.lines, [](const DrawingLine& line) { return line.is_sample || is_paper(line.role); });
+  std::erase_if(plan.texts, [](const DrawingText& text) { return is_paper(text.role); });
   const DrawingBox box = extent_of(plan);
   const double around = plan.paper_mm(kAroundPlan);
   plan.sheet = {box.min_x - around, box.min_y - around, box.max_x + around, box.max_y + around};
@@ -138,7 +143,7 @@ std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPa
         at.length(underlay->place.width()), at.length(underlay->place.height()));
   for (std::size_t i = 0; i < kDrawingRoles; ++i) {
     const auto role = static_cast<DrawingRole>(i);
-    svg += group_of(role, drawing, layers[role], at);
+    svg += group_of(role, drawing, layers, at);
   }
   return svg + "</svg>\n";
 }

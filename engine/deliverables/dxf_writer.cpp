@@ -185,6 +185,10 @@ const char* pattern_of(const DrawingLayer& layer) {
                                                 : "Continuous";
 }
 
+int pen_of(const DrawingLayer& layer) {
+  return static_cast<int>(std::lround(layer.lineweight_mm * 100));
+}
+
 // Layer 0 and those of all roles, each once, by name.
 void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
   std::map<std::string, const DrawingLayer*> by_name;
@@ -203,8 +207,7 @@ void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
   };
   record(0x10, "0", true, 7, "Continuous", -3);
   for (const auto& [name, layer] : by_name)
-    record(handle++, name, layer->shown, layer->colour, pattern_of(*layer),
-           static_cast<int>(std::lround(layer->lineweight_mm * 100)));
+    record(handle++, name, layer->shown, layer->colour, pattern_of(*layer), pen_of(*layer));
   tags.words({{0, "ENDTAB"}});
 }
 
@@ -274,7 +277,7 @@ class Entities {
     if (line.closed)
       while (corners.size() > 1 && same_place(corners.front(), corners.back())) corners.pop_back();
     if (corners.size() < 2) return;
-    begin("LWPOLYLINE", "AcDbPolyline", line.role);
+    begin("LWPOLYLINE", "AcDbPolyline", line.role, line.is_sample);
     tags_.add(90, static_cast<int>(corners.size()));
     tags_.add(70, line.closed ? 1 : 0);
     tags_.number(43, 0);
@@ -319,11 +322,16 @@ class Entities {
     return decimal(a.x, kCoordinateDecimals) == decimal(b.x, kCoordinateDecimals) &&
            decimal(a.y, kCoordinateDecimals) == decimal(b.y, kCoordinateDecimals);
   }
-  void begin(const char* type, const char* kind, DrawingRole role) {
+  void begin(const char* type, const char* kind, DrawingRole role, bool is_sample = false) {
     tags_.add(0, type);
     tags_.handle(handle_++);
     tags_.words({{330, "1F"}, {100, "AcDbEntity"}});
-    tags_.add(8, layers_[role].name);
+    tags_.add(8, layers_[is_sample ? DrawingRole::title : role].name);
+    if (is_sample) {
+      tags_.add(6, pattern_of(layers_[role]));
+      tags_.add(62, layers_[role].colour);
+      tags_.add(370, pen_of(layers_[role]));
+    }
     tags_.add(100, kind);
   }
   const DrawingLayers& layers_;

@@ -15,10 +15,11 @@
 namespace ilot {
 
 // Closed lines are closed LWPOLYLINEs with bulges, arcs ARCs, all else LWPOLYLINE, POINT and TEXT. Colour, pen and
-// pattern are those of the layer; every layer is declared. Text beyond ASCII is written as \U+XXXX, which every program
-// reads whatever its code page; what would be a control sequence of the format is taken apart. Coordinates to a
-// hundredth of a millimetre. No time stamps: the same drawing gives the same bytes. Lines of fewer than two different
-// corners are left out. Throws Error for a coordinate that is no number.
+// pattern are those of the layer, but of samples, which lie on the layer of titles; every layer is declared. Text
+// beyond ASCII is written as \U+XXXX, which every program reads whatever its code page; what would be a control
+// sequence of the format is taken apart. Coordinates to a hundredth of a millimetre. No time stamps: the same drawing
+// gives the same bytes. Lines of fewer than two different corners are left out. Throws Error for a coordinate that is
+// no number.
 std::string drawing_dxf(const Drawing& drawing, const DrawingLayers& layers);
 void write_drawing_dxf(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers);
 

@@ -2,6 +2,7 @@
 // A facade as a surveyor's elevation drawing, before it becomes DXF or SVG.
 #pragma once
 #include <string>
+#include <vector>
 
 #include "engine/deliverables/drawing.h"
 #include "engine/model/facade.h"
@@ -22,6 +23,9 @@ struct FacadeDrawingParams {
 // numbers, levels, dimensions, frame, title block. x from the facade's origin to the right seen from outside, y the
 // height, in metres.
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params = {});
+
+// What a title block tells of place, heights, date, accuracy and source, a line each.
+std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params);
 
 // The error that 95 of 100 edges with a known one do not exceed, in metres; 0 when none has one.
 double edge_error_95(const Facade& facade);

@@ -121,10 +121,10 @@ void write_facade_image(const std::filesystem::path& path, const FacadeImage& im
   GDALDatasetUniquePtr picture(
       GetGDALDriverManager()->GetDriverByName("MEM")->Create("", width, height, 4, GDT_Byte, nullptr));
   std::string png;
-  CPLErr failed = picture ? picture->RasterIO(GF_Write, 0, 0, width, height,
-                                              const_cast<std::uint8_t*>(image.rgba.data()), width, height, GDT_Byte, 4,
-                                              nullptr, 4, 4 * static_cast<GSpacing>(width), 1, nullptr)
-                          : CE_Failure;
+  CPLErr failed =
+      picture ? picture->RasterIO(GF_Write, 0, 0, width, height, const_cast<std::uint8_t*>(image.rgba.data()), width,
+                                  height, GDT_Byte, 4, nullptr, 4, 4 * static_cast<GSpacing>(width), 1, nullptr)
+              : CE_Failure;
   if (failed == CE_None) {
     picture->GetRasterBand(4)->SetColorInterpretation(GCI_AlphaBand);
     // A name of its own for each, since facades may be written side by side.

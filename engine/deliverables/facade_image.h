@@ -14,7 +14,7 @@
 namespace ilot {
 
 struct ImagePoint {
-  Vec3 position;                       // CRS
+  Vec3 position;                         // CRS
   std::array<std::uint8_t, 3> colour{};  // of the point; its intensity as a grey where it has none
 };
 
@@ -29,8 +29,8 @@ struct FacadeImageParams {
   std::uint64_t most_pixels = std::uint64_t{1} << 24;  // 24 bytes each in memory; pixels are doubled until they suffice
   double around_m = 0.25;                              // beyond the elements
   double front_m = 1.5, behind_m = 1;                  // points farther off the wall are left out
-  double band_m = 0.03;                                // the foremost points and those so far behind them give the colour
-  int fill_rounds = 2;                                 // gaps of up to twice as many pixels are closed
+  double band_m = 0.03;  // the foremost points and those so far behind them give the colour
+  int fill_rounds = 2;   // gaps of up to twice as many pixels are closed
   ImageShade shade = ImageShade::colour;
   double metres_per_unit = 1;
 };

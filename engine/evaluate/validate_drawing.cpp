@@ -93,41 +93,13 @@ void check_layers(const DxfDrawing& drawing, std::vector<Finding>& findings) {
       count.report("layer", "on the layer '" + clean_text(name) + "' that is not declared", findings);
 }
 
-// Equal for duplicates and for nothing else: kind, layer and corners in steps, from the least corner, the lesser way.
+// Equal for duplicates and for nothing else.
 using Key = std::pair<std::string, std::vector<std::int64_t>>;
 
-std::int64_t steps(double v) {
-  return static_cast<std::int64_t>(std::llround(std::clamp(v / kSamePlace, -9e17, 9e17)));
-}
-
-std::vector<std::int64_t> steps_of(const std::vector<DrawingCorner>& corners, bool closed) {
-  const std::size_t n = corners.size();
-  std::size_t first = 0;
-  if (closed)
-    for (std::size_t i = 1; i < n; ++i)
-      if (std::pair(steps(corners[i].x), steps(corners[i].y)) <
-          std::pair(steps(corners[first].x), steps(corners[first].y)))
-        first = i;
-  std::vector<std::int64_t> list;
-  for (std::size_t k = 0; k < n; ++k) {
-    const DrawingCorner& c = corners[(first + k) % n];
-    list.insert(list.end(), {steps(c.x), steps(c.y), closed || k + 1 < n ? steps(c.bulge) : 0});
-  }
-  return list;
-}
-
-std::vector<DrawingCorner> reversed(const std::vector<DrawingCorner>& corners) {
-  std::vector<DrawingCorner> back;
-  const std::size_t n = corners.size();
-  for (std::size_t k = 0; k < n; ++k)
-    back.push_back({corners[n - 1 - k].x, corners[n - 1 - k].y, -corners[(2 * n - 2 - k) % n].bulge});
-  return back;
-}
-
 Key key_of(const DxfEntity& e) {
-  std::vector<std::int64_t> list = steps_of(e.corners, e.closed);
-  if (is_chain(e)) list = std::min(list, steps_of(reversed(e.corners), e.closed));
-  list.insert(list.end(), {e.closed, steps(e.radius), steps(e.from_deg), steps(e.to_deg)});
+  std::vector<std::int64_t> list = place_key(e.corners, e.closed);
+  for (const double v : {e.radius, e.from_deg, e.to_deg}) list.push_back(place_key({{v, 0, 0}}, false)[0]);
+  list.push_back(e.closed);
   return {e.type + "\n" + upper(e.layer) + "\n" + e.text, std::move(list)};
 }
 

@@ -80,10 +80,10 @@ std::vector<FlatEdge> cut_faces(std::span<const SectionFace> faces, const Sectio
     std::vector<FlatPoint> crossings = crossings_of(face, plane, normal);
     if (crossings.size() < 2) continue;
     // All lie on one line: by their order along its longer axis.
-    const auto [low_x, high_x] = std::minmax_element(crossings.begin(), crossings.end(),
-                                                     [](FlatPoint a, FlatPoint b) { return a.x < b.x; });
-    const auto [low_y, high_y] = std::minmax_element(crossings.begin(), crossings.end(),
-                                                     [](FlatPoint a, FlatPoint b) { return a.y < b.y; });
+    const auto [low_x, high_x] =
+        std::minmax_element(crossings.begin(), crossings.end(), [](FlatPoint a, FlatPoint b) { return a.x < b.x; });
+    const auto [low_y, high_y] =
+        std::minmax_element(crossings.begin(), crossings.end(), [](FlatPoint a, FlatPoint b) { return a.y < b.y; });
     const bool by_x = high_x->x - low_x->x >= high_y->y - low_y->y;
     std::sort(crossings.begin(), crossings.end(), [&](FlatPoint a, FlatPoint b) {
       return by_x ? a.x < b.x || (a.x == b.x && a.y < b.y) : a.y < b.y || (a.y == b.y && a.x < b.x);

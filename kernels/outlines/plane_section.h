@@ -19,9 +19,9 @@ struct SectionPlane {
   Vec3 origin, u{1, 0, 0}, v{0, 1, 0};
 };
 
-// Where the plane passes through the faces, in its axes: stretches inside each face (even-odd rule), face by face, along
-// the cut. Corners that lie in the plane count as in front of it, so that a ring is crossed an even number of times; a
-// face that lies in the plane gives nothing. O(corners), O(k log k) for a face that is crossed k times.
+// Where the plane passes through the faces, in its axes: stretches inside each face (even-odd rule), face by face,
+// along the cut. Corners that lie in the plane count as in front of it, so that a ring is crossed an even number of
+// times; a face that lies in the plane gives nothing. O(corners), O(k log k) for a face that is crossed k times.
 std::vector<FlatEdge> cut_faces(std::span<const SectionFace> faces, const SectionPlane& plane);
 
 // Stretches joined where their ends are at most `touch` apart, each end with the nearest free one (ties: the earlier):

@@ -36,8 +36,8 @@ void add_colours(FrontImage& image, std::span<const FrontPoint> points, std::int
 // Red, green, blue and 255 for each pixel with points, four zeros for the others; means are rounded to the nearest.
 std::vector<std::uint8_t> mean_colours(const FrontImage& image);
 
-// Closes narrow gaps in a picture of four bytes a pixel: `rounds` times, every empty pixel of which three or more of the
-// eight neighbours are not gets their mean; so a gap of two pixels a round closes, an opening only shrinks by one a
+// Closes narrow gaps in a picture of four bytes a pixel: `rounds` times, every empty pixel of which three or more of
+// the eight neighbours are not gets their mean; so a gap of two pixels a round closes, an opening only shrinks by one a
 // round at its edge. Returns how many pixels were filled. O(rounds x pixels).
 std::uint64_t fill_gaps(std::span<std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, int rounds);
 
