@@ -48,8 +48,8 @@ constexpr std::array<Preset, kDrawingRoles> kTable{{
     {R::joint, {"FAC-JOINT", "A-ELEV-JONT", "B-41J---E-"}, 8, 0.13, kContinuous, true},
     {R::detail, {"FAC-DETAIL", "A-ELEV-FNSH", "B-41----E-"}, 8, 0.18, kContinuous, true},
     {R::completed, {"FAC-COMPLETED", "A-ELEV-CMPL", "B-21C---E-"}, 30, 0.25, kDashed, true},
-    {R::occluded, {"FAC-OCCLUDED", "A-ELEV-HIDN", "B-21O---E-"}, 9, 0.18, kDotted, true},
-    {R::shadow, {"FAC-NODATA", "A-ELEV-NODT", "B-21O---H-"}, 9, 0.09, kContinuous, true},
+    {R::occluded, {"FAC-OCCLUDED", "A-ELEV-HIDN", "B-21O---E-"}, 8, 0.18, kDotted, true},
+    {R::shadow, {"FAC-NODATA", "A-ELEV-NODT", "B-21O---H-"}, 9, 0.13, kContinuous, true},
     {R::error, {"FAC-ERROR", "A-ELEV-ERRR", "B-21E---E-"}, 1, 0.09, kContinuous, false},
     {R::number, {"FAC-TEXT", "A-ELEV-IDEN", "B-31----T-"}, 7, 0.18, kContinuous, true},
     {R::level, {"FAC-LEVEL", "A-ELEV-LEVL", "B-21L---T-"}, 5, 0.13, kContinuous, true},
@@ -57,7 +57,7 @@ constexpr std::array<Preset, kDrawingRoles> kTable{{
     {R::frame, {"FAC-FRAME", "A-ANNO-TTLB", "B-------E-"}, 7, 0.35, kContinuous, true},
     {R::title, {"FAC-TITLE", "A-ANNO-TEXT", "B-------T-"}, 7, 0.18, kContinuous, true},
     {R::section, {"FAC-SECTION", "A-SECT-MCUT", "B-21X---E-"}, 1, 0.50, kContinuous, true},
-    {R::section_points, {"FAC-POINTS", "A-SECT-PNTS", "B-21P---E-"}, 9, 0.09, kContinuous, true},
+    {R::section_points, {"FAC-POINTS", "A-SECT-PNTS", "B-21P---E-"}, 8, 0.18, kContinuous, true},
 }};
 
 template <std::size_t n>

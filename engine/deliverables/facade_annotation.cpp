@@ -14,6 +14,11 @@ namespace {
 constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.6, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
 constexpr double kSameLevel = 0.5;
 
+// Metres with two decimals; halves go up, and what is one to a tenth of a millimetre is one.
+std::string in_centimetres(double metres) {
+  return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
+}
+
 DrawingBox grown(const DrawingBox& b, double by) {
   return {b.min_x - by, b.min_y - by, b.max_x + by, b.max_y + by};
 }
@@ -156,7 +161,7 @@ class ChainPen {
     bool raised = false;
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const double length = stops[i + 1] - stops[i];
-      const std::string words = decimal(length, 2);
+      const std::string words = in_centimetres(length);
       // A text longer than its stretch stands further out, on a line of its own.
       const bool narrow = text_width(words, height) + 2 * tick > length;
       raised = narrow && !raised;
@@ -231,7 +236,7 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
     const FacadeElement& e = facade.elements[i];
     if (!is_numbered(e) || flat[i].corners.size() < 3) continue;
     const std::string id = std::to_string(e.id);
-    const std::string size = decimal(e.width_m, 2) + " x " + decimal(e.height_m, 2);
+    const std::string size = in_centimetres(e.width_m) + " x " + in_centimetres(e.height_m);
     std::vector<std::pair<double, std::vector<std::string>>> tries{{kNumber, {id}}, {kSmall, {id}}};
     if (is_opening(e) && e.width_m > 0 && e.height_m > 0) tries.insert(tries.begin(), {kSmall, {id, size}});
     for (const auto& [mm, lines] : tries) {
@@ -271,7 +276,7 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const D
          {{x0, levels[i]}, {x0 + lead, levels[i]}, {x0 + 2 * lead, places[i]}, {x0 + 2.5 * lead, places[i]}},
          false});
     drawing.texts.push_back({DrawingRole::level, x0 + 2.7 * lead, places[i] - height / 2, height, 0, TextAnchor::left,
-                             decimal(levels[i], 2)});
+                             in_centimetres(levels[i])});
   }
 }
 

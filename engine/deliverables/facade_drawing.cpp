@@ -78,8 +78,9 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
 
 }  // namespace
 
-std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params) {
-  const double m = params.metres_per_unit, error = edge_error_95(facade);
+std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params,
+                                          const std::string& place) {
+  const double error = edge_error_95(facade);
   // Degrees from grid north, clockwise.
   const double towards = direction_degrees(facade.right.y, facade.right.x);
   std::string crs = either(facade.crs, "not known");
@@ -87,8 +88,7 @@ std::vector<std::string> facade_reference(const Facade& facade, const FacadeDraw
   return {
       "CRS: " + crs,
       "Heights: " + either(params.heights, "those of the points"),
-      fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * facade.origin.x, 3),
-                  decimal(m * facade.origin.y, 3)),
+      place,
       fmt::format("Facade runs towards {} deg from grid north", decimal(towards, 2)),
       "Metres, drawn 1:1 in model space",
       "Date of data: " + either(params.data_date, "not known"),
@@ -112,6 +112,7 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
   Drawing drawing;
   drawing.scale = params.scale;
   drawing.title = either(params.title, "Elevation");
+  const double m = params.metres_per_unit;
   std::vector<FlatElement> flat;
   for (const FacadeElement& e : facade.elements) flat.push_back(flat_element(facade, e, params.metres_per_unit));
   for (std::size_t i = 0; i < flat.size(); ++i) draw_element(facade.elements[i], flat[i], drawing);
@@ -124,7 +125,9 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
   add_dimensions(facade, flat, plan, drawing);
   add_sheet({drawing.title,
              {fmt::format("Facade {}", facade.id), "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
-             facade_reference(facade, params),
+             facade_reference(facade, params,
+                              fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * facade.origin.x, 3),
+                                          decimal(m * facade.origin.y, 3))),
              legend},
             drawing);
   return drawing;

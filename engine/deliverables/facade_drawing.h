@@ -24,8 +24,9 @@ struct FacadeDrawingParams {
 // height, in metres.
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params = {});
 
-// What a title block tells of place, heights, date, accuracy and source, a line each.
-std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params);
+// What a title block tells of CRS, heights, place (a line of the caller's), date, accuracy and source, a line each.
+std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params,
+                                          const std::string& place);
 
 // The error that 95 of 100 edges with a known one do not exceed, in metres; 0 when none has one.
 double edge_error_95(const Facade& facade);

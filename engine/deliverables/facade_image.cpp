@@ -36,10 +36,30 @@ DrawingBox extent_of(const Facade& facade, const FacadeImageParams& params) {
   return {box.min_x - by, box.min_y - by, box.max_x + by, box.max_y + by};
 }
 
+// The mean distance of points, rounded up to 1, 2 or 5 in its decade.
+double mean_distance(const Facade& facade, const PointSource& source, const DrawingBox& extent,
+                     const FacadeImageParams& params) {
+  std::uint64_t inside = 0;
+  source([&](std::span<const ImagePoint> points) {
+    for (const ImagePoint& point : points) {
+      const FlatPoint p = flat_place(facade, point.position, params.metres_per_unit);
+      const double out = params.metres_per_unit * dot(point.position - facade.origin, facade.out);
+      inside += p.x >= extent.min_x && p.x <= extent.max_x && p.y >= extent.min_y && p.y <= extent.max_y &&
+                out <= params.front_m && out >= -params.behind_m;
+    }
+  });
+  const double distance =
+      std::sqrt(extent.width() * extent.height() / static_cast<double>(std::max<std::uint64_t>(inside, 1)));
+  for (double decade = 0.001; decade < 1; decade *= 10)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (step * decade >= distance && step * decade > 0.0015) return step * decade;
+  return 1;
+}
+
 // Pixels with corners at multiples of their size.
-FacadeImage blank_image(const DrawingBox& extent, const FacadeImageParams& params) {
+FacadeImage blank_image(const DrawingBox& extent, double pixel_m, const FacadeImageParams& params) {
   FacadeImage image;
-  for (image.pixel_m = params.pixel_m;; image.pixel_m *= 2) {
+  for (image.pixel_m = pixel_m;; image.pixel_m *= 2) {
     const double s = image.pixel_m;
     const double left = std::floor(extent.min_x / s), right = std::max(std::ceil(extent.max_x / s), left + 1);
     const double low = std::floor(extent.min_y / s), high = std::max(std::ceil(extent.max_y / s), low + 1);
@@ -100,7 +120,9 @@ void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 }  // namespace
 
 FacadeImage facade_image(const Facade& facade, const PointSource& source, const FacadeImageParams& params) {
-  FacadeImage image = blank_image(extent_of(facade, params), params);
+  const DrawingBox extent = extent_of(facade, params);
+  FacadeImage image =
+      blank_image(extent, params.pixel_m > 0 ? params.pixel_m : mean_distance(facade, source, extent, params), params);
   FrontImage front(static_cast<std::size_t>(image.width) * image.height);
   Projector project(facade, image, params);
   source([&](std::span<const ImagePoint> points) { keep_front(front, project(points)); });

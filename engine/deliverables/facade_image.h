@@ -18,14 +18,14 @@ struct ImagePoint {
   std::array<std::uint8_t, 3> colour{};  // of the point; its intensity as a grey where it has none
 };
 
-// Gives all points of the facade, piece by piece, to what it is called with. It is called twice and gives the same
-// points both times, in any order and in pieces of any size.
+// Gives all points of the facade, piece by piece, to what it is called with. It is called two or three times and
+// gives the same points each time, in any order and in pieces of any size.
 using PointSource = std::function<void(const std::function<void(std::span<const ImagePoint>)>&)>;
 
 enum class ImageShade : std::uint8_t { colour, relief };  // relief: the nearer to the street, the lighter
 
 struct FacadeImageParams {
-  double pixel_m = 0.005;
+  double pixel_m = 0;  // 0: as wide as points lie apart in the mean, rounded up to 1, 2 or 5 (2 mm or more)
   std::uint64_t most_pixels = std::uint64_t{1} << 24;  // 24 bytes each in memory; pixels are doubled until they suffice
   double around_m = 0.25;                              // beyond the elements
   double front_m = 1.5, behind_m = 1;                  // points farther off the wall are left out

@@ -18,6 +18,7 @@ constexpr double kWidestBulgeDeg = 190;
 constexpr double kChordDeg = 5;
 constexpr double kHatchMm = 2.5;      // between lines, on paper
 constexpr int kMostHatchLines = 400;  // of one element; beyond them they lie wider apart
+constexpr double kLargest = 1e6;      // metres; what is larger is no facade's
 constexpr double kLongestCorner = 4;  // of a widened ring, in errors
 
 double distance(FlatPoint a, FlatPoint b) {
@@ -170,7 +171,10 @@ void hatch(const std::vector<FlatPoint>& ring, Drawing& drawing) {
     high = std::max(high, across(p));
   }
   const double step = std::max(drawing.paper_mm(kHatchMm) * std::sqrt(2.0), (high - low) / kMostHatchLines);
-  for (double c = std::ceil(low / step) * step; c <= high; c += step) {
+  if (!(high - low < kLargest)) return;
+  const double first = std::ceil(low / step) * step;
+  for (int k = 0; k <= kMostHatchLines && first + k * step <= high; ++k) {
+    const double c = first + k * step;
     std::vector<double> crossings;
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const FlatPoint a = ring[i], b = ring[(i + 1) % ring.size()];
@@ -201,7 +205,7 @@ void for_each_chord(const FlatElement& element, Take take) {
     const auto split = [&](auto&& self, FlatPoint p, FlatPoint q, double bulge) -> void {
       constexpr double kChordBulge = 0.0218;  // tangent of a quarter of kChordDeg
       static_assert(kChordDeg == 5);
-      if (std::abs(bulge) <= kChordBulge) return;
+      if (!(std::abs(bulge) > kChordBulge)) return;
       const FlatPoint top{(p.x + q.x + bulge * (q.y - p.y)) / 2, (p.y + q.y - bulge * (q.x - p.x)) / 2};
       const double half = bulge / (1 + std::sqrt(1 + bulge * bulge));
       self(self, p, top, half);
@@ -257,7 +261,7 @@ FlatElement flat_element(const Facade& facade, const FacadeElement& element, dou
   }
   for (const FacadeArc& given : element.arcs) {
     const FlatArc arc = flat_arc(facade, given, metres_per_unit);
-    if (arc.radius > kSamePlace && !join_on_arc(arc, flat.corners, flat.edges))
+    if (arc.radius > kSamePlace && arc.radius < kLargest && !join_on_arc(arc, flat.corners, flat.edges))
       flat.arcs.push_back({role_of_kind(element.kind), arc.centre.x, arc.centre.y, arc.radius, arc.from_deg,
                            turned(arc.from_deg + arc.span_deg)});
   }

@@ -52,12 +52,19 @@ SectionFace wall_face(const Facade& facade, double metres) {
   return wall;
 }
 
+// Where the drawing's origin lies and which way its y axis goes.
+std::string place_of(const SectionPlane& plane, double metres) {
+  const bool upright = plane.v.z > 0.5;
+  return fmt::format("x = 0{} at E {} N {}, {}", upright ? "" : ", y = 0", decimal(metres * plane.origin.x, 3),
+                     decimal(metres * plane.origin.y, 3), upright ? "y is the height" : "seen from above");
+}
+
 }  // namespace
 
 SectionPlane level_section(const Facade& facade, double height) {
   const Vec3 along = (1 / std::sqrt(facade.right.x * facade.right.x + facade.right.y * facade.right.y)) *
                      Vec3{facade.right.x, facade.right.y, 0};
-  return {{facade.origin.x, facade.origin.y, height}, along, {along.y, -along.x, 0}};
+  return {{facade.origin.x, facade.origin.y, height}, along, {-along.y, along.x, 0}};
 }
 
 SectionPlane upright_section(Vec3 from, Vec3 to) {
@@ -137,7 +144,7 @@ Drawing section_drawing(const Facade& facade, const SectionPlane& plane, std::sp
   if (!points.empty()) legend.emplace_back(DrawingRole::section_points, "Points near it");
   add_sheet({drawing.title,
              {fmt::format("Facade {}", facade.id), where, "Scale 1:" + decimal(params.scale, params.scale < 1 ? 2 : 0)},
-             facade_reference(facade, params),
+             facade_reference(facade, params, place_of(plane, metres)),
              legend},
             drawing);
   return drawing;

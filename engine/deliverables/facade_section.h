@@ -12,7 +12,7 @@
 
 namespace ilot {
 
-// The plane at a height of the CRS; u runs along the facade, v out of the wall.
+// The plane at a height of the CRS, seen from above: u runs along the facade, v into the wall.
 SectionPlane level_section(const Facade& facade, double height);
 
 // The upright plane through two places; u runs from the first to the second, v is up. A usage Error when they stand one

@@ -14,6 +14,7 @@ namespace ilot {
 namespace {
 
 constexpr double kSameCorner = 1e-3, kLeastDepth = 1e-3;  // metres
+constexpr double kFarthest = 1e8;                         // CRS units, of the facade's origin from zero
 constexpr double kLattice = 1e-4;                         // metres, of the test of simplicity
 
 // Without corners that a validator would take for one.
@@ -37,6 +38,12 @@ bool is_simple(const std::vector<FlatPoint>& ring) {
     lattice.push_back({static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))});
   }
   return ring.size() >= 3 && is_simple_ring(lattice);
+}
+
+// Far from zero a tenth of a millimetre is lost, and corners become one.
+bool is_on_earth(const Facade& facade) {
+  const Vec3 o = facade.origin;
+  return std::abs(o.x) < kFarthest && std::abs(o.y) < kFarthest && std::abs(o.z) < kFarthest;
 }
 
 double mean_distance(const Facade& facade, const FacadeElement& element) {
@@ -105,7 +112,7 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
   for (const FacadeElement& e : facade.elements) {
     if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline") continue;
     const std::vector<FlatPoint> ring = clean_ring(chords_of(flat_element(facade, e, metres_per_unit)));
-    if (!is_simple(ring)) continue;
+    if (!is_simple(ring) || !is_on_earth(facade)) continue;
     const double own = mean_distance(facade, e), depth = e.depth_m / metres_per_unit;
     const double other = std::abs(own - depth) < std::abs(own) ? own - depth : own + depth;
     FacadeSolid solid = prism(ring, std::min(own, other), std::max(own, other), facade, metres_per_unit);

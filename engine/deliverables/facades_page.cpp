@@ -22,6 +22,7 @@ constexpr const char* kHead = R"(<!doctype html>
 body{font:14px/1.45 system-ui,sans-serif;color:#1d2433;background:#fff;margin:1.5rem auto;max-width:80rem;padding:0 1rem}
 h1{font-size:1.4rem;margin:0 0 .3rem}h2{font-size:1.1rem;margin:2rem 0 .3rem}p{margin:.2rem 0;color:#5c667a}
 figure{margin:.5rem 0}figure svg{width:100%;height:auto;max-height:90vh;border:1px solid #d5dae3}
+figure svg text{paint-order:stroke;stroke:#fff;stroke-width:.7px;stroke-linejoin:round}
 label{margin-right:.9rem;white-space:nowrap}
 table{border-collapse:collapse;margin:.6rem 0}td,th{padding:.15rem .7rem;text-align:left;border-bottom:1px solid #d5dae3}
 td.n,th.n{text-align:right}
