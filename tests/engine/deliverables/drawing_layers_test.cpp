@@ -26,7 +26,9 @@ TEST(DrawingLayers, PresetsHaveALayerForEachMeaning) {
     std::set<std::string> names;
     for (const DrawingLayer& layer : preset_layers(preset).of_role) {
       names.insert(layer.name);
-      if (std::string(preset) == "iso13567") EXPECT_EQ(layer.name.size(), 10u) << layer.name;
+      if (std::string(preset) == "iso13567") {
+        EXPECT_EQ(layer.name.size(), 10u) << layer.name;
+      }
     }
     EXPECT_EQ(names.size(), kDrawingRoles) << preset;
   }

@@ -52,7 +52,9 @@ TEST(FacadePlan, ChordsBecomeOneArc) {
     EXPECT_NEAR(flat.corners[3].x, 0, 1e-12);
     EXPECT_NEAR(flat.box.max_y, 3, 1e-9);
     for (const FlatPoint& p : chords_of(flat))
-      if (p.y > 2) EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 1, 1e-12);
+      if (p.y > 2) {
+        EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 1, 1e-12);
+      }
   }
 }
 
@@ -92,7 +94,9 @@ TEST(FacadePlan, ClockwiseRingsAreTurnedWithTheirEdges) {
   for (std::size_t i = 0; i < 4; ++i) {
     const bool right = flat.corners[i].x == 2 && flat.corners[(i + 1) % 4].x == 2;
     EXPECT_EQ(flat.edges[i].error_m, right ? 7 : 0);
-    if (right) EXPECT_LT(flat.corners[i].y, flat.corners[(i + 1) % 4].y);
+    if (right) {
+      EXPECT_LT(flat.corners[i].y, flat.corners[(i + 1) % 4].y);
+    }
   }
 }
 
@@ -153,7 +157,9 @@ TEST(FacadePlan, ErrorsWidenTheRing) {
   FacadeElement door = arched_door(5);
   door.edges.assign(door.ring.size(), {DrawnStatus::seen, 1, 0, 0.01, 0});
   for (const FlatPoint& p : widened_ring(flat_element(facade_of({door}), door, 1)))
-    if (p.y > 2.2) EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 1.01, 1e-4);
+    if (p.y > 2.2) {
+      EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 1.01, 1e-4);
+    }
   // A spike: its tip stays near.
   FacadeElement spike = drawn("stone", {{0, 0, 0}, {1, 0, 0}, {0, 0, 0.01}});
   spike.edges.assign(3, {DrawnStatus::seen, 1, 0, 0.01, 0});
