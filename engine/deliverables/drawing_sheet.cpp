@@ -86,7 +86,7 @@ void scale_bar(PaperPen& pen, const Drawing& drawing, double x, double y, double
 }
 
 void title_block(PaperPen& pen, const SheetText& text, const Drawing& drawing, double x, double y) {
-  constexpr double kFirst = 62, kSecond = 142, kPad = 2;
+  constexpr double kFirst = 76, kSecond = 148, kPad = 2;
   pen.box(x, y, x + kBlockWidth, y + kBlockHeight, DrawingRole::frame);
   for (const double column : {kFirst, kSecond})
     pen.line(x + column, y, x + column, y + kBlockHeight, DrawingRole::frame);

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "engine/deliverables/drawing_pdf.h"
 #include "engine/deliverables/drawing_svg.h"
 #include "engine/deliverables/dxf_writer.h"
 #include "engine/deliverables/facade_json.h"
@@ -22,6 +23,7 @@ void write_drawing(const std::filesystem::path& folder, const std::string& name,
                    const DrawingLayers& layers) {
   write_drawing_dxf(folder / (name + ".dxf"), drawing, layers);
   write_drawing_svg(folder / (name + ".svg"), drawing, layers);
+  write_drawing_pdf(folder / (name + ".pdf"), drawing, layers);
 }
 
 void write_sections(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {

@@ -95,7 +95,7 @@ std::string doubtful_table(const Facade& facade) {
 std::string links(const Facade& facade) {
   const std::string name = facade_name(facade.id);
   std::string list;
-  for (const char* extension : {"dxf", "svg", "csv", "json"})
+  for (const char* extension : {"dxf", "pdf", "svg", "csv", "json"})
     list += fmt::format("<a href=\"{0}.{1}\">{0}.{1}</a> ", name, extension);
   return list;
 }

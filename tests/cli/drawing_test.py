@@ -112,6 +112,15 @@ def check_gdal(drawing):
     expect(told.returncode == 0 and "Feature Count" in told.stdout, "ogrinfo: " + told.stderr)
 
 
+def check_pdf(drawing):
+    if not shutil.which("pdftotext"):
+        print("drawing_test: no pdftotext, another program's reading of the PDF is not checked")
+        return
+    told = subprocess.run(["pdftotext", drawing.with_suffix(".pdf"), "-"], capture_output=True, text=True)
+    expect(told.returncode == 0 and not told.stderr, "pdftotext: " + told.stderr)
+    expect(HOSTILE[0] in told.stdout and "1.20 x 2.00" in told.stdout, "the PDF's texts: " + told.stdout)
+
+
 def check_control(drawing, folder):
     text = drawing.read_text()
     moved = folder / "corrected.dxf"
@@ -141,6 +150,7 @@ def main():
         check_control(drawings[0], folder)
         check_usage(folder)
         check_gdal(drawings[0])
+        check_pdf(drawings[0])
         python = python_with_ezdxf()
         if not python:
             print("drawing_test: SKIPPED: no Python with ezdxf (apt install python3-ezdxf); the audit was not made")

@@ -40,8 +40,8 @@ TEST(FacadeFiles, WritesWhatThereIs) {
   Facade plain = a_facade();
   plain.elements[0].depth_m = 0;
   write_facade_files(flat.path(), plain);
-  EXPECT_EQ(files_in(flat.path()),
-            (std::set<std::string>{"facade-012.json", "facade-012.dxf", "facade-012.svg", "facade-012.csv"}));
+  EXPECT_EQ(files_in(flat.path()), (std::set<std::string>{"facade-012.json", "facade-012.dxf", "facade-012.svg",
+                                                          "facade-012.pdf", "facade-012.csv"}));
 
   FacadeFilesParams params;
   FacadesPage page(whole.path() / "facades.html", params.layers);
@@ -55,9 +55,10 @@ TEST(FacadeFiles, WritesWhatThereIs) {
   page.finish();
   EXPECT_EQ(
       files_in(whole.path()),
-      (std::set<std::string>{"facade-012.json", "facade-012.dxf", "facade-012.svg", "facade-012.csv", "facade-012.obj",
-                             "facade-012.stl", "facade-012.png", "facade-012.pgw", "facade-012-section-level-2.00.dxf",
-                             "facade-012-section-level-2.00.svg", "facades.html"}));
+      (std::set<std::string>{"facade-012.json", "facade-012.dxf", "facade-012.svg", "facade-012.pdf", "facade-012.csv",
+                             "facade-012.obj", "facade-012.stl", "facade-012.png", "facade-012.pgw",
+                             "facade-012-section-level-2.00.dxf", "facade-012-section-level-2.00.svg",
+                             "facade-012-section-level-2.00.pdf", "facades.html"}));
   EXPECT_EQ(facade_json(read_facade_json(whole.path() / "facade-012.json")), facade_json(a_facade()));
   for (const char* name : {"facade-012.dxf", "facade-012-section-level-2.00.dxf"})
     EXPECT_TRUE(validate_drawing_file(whole.path() / name).empty()) << name;
