@@ -80,9 +80,9 @@ TEST(FacadeImage, ThePixelFollowsThePoints) {
   std::vector<ImagePoint> few{points[0], points[5000]};
   EXPECT_EQ(facade_image(a_facade(), source_of(few, 64), params_of(0)).pixel_m, 1);
   FacadeImageParams bounded = params_of(0.001);
-  bounded.most_pixels = 1000;
+  bounded.most_pixels = 1024;
   const FacadeImage image = facade_image(a_facade(), source_of(points, 64), bounded);
-  EXPECT_LE(image.width * image.height, 1000u);
+  EXPECT_EQ(image.width * image.height, 1024u);
   EXPECT_EQ(image.pixel_m, 0.032);
 }
 

@@ -118,9 +118,10 @@ TEST(FacadePlan, StatusDecidesTheLayer) {
   EXPECT_EQ(count_role(drawing, DrawingRole::occluded), 1u);
   EXPECT_GT(count_role(drawing, DrawingRole::shadow), 5u);
   for (const DrawingLine& line : drawing.lines)
-    if (line.role == DrawingRole::shadow)
+    if (line.role == DrawingRole::shadow) {
       for (const DrawingCorner& c : line.corners)
         EXPECT_TRUE(c.x > -1e-9 && c.x < 1 + 1e-9 && c.y > -1e-9 && c.y < 2 + 1e-9);
+    }
 }
 
 TEST(FacadePlan, OccludedEdgesOpenTheRing) {
