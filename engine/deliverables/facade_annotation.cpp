@@ -11,7 +11,7 @@ namespace ilot {
 namespace {
 
 // Millimetres on paper.
-constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.6, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
+constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.4, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
 constexpr double kSameLevel = 0.5;
 
 // Metres with two decimals; halves go up, and what is one to a tenth of a millimetre is one.
