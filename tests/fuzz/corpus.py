@@ -69,6 +69,12 @@ FACADES = ['{"type":"ilot facade","version":1,"facade":1,"crs":"","frame":{"orig
            '"row":1,"column":1,"status":"seen","reason":"","ring":[[0,0,0],[1,0,0],[1,0,1]],"edges":[],"arcs":[{"centre":'
            '[0,0,0],"radius_m":1,"from_deg":0,"to_deg":90}],"width_m":1,"height_m":1,"depth_m":0,"width_error_m":0,'
            '"height_error_m":0,"depth_error_m":0,"points":3}]}']
+DXFS = ["0\nSECTION\n2\nHEADER\n9\n$ACADVER\n1\nAC1015\n9\n$INSUNITS\n70\n6\n0\nENDSEC\n0\nSECTION\n2\nTABLES\n0\nTABLE\n2\n"
+        "LAYER\n0\nLAYER\n2\nFAC-OPENING\n0\nENDTAB\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nLWPOLYLINE\n5\nA\n8\nFAC-OPENING\n70\n"
+        "1\n10\n0\n20\n0\n42\n0.5\n10\n1\n20\n1\n0\nPOLYLINE\n8\n0\n70\n1\n0\nVERTEX\n10\n1\n20\n2\n0\nSEQEND\n0\nLINE\n10\n0\n20\n0\n11\n"
+        "1\n21\n1\n0\nARC\n8\nFAC-DETAIL\n10\n1\n20\n1\n40\n2\n50\n0\n51\n90\n0\nTEXT\n1\na\n10\n1\n20\n1\n0\nENDSEC\n0\nEOF\n"]
+LAYERS = ['preset = "aia"\n[layers.opening]\nname = "WINDOWS"\ncolour = 3\nlineweight_mm = 0.35\npattern = "dashed"\n'
+          'shown = false\n[layers.error]\nshown = true\n']
 
 
 def pcd_seeds():
@@ -149,7 +155,8 @@ def main():
     for content in settings():
         keep("settings_fuzz", content)
     for target, seeds in (("area_fuzz", AREAS), ("city_json_fuzz", CITIES), ("obj_fuzz", OBJS), ("truth_fuzz", TRUTHS),
-                          ("facade_fuzz", FACADES), ("solids_fuzz", SOLIDS)):
+                          ("facade_fuzz", FACADES), ("solids_fuzz", SOLIDS),
+                          ("dxf_fuzz", DXFS), ("layers_fuzz", LAYERS)):
         for seed in seeds:
             keep(target, seed.encode())
     keep("laz_chunk_fuzz", bytes([3, 2, 9, 0, 0]) + bytes(range(200)))

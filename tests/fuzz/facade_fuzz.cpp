@@ -1,9 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a facade; what is one reads back from what is written of it.
+// Any bytes as a facade; what is one reads back from what is written of it, and can be drawn: the drawing reads back
+// too.
 #include <cstdint>
 
+#include "engine/deliverables/drawing_svg.h"
+#include "engine/deliverables/dxf_reader.h"
+#include "engine/deliverables/dxf_writer.h"
+#include "engine/deliverables/facade_drawing.h"
 #include "engine/deliverables/facade_json.h"
+#include "engine/deliverables/facade_section.h"
+#include "engine/deliverables/facade_solids.h"
+#include "engine/deliverables/facade_table.h"
 #include "engine/error.h"
+
+namespace {
+
+// Throws Error for coordinates that no drawing holds, and nothing else.
+void draw(const ilot::Facade& facade) {
+  using namespace ilot;
+  const DrawingLayers layers = preset_layers("ilot");
+  facade_table(facade);
+  const auto solids = facade_solids(facade);
+  solids_obj(solids);
+  solids_stl(solids);
+  const Drawing drawing = facade_drawing(facade);
+  drawing_svg(drawing, layers);
+  if (!parse_dxf(drawing_dxf(drawing, layers), "drawn.dxf").has_end) __builtin_trap();
+  drawing_dxf(section_drawing(facade, level_section(facade, 1), facade_faces(facade), {}, ""), layers);
+}
+
+}  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ilot;
@@ -11,6 +37,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const Facade facade = parse_facade_json({reinterpret_cast<const char*>(data), size}, "fuzz.json");
     const std::string written = facade_json(facade);
     if (facade_json(parse_facade_json(written, "again.json")) != written) __builtin_trap();
+    draw(facade);
   } catch (const Error&) {
   }
   return 0;

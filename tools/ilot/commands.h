@@ -13,6 +13,7 @@ void add_run_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_convert_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
+void add_draw_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);

@@ -6,6 +6,7 @@
 
 #include "engine/deliverables/model_file.h"
 #include "engine/error.h"
+#include "engine/evaluate/drawing_control.h"
 #include "engine/evaluate/evaluation_report.h"
 #include "engine/evaluate/model_report.h"
 #include "engine/whole_file.h"
@@ -16,7 +17,7 @@ namespace ilot {
 namespace {
 
 struct EvaluateArguments {
-  std::string input, truth, html, models, cloud;
+  std::string input, truth, html, models, cloud, drawing, corrected, layers = "ilot";
   EvaluateParams params;
   ModelPointsParams points;
   ModelResidualParams residuals;
@@ -45,12 +46,25 @@ int evaluate_models(const EvaluateArguments& given) {
   return static_cast<int>(ExitCode::ok);
 }
 
+int evaluate_drawing(const EvaluateArguments& given) {
+  if (given.drawing.empty() || given.corrected.empty())
+    throw Error("evaluate: --drawing FILE and --corrected FILE belong together", ExitCode::usage);
+  if (!given.input.empty() || given.truth_fields || !given.truth.empty() || !given.html.empty())
+    throw Error("evaluate: --drawing is judged by --corrected alone: no OUT, --truth, --truth-fields or --html",
+                ExitCode::usage);
+  const auto layers = compare_drawings(read_dxf(given.drawing), read_dxf(given.corrected),
+                                       {given.params.control_point_limit_m, read_layers(given.layers)});
+  print(given.json ? drawing_control_json(layers) : drawing_control_text(layers));
+  return static_cast<int>(ExitCode::ok);
+}
+
 Truth truth_for(const EvaluateArguments& given) {
   if (given.truth_fields) return {};
   return is_model_file(given.truth) ? truth_of_models(read_models(given.truth).models) : read_truth(given.truth);
 }
 
 int evaluate_command(const EvaluateArguments& given) {
+  if (!given.drawing.empty() || !given.corrected.empty()) return evaluate_drawing(given);
   if (!given.models.empty() || !given.cloud.empty()) return evaluate_models(given);
   if (given.input.empty()) throw Error("evaluate: OUT is needed (ilot evaluate --help)", ExitCode::usage);
   if (given.truth.empty() == !given.truth_fields)
@@ -90,6 +104,15 @@ void add_model_options(CLI::App& command, EvaluateArguments& given) {
       ->transform(one_of(faces));
 }
 
+void add_drawing_options(CLI::App& command, EvaluateArguments& given) {
+  command.add_option("--drawing", given.drawing, "judge this DXF drawing by a corrected one [none]")
+      ->option_text("FILE");
+  command.add_option("--corrected", given.corrected, "the DXF drawing as a surveyor corrected it [none]")
+      ->option_text("FILE");
+  command.add_option("--layers", given.layers, "of both drawings: ilot, aia, iso13567 or a mapping file [ilot]")
+      ->option_text("NAME");
+}
+
 }  // namespace
 
 void add_evaluate_command(CLI::App& app, Action& action) {
@@ -123,11 +146,13 @@ void add_evaluate_command(CLI::App& app, Action& action) {
       ->option_text("M")
       ->check(CLI::Range(0.0, 100.0));
   add_model_options(*command, *given);
+  add_drawing_options(*command, *given);
   command->add_option("--html", given->html, "also write a fragment for a page [none]")->option_text("FILE");
   command->add_flag("--json", given->json, "for programs [off]");
   command->footer(
       "Example: ilot evaluate out --truth town.truth.json\n"
-      "Example: ilot evaluate --models roofs.city.jsonl --cloud town.laz --class 6 --faces roofs");
+      "Example: ilot evaluate --models roofs.city.jsonl --cloud town.laz --class 6 --faces roofs\n"
+      "Example: ilot evaluate --drawing facade-001.dxf --corrected corrected.dxf");
   command->callback([given, &action] { action = [given] { return evaluate_command(*given); }; });
 }
 

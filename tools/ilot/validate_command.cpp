@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "engine/deliverables/dxf_reader.h"
 #include "engine/deliverables/solid_file.h"
 #include "engine/error.h"
+#include "engine/evaluate/validate_drawing.h"
 #include "engine/evaluate/validate_las.h"
 #include "engine/run/inputs.h"
 #include "tools/ilot/commands.h"
@@ -63,7 +65,7 @@ std::string findings_json(const std::filesystem::path& file, const std::vector<F
 // Prints what is found, or appends it to `json` when there is one.
 bool validate_file(const std::filesystem::path& file, bool quiet, std::string* json) {
   if (is_solid_file(file)) return print_models_validity(file, json);
-  const std::vector<Finding> findings = findings_of(file, quiet);
+  const std::vector<Finding> findings = is_dxf_file(file) ? validate_drawing_file(file) : findings_of(file, quiet);
   if (json)
     *json += (json->empty() ? "" : ",\n") + findings_json(file, findings);
   else
@@ -93,11 +95,11 @@ int validate_command(const ValidateArguments& given) {
 }  // namespace
 
 void add_validate_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand(
-      "validate",
-      "Checks files: geometries of CityJSON, OBJ, OFF and POLY against ISO 19107, LAS headers against points");
+  CLI::App* command = app.add_subcommand("validate",
+                                         "Checks files: geometries of CityJSON, OBJ, OFF and POLY against ISO 19107, "
+                                         "DXF drawings, LAS headers against points");
   auto given = std::make_shared<ValidateArguments>();
-  command->add_option("FILE", given->inputs, "CityJSON, CityJSONSeq, OBJ, OFF, POLY, LAS and LAZ files, patterns")
+  command->add_option("FILE", given->inputs, "CityJSON, CityJSONSeq, OBJ, OFF, POLY, DXF, LAS and LAZ files, patterns")
       ->option_text("...");
   command->add_flag("--json", given->json, "one JSON object on standard output [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");

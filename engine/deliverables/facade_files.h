@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+// All files that a facade is delivered in.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "engine/deliverables/drawing_layers.h"
+#include "engine/deliverables/facade_drawing.h"
+#include "engine/deliverables/facade_image.h"
+#include "engine/deliverables/facade_section.h"
+#include "engine/deliverables/facades_page.h"
+#include "engine/model/facade.h"
+
+namespace ilot {
+
+// A cut and what to call it: "section-level-4.50" is a part of a file's name, "Section at 4.50" of the title block.
+struct NamedSection {
+  std::string file, title;
+  SectionPlane plane;
+};
+
+// The section at a height, as sections are named.
+NamedSection named_level_section(const Facade& facade, double height);
+
+struct FacadeFilesParams {
+  FacadeDrawingParams drawing;
+  DrawingLayers layers = preset_layers("ilot");
+  std::vector<NamedSection> sections;
+  double section_half_m = 0.01;  // points so far from a cut are drawn with it
+  PointSource points;            // of the facade; without them no image and no points in sections
+  FacadeImageParams image;
+  FacadesPage* page = nullptr;  // gets the facade too
+};
+
+// "facade-007" for the facade 7: what its files are called before their extensions.
+std::string facade_name(std::uint32_t id);
+
+// In `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; where an element has a depth .obj and .stl; with points
+// .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each is whole or absent. The source of points is run
+// through four times at most. Throws Error.
+void write_facade_files(const std::filesystem::path& folder, const Facade& facade,
+                        const FacadeFilesParams& params = {});
+
+}  // namespace ilot

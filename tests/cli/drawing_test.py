@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What other programs say to our drawings: ezdxf's audit and what it reads back, GDAL. ILOT_EXE names the program; a
+Python that has ezdxf is looked for. Skips (77) without ezdxf, and says so."""
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+EXE = os.environ["ILOT_EXE"]
+HOSTILE = ["F\u00e9n\u00eatre n\u00b0 1 \u2014 \u00e9tage", "100%%d %%%% %", "a^Ib^J", "\\U+0041 \\P {x}", "line\n  0\nEOF\n", "\U0001F3E0",
+           "<svg onload=x> & \"quoted\"", "=SUM(A1)", " ", ""]
+
+# Runs where ezdxf is: audits, then tells what the drawing holds.
+AUDIT = """
+import json, sys, ezdxf
+from ezdxf.lldxf.encoding import decode_dxf_unicode
+from ezdxf import recover
+told = []
+for path in sys.argv[1:]:
+    read = ezdxf.readfile(path)
+    audit = read.audit()
+    again, recovered = recover.readfile(path)
+    told.append({"errors": len(audit.errors) + len(recovered.errors), "fixes": len(audit.fixes) + len(recovered.fixes),
+                 "units": read.header["$INSUNITS"], "layers": [l.dxf.name for l in read.layers],
+                 "frozen": [l.dxf.name for l in read.layers if l.is_frozen()],
+                 "texts": [decode_dxf_unicode(t.plain_text()) for t in read.modelspace().query("TEXT")],
+                 "closed": [[list(p) for p in e.get_points("xyb")] for e in read.modelspace().query("LWPOLYLINE")
+                            if e.closed and e.dxf.layer == "FAC-OPENING"],
+                 "overridden": len([e for e in read.modelspace() if e.dxf.hasattr("color") and e.dxf.layer != "FAC-TITLE"])})
+print(json.dumps(told))
+"""
+
+
+def python_with_ezdxf():
+    for candidate in (sys.executable, "/usr/bin/python3", shutil.which("python3")):
+        if candidate and subprocess.run([candidate, "-c", "import ezdxf"], capture_output=True).returncode == 0:
+            return candidate
+    return None
+
+
+def element(number, kind, x, z, width, height, **more):
+    ring = [[651000 + x, 6861000, z], [651000 + x + width, 6861000, z], [651000 + x + width, 6861000, z + height],
+            [651000 + x, 6861000, z + height]]
+    edge = {"status": "seen", "points": 9, "rms_m": 0.002, "error_m": 0.004, "moved_m": 0}
+    return {"id": number, "kind": kind, "opening": kind == "window", "family": 1, "row": 1, "column": 1, "status": "seen",
+            "reason": "", "ring": ring, "edges": [dict(edge) for _ in ring], "arcs": [], "width_m": width,
+            "height_m": height, "depth_m": -0.2, "width_error_m": 0.004, "height_error_m": 0.004,
+            "depth_error_m": 0.002, "points": 100} | more
+
+
+def facade():
+    elements = [element(1, "window", 1, 1, 1.2, 2), element(2, "window", 4, 1, 1.2, 2, status="completed"),
+                element(3, "window", 7, 1, 1.2, 2, status="occluded")]
+    # A half circle over the first one, given by its ends alone.
+    elements[0]["arcs"] = [{"centre": [651001.6, 6861000, 3], "radius_m": 0.6, "from_deg": 0, "to_deg": 180}]
+    elements += [element(4 + i, kind or "x", 0.5 * i, 5, 0.4, 0.4, reason=kind, depth_m=0.05) for i, kind in enumerate(HOSTILE)]
+    elements[4]["edges"][1]["status"] = "occluded"
+    return {"type": "ilot facade", "version": 1, "facade": 1, "crs": "EPSG:2154",
+            "frame": {"origin": [651000, 6861000, 0], "right": [1, 0, 0], "up": [0, 0, 1], "out": [0, -1, 0]},
+            "width_m": 9, "height_m": 6, "elements": elements}
+
+
+def run(*args):
+    return subprocess.run([EXE, *map(str, args)], capture_output=True, text=True)
+
+
+def expect(holds, what):
+    if not holds:
+        sys.exit(f"drawing_test: {what}")
+
+
+def draw(folder):
+    (folder / "in.json").write_text(json.dumps(facade()))
+    drawings = []
+    for number, title in enumerate(HOSTILE):
+        out = folder / str(number)
+        done = run("draw", folder / "in.json", "-o", out, "--title", title or "x", "--source", title or "x", "--section", "2",
+                   "--scale", 20 + 30 * number)
+        expect(done.returncode == 0, f"draw of {title!r}: {done.stderr}")
+        drawings += [out / "facade-001.dxf", out / "facade-001-section-level-2.00.dxf"]
+    judged = run("validate", *drawings, *folder.glob("*/*.obj"))
+    expect(judged.returncode == 0, "our own validate: " + judged.stdout)
+    return drawings
+
+
+def check_audits(python, drawings):
+    told = subprocess.run([python, "-c", AUDIT, *map(str, drawings)], capture_output=True, text=True)
+    expect(told.returncode == 0, "ezdxf: " + told.stderr)
+    for path, read in zip(drawings, json.loads(told.stdout)):
+        expect(read["errors"] == 0 and read["fixes"] == 0, f"{path}: ezdxf has {read['errors']} errors, {read['fixes']} fixes")
+        expect(read["units"] == 6, f"{path}: units {read['units']}")
+        expect(read["frozen"] == ["FAC-ERROR"], f"{path}: frozen {read['frozen']}")
+        expect(read["overridden"] == 0, f"{path}: {read['overridden']} entities do not take the colour of their layer")
+    first = json.loads(told.stdout)[0]
+    expect(HOSTILE[0] in first["texts"], f"the title came back as {first['texts'][-15:]}")
+    expect(len(first["closed"]) == 1, f"{len(first['closed'])} closed openings are drawn; only one is seen whole")
+    expect(abs(first["closed"][0][2][2] - 1) < 1e-3, "the arch is no half circle")
+    expect(any("1.20 x 2.00" in text for text in first["texts"]), "no size of a window")
+    sequences = json.loads(told.stdout)[4]["texts"]
+    expect("a^Ib^J" in sequences, f"a caret came back as {[t for t in sequences if t.startswith('a')]}")
+
+
+def check_gdal(drawing):
+    if not shutil.which("ogrinfo"):
+        print("drawing_test: no ogrinfo, GDAL's reading is not checked")
+        return
+    told = subprocess.run(["ogrinfo", "-al", "-so", drawing], capture_output=True, text=True)
+    expect(told.returncode == 0 and "Feature Count" in told.stdout, "ogrinfo: " + told.stderr)
+
+
+def check_pdf(drawing):
+    if not shutil.which("pdftotext"):
+        print("drawing_test: no pdftotext, another program's reading of the PDF is not checked")
+        return
+    told = subprocess.run(["pdftotext", drawing.with_suffix(".pdf"), "-"], capture_output=True, text=True)
+    expect(told.returncode == 0 and not told.stderr, "pdftotext: " + told.stderr)
+    expect(HOSTILE[0] in told.stdout and "1.20 x 2.00" in told.stdout, "the PDF's texts: " + told.stdout)
+
+
+def check_control(drawing, folder):
+    text = drawing.read_text()
+    moved = folder / "corrected.dxf"
+    moved.write_text(text.replace("1.20000\n", "1.21000\n", 1) if "1.20000\n" in text else text)
+    judged = run("evaluate", "--drawing", drawing, "--corrected", drawing, "--json")
+    expect(judged.returncode == 0, "evaluate: " + judged.stderr)
+    everything = json.loads(judged.stdout)["drawing"][-1]
+    expect(everything["paired"] == everything["corrected"] > 0 and everything["moved"] == 0, f"the same drawing: {everything}")
+    expect(run("evaluate", "--drawing", drawing).returncode == 2, "--drawing alone is a usage fault")
+
+
+def check_usage(folder):
+    expect(run("draw", folder / "in.json").returncode == 2, "draw without a folder")
+    expect(run("draw", "-o", folder / "x").returncode == 2, "draw without a facade")
+    expect(run("draw", folder / "in.json", folder / "in.json", "-o", folder / "x").returncode == 2, "one facade twice")
+    unknown = run("draw", folder / "in.json", "-o", folder / "x", "--layers", "office")
+    expect(unknown.returncode == 2 and "iso13567" in unknown.stderr, "unknown layers: " + unknown.stderr)
+    expect(run("draw", folder / "none.json", "-o", folder / "x").returncode == 1, "a missing facade")
+    (folder / "bad.dxf").write_text("hello\n")
+    expect(run("validate", folder / "bad.dxf").returncode == 1, "a broken drawing is not valid")
+
+
+def main():
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        drawings = draw(folder)
+        check_control(drawings[0], folder)
+        check_usage(folder)
+        check_gdal(drawings[0])
+        check_pdf(drawings[0])
+        python = python_with_ezdxf()
+        if not python:
+            print("drawing_test: SKIPPED: no Python with ezdxf (apt install python3-ezdxf); the audit was not made")
+            sys.exit(77)
+        check_audits(python, drawings)
+        print(f"{len(drawings)} drawings audited")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/facades_page.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "engine/deliverables/facade_drawing.h"
+#include "tests/support/facades.h"
+#include "tests/support/temporary_folder.h"
+
+namespace ilot {
+namespace {
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  return std::string(std::istreambuf_iterator<char>(file), {});
+}
+
+std::size_t count(const std::string& text, const std::string& what) {
+  std::size_t n = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++n;
+  return n;
+}
+
+Facade a_facade(std::uint32_t id) {
+  FacadeElement hidden = drawn("window", wall_rectangle(1, 1, 2, 3), DrawnStatus::occluded);
+  hidden.reason = "behind <a van>";
+  FacadeElement partly = drawn("door", wall_rectangle(3, 0, 4, 3));
+  partly.edges.assign(4, {DrawnStatus::seen, 9, 0.001, 0.004, 0});
+  partly.edges[0].status = DrawnStatus::completed;
+  Facade facade = facade_of({hidden, partly, drawn("window", wall_rectangle(5, 1, 6, 3))});
+  facade.id = id;
+  return facade;
+}
+
+TEST(FacadesPage, CountsDrawsAndListsWhatIsDoubtful) {
+  const TemporaryFolder folder;
+  FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"));
+  for (const std::uint32_t id : {1, 2})
+    page.add(a_facade(id), facade_drawing(a_facade(id)), SvgUnderlay{"facade-001.png", {0, 0, 7, 4}});
+  page.finish();
+  const std::string html = text_of(folder.path() / "facades.html");
+  EXPECT_NE(html.find("<h1>Facades: 2</h1>"), std::string::npos);
+  EXPECT_NE(html.find("6 elements, 8 edges, of them 2 completed and 0 occluded"), std::string::npos);
+  EXPECT_NE(html.find("<tr><td>window</td><td class=\"n\">2</td><td class=\"n\">0</td><td class=\"n\">2</td></tr>"),
+            std::string::npos);
+  EXPECT_EQ(count(html, "<svg"), 2u);
+  EXPECT_EQ(count(html, "<image class=\"underlay\" href=\"facade-001.png\""), 2u);
+  EXPECT_EQ(count(html, "behind &lt;a van&gt;"), 2u);
+  EXPECT_EQ(count(html, "<td>seen</td>"), 2u);  // the doors; windows that are seen whole are not listed
+  EXPECT_EQ(count(html, "<td>occluded</td>"), 2u);
+  EXPECT_NE(html.find("href=\"facade-002.dxf\""), std::string::npos);
+}
+
+TEST(FacadesPage, IsBounded) {
+  const TemporaryFolder folder;
+  FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"), 20000);
+  Facade large = a_facade(1);
+  for (int i = 0; i < 300; ++i) large.elements.push_back(large.elements[0]);
+  page.add(large, facade_drawing(large), {});
+  for (std::uint32_t id = 2; id < 9; ++id) page.add(a_facade(id), facade_drawing(a_facade(id)), {});
+  page.finish();
+  const std::string html = text_of(folder.path() / "facades.html");
+  EXPECT_NE(html.find("200 of 302 are listed"), std::string::npos);
+  EXPECT_LT(count(html, "<svg"), 8u);
+  EXPECT_EQ(count(html, "<h2>"), 8u);
+  EXPECT_NE(html.find("of 8 facades are shown"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace ilot

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/deliverables/facade_files.h"
+#include "engine/deliverables/facade_json.h"
+#include "engine/error.h"
+#include "engine/evaluate/point_stream.h"
+#include "tools/ilot/commands.h"
+#include "tools/ilot/console.h"
+#include "tools/render/colours.h"
+
+namespace ilot {
+namespace {
+
+struct DrawArguments {
+  std::vector<std::string> inputs;
+  std::string output, layers = "ilot";
+  FacadeDrawingParams drawing;
+  std::vector<double> sections;
+  std::string cloud;
+};
+
+constexpr std::size_t kBatch = 1u << 16;  // points
+
+// The points of a cloud, each time anew; without colours their intensity as a grey.
+PointSource points_of(const std::string& cloud) {
+  return [cloud](const std::function<void(std::span<const ImagePoint>)>& take) {
+    const auto reader = open_cloud(cloud);
+    const RecordLayout layout = reader->info().layout;
+    const render::Colouring colour =
+        render::colouring(rgb_offset(layout.point_format) ? "rgb" : "intensity", layout, 0, 1);
+    std::vector<ImagePoint> batch;
+    for_each_record(*reader, [&](const std::byte* record) {
+      batch.push_back({position_of(record, layout), colour({record, layout.record_length})});
+      if (batch.size() < kBatch) return;
+      take(batch);
+      batch.clear();
+    });
+    take(batch);
+  };
+}
+
+int draw_command(const DrawArguments& given) {
+  if (given.inputs.empty()) throw Error("draw: no FACADE.json given (ilot draw --help)", ExitCode::usage);
+  if (given.output.empty()) throw Error("draw: -o FOLDER is needed", ExitCode::usage);
+  FacadeFilesParams params;
+  params.layers = read_layers(given.layers);
+  params.drawing = given.drawing;
+  std::vector<Facade> facades;
+  std::set<std::uint32_t> numbers;
+  for (const std::string& input : given.inputs) {
+    facades.push_back(read_facade_json(input));
+    if (!numbers.insert(facades.back().id).second)
+      throw Error(input + ": facade " + std::to_string(facades.back().id) + " is given twice", ExitCode::usage);
+  }
+  std::error_code failed;
+  std::filesystem::create_directories(given.output, failed);
+  if (failed) throw Error(given.output + ": " + failed.message());
+  FacadesPage page(std::filesystem::path(given.output) / "facades.html", params.layers);
+  params.page = &page;
+  if (!given.cloud.empty()) params.points = points_of(given.cloud);
+  for (const Facade& facade : facades) {
+    params.sections.clear();
+    for (const double height : given.sections) params.sections.push_back(named_level_section(facade, height));
+    write_facade_files(given.output, facade, params);
+  }
+  page.finish();
+  return static_cast<int>(ExitCode::ok);
+}
+
+}  // namespace
+
+void add_draw_command(CLI::App& app, Action& action) {
+  CLI::App* command = app.add_subcommand("draw", "Draws facades anew: another scale, another office's layers");
+  auto given = std::make_shared<DrawArguments>();
+  command->add_option("FACADE", given->inputs, "facades/facade-NNN.json of a run")->option_text("...");
+  command->add_option("-o,--output", given->output, "folder for all files of the facades and facades.html")
+      ->option_text("FOLDER");
+  command->add_option("--layers", given->layers, "ilot, aia, iso13567 or a mapping file [ilot]")->option_text("NAME");
+  command->add_option("--scale", given->drawing.scale, "1 : N on paper [50]")
+      ->option_text("N")
+      ->check(CLI::Range(1.0, 10000.0));
+  command->add_option("--metres-per-unit", given->drawing.metres_per_unit, "of the coordinates, 0.3048 for feet [1]")
+      ->option_text("M")
+      ->check(CLI::Range(0.001, 1000.0));
+  command->add_option("--title", given->drawing.title, "of the sheet [Elevation]")->option_text("TEXT");
+  command->add_option("--crs-name", given->drawing.crs_name, "written beside the CRS [none]")->option_text("TEXT");
+  command->add_option("--heights", given->drawing.heights, "what heights refer to [not told]")->option_text("TEXT");
+  command->add_option("--date", given->drawing.data_date, "of the scan [not told]")->option_text("TEXT");
+  command->add_option("--source", given->drawing.source, "of the points [not told]")->option_text("TEXT");
+  command->add_option("--section", given->sections, "also cut at this height of the CRS, several times [none]")
+      ->option_text("Z")
+      ->check(CLI::Range(-1e6, 1e6));
+  command->add_option("--cloud", given->cloud, "points for orthoimages and sections [none]")->option_text("FILE");
+  command->footer("Example: ilot draw out/facades/facade-001.json -o sheets --layers aia --scale 100");
+  command->callback([given, &action] { action = [given] { return draw_command(*given); }; });
+}
+
+}  // namespace ilot
