@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/facade_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres above the foot of the wall; least
+constexpr double kBesideOpening = 0.25;               // metres between an opening and its sill or lintel
+constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
+constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
+constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
+constexpr std::array<const char*, 7> kNames{"window", "door", "sill", "lintel", "balcony", "band", "bulge"};
+
+bool is_opening(ThingKind kind) {
+  return kind == ThingKind::window || kind == ThingKind::door;
+}
+
+ThingKind kind_of_opening(const FoundRectangle& r) {
+  const Box2 box = r.box();
+  return box.v0 < kDoorSill && box.height() > kDoorHeight ? ThingKind::door : ThingKind::window;
+}
+
+ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width) {
+  const Box2 box = r.box();
+  const bool flat = box.width() > kLongerThanHigh * box.height();
+  if (flat && box.width() > kBandShare * wall_width) return r.depth > kBalcony ? ThingKind::balcony : ThingKind::band;
+  for (const FoundRectangle& o : openings) {
+    const Box2 hole = o.box();
+    const double common = std::min(hole.u1, box.u1) - std::max(hole.u0, box.u0);
+    if (!flat || r.depth > kBalcony || common < kUnder * hole.width() || box.width() > 2 * hole.width()) continue;
+    if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return ThingKind::sill;
+    if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return ThingKind::lintel;
+  }
+  return r.depth > kBalcony ? ThingKind::balcony : ThingKind::bulge;
+}
+
+Vec3 place_of(const FacadeSite& site, double u, double v, double w) {
+  const double units = 1 / site.metres_per_unit;
+  return site.axes.origin + (u * units) * site.axes.right + (v * units) * site.axes.up + (w * units) * site.axes.out;
+}
+
+std::vector<Vec3> ring_of(const FacadeSite& site, const Box2& box, double w) {
+  return {place_of(site, box.u0, box.v0, w), place_of(site, box.u1, box.v0, w), place_of(site, box.u1, box.v1, w),
+          place_of(site, box.u0, box.v1, w)};
+}
+
+double both(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+
+FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
+  const FoundRectangle& r = thing.shape;
+  FacadeElement e;
+  e.kind = kNames[static_cast<std::size_t>(thing.kind)];
+  e.opening = is_opening(thing.kind);
+  e.family = thing.family;
+  e.row = thing.row;
+  e.column = thing.column;
+  e.ring = ring_of(site, r.box(), e.opening ? 0 : r.depth);
+  std::size_t hidden = 0;
+  for (const LocatedEdge& edge : r.sides) {
+    e.edges.push_back({edge.status, edge.points, edge.rms, edge.error, edge.moved});
+    hidden += edge.status == DrawnStatus::occluded;
+  }
+  e.reason = thing.reason;
+  if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
+  e.width_m = r.box().width();
+  e.height_m = r.box().height();
+  e.depth_m = r.depth;
+  e.width_error_m = both(r.error(Side::left), r.error(Side::right));
+  e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
+  e.depth_error_m = r.depth_error;
+  e.points = r.points;
+  return e;
+}
+
+FacadeElement wall_of(const FacadeSite& site) {
+  FacadeElement e;
+  e.kind = "outline";
+  e.ring = ring_of(site, {0, site.width, 0, site.height}, 0);
+  e.width_m = site.width;
+  e.height_m = site.height;
+  e.width_error_m = e.height_error_m = site.step;
+  for (const FacadePoint& p : site.points) e.points += std::abs(static_cast<double>(p.w)) <= site.epsilon;
+  return e;
+}
+
+// The order in which elements are numbered.
+bool comes_before(const FacadeThing& a, const FacadeThing& b) {
+  const Box2 p = a.shape.box(), q = b.shape.box();
+  if (a.kind != b.kind) return a.kind < b.kind;
+  if (a.row != b.row) return a.row < b.row;
+  if (p.u0 != q.u0) return p.u0 < q.u0;
+  return p.v0 != q.v0 ? p.v0 < q.v0 : a.shape.depth < b.shape.depth;
+}
+
+}  // namespace
+
+FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
+  const RaySamples samples(site);
+  const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
+  const std::vector<FoundRectangle> relief = find_relief(samples, params.relief);
+  std::vector<FacadeThing> things;
+  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o), 0, 0, 0, {}});
+  for (const FoundRectangle& r : relief) things.push_back({r, kind_of_relief(r, openings, site.width), 0, 0, 0, {}});
+  group_things(things, params.regular);
+  if (params.regularise) {
+    regularise_things(things, params.regular);
+    complete_things(things, params.regular);
+    group_things(things, params.regular);
+  }
+  std::sort(things.begin(), things.end(), comes_before);
+
+  FoundFacade found;
+  Facade& f = found.facade;
+  f.crs = site.crs;
+  f.origin = site.axes.origin;
+  f.right = site.axes.right;
+  f.up = site.axes.up;
+  f.out = site.axes.out;
+  f.width_m = site.width;
+  f.height_m = site.height;
+  f.elements.push_back(wall_of(site));
+  for (const FacadeThing& thing : things) {
+    f.elements.push_back(element_of(site, thing));
+    for (const LocatedEdge& edge : thing.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
+  }
+  for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;
+  return found;
+}
+
+}  // namespace ilot

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/openings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
+constexpr double kBoundReach = 0.5;  // metres beyond an opening where the wall must go on
+constexpr double kBoundShare = 0.5;  // of its height or width
+constexpr double kMostBehind = 4;    // metres; rooms beyond panes
+constexpr double kDepthBin = 0.01;   // metres
+constexpr double kSheetDepth = 1;    // metres; what fills an opening lies no deeper
+
+enum Cell : std::uint8_t { kUnknown, kSolid, kThrough, kBlocked };
+
+// The wall in cells.
+struct WallCells {
+  double cell = 0;
+  std::int64_t columns = 0, rows = 0;
+  std::vector<std::uint8_t> what;
+
+  std::uint8_t& at(std::int64_t c, std::int64_t r) { return what[static_cast<std::size_t>(r * columns + c)]; }
+  std::uint8_t at(std::int64_t c, std::int64_t r) const { return what[static_cast<std::size_t>(r * columns + c)]; }
+};
+
+WallCells cells_of(const RaySamples& samples, double least_depth) {
+  const FacadeSite& site = samples.site();
+  WallCells cells;
+  cells.cell = std::clamp(kCellSteps * site.step, kLeastCell, kMostCell);
+  cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
+  cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
+  const auto count = static_cast<std::size_t>(cells.columns * cells.rows);
+  std::vector<std::uint32_t> solid(count), through(count), blocked(count);
+  for (std::uint32_t i = 0; i < site.points.size(); ++i) {
+    const double w = site.points[i].w;
+    if (w < -kMostBehind) continue;
+    const Place2 p = samples.crossing(i, 0);
+    if (p.u < 0 || p.v < 0) continue;
+    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
+    if (c >= cells.columns || r >= cells.rows) continue;
+    const auto at = static_cast<std::size_t>(r * cells.columns + c);
+    if (std::abs(w) <= site.epsilon) ++solid[at];
+    if (w < -least_depth) ++through[at];
+    if (w > site.epsilon) ++blocked[at];
+  }
+  cells.what.assign(count, kUnknown);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (solid[i] == 0 && through[i] == 0 && blocked[i] == 0) continue;
+    cells.what[i] = through[i] > solid[i] ? kThrough : solid[i] > 0 ? kSolid : kBlocked;
+  }
+  return cells;
+}
+
+// Fills runs of unknown cells, along rows and columns, that lie between two cells that rays went through.
+WallCells filled(const WallCells& cells, double longest) {
+  WallCells out = cells;
+  const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
+  const auto fill_line = [&](std::int64_t c, std::int64_t r, std::int64_t dc, std::int64_t dr, std::int64_t length) {
+    std::int64_t last = -1;
+    for (std::int64_t i = 0; i < length; ++i) {
+      const std::uint8_t what = cells.at(c + i * dc, r + i * dr);
+      if (what == kThrough) {
+        if (last >= 0 && i - last <= most)
+          for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
+        last = i;
+      } else if (what != kUnknown) {
+        last = -1;
+      }
+    }
+  };
+  for (std::int64_t r = 0; r < cells.rows; ++r) fill_line(0, r, 1, 0, cells.columns);
+  for (std::int64_t c = 0; c < cells.columns; ++c) fill_line(c, 0, 0, 1, cells.rows);
+  return out;
+}
+
+struct Region {
+  std::vector<std::int64_t> cells;  // row * columns + column
+};
+
+std::vector<Region> regions_of(const WallCells& cells) {
+  std::vector<Region> regions;
+  std::vector<std::uint8_t> taken(cells.what.size());
+  for (std::int64_t start = 0; start < static_cast<std::int64_t>(taken.size()); ++start) {
+    if (taken[static_cast<std::size_t>(start)] != 0 || cells.what[static_cast<std::size_t>(start)] != kThrough)
+      continue;
+    Region region;
+    region.cells = {start};
+    taken[static_cast<std::size_t>(start)] = 1;
+    for (std::size_t i = 0; i < region.cells.size(); ++i) {
+      const std::int64_t c = region.cells[i] % cells.columns, r = region.cells[i] / cells.columns;
+      const auto visit = [&](std::int64_t nc, std::int64_t nr) {
+        if (nc < 0 || nr < 0 || nc >= cells.columns || nr >= cells.rows) return;
+        const std::int64_t n = nr * cells.columns + nc;
+        if (taken[static_cast<std::size_t>(n)] != 0 || cells.what[static_cast<std::size_t>(n)] != kThrough) return;
+        taken[static_cast<std::size_t>(n)] = 1;
+        region.cells.push_back(n);
+      };
+      visit(c - 1, r), visit(c + 1, r), visit(c, r - 1), visit(c, r + 1);
+    }
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+std::int64_t median(std::vector<std::int64_t>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+struct CellBox {
+  std::int64_t c0, c1, r0, r1;
+};
+
+// Its sides where most of its rows and columns end: shadows and gaps at single ones do not count.
+CellBox box_of(const Region& region, std::int64_t columns) {
+  CellBox all{INT64_MAX, -1, INT64_MAX, -1};
+  for (const std::int64_t i : region.cells) {
+    all = {std::min(all.c0, i % columns), std::max(all.c1, i % columns), std::min(all.r0, i / columns),
+           std::max(all.r1, i / columns)};
+  }
+  std::vector<std::int64_t> left(static_cast<std::size_t>(all.r1 - all.r0 + 1), INT64_MAX), right(left.size(), -1);
+  std::vector<std::int64_t> low(static_cast<std::size_t>(all.c1 - all.c0 + 1), INT64_MAX), high(low.size(), -1);
+  for (const std::int64_t i : region.cells) {
+    const auto r = static_cast<std::size_t>(i / columns - all.r0), c = static_cast<std::size_t>(i % columns - all.c0);
+    left[r] = std::min(left[r], i % columns), right[r] = std::max(right[r], i % columns);
+    low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
+  }
+  return {median(left), median(right), median(low), median(high)};
+}
+
+// Share of the lines of a side beyond which the wall goes on.
+double bounded(const WallCells& cells, const CellBox& box, Side side) {
+  const bool u = side == Side::left || side == Side::right;
+  const auto reach = static_cast<std::int64_t>(kBoundReach / cells.cell) + 1;
+  const std::int64_t from = u ? box.r0 : box.c0, to = u ? box.r1 : box.c1;
+  std::int64_t found = 0;
+  for (std::int64_t i = from; i <= to; ++i) {
+    for (std::int64_t k = 1; k <= reach; ++k) {
+      const std::int64_t c = side == Side::left ? box.c0 - k : side == Side::right ? box.c1 + k : i;
+      const std::int64_t r = side == Side::bottom ? box.r0 - k : side == Side::top ? box.r1 + k : i;
+      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows) break;
+      if (cells.at(c, r) != kSolid) continue;
+      ++found;
+      break;
+    }
+  }
+  return static_cast<double>(found) / static_cast<double>(to - from + 1);
+}
+
+// What fills it: the depth that most of the rays through it end at.
+void set_depth(const RaySamples& samples, const Box2& box, double least_depth, FoundRectangle& opening) {
+  std::vector<std::uint32_t> bins(static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1);
+  const auto points = samples.near(box);
+  const auto depth_at = [&](std::uint32_t i) { return -static_cast<double>(samples.site().points[i].w); };
+  opening.points = 0;
+  for (const std::uint32_t i : points) {
+    const double depth = depth_at(i);
+    if (depth < least_depth || !box.holds(samples.crossing(i, 0))) continue;
+    ++opening.points;
+    if (depth < kSheetDepth) ++bins[static_cast<std::size_t>(depth / kDepthBin)];
+  }
+  const auto peak = static_cast<std::size_t>(std::max_element(bins.begin(), bins.end()) - bins.begin());
+  double n = 0, sum = 0, squares = 0;
+  for (const std::uint32_t i : points) {
+    const double depth = depth_at(i), off = depth - (static_cast<double>(peak) + 0.5) * kDepthBin;
+    if (std::abs(off) > kDepthBin || !box.holds(samples.crossing(i, 0))) continue;
+    n += 1, sum += off, squares += off * off;
+  }
+  if (n == 0) return;
+  opening.depth = -((static_cast<double>(peak) + 0.5) * kDepthBin + sum / n);
+  opening.depth_error = samples.site().noise / 2 + 2 * std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)) / n);
+}
+
+}  // namespace
+
+std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params) {
+  const FacadeSite& site = samples.site();
+  const double through = std::max(params.least_depth, 3 * site.epsilon);
+  const WallCells cells = filled(cells_of(samples, through), params.shadow);
+  std::vector<FoundRectangle> found;
+  for (const Region& region : regions_of(cells)) {
+    const CellBox box = box_of(region, cells.columns);
+    const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
+    Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
+    if (around.width() < params.least_size || around.height() < params.least_size) continue;
+    const bool at_foot = around.v0 < kBoundReach;
+    if (bounded(cells, box, Side::left) < kBoundShare || bounded(cells, box, Side::right) < kBoundShare ||
+        bounded(cells, box, Side::top) < kBoundShare)
+      continue;
+    if (!at_foot && bounded(cells, box, Side::bottom) < kBoundShare / 2) continue;
+    FoundRectangle opening;
+    opening.fill =
+        static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
+    if (opening.fill < kBoundShare) continue;
+    set_depth(samples, around, through, opening);
+    const double margin = std::max(0.015, 2 * site.epsilon);
+    SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell),
+                      {}};
+    // A line that comes from a rough box is looked for again from where it was found.
+    for (int round = 0; round < 2; ++round) {
+      for (const Side side : kSides) opening.side(side) = locate_edge(samples, search, side);
+      search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
+                    opening.side(Side::top).inner};
+    }
+    if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
+        opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
+      continue;
+    found.push_back(opening);
+  }
+  return found;
+}
+
+}  // namespace ilot
