@@ -10,8 +10,10 @@ namespace {
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
 constexpr double kBoundReach = 0.5;  // metres beyond an opening where the wall must go on
 constexpr double kBoundShare = 0.5;  // of its height or width
+constexpr double kLeastKnown = 0.2;  // of it, that something must be known of
 constexpr double kMostBehind = 4;    // metres; rooms beyond panes
 constexpr double kDepthBin = 0.01;   // metres
+constexpr double kCoverShare = 0.4;  // of the widest spread
 constexpr double kSheetDepth = 1;    // metres; what fills an opening lies no deeper
 
 enum Cell : std::uint8_t { kUnknown, kSolid, kThrough, kBlocked };
@@ -132,47 +134,85 @@ CellBox box_of(const Region& region, std::int64_t columns) {
   return {median(left), median(right), median(low), median(high)};
 }
 
-// Share of the lines of a side beyond which the wall goes on.
+// Of the lines of a side that something is known of beyond the opening, the share where the wall goes on; 0 where
+// little is known.
 double bounded(const WallCells& cells, const CellBox& box, Side side) {
   const bool u = side == Side::left || side == Side::right;
   const auto reach = static_cast<std::int64_t>(kBoundReach / cells.cell) + 1;
   const std::int64_t from = u ? box.r0 : box.c0, to = u ? box.r1 : box.c1;
-  std::int64_t found = 0;
+  std::int64_t found = 0, known = 0;
   for (std::int64_t i = from; i <= to; ++i) {
-    for (std::int64_t k = 1; k <= reach; ++k) {
+    bool solid = false, unknown = true;
+    for (std::int64_t k = 1; k <= reach && !solid; ++k) {
       const std::int64_t c = side == Side::left ? box.c0 - k : side == Side::right ? box.c1 + k : i;
       const std::int64_t r = side == Side::bottom ? box.r0 - k : side == Side::top ? box.r1 + k : i;
-      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows) break;
-      if (cells.at(c, r) != kSolid) continue;
-      ++found;
-      break;
+      if (c < 0 || r < 0 || c >= cells.columns || r >= cells.rows) {
+        unknown = false;
+        break;
+      }
+      solid = cells.at(c, r) == kSolid;
+      unknown = unknown && cells.at(c, r) == kUnknown;
     }
+    found += solid;
+    known += !unknown;
   }
-  return static_cast<double>(found) / static_cast<double>(to - from + 1);
+  const auto lines = static_cast<double>(to - from + 1);
+  return static_cast<double>(known) < kLeastKnown * lines ? 0 : static_cast<double>(found) / static_cast<double>(known);
 }
 
-// What fills it: the depth that most of the rays through it end at.
+// What fills it: the foremost depth at which points are spread over the opening nearly as far as at any. A railing is
+// nearer and panes lie deeper than their frame, but the one covers a part and of the other there is all to see.
+double filling_depth(const RaySamples& samples, const std::vector<std::uint32_t>& points, const Box2& box) {
+  constexpr std::size_t kAcross = 10;
+  const auto bins = static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1;
+  std::vector<std::uint8_t> touched(bins * kAcross * kAcross);
+  for (const std::uint32_t i : points) {
+    const Place2 at = samples.crossing(i, 0);
+    const auto part = [&](double v, double low, double size) {
+      return std::min(kAcross - 1, static_cast<std::size_t>(std::max(0.0, (v - low) / size * kAcross)));
+    };
+    const double depth = -static_cast<double>(samples.site().points[i].w);
+    if (depth >= kSheetDepth) continue;
+    const std::size_t cell = part(at.v, box.v0, box.height()) * kAcross + part(at.u, box.u0, box.width());
+    touched[static_cast<std::size_t>(depth / kDepthBin) * kAcross * kAcross + cell] = 1;
+  }
+  std::vector<std::size_t> cover(bins);  // cells in the quarter of the opening that has the fewest
+  for (std::size_t b = 0; b < bins; ++b) {
+    std::array<std::size_t, 4> quarters{};
+    for (std::size_t c = 0; c < kAcross * kAcross; ++c) {  // a sheet may lie across two bins
+      const std::size_t quarter = 2 * (2 * (c / kAcross) / kAcross) + 2 * (c % kAcross) / kAcross;
+      const std::uint8_t next = b + 1 < bins ? touched[(b + 1) * kAcross * kAcross + c] : std::uint8_t{0};
+      quarters[quarter] += touched[b * kAcross * kAcross + c] | next;
+    }
+    cover[b] = *std::min_element(quarters.begin(), quarters.end());
+  }
+  const std::size_t most = *std::max_element(cover.begin(), cover.end());
+  for (std::size_t b = 0; b < bins; ++b)
+    if (static_cast<double>(cover[b]) >= kCoverShare * static_cast<double>(most))
+      return (static_cast<double>(b) + (b + 1 < bins && cover[b + 1] > cover[b] ? 2 : 1)) * kDepthBin;
+  return 0;
+}
+
 void set_depth(const RaySamples& samples, const Box2& box, double least_depth, FoundRectangle& opening) {
-  std::vector<std::uint32_t> bins(static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1);
-  const auto points = samples.near(box);
-  const auto depth_at = [&](std::uint32_t i) { return -static_cast<double>(samples.site().points[i].w); };
-  opening.points = 0;
+  std::vector<std::uint32_t> points = samples.near(box);
+  std::erase_if(points, [&](std::uint32_t i) {
+    return -static_cast<double>(samples.site().points[i].w) < least_depth || !box.holds(samples.crossing(i, 0));
+  });
+  opening.points = points.size();
+  const double middle = filling_depth(samples, points, box);
+  std::vector<double> off;
   for (const std::uint32_t i : points) {
-    const double depth = depth_at(i);
-    if (depth < least_depth || !box.holds(samples.crossing(i, 0))) continue;
-    ++opening.points;
-    if (depth < kSheetDepth) ++bins[static_cast<std::size_t>(depth / kDepthBin)];
+    const double d = -static_cast<double>(samples.site().points[i].w) - middle;
+    if (std::abs(d) <= kDepthBin) off.push_back(d);
   }
-  const auto peak = static_cast<std::size_t>(std::max_element(bins.begin(), bins.end()) - bins.begin());
-  double n = 0, sum = 0, squares = 0;
-  for (const std::uint32_t i : points) {
-    const double depth = depth_at(i), off = depth - (static_cast<double>(peak) + 0.5) * kDepthBin;
-    if (std::abs(off) > kDepthBin || !box.holds(samples.crossing(i, 0))) continue;
-    n += 1, sum += off, squares += off * off;
-  }
-  if (n == 0) return;
-  opening.depth = -((static_cast<double>(peak) + 0.5) * kDepthBin + sum / n);
-  opening.depth_error = samples.site().noise / 2 + 2 * std::sqrt(std::max(0.0, squares / n - sum / n * (sum / n)) / n);
+  if (off.empty()) return;
+  const auto median_at = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
+  std::nth_element(off.begin(), median_at, off.end());
+  const double centre = *median_at;
+  double squares = 0;
+  for (const double d : off) squares += (d - centre) * (d - centre);
+  opening.depth = -(middle + centre);
+  opening.depth_error = samples.site().noise / 2 + 2 * std::sqrt(squares) / static_cast<double>(off.size());
 }
 
 }  // namespace
