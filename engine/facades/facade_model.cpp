@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "kernels/core/portable_math.h"
+
 namespace ilot {
 namespace {
 
@@ -48,6 +50,41 @@ std::vector<Vec3> ring_of(const FacadeSite& site, const Box2& box, double w) {
           place_of(site, box.u0, box.v1, w)};
 }
 
+// The corners of an opening under an arc, from the lower left on, and which side each edge belongs to.
+struct ArchedRing {
+  std::vector<Vec3> corners;
+  std::vector<Side> sides;
+  FacadeArc arc;
+};
+
+ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
+  constexpr double kLongestChord = 5;  // degrees
+  const Box2 box = r.box();
+  const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
+  const auto springing = [&](double at) {
+    const double up2 = radius * radius - (at - u) * (at - u);
+    return v + (up2 > 0 ? std::sqrt(up2) : 0);
+  };
+  const double right = springing(box.u1), left = springing(box.u0);
+  const double from = direction_degrees(box.u1 - u, right - v), to = direction_degrees(box.u0 - u, left - v);
+  ArchedRing ring;
+  const auto add = [&](double at_u, double at_v, Side side) {
+    ring.corners.push_back(place_of(site, at_u, at_v, 0));
+    ring.sides.push_back(side);
+  };
+  add(box.u0, box.v0, Side::bottom);
+  add(box.u1, box.v0, Side::right);
+  add(box.u1, right, Side::top);
+  const int chords = std::max(2, static_cast<int>(std::ceil((to - from) / kLongestChord)));
+  for (int i = 1; i < chords; ++i) {
+    const double angle = from + (to - from) * i / chords;
+    add(u + radius * cos_degrees(angle), v + radius * cos_degrees(angle - 90), Side::top);
+  }
+  add(box.u0, left, Side::left);
+  ring.arc = {place_of(site, u, v, 0), radius, from, to};
+  return ring;
+}
+
 double both(double a, double b) {
   return std::sqrt(a * a + b * b);
 }
@@ -60,12 +97,21 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   e.family = thing.family;
   e.row = thing.row;
   e.column = thing.column;
-  e.ring = ring_of(site, r.box(), e.opening ? 0 : r.depth);
-  std::size_t hidden = 0;
-  for (const LocatedEdge& edge : r.sides) {
-    e.edges.push_back({edge.status, edge.points, edge.rms, edge.error, edge.moved});
-    hidden += edge.status == DrawnStatus::occluded;
+  std::vector<Side> sides(kSides.begin(), kSides.end());
+  if (r.arc) {
+    ArchedRing arched = arched_ring(site, r);
+    e.ring = std::move(arched.corners);
+    e.arcs = {arched.arc};
+    sides = std::move(arched.sides);
+  } else {
+    e.ring = ring_of(site, r.box(), e.opening ? 0 : r.depth);
   }
+  for (const Side side : sides) {
+    const LocatedEdge& edge = r.side(side);
+    e.edges.push_back({edge.status, edge.points, edge.rms, edge.error, edge.moved});
+  }
+  const auto hidden = static_cast<std::size_t>(std::count_if(
+      r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
   e.reason = thing.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();

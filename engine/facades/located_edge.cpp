@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // of a side, metres: left out at its ends
 constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a shadow
+constexpr double kNothingKnown = 3;                        // metres: how far a hidden side may be
 constexpr double kBesideGap = 0.02;                        // metres beside the gap that points of the face may lie
 constexpr std::size_t kLeastFacePoints = 12;
 constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
@@ -140,7 +141,7 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const EdgeSplit split = split_edge(around.inside, around.outside);
   if (!split.found) {
     edge.at = edge.inner = sign * span.t;
-    edge.error = reach;
+    edge.error = kNothingKnown;
     edge.status = DrawnStatus::occluded;
     return edge;
   }

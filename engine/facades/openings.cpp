@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/facades/arched_top.h"
+
 namespace ilot {
 namespace {
 
@@ -11,6 +13,8 @@ constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
 constexpr double kBoundReach = 0.5;  // metres beyond an opening where the wall must go on
 constexpr double kBoundShare = 0.5;  // of its height or width
 constexpr double kLeastKnown = 0.2;  // of it, that something must be known of
+constexpr double kLeastFill = 0.5;   // share of its box that its cells cover
+constexpr double kTail = 0.15;       // of its rows and columns that may end farther out
 constexpr double kMostBehind = 4;    // metres; rooms beyond panes
 constexpr double kDepthBin = 0.01;   // metres
 constexpr double kCoverShare = 0.4;  // of the widest spread
@@ -56,7 +60,8 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
   return cells;
 }
 
-// Fills runs of unknown cells, along rows and columns, that lie between two cells that rays went through.
+// Fills runs of cells that nothing was seen in, or only something before the wall, between two cells that rays went
+// through, along rows and columns.
 WallCells filled(const WallCells& cells, double longest) {
   WallCells out = cells;
   const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
@@ -68,7 +73,7 @@ WallCells filled(const WallCells& cells, double longest) {
         if (last >= 0 && i - last <= most)
           for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
         last = i;
-      } else if (what != kUnknown) {
+      } else if (what == kSolid) {
         last = -1;
       }
     }
@@ -107,17 +112,17 @@ std::vector<Region> regions_of(const WallCells& cells) {
   return regions;
 }
 
-std::int64_t median(std::vector<std::int64_t>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+std::int64_t quantile(std::vector<std::int64_t>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
 }
 
 struct CellBox {
   std::int64_t c0, c1, r0, r1;
 };
 
-// Its sides where most of its rows and columns end: shadows and gaps at single ones do not count.
+// Its sides where the farthest rows and columns end, but for some: shadows end others too early, single cells leak.
 CellBox box_of(const Region& region, std::int64_t columns) {
   CellBox all{INT64_MAX, -1, INT64_MAX, -1};
   for (const std::int64_t i : region.cells) {
@@ -131,7 +136,7 @@ CellBox box_of(const Region& region, std::int64_t columns) {
     left[r] = std::min(left[r], i % columns), right[r] = std::max(right[r], i % columns);
     low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
   }
-  return {median(left), median(right), median(low), median(high)};
+  return {quantile(left, kTail), quantile(right, 1 - kTail), quantile(low, kTail), quantile(high, 1 - kTail)};
 }
 
 // Of the lines of a side that something is known of beyond the opening, the share where the wall goes on; 0 where
@@ -227,15 +232,13 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
     const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
     Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
     if (around.width() < params.least_size || around.height() < params.least_size) continue;
-    const bool at_foot = around.v0 < kBoundReach;
     if (bounded(cells, box, Side::left) < kBoundShare || bounded(cells, box, Side::right) < kBoundShare ||
         bounded(cells, box, Side::top) < kBoundShare)
       continue;
-    if (!at_foot && bounded(cells, box, Side::bottom) < kBoundShare / 2) continue;
     FoundRectangle opening;
     opening.fill =
         static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
-    if (opening.fill < kBoundShare) continue;
+    if (opening.fill < kLeastFill) continue;
     set_depth(samples, around, through, opening);
     const double margin = std::max(0.015, 2 * site.epsilon);
     SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell),
@@ -249,6 +252,14 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
     if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
         opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
       continue;
+    opening.arc = find_arched_top(samples, opening);
+    if (opening.arc) {
+      LocatedEdge& crown = opening.side(Side::top);
+      crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
+      crown.points = opening.arc->points;
+      crown.rms = opening.arc->rms;
+      crown.inner = crown.at;
+    }
     found.push_back(opening);
   }
   return found;

@@ -2,6 +2,7 @@
 // Windows and doors: where rays go through the wall.
 #pragma once
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "engine/facades/located_edge.h"
@@ -15,12 +16,20 @@ struct OpeningParams {
   double shadow = 0.5;        // metres; openings are joined across shadows of things up to this
 };
 
+// A circle that ends an opening above.
+struct TopArc {
+  Place2 centre;
+  double radius = 0, rms = 0, error = 0;  // metres
+  std::uint64_t points = 0;
+};
+
 struct FoundRectangle {
   std::array<LocatedEdge, 4> sides;   // as kSides
   double depth = 0, depth_error = 0;  // w of what fills it; negative behind the wall
   std::uint64_t points = 0;           // rays through it, or points on it
   std::uint32_t plane = 0;            // of what stands in front
   double fill = 1;                    // share of its cells that hold such
+  std::optional<TopArc> arc;          // its top side then is the crown
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double error(Side s) const { return sides[static_cast<std::size_t>(s)].error; }
   LocatedEdge& side(Side s) { return sides[static_cast<std::size_t>(s)]; }

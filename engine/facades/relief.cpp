@@ -125,7 +125,8 @@ std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefP
     const double reach = std::min(0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2));
     const SideSearch search{piece.box, piece.w, epsilon, false, kLeastFace, piece.w - kLeastFace, reach, piece.ids};
     for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
-    found.push_back(thing);
+    const Box2 box = thing.box();
+    if (box.width() >= params.least_size && box.height() >= params.least_size) found.push_back(thing);
   }
   return found;
 }
