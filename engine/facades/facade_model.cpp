@@ -11,6 +11,7 @@ namespace ilot {
 namespace {
 
 constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres above the foot of the wall; least
+constexpr double kDoorLine = 0.25;                    // metres between the tops of doors in one row
 constexpr double kBesideOpening = 0.25;               // metres between an opening and its sill or lintel
 constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
@@ -21,9 +22,19 @@ bool is_opening(ThingKind kind) {
   return kind == ThingKind::window || kind == ThingKind::door;
 }
 
-ThingKind kind_of_opening(const FoundRectangle& r) {
+bool is_door(const FoundRectangle& r) {
   const Box2 box = r.box();
-  return box.v0 < kDoorSill && box.height() > kDoorHeight ? ThingKind::door : ThingKind::window;
+  return box.v0 < kDoorSill && box.height() > kDoorHeight;
+}
+
+// A door goes down to the foot of the wall; where its lower part is hidden, its top is in line with other doors'.
+ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings) {
+  if (is_door(r)) return ThingKind::door;
+  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < kDoorHeight) return ThingKind::window;
+  const bool in_line = std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
+    return is_door(o) && std::abs(o.at(Side::top) - r.at(Side::top)) < kDoorLine;
+  });
+  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < kDoorSill ? ThingKind::door : ThingKind::window;
 }
 
 ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width) {
@@ -151,7 +162,7 @@ FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
   const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
   const std::vector<FoundRectangle> relief = find_relief(samples, params.relief);
   std::vector<FacadeThing> things;
-  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o), 0, 0, 0, {}});
+  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
   for (const FoundRectangle& r : relief) things.push_back({r, kind_of_relief(r, openings, site.width), 0, 0, 0, {}});
   group_things(things, params.regular);
   if (params.regularise) {

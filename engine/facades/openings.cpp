@@ -10,15 +10,15 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-constexpr double kBoundReach = 0.5;  // metres beyond an opening where the wall must go on
-constexpr double kBoundShare = 0.5;  // of its height or width
-constexpr double kLeastKnown = 0.2;  // of it, that something must be known of
-constexpr double kLeastFill = 0.5;   // share of its box that its cells cover
-constexpr double kTail = 0.15;       // of its rows and columns that may end farther out
-constexpr double kMostBehind = 4;    // metres; rooms beyond panes
-constexpr double kDepthBin = 0.01;   // metres
-constexpr double kCoverShare = 0.4;  // of the widest spread
-constexpr double kSheetDepth = 1;    // metres; what fills an opening lies no deeper
+constexpr double kBoundReach = 0.5;   // metres beyond an opening where the wall must go on
+constexpr double kBoundShare = 0.5;   // of its height or width
+constexpr double kLeastKnown = 0.2;   // of it, that something must be known of
+constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
+constexpr double kTail = 0.15;        // of its rows and columns that may end farther out
+constexpr double kMostBehind = 4;     // metres; rooms beyond panes
+constexpr double kDepthBin = 0.01;    // metres
+constexpr double kCoverShare = 0.25;  // of the widest spread
+constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
 
 enum Cell : std::uint8_t { kUnknown, kSolid, kThrough, kBlocked };
 
@@ -172,12 +172,12 @@ double filling_depth(const RaySamples& samples, const std::vector<std::uint32_t>
   const auto bins = static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1;
   std::vector<std::uint8_t> touched(bins * kAcross * kAcross);
   for (const std::uint32_t i : points) {
-    const Place2 at = samples.crossing(i, 0);
+    const FacadePoint& at = samples.site().points[i];
     const auto part = [&](double v, double low, double size) {
       return std::min(kAcross - 1, static_cast<std::size_t>(std::max(0.0, (v - low) / size * kAcross)));
     };
-    const double depth = -static_cast<double>(samples.site().points[i].w);
-    if (depth >= kSheetDepth) continue;
+    const double depth = -static_cast<double>(at.w);
+    if (depth >= kSheetDepth || !box.holds({at.u, at.v})) continue;
     const std::size_t cell = part(at.v, box.v0, box.height()) * kAcross + part(at.u, box.u0, box.width());
     touched[static_cast<std::size_t>(depth / kDepthBin) * kAcross * kAcross + cell] = 1;
   }
@@ -185,7 +185,9 @@ double filling_depth(const RaySamples& samples, const std::vector<std::uint32_t>
   for (std::size_t b = 0; b < bins; ++b) {
     std::array<std::size_t, 4> quarters{};
     for (std::size_t c = 0; c < kAcross * kAcross; ++c) {  // a sheet may lie across two bins
-      const std::size_t quarter = 2 * (2 * (c / kAcross) / kAcross) + 2 * (c % kAcross) / kAcross;
+      const std::size_t column = c % kAcross, row = c / kAcross;
+      if (column == 0 || row == 0 || column + 1 == kAcross || row + 1 == kAcross) continue;  // reveals are there
+      const std::size_t quarter = 2 * (2 * row / kAcross) + 2 * column / kAcross;
       const std::uint8_t next = b + 1 < bins ? touched[(b + 1) * kAcross * kAcross + c] : std::uint8_t{0};
       quarters[quarter] += touched[b * kAcross * kAcross + c] | next;
     }

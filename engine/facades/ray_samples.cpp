@@ -10,6 +10,7 @@ namespace {
 constexpr double kBin = 0.25;           // metres
 constexpr double kAround = 1;           // metres around the wall that bins cover
 constexpr double kLeastThrough = 0.02;  // metres behind a plane that a ray has surely gone through it
+constexpr double kLowRelief = 0.15;     // metres before the wall, where surrounds of openings end
 constexpr double kEpsilons = 3;         // and epsilons
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
@@ -17,7 +18,7 @@ Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   return {eye.x + (static_cast<double>(p.u) - eye.x) * along, eye.y + (static_cast<double>(p.v) - eye.y) * along};
 }
 
-// Cells of the wall that its points cover on all sides: a ray does not pass there.
+// Cells that points of the wall, or of what stands out a little, cover on all sides: a ray does not pass there.
 class SolidCells {
  public:
   explicit SolidCells(const FacadeSite& site) : cell_(2 * site.step) {
@@ -25,7 +26,7 @@ class SolidCells {
     rows_ = static_cast<std::int64_t>(site.height / cell_) + 1;
     seen_.assign(static_cast<std::size_t>(columns_ * rows_), 0);
     for (const FacadePoint& p : site.points)
-      if (std::abs(static_cast<double>(p.w)) <= site.epsilon && inside({p.u, p.v})) seen_[at({p.u, p.v})] = 1;
+      if (p.w >= -site.epsilon && p.w <= kLowRelief && inside({p.u, p.v})) seen_[at({p.u, p.v})] = 1;
   }
   bool covers(Place2 p) const {
     for (int dv = -1; dv <= 1; ++dv)
