@@ -16,7 +16,7 @@ constexpr double kBesideOpening = 0.25;               // metres between an openi
 constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
-constexpr std::array<const char*, 7> kNames{"window", "door", "sill", "lintel", "balcony", "band", "bulge"};
+constexpr std::array<const char*, 8> kNames{"window", "door", "sill", "lintel", "balcony", "band", "bulge", "stone"};
 
 bool is_opening(ThingKind kind) {
   return kind == ThingKind::window || kind == ThingKind::door;
@@ -155,15 +155,50 @@ bool comes_before(const FacadeThing& a, const FacadeThing& b) {
   return p.v0 != q.v0 ? p.v0 < q.v0 : a.shape.depth < b.shape.depth;
 }
 
+// Bulges that overlap are patches of one.
+void merge_bulges(std::vector<FacadeThing>& things) {
+  const auto overlap = [](const FacadeThing& a, const FacadeThing& b) {
+    const Box2 p = a.shape.box(), q = b.shape.box();
+    return a.kind == ThingKind::bulge && b.kind == ThingKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 && p.v0 < q.v1 &&
+           q.v0 < p.v1;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t a = 0; a < things.size(); ++a)
+      for (std::size_t b = a + 1; b < things.size();) {
+        if (!overlap(things[a], things[b])) {
+          ++b;
+          continue;
+        }
+        FoundRectangle &p = things[a].shape, &q = things[b].shape;
+        const auto outer = [&](Side side, bool low) {
+          if (low ? q.at(side) < p.at(side) : q.at(side) > p.at(side)) p.side(side) = q.side(side);
+        };
+        outer(Side::left, true), outer(Side::bottom, true), outer(Side::right, false), outer(Side::top, false);
+        if (q.depth > p.depth) p.depth = q.depth, p.depth_error = q.depth_error;
+        p.points += q.points;
+        things.erase(things.begin() + static_cast<std::ptrdiff_t>(b));
+        more = true;
+      }
+  }
+}
+
+std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params) {
+  const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
+  std::vector<FacadeThing> things;
+  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
+  for (const FoundRectangle& r : find_relief(samples, params.relief))
+    things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
+  for (const FoundRectangle& s : find_stones(samples)) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
+  merge_bulges(things);
+  return things;
+}
+
 }  // namespace
 
 FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
   const RaySamples samples(site);
-  const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
-  const std::vector<FoundRectangle> relief = find_relief(samples, params.relief);
-  std::vector<FacadeThing> things;
-  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
-  for (const FoundRectangle& r : relief) things.push_back({r, kind_of_relief(r, openings, site.width), 0, 0, 0, {}});
+  std::vector<FacadeThing> things = things_of(samples, params);
   group_things(things, params.regular);
   if (params.regularise) {
     regularise_things(things, params.regular);

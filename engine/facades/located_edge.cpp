@@ -34,6 +34,7 @@ struct FacePoint {
 struct SideSamples {
   std::vector<double> inside, outside;
   std::vector<FacePoint> face;
+  std::size_t hidden = 0;  // rays that end before the plane, beyond the side
 };
 
 struct SideSpan {
@@ -66,6 +67,7 @@ SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, c
     if (!q.hole && met == Met::solid && p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane))
       met = Met::unclear;
     if (met == Met::solid) (q.hole ? out.outside : out.inside).push_back(t);
+    out.hidden += met == Met::before && t > span.t;
     if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);
   }
   return out;
@@ -137,8 +139,15 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const Place2 steps = samples.step_at(middle);
   const double step = along_u(side) ? steps.u : steps.v;
   LocatedEdge edge;
-  edge.at = edge.inner = q.box.u0;
   const EdgeSplit split = split_edge(around.inside, around.outside);
+  if (!split.found && !q.hole && !around.inside.empty()) {  // the end of all that was measured
+    const double last = *std::max_element(around.inside.begin(), around.inside.end());
+    edge.at = edge.inner = sign * (last + step / 2);
+    edge.error = step;
+    edge.points = around.inside.size();
+    edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
+    return edge;
+  }
   if (!split.found) {
     edge.at = edge.inner = sign * span.t;
     edge.error = kNothingKnown;

@@ -9,9 +9,9 @@ namespace {
 
 constexpr double kBin = 0.25;           // metres
 constexpr double kAround = 1;           // metres around the wall that bins cover
-constexpr double kLeastThrough = 0.02;  // metres behind a plane that a ray has surely gone through it
+constexpr double kLeastThrough = 0.01;  // metres behind a plane that a ray has surely gone through it
 constexpr double kLowRelief = 0.15;     // metres before the wall, where surrounds of openings end
-constexpr double kEpsilons = 3;         // and epsilons
+constexpr double kEpsilons = 2;         // and epsilons
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));

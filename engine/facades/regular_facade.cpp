@@ -11,6 +11,7 @@ namespace ilot {
 namespace {
 
 constexpr double kBesideShadow = 0.03;  // metres beyond a gap that a sill's top may lie
+constexpr double kHighestShadow = 0.6;  // metres that a sill hides above its top
 constexpr double kUnder = 0.7;          // share of an opening's width that its sill spans
 
 using Members = std::vector<FacadeThing*>;
@@ -92,14 +93,18 @@ void equalise(const Members& members, Side low, Side high) {
   }
 }
 
+// Where a sill's top lies in the gap that the bottom is known to, and is known better: nobody sees behind it.
 bool complete_from_sill(FacadeThing& t, const std::vector<FacadeThing>& things) {
   LocatedEdge& bottom = t.shape.side(Side::bottom);
+  if (bottom.by_face) return false;
   for (const FacadeThing& sill : things) {
-    if (is_opening(sill) || !seen(sill, Side::top)) continue;
+    if ((sill.kind != ThingKind::sill && sill.kind != ThingKind::band) || !seen(sill, Side::top)) continue;
     const double common = std::min(t.shape.at(Side::right), sill.shape.at(Side::right)) -
                           std::max(t.shape.at(Side::left), sill.shape.at(Side::left));
-    const double top = sill.shape.at(Side::top);
-    if (common < kUnder * width_of(t) || std::abs(top - bottom.at) > bottom.error + kBesideShadow) continue;
+    const double top = sill.shape.at(Side::top), below = bottom.inner - top;
+    const double lowest = std::min(bottom.inner - bottom.at + bottom.error + kBesideShadow, kHighestShadow);
+    if (common < kUnder * width_of(t) || below < -kBesideShadow || below > lowest) continue;
+    if (sill.shape.error(Side::top) >= bottom.error) continue;
     bottom.at = top;
     bottom.error = sill.shape.error(Side::top);
     bottom.status = DrawnStatus::completed;
@@ -196,8 +201,8 @@ void complete_things(std::vector<FacadeThing>& things, const RegularParams& para
     if (!is_opening(t)) continue;
     for (const Side side : kSides) {
       LocatedEdge& edge = t.shape.side(side);
-      if (edge.status != DrawnStatus::occluded) continue;
       if (side == Side::bottom && complete_from_sill(t, before)) continue;
+      if (edge.status != DrawnStatus::occluded) continue;
       const bool level = side == Side::bottom || side == Side::top;
       if (level && complete_from_row(t, before, side, params)) continue;
       if (complete_from_size(t, before, side, params)) continue;

@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-enum class ThingKind : std::uint8_t { window, door, sill, lintel, balcony, band, bulge };
+enum class ThingKind : std::uint8_t { window, door, sill, lintel, balcony, band, bulge, stone };
 
 struct FacadeThing {
   FoundRectangle shape;

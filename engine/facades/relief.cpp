@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 
 namespace ilot {
 namespace {
@@ -54,9 +55,9 @@ bool in_line(const Piece& a, const Piece& b) {
   return (level && du < kAcrossShadow) || (upright && dv < kAcrossShadow);
 }
 
-std::vector<Piece> pieces_of(const RaySamples& samples, const ReliefParams& params) {
+std::vector<Piece> pieces_of(const RaySamples& samples, std::span<const std::uint32_t> ids) {
   std::map<std::uint32_t, Piece> by_id;
-  for (const ParallelPlane& p : samples.site().parallel) by_id[p.id].ids = {p.id};
+  for (const std::uint32_t id : ids) by_id[id].ids = {id};
   for (std::uint32_t i = 0; i < samples.site().points.size(); ++i) {
     const auto piece = by_id.find(samples.site().points[i].plane);
     if (piece != by_id.end()) piece->second.points.push_back(i);
@@ -65,7 +66,7 @@ std::vector<Piece> pieces_of(const RaySamples& samples, const ReliefParams& para
   for (auto& [id, piece] : by_id) {
     if (piece.points.size() < 3) continue;
     measure(samples, piece);
-    if (piece.w >= std::max(params.least_depth, 2 * samples.site().epsilon)) pieces.push_back(std::move(piece));
+    pieces.push_back(std::move(piece));
   }
   return pieces;
 }
@@ -105,29 +106,58 @@ double fill_of(const RaySamples& samples, const Piece& piece) {
   return static_cast<double>(held.size()) / static_cast<double>(std::max<std::int64_t>(1, columns * rows));
 }
 
+FoundRectangle rectangle_of(const RaySamples& samples, const Piece& piece, double face_from, double face_to) {
+  FoundRectangle thing;
+  thing.depth = piece.w;
+  thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points.size()));
+  thing.points = piece.points.size();
+  thing.plane = piece.ids[0];
+  const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
+  const double reach = std::min(0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2));
+  const SideSearch search{piece.box, piece.w, epsilon, false, face_from, face_to, reach, piece.ids};
+  for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
+  return thing;
+}
+
+bool is_large(const Box2& box, double least) {
+  return box.width() >= least && box.height() >= least;
+}
+
 }  // namespace
 
 std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params) {
-  std::vector<Piece> pieces = pieces_of(samples, params);
+  std::vector<std::uint32_t> ids;
+  for (const ParallelPlane& p : samples.site().parallel) ids.push_back(p.id);
+  std::vector<Piece> pieces = pieces_of(samples, ids);
+  const double nearest = std::max(params.least_depth, 2 * samples.site().epsilon);
+  std::erase_if(pieces, [&](const Piece& piece) { return piece.w < nearest; });
   join_pieces(samples, pieces);
   std::vector<FoundRectangle> found;
   for (Piece& piece : pieces) {
     std::sort(piece.ids.begin(), piece.ids.end());
-    if (piece.box.width() < params.least_size || piece.box.height() < params.least_size) continue;
-    FoundRectangle thing;
-    thing.fill = fill_of(samples, piece);
-    if (thing.fill < params.least_fill) continue;
-    thing.depth = piece.w;
-    thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points.size()));
-    thing.points = piece.points.size();
-    thing.plane = piece.ids[0];
-    const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
-    const double reach = std::min(0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2));
-    const SideSearch search{piece.box, piece.w, epsilon, false, kLeastFace, piece.w - kLeastFace, reach, piece.ids};
-    for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
-    const Box2 box = thing.box();
-    if (box.width() >= params.least_size && box.height() >= params.least_size) found.push_back(thing);
+    if (!is_large(piece.box, params.least_size)) continue;
+    const double fill = fill_of(samples, piece);
+    if (fill < params.least_fill) continue;
+    FoundRectangle thing = rectangle_of(samples, piece, kLeastFace, piece.w - kLeastFace);
+    thing.fill = fill;
+    if (is_large(thing.box(), params.least_size)) found.push_back(thing);
   }
+  return found;
+}
+
+std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
+  constexpr std::size_t kFewest = 4;
+  constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
+  constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
+  std::vector<FoundRectangle> found;
+  for (const Piece& piece : pieces_of(samples, samples.site().wall)) {
+    if (!is_large(piece.box, kLeastSize)) continue;
+    const double fill = fill_of(samples, piece);
+    if (fill < kLeastFill) continue;
+    found.push_back(rectangle_of(samples, piece, kJointFrom, kJointTo));
+    found.back().fill = fill;
+  }
+  if (found.size() < kFewest) found.clear();
   return found;
 }
 
