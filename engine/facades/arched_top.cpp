@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/portable_math.h"
 #include "kernels/outlines/circle_fit.h"
 #include "kernels/outlines/edge_split.h"
 
@@ -43,6 +44,34 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
     const double v = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
     if (split.found && (!samples.oblique() || split.half_gap < kMostGap))
       tops.push_back({opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width, v});
+  }
+  return tops;
+}
+
+// The same across the arc, sector by sector: slices lean on it near the jambs.
+std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
+  constexpr double kBeside = 0.08;  // metres
+  const FacadeSite& site = samples.site();
+  const double half = std::min(search.width() / 2 / first.radius, 1.0);
+  const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kSlices;
+  std::vector<Slice> sectors(kSlices);
+  for (const std::uint32_t i : samples.near(search)) {
+    const Place2 p = samples.crossing(i, 0);
+    const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
+    if (y <= 0 || std::abs(r - first.radius) > kBeside) continue;
+    const double at = (direction_degrees(x, y) - from) / width;
+    if (at < 0 || at >= kSlices) continue;
+    const Met met = samples.met(i, 0, site.epsilon);
+    if (met == Met::through) sectors[static_cast<std::size_t>(at)].below.push_back(r);
+    if (met == Met::solid) sectors[static_cast<std::size_t>(at)].above.push_back(r);
+  }
+  std::vector<PlanePoint> tops;
+  for (std::size_t s = 0; s < kSlices; ++s) {
+    const EdgeSplit split = split_edge(sectors[s].below, sectors[s].above);
+    if (!split.found || (samples.oblique() && split.half_gap > kMostGap)) continue;
+    const double r = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
+    const double angle = from + width * (static_cast<double>(s) + 0.5);
+    tops.push_back({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)});
   }
   return tops;
 }
@@ -107,6 +136,11 @@ std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRect
   CircleFit fit = fit_circle(tops);
   if (!fit.found || fit.rms > kRounder * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
     return std::nullopt;
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
+    const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);
+    if (next.found && std::abs(next.radius - fit.radius) < 0.2 * fit.radius) fit = next;
+  }
   const CircleFit first = fit;
   fit = refined(samples, opening, search, first);
   TopArc arc;

@@ -8,8 +8,8 @@
 namespace ilot {
 
 // The arc above an opening whose jambs are known, or nothing where its top is straight. First from where rays cease to
-// go through, slice by slice across the opening, then from the points on the soffit where there are enough. O(n log n)
-// in the points around.
+// go through, slice by slice across the opening and sector by sector along the arc, then from the points on the soffit
+// where there are enough. O(n log n) in the points around.
 std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRectangle& opening);
 
 }  // namespace ilot

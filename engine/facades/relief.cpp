@@ -71,12 +71,28 @@ std::vector<Piece> pieces_of(const RaySamples& samples, std::span<const std::uin
   return pieces;
 }
 
+// Whether rays go through between two pieces that lie in line: then they end there.
+bool parted(const RaySamples& samples, const Piece& a, const Piece& b) {
+  constexpr double kSeenThrough = 0.2;  // of the rays that cross there
+  const bool across = a.box.u1 < b.box.u0 || b.box.u1 < a.box.u0;
+  Box2 gap{std::min(a.box.u1, b.box.u1), std::max(a.box.u0, b.box.u0), std::min(a.box.v1, b.box.v1),
+           std::max(a.box.v0, b.box.v0)};
+  if (across) gap.v0 = std::max(a.box.v0, b.box.v0), gap.v1 = std::min(a.box.v1, b.box.v1);
+  if (!across) gap.u0 = std::max(a.box.u0, b.box.u0), gap.u1 = std::min(a.box.u1, b.box.u1);
+  if (gap.width() <= 0 || gap.height() <= 0) return false;
+  double through = 0;
+  for (const std::uint32_t i : samples.near(gap.grown(1.5 * a.w)))
+    through += samples.met(i, a.w, samples.site().epsilon) == Met::through && gap.holds(samples.crossing(i, a.w));
+  const Place2 steps = samples.step_at({(gap.u0 + gap.u1) / 2, (gap.v0 + gap.v1) / 2});
+  return through > kSeenThrough * gap.width() * gap.height() / (steps.u * steps.v);
+}
+
 void join_pieces(const RaySamples& samples, std::vector<Piece>& pieces) {
   for (bool more = true; more;) {
     more = false;
     for (std::size_t a = 0; a < pieces.size(); ++a)
       for (std::size_t b = a + 1; b < pieces.size();) {
-        if (!in_line(pieces[a], pieces[b])) {
+        if (!in_line(pieces[a], pieces[b]) || parted(samples, pieces[a], pieces[b])) {
           ++b;
           continue;
         }

@@ -14,7 +14,7 @@ struct ReliefParams {
 };
 
 // The planes parallel to the wall and before it, each as the rectangle that ends at its sides; pieces of one, on one
-// plane and in line, are joined. By id of the first piece. O(n log n).
+// plane and in line, are joined where nothing was seen between them. By id of the first piece. O(n log n).
 std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params = {});
 
 // The stones of a wall that joints part into pieces: of the wall's segments those that fill their rectangle, where
