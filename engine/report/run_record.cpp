@@ -51,6 +51,10 @@ Json counts_json(const RunRecord& record) {
     counts["roofs"] = {{"buildings", record.roofs->buildings}, {"lod22", record.roofs->lod22},
                        {"lod12", record.roofs->lod12},         {"footprint_only", record.roofs->footprint_only},
                        {"valid", record.roofs->valid},         {"invalid", record.roofs->invalid}};
+  if (record.facades)
+    counts["facades"] = {{"facades", record.facades->facades},
+                         {"elements", record.facades->elements},
+                         {"occluded_edges", record.facades->occluded_edges}};
   if (record.streets)
     counts["streets"] = {
         {"objects", record.streets->objects}, {"blocks", record.streets->blocks}, {"gaps", record.streets->gaps}};

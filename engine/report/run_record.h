@@ -52,6 +52,10 @@ struct StreetCounts {
   std::uint64_t objects = 0, blocks = 0, gaps = 0;
 };
 
+struct FacadeCounts {
+  std::uint64_t facades = 0, elements = 0, occluded_edges = 0;  // the last: edges of elements that were not seen
+};
+
 // What was found in a file of footprints.
 struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
@@ -83,6 +87,7 @@ struct RunRecord {
   std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, where they were looked for
   std::optional<RoofCounts> roofs;
   std::optional<StreetCounts> streets;
+  std::optional<FacadeCounts> facades;
   std::optional<FootprintsRecord> footprints;
   std::optional<ClustersRecord> clusters;
   std::vector<SkippedRecord> skipped;

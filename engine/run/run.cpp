@@ -15,6 +15,7 @@
 #include "engine/report/sha256.h"
 #include "engine/run/boundaries_product.h"
 #include "engine/run/cluster_plan.h"
+#include "engine/run/facades_product.h"
 #include "engine/run/footprint_plan.h"
 #include "engine/run/found_roles.h"
 #include "engine/run/labelled_clouds.h"
@@ -130,6 +131,7 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
 
 constexpr const char* kNoBuilding = "there is no building";
 constexpr const char* kNoObject = "nothing was found that stands on the ground";
+constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
 constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
 
 void skip_product(const std::string& product, const std::string& reason, Progress& progress, RunRecord& record) {
@@ -178,7 +180,8 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
 
   std::filesystem::create_directories(out.staging());
   LabelParams labels;
-  labels.with_planes = makes(options, "planes");
+  const bool facades = makes(options, "facades");  // are found among planes
+  labels.with_planes = makes(options, "planes") || facades;
   labels.with_roofs = makes(options, "roofs");
   if (labels.with_planes) {
     PlanesResult planes = make_planes(index.store, inputs.readers, options.settings, context, progress, record);
@@ -192,6 +195,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
       record.shapes = planes.curved.size();
     }
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
+    if (facades) {
+      make_facades(index.store, planes, options.settings, inputs, context, out.staging() / "facades", progress, record);
+      if (record.facades->facades == 0) skip_product("facades", kNoFacade, progress, record);
+    }
     labels.final_id = std::move(planes.final_id);
     labels.planes = std::move(planes.planes);
     labels.final_shape = std::move(planes.final_shape);
@@ -227,6 +234,7 @@ std::string summary(const RunRecord& record) {
   if (record.planes) made += grouped(*record.planes) + " planes, ";
   if (record.shapes) made += grouped(*record.shapes) + " curved shapes, ";
   if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
+  if (record.facades) made += grouped(record.facades->facades) + " facades, ";
   if (record.streets) made += grouped(record.streets->objects) + " objects, ";
   return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +

@@ -148,6 +148,16 @@ struct StreetsSettings {
   double rise = 0.1;            // metres; what stands so much above the pass to a higher thing is a thing of its own
 };
 
+struct FacadesSettings {
+  double least_width = 2, least_height = 2;  // metres; of a facade
+  double bias = 0.03;                        // metres; walls whose planes differ by less are one facade
+  double gap = 3;                            // metres between two parts of one facade
+  double relief = 1.5;                       // metres; what stands so far before a facade belongs to it
+  double least_opening = 0.3;                // metres; width and height of a window
+  double alike = 0.04;                       // metres; what differs by less may have been meant equal
+  bool regularise = true;                    // rows, columns and families line up within their errors
+};
+
 struct ClassesSettings {
   std::vector<int> ground{2};
   std::vector<int> building{6};
@@ -162,6 +172,7 @@ struct Settings {
   BoundariesSettings boundaries;
   RoofsSettings roofs;
   StreetsSettings streets;
+  FacadesSettings facades;
   ClassesSettings classes;
 };
 

@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kProducts[] = {"planes", "roofs", "streets"};
+constexpr const char* kProducts[] = {"planes", "roofs", "facades", "streets"};
 constexpr std::uint64_t kLeastMemory = 96u << 20;
 
 // The options as they were given.
@@ -44,7 +44,7 @@ std::vector<std::string> products_of(const RunArguments& given) {
   std::vector<std::string> products = given.products;
   for (const std::string& product : products) {
     if (std::find(std::begin(kProducts), std::end(kProducts), product) == std::end(kProducts)) {
-      throw Error("--products " + product + ": there is no such product; there is: planes, roofs, streets",
+      throw Error("--products " + product + ": there is no such product; there is: planes, roofs, facades, streets",
                   ExitCode::usage);
     }
   }
@@ -93,7 +93,7 @@ int run_command(const RunArguments& given) {
 void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("INPUT", given.inputs, "point clouds: files, folders, patterns")->option_text("...");
   command.add_option("-o,--output", given.output, "folder for the results, must not exist [none]")->option_text("OUT");
-  command.add_option("--products", given.products, "what to make, comma separated: planes, roofs, streets [planes]")
+  command.add_option("--products", given.products, "what to make, comma separated: planes, roofs, facades, streets [planes]")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->option_text("LIST");

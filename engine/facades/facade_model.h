@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// From a facade's points to its plan.
+#pragma once
+#include "engine/facades/facade_site.h"
+#include "engine/facades/openings.h"
+#include "engine/facades/regular_facade.h"
+#include "engine/facades/relief.h"
+#include "engine/model/facade.h"
+
+namespace ilot {
+
+struct FacadeParams {
+  OpeningParams openings;
+  ReliefParams relief;
+  RegularParams regular;
+  bool regularise = true;
+};
+
+struct FoundFacade {
+  Facade facade;                     // ids of its elements from 1, bottom up and left to right; facade.id is left at 0
+  std::uint64_t occluded_edges = 0;  // that are not drawn as seen
+};
+
+// Openings and what stands out, named, brought into rows and families, completed where shadows hid them, and the wall's
+// own outline first. The site's points in any order give the same. O(n log n).
+FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params = {});
+
+}  // namespace ilot

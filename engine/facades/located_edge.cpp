@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/located_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/outlines/edge_split.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // of a side, metres: left out at its ends
+constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a shadow
+constexpr double kNothingKnown = 3;                        // metres: how far a hidden side may be
+constexpr double kBesideGap = 0.02;                        // metres beside the gap that points of the face may lie
+constexpr std::size_t kLeastFacePoints = 12;
+constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
+constexpr double kLeastSpread = 0.35;  // share of the face's depth, and of the side's length, that points cover
+constexpr double kSteepest = 0.1;      // of a side face against the wall's normal
+
+bool along_u(Side side) {
+  return side == Side::left || side == Side::right;
+}
+double outwards(Side side) {
+  return side == Side::right || side == Side::top ? 1 : -1;
+}
+
+struct FacePoint {
+  double t, w, s;  // across the side, out of the wall, along the side
+};
+
+// What is around one side, t growing outwards.
+struct SideSamples {
+  std::vector<double> inside, outside;
+  std::vector<FacePoint> face;
+  std::size_t hidden = 0;  // rays that end before the plane, beyond the side
+};
+
+struct SideSpan {
+  double t, s0, s1;
+};
+
+SideSpan span_of(const Box2& box, Side side) {
+  const double t = side == Side::left ? box.u0 : side == Side::right ? box.u1 : side == Side::top ? box.v1 : box.v0;
+  double s0 = along_u(side) ? box.v0 : box.u0, s1 = along_u(side) ? box.v1 : box.u1;
+  const double corner = std::min(kCornerMost, kCornerShare * (s1 - s0));
+  return {t * outwards(side), s0 + corner, s1 - corner};
+}
+
+SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
+  const bool u = along_u(side);
+  const double sign = outwards(side);
+  SideSamples out;
+  // Rays that cross the plane here cross the wall elsewhere: they lean by less than 45 degrees or so.
+  for (const std::uint32_t i : rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)))) {
+    const FacadePoint& p = rays.site().points[i];
+    const Place2 at = rays.crossing(i, q.depth);
+    const double t = sign * (u ? at.u : at.v), s = u ? at.v : at.u;
+    const double w = p.w;
+    if (w > q.face_from && w < q.face_to) {
+      const double pt = sign * static_cast<double>(u ? p.u : p.v), ps = u ? p.v : p.u;
+      if (std::abs(pt - span.t) <= reach && ps >= span.s0 && ps <= span.s1) out.face.push_back({pt, w, ps});
+    }
+    if (std::abs(t - span.t) > reach || s < span.s0 || s > span.s1) continue;
+    Met met = rays.met(i, q.depth, q.epsilon);
+    if (!q.hole && met == Met::solid && p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane))
+      met = Met::unclear;
+    if (met == Met::solid) (q.hole ? out.outside : out.inside).push_back(t);
+    out.hidden += met == Met::before && t > span.t;
+    if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);
+  }
+  return out;
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
+  std::vector<double> values;
+  for (std::size_t i = first; i < last; ++i) values.push_back(points[i].*field);
+  const double high = quantile(values, 0.95);
+  return high - quantile(values, 0.05);
+}
+
+struct FaceLine {
+  double at = 0, rms = 0;
+  std::size_t points = 0;
+};
+
+// t = at + slope (w - depth) by least squares.
+FaceLine fit_face(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double depth) {
+  double n = 0, sw = 0, st = 0, sww = 0, swt = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double w = points[i].w - depth;
+    n += 1, sw += w, st += points[i].t, sww += w * w, swt += w * points[i].t;
+  }
+  const double slope = std::clamp((n * swt - sw * st) / (n * sww - sw * sw), -kSteepest, kSteepest);
+  const double at = (st - slope * sw) / n;
+  double squares = 0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double off = points[i].t - at - slope * (points[i].w - depth);
+    squares += off * off;
+  }
+  return {at, std::sqrt(squares / n), last - first};
+}
+
+// The side face: the narrowest crowd of points within [low, high] that goes deep and along.
+FaceLine find_face(std::vector<FacePoint> points, double low, double high, const SideSearch& q, const SideSpan& span,
+                   double width) {
+  std::erase_if(points, [&](const FacePoint& p) { return p.t < low || p.t > high; });
+  std::sort(points.begin(), points.end(), [](const FacePoint& a, const FacePoint& b) { return a.t < b.t; });
+  std::size_t best = 0, best_end = 0, end = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    while (end < points.size() && points[end].t - points[i].t <= width) ++end;
+    if (end - i > best_end - best) best = i, best_end = end;
+  }
+  if (best_end - best < kLeastFacePoints) return {};
+  if (spread(points, best, best_end, &FacePoint::w) < kLeastSpread * (q.face_to - q.face_from)) return {};
+  if (spread(points, best, best_end, &FacePoint::s) < kLeastSpread * (span.s1 - span.s0)) return {};
+  return fit_face(points, best, best_end, q.depth);
+}
+
+}  // namespace
+
+LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side side) {
+  constexpr double kWider = 2.4;
+  const SideSpan span = span_of(q.box, side);
+  const double sign = outwards(side);
+  SideSamples around = samples_of(samples, q, side, span, q.reach);
+  const std::vector<double>& far_side = q.hole ? around.outside : around.inside;
+  double reach = q.reach;
+  if (far_side.empty()) around = samples_of(samples, q, side, span, reach *= kWider);
+  const Place2 middle =
+      along_u(side) ? Place2{sign * span.t, (span.s0 + span.s1) / 2} : Place2{(span.s0 + span.s1) / 2, sign * span.t};
+  const Place2 steps = samples.step_at(middle);
+  const double step = along_u(side) ? steps.u : steps.v;
+  LocatedEdge edge;
+  const EdgeSplit split = split_edge(around.inside, around.outside);
+  if (!split.found && !q.hole && !around.inside.empty()) {  // the end of all that was measured
+    const double last = *std::max_element(around.inside.begin(), around.inside.end());
+    edge.at = edge.inner = sign * (last + step / 2);
+    edge.error = step;
+    edge.points = around.inside.size();
+    edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
+    return edge;
+  }
+  if (!split.found) {
+    edge.at = edge.inner = sign * span.t;
+    edge.error = kNothingKnown;
+    edge.status = DrawnStatus::occluded;
+    return edge;
+  }
+  const double noise = samples.site().noise;
+  const bool shadow = 2 * split.half_gap > kStepsOfShadow * step;
+  double t = split.at;
+  edge.error = split.half_gap + noise / 2;
+  edge.points = around.inside.size() + around.outside.size() - split.wrong;
+  if (!samples.oblique()) {  // what is behind is hidden beside the edge: half a step from the solid side
+    t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
+    edge.error = step / 2 + noise / 2;
+  } else if (shadow) {
+    edge.status = DrawnStatus::occluded;
+  }
+  edge.inner = sign * (split.at - split.half_gap);
+  const FaceLine face = find_face(std::move(around.face), split.at - split.half_gap - kBesideGap,
+                                  split.at + split.half_gap + kBesideGap, q, span, kFaceWidths * noise);
+  if (face.points > 0) {
+    t = face.at;
+    edge.error = noise / 2 + 2 * face.rms / std::sqrt(static_cast<double>(face.points));
+    edge.rms = face.rms;
+    edge.points = face.points;
+    edge.status = DrawnStatus::seen;
+    edge.by_face = true;
+  }
+  edge.at = sign * t;
+  return edge;
+}
+
+}  // namespace ilot

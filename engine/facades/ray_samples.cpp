@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/ray_samples.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+constexpr double kBin = 0.25;           // metres
+constexpr double kAround = 1;           // metres around the wall that bins cover
+constexpr double kLeastThrough = 0.01;  // metres behind a plane that a ray has surely gone through it
+constexpr double kLowRelief = 0.15;     // metres before the wall, where surrounds of openings end
+constexpr double kEpsilons = 2;         // and epsilons
+
+Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
+  const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));
+  return {eye.x + (static_cast<double>(p.u) - eye.x) * along, eye.y + (static_cast<double>(p.v) - eye.y) * along};
+}
+
+// Cells that points of the wall, or of what stands out a little, cover on all sides: a ray does not pass there.
+class SolidCells {
+ public:
+  explicit SolidCells(const FacadeSite& site) : cell_(2 * site.step) {
+    columns_ = static_cast<std::int64_t>(site.width / cell_) + 1;
+    rows_ = static_cast<std::int64_t>(site.height / cell_) + 1;
+    seen_.assign(static_cast<std::size_t>(columns_ * rows_), 0);
+    for (const FacadePoint& p : site.points)
+      if (p.w >= -site.epsilon && p.w <= kLowRelief && inside({p.u, p.v})) seen_[at({p.u, p.v})] = 1;
+  }
+  bool covers(Place2 p) const {
+    for (int dv = -1; dv <= 1; ++dv)
+      for (int du = -1; du <= 1; ++du) {
+        const Place2 q{p.u + du * cell_, p.v + dv * cell_};
+        if (!inside(q) || seen_[at(q)] == 0) return false;
+      }
+    return true;
+  }
+
+ private:
+  bool inside(Place2 p) const {
+    return p.u >= 0 && p.v >= 0 && p.u < static_cast<double>(columns_) * cell_ &&
+           p.v < static_cast<double>(rows_) * cell_;
+  }
+  std::size_t at(Place2 p) const {
+    return static_cast<std::size_t>(static_cast<std::int64_t>(p.v / cell_) * columns_ +
+                                    static_cast<std::int64_t>(p.u / cell_));
+  }
+  double cell_;
+  std::int64_t columns_, rows_;
+  std::vector<std::uint8_t> seen_;
+};
+
+}  // namespace
+
+RaySamples::RaySamples(const FacadeSite& site) : site_(site) {
+  choose_stations();
+  sort_into_bins();
+}
+
+void RaySamples::choose_stations() {
+  station_.assign(site_.points.size(), 0);
+  if (site_.stations.size() < 2) return;
+  const SolidCells solid(site_);
+  const std::size_t stations = std::min<std::size_t>(site_.stations.size(), 256);
+  for (std::size_t i = 0; i < site_.points.size(); ++i) {
+    const FacadePoint& p = site_.points[i];
+    const Vec3 place{p.u, p.v, p.w};
+    double nearest = INFINITY;
+    for (std::size_t s = 0; s < stations; ++s) {
+      const Vec3& eye = site_.stations[s].position;
+      const double far = norm(eye - place);
+      if (!(far < nearest) || eye.z <= place.z) continue;
+      if (place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
+      nearest = far;
+      station_[i] = static_cast<std::uint8_t>(s);
+    }
+  }
+}
+
+Place2 RaySamples::crossing(std::uint32_t point, double depth) const {
+  const FacadePoint& p = site_.points[point];
+  if (site_.stations.empty()) return {p.u, p.v};
+  const Vec3& eye = site_.stations[station_[point]].position;
+  return static_cast<double>(p.w) < eye.z ? crossing_from(eye, p, depth) : Place2{p.u, p.v};
+}
+
+Met RaySamples::met(std::uint32_t point, double depth, double epsilon) const {
+  const double off = static_cast<double>(site_.points[point].w) - depth;
+  if (std::abs(off) <= epsilon) return Met::solid;
+  if (off < -std::max(kLeastThrough, kEpsilons * epsilon)) return Met::through;
+  return off > epsilon ? Met::before : Met::unclear;
+}
+
+std::size_t RaySamples::bin_of(Place2 place) const {
+  const auto clamp = [](double v, std::int64_t count) {
+    return static_cast<std::int64_t>(std::clamp(std::floor(v / kBin), 0.0, static_cast<double>(count - 1)));
+  };
+  return static_cast<std::size_t>(clamp(place.v - v0_, rows_) * columns_ + clamp(place.u - u0_, columns_));
+}
+
+void RaySamples::sort_into_bins() {
+  u0_ = v0_ = -kAround;
+  columns_ = static_cast<std::int64_t>((site_.width + 2 * kAround) / kBin) + 1;
+  rows_ = static_cast<std::int64_t>((site_.height + 2 * kAround) / kBin) + 1;
+  first_.assign(static_cast<std::size_t>(columns_ * rows_) + 1, 0);
+  const auto count = static_cast<std::uint32_t>(site_.points.size());
+  for (std::uint32_t i = 0; i < count; ++i) ++first_[bin_of(crossing(i, 0)) + 1];
+  for (std::size_t b = 1; b < first_.size(); ++b) first_[b] += first_[b - 1];
+  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
+  order_.resize(count);
+  for (std::uint32_t i = 0; i < count; ++i) order_[next[bin_of(crossing(i, 0))]++] = i;
+}
+
+std::vector<std::uint32_t> RaySamples::near(const Box2& box) const {
+  const std::size_t low = bin_of({box.u0, box.v0}), high = bin_of({box.u1, box.v1});
+  const std::size_t columns = static_cast<std::size_t>(columns_);
+  std::vector<std::uint32_t> points;
+  for (std::size_t row = low / columns; row <= high / columns; ++row)
+    for (std::size_t column = low % columns; column <= high % columns; ++column) {
+      const std::size_t bin = row * columns + column;
+      points.insert(points.end(), order_.begin() + first_[bin], order_.begin() + first_[bin + 1]);
+    }
+  return points;
+}
+
+Place2 RaySamples::step_at(Place2 place) const {
+  Place2 finest{INFINITY, INFINITY};
+  for (const FacadeStation& s : site_.stations) {
+    if (!(s.azimuth_step > 0) || !(s.elevation_step > 0)) continue;
+    const double across = s.position.z, along = place.u - s.position.x, up = place.v - s.position.y;
+    const double level2 = across * across + along * along, level = std::sqrt(level2);
+    finest.u = std::min(finest.u, s.azimuth_step * level2 / across);
+    finest.v = std::min(finest.v, s.elevation_step * (level2 + up * up) / level);
+  }
+  return finest.u < INFINITY ? finest : Place2{site_.step, site_.step};
+}
+
+}  // namespace ilot

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each measured ray tells of the wall: where it met it, went through it, or was stopped before it.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/facades/facade_site.h"
+
+namespace ilot {
+
+struct Place2 {
+  double u = 0, v = 0;
+};
+
+// Closed, metres in the wall's axes.
+struct Box2 {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
+  double width() const { return u1 - u0; }
+  double height() const { return v1 - v0; }
+  bool holds(Place2 p) const { return p.u >= u0 && p.u <= u1 && p.v >= v0 && p.v <= v1; }
+  Box2 grown(double by) const { return {u0 - by, u1 + by, v0 - by, v1 + by}; }
+};
+
+enum class Met : std::uint8_t {
+  solid,    // ends on the plane
+  through,  // ends behind it: there is a hole
+  before,   // ends in front of it: what is there is not known
+  unclear,  // too near to the plane to tell, or hanging at its edge
+};
+
+// The rays of a facade's points, sorted by place. A point's ray comes from the one station there is; of several from
+// the nearest whose ray does not go through the wall where it is seen to be solid. Without stations rays are taken to
+// be square to the wall: an opening then is seen only as far as what lies behind it. 24 bytes a point.
+class RaySamples {
+ public:
+  explicit RaySamples(const FacadeSite& site);
+
+  const FacadeSite& site() const { return site_; }
+  bool oblique() const { return !site_.stations.empty(); }
+
+  // Where the point's ray crosses the plane w = depth.
+  Place2 crossing(std::uint32_t point, double depth) const;
+  Met met(std::uint32_t point, double depth, double epsilon) const;
+
+  // Points whose rays cross the wall in the box, and more around it: in a fixed order.
+  std::vector<std::uint32_t> near(const Box2& box) const;
+
+  // Metres between neighbouring rays along u and along v at a place of the wall: of the station with the finest, else
+  // as the wall's points lie in the mean.
+  Place2 step_at(Place2 place) const;
+
+ private:
+  std::size_t bin_of(Place2 place) const;
+  void choose_stations();
+  void sort_into_bins();
+
+  const FacadeSite& site_;
+  std::vector<std::uint8_t> station_;  // per point
+  std::int64_t columns_ = 0, rows_ = 0;
+  double u0_ = 0, v0_ = 0;
+  std::vector<std::uint32_t> first_, order_;
+};
+
+}  // namespace ilot

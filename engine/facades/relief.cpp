@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/relief.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <span>
+
+namespace ilot {
+namespace {
+
+constexpr double kTail = 0.005;      // share of points beyond a piece's box on each side
+constexpr double kSamePlane = 0.01;  // metres between two pieces of one thing, across
+constexpr double kSameLine = 0.05;   // metres between their sides
+constexpr double kAcrossShadow = 1;  // metres between them along
+constexpr double kLeastFace = 0.01;  // metres before the wall and behind the front that side faces are looked for
+
+struct Piece {
+  std::vector<std::uint32_t> ids;
+  double w = 0, rms = 0;
+  Box2 box;
+  std::vector<std::uint32_t> points;
+};
+
+double quantile(std::vector<double> values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void measure(const RaySamples& samples, Piece& piece) {
+  double sum = 0, squares = 0;
+  const auto count = static_cast<double>(piece.points.size());
+  for (const std::uint32_t i : piece.points) sum += static_cast<double>(samples.site().points[i].w);
+  piece.w = sum / count;
+  std::vector<double> u, v;
+  for (const std::uint32_t i : piece.points) {
+    const double off = static_cast<double>(samples.site().points[i].w) - piece.w;
+    squares += off * off;
+    const Place2 at = samples.crossing(i, piece.w);
+    u.push_back(at.u);
+    v.push_back(at.v);
+  }
+  piece.rms = std::sqrt(squares / count);
+  piece.box = {quantile(u, kTail), quantile(u, 1 - kTail), quantile(v, kTail), quantile(v, 1 - kTail)};
+}
+
+bool in_line(const Piece& a, const Piece& b) {
+  if (std::abs(a.w - b.w) > kSamePlane) return false;
+  const double du = std::max(a.box.u0, b.box.u0) - std::min(a.box.u1, b.box.u1);
+  const double dv = std::max(a.box.v0, b.box.v0) - std::min(a.box.v1, b.box.v1);
+  const bool level = std::abs(a.box.v0 - b.box.v0) < kSameLine && std::abs(a.box.v1 - b.box.v1) < kSameLine;
+  const bool upright = std::abs(a.box.u0 - b.box.u0) < kSameLine && std::abs(a.box.u1 - b.box.u1) < kSameLine;
+  return (level && du < kAcrossShadow) || (upright && dv < kAcrossShadow);
+}
+
+std::vector<Piece> pieces_of(const RaySamples& samples, std::span<const std::uint32_t> ids) {
+  std::map<std::uint32_t, Piece> by_id;
+  for (const std::uint32_t id : ids) by_id[id].ids = {id};
+  for (std::uint32_t i = 0; i < samples.site().points.size(); ++i) {
+    const auto piece = by_id.find(samples.site().points[i].plane);
+    if (piece != by_id.end()) piece->second.points.push_back(i);
+  }
+  std::vector<Piece> pieces;
+  for (auto& [id, piece] : by_id) {
+    if (piece.points.size() < 3) continue;
+    measure(samples, piece);
+    pieces.push_back(std::move(piece));
+  }
+  return pieces;
+}
+
+// Whether rays go through between two pieces that lie in line: then they end there.
+bool parted(const RaySamples& samples, const Piece& a, const Piece& b) {
+  constexpr double kSeenThrough = 0.2;  // of the rays that cross there
+  const bool across = a.box.u1 < b.box.u0 || b.box.u1 < a.box.u0;
+  Box2 gap{std::min(a.box.u1, b.box.u1), std::max(a.box.u0, b.box.u0), std::min(a.box.v1, b.box.v1),
+           std::max(a.box.v0, b.box.v0)};
+  if (across) gap.v0 = std::max(a.box.v0, b.box.v0), gap.v1 = std::min(a.box.v1, b.box.v1);
+  if (!across) gap.u0 = std::max(a.box.u0, b.box.u0), gap.u1 = std::min(a.box.u1, b.box.u1);
+  if (gap.width() <= 0 || gap.height() <= 0) return false;
+  double through = 0;
+  for (const std::uint32_t i : samples.near(gap.grown(1.5 * a.w)))
+    through += samples.met(i, a.w, samples.site().epsilon) == Met::through && gap.holds(samples.crossing(i, a.w));
+  const Place2 steps = samples.step_at({(gap.u0 + gap.u1) / 2, (gap.v0 + gap.v1) / 2});
+  return through > kSeenThrough * gap.width() * gap.height() / (steps.u * steps.v);
+}
+
+void join_pieces(const RaySamples& samples, std::vector<Piece>& pieces) {
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t a = 0; a < pieces.size(); ++a)
+      for (std::size_t b = a + 1; b < pieces.size();) {
+        if (!in_line(pieces[a], pieces[b]) || parted(samples, pieces[a], pieces[b])) {
+          ++b;
+          continue;
+        }
+        pieces[a].points.insert(pieces[a].points.end(), pieces[b].points.begin(), pieces[b].points.end());
+        pieces[a].ids.insert(pieces[a].ids.end(), pieces[b].ids.begin(), pieces[b].ids.end());
+        pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(b));
+        measure(samples, pieces[a]);
+        more = true;
+      }
+  }
+}
+
+// Share of the cells of its box, two steps wide, that hold a point of it.
+double fill_of(const RaySamples& samples, const Piece& piece) {
+  const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
+  const double cu = std::max(0.02, 2 * steps.u), cv = std::max(0.02, 2 * steps.v);
+  const auto columns = static_cast<std::int64_t>(std::ceil(piece.box.width() / cu));
+  const auto rows = static_cast<std::int64_t>(std::ceil(piece.box.height() / cv));
+  std::set<std::int64_t> held;
+  for (const std::uint32_t i : piece.points) {
+    const Place2 p = samples.crossing(i, piece.w);
+    if (!piece.box.holds(p)) continue;
+    const auto c = std::min(columns - 1, static_cast<std::int64_t>((p.u - piece.box.u0) / cu));
+    const auto r = std::min(rows - 1, static_cast<std::int64_t>((p.v - piece.box.v0) / cv));
+    held.insert(r * columns + c);
+  }
+  return static_cast<double>(held.size()) / static_cast<double>(std::max<std::int64_t>(1, columns * rows));
+}
+
+FoundRectangle rectangle_of(const RaySamples& samples, const Piece& piece, double face_from, double face_to) {
+  FoundRectangle thing;
+  thing.depth = piece.w;
+  thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points.size()));
+  thing.points = piece.points.size();
+  thing.plane = piece.ids[0];
+  const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
+  const double reach = std::min(0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2));
+  const SideSearch search{piece.box, piece.w, epsilon, false, face_from, face_to, reach, piece.ids};
+  for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
+  return thing;
+}
+
+bool is_large(const Box2& box, double least) {
+  return box.width() >= least && box.height() >= least;
+}
+
+}  // namespace
+
+std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params) {
+  std::vector<std::uint32_t> ids;
+  for (const ParallelPlane& p : samples.site().parallel) ids.push_back(p.id);
+  std::vector<Piece> pieces = pieces_of(samples, ids);
+  const double nearest = std::max(params.least_depth, 2 * samples.site().epsilon);
+  std::erase_if(pieces, [&](const Piece& piece) { return piece.w < nearest; });
+  join_pieces(samples, pieces);
+  std::vector<FoundRectangle> found;
+  for (Piece& piece : pieces) {
+    std::sort(piece.ids.begin(), piece.ids.end());
+    if (!is_large(piece.box, params.least_size)) continue;
+    const double fill = fill_of(samples, piece);
+    if (fill < params.least_fill) continue;
+    FoundRectangle thing = rectangle_of(samples, piece, kLeastFace, piece.w - kLeastFace);
+    thing.fill = fill;
+    if (is_large(thing.box(), params.least_size)) found.push_back(thing);
+  }
+  return found;
+}
+
+std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
+  constexpr std::size_t kFewest = 4;
+  constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
+  constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
+  std::vector<FoundRectangle> found;
+  for (const Piece& piece : pieces_of(samples, samples.site().wall)) {
+    if (!is_large(piece.box, kLeastSize)) continue;
+    const double fill = fill_of(samples, piece);
+    if (fill < kLeastFill) continue;
+    found.push_back(rectangle_of(samples, piece, kJointFrom, kJointTo));
+    found.back().fill = fill;
+  }
+  if (found.size() < kFewest) found.clear();
+  return found;
+}
+
+}  // namespace ilot

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which planes are facades: large upright ones, joined along the street.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/facades/facade_site.h"
+#include "engine/model/segment.h"
+
+namespace ilot {
+
+struct WallParams {
+  double least_width = 2, least_height = 2;      // metres; smaller walls are parts of something else
+  double least_area = 4;                         // m2 of points
+  double lean_deg = 5;                           // farthest from upright
+  double bias = 0.03;                            // metres; walls on one plane within this are one
+  double gap = 3;                                // metres between two parts of a wall
+  double relief_front = 1.5, relief_behind = 1;  // metres; what lies so far from a wall along it is a part of it
+  double metres_per_unit = 1;
+};
+
+struct WallGroup {
+  FacadeAxes axes;
+  double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
+  std::uint64_t points = 0;
+  std::vector<std::uint32_t> segments;  // ids
+  std::vector<ParallelPlane> parallel;  // ids of what stands before and behind it
+};
+
+// Walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in the wall;
+// the street side is where most stations stand (each by one over its squared distance), else the side away from
+// `middle`, the middle of all points. Segments without an area (no outline) are left out. O(segments^2) at worst.
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
+                                  const WallParams& params);
+
+}  // namespace ilot

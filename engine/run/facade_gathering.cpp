@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/facade_gathering.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/store/view.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
+
+// Around the wall's slab, in lattice units.
+IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
+  const double units = 1 / work.metres_per_unit;
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const double u : {-work.beside, wall.width + work.beside})
+    for (const double v : {-work.beside, wall.height + work.beside})
+      for (const double w : {-work.behind, work.before}) {
+        const Vec3 p =
+            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
+  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+}
+
+// Lattice points in the axes of a wall: whole numbers are subtracted first, so that national grids cost no digits.
+class IntoAxes {
+ public:
+  IntoAxes(const FacadeAxes& axes, double unit, double metres_per_unit)
+      : axes_(axes),
+        anchor_{std::llround(axes.origin.x / unit), std::llround(axes.origin.y / unit),
+                std::llround(axes.origin.z / unit)},
+        metres_(unit * metres_per_unit) {
+    const auto rest = [&](std::int64_t whole, double at) { return static_cast<double>(whole) - at / unit; };
+    rest_ = {rest(anchor_.x, axes.origin.x), rest(anchor_.y, axes.origin.y), rest(anchor_.z, axes.origin.z)};
+  }
+  Vec3 of(Index3 p) const {
+    const Vec3 d{static_cast<double>(p.x - anchor_.x) + rest_.x, static_cast<double>(p.y - anchor_.y) + rest_.y,
+                 static_cast<double>(p.z - anchor_.z) + rest_.z};
+    return {dot(d, axes_.right) * metres_, dot(d, axes_.up) * metres_, dot(d, axes_.out) * metres_};
+  }
+
+ private:
+  const FacadeAxes& axes_;
+  Index3 anchor_;
+  double metres_;
+  Vec3 rest_;
+};
+
+void read_points(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  constexpr std::uint32_t kBatch = 1 << 14;
+  const IndexBox box = box_around(work, wall);
+  const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
+  std::vector<std::uint64_t> codes;
+  std::vector<std::uint32_t> planes;
+  for (const Slice& s : plan_view(work.store, box, {}).slices) {
+    const ColumnReader code_reader(work.store.path(s.block, "codes")), plane_reader(work.store.path(s.block, "plane"));
+    const Tile tile = work.store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
+      codes.resize(std::min(kBatch, s.count - done));
+      planes.resize(codes.size());
+      code_reader.read<std::uint64_t>(s.first + done, codes);
+      plane_reader.read<std::uint32_t>(s.first + done, planes);
+      for (std::size_t i = 0; i < codes.size(); ++i) {
+        const Vec3 p = into.of(index_of({tile, codes[i]}));
+        if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
+            p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
+          continue;
+        site.points.push_back(
+            {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
+      }
+    }
+  }
+}
+
+void add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  for (std::size_t i = 0; i < work.stations.size(); ++i) {
+    const Vec3 d = work.metres_per_unit * (work.stations[i] - wall.axes.origin);
+    FacadeStation station = work.steps[i];
+    station.position = {dot(d, wall.axes.right), dot(d, wall.axes.up), dot(d, wall.axes.out)};
+    if (station.position.z > work.before) site.stations.push_back(station);
+  }
+}
+
+}  // namespace
+
+std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall) {
+  return plan_view(work.store, box_around(work, wall), {}).size;
+}
+
+FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
+  FacadeSite site;
+  site.axes = wall.axes;
+  site.metres_per_unit = work.metres_per_unit;
+  site.width = wall.width;
+  site.height = wall.height;
+  site.noise = wall.rms;
+  site.epsilon = std::max(wall.epsilon, kEpsilons * wall.rms);
+  site.step = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  site.wall = wall.segments;
+  site.parallel = wall.parallel;
+  std::sort(site.parallel.begin(), site.parallel.end(),
+            [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
+  add_stations(work, wall, site);
+  read_points(work, wall, site);
+  return site;
+}
+
+}  // namespace ilot

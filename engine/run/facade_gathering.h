@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// A facade's points out of the store, wherever they lie.
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "engine/facades/facade_site.h"
+#include "engine/facades/wall_groups.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// What all facades of a run share. The store has the column "plane".
+struct FacadeWork {
+  const Store& store;
+  std::span<const std::uint32_t> final_id;        // per joined plane + 1
+  std::span<const Vec3> stations;                 // CRS units
+  std::span<const FacadeStation> steps;           // of these, their positions left out
+  double beside = 0.5, before = 2.5, behind = 4;  // metres around the wall that points are taken from
+  double metres_per_unit = 1;
+};
+
+// Points that gathering the wall will read: what its memory goes by.
+std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
+
+// In global order, so that nothing depends on blocks.
+FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall);
+
+}  // namespace ilot

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/facades_product.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/deliverables/facade_json.h"
+#include "engine/facades/facade_model.h"
+#include "engine/facades/wall_groups.h"
+#include "engine/pass/pass.h"
+#include "engine/run/facade_gathering.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBytesPerPoint = 64;
+constexpr const char* kNoStations =
+    "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
+
+WallParams wall_params(const FacadesSettings& s, double metres_per_unit) {
+  WallParams p;
+  p.least_width = s.least_width;
+  p.least_height = s.least_height;
+  p.least_area = s.least_width * s.least_height;
+  p.bias = s.bias;
+  p.gap = s.gap;
+  p.relief_front = s.relief;
+  p.metres_per_unit = metres_per_unit;
+  return p;
+}
+
+FacadeParams facade_params(const FacadesSettings& s) {
+  FacadeParams p;
+  p.openings.least_size = s.least_opening;
+  p.regular.alike = s.alike;
+  p.regularise = s.regularise;
+  return p;
+}
+
+Vec3 middle_of(const std::vector<Segment>& segments) {
+  double points = 0;
+  Vec3 sum;
+  for (const Segment& s : segments) {
+    sum = sum + static_cast<double>(s.points) * (s.centroid - segments[0].centroid);
+    points += static_cast<double>(s.points);
+  }
+  return segments.empty() ? Vec3{} : segments[0].centroid + (1 / points) * sum;
+}
+
+bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
+  if (!context.wanted) return true;
+  const double half = 0.5 / context.metres_per_unit;
+  const Vec3 middle = wall.axes.origin + (half * wall.width) * wall.axes.right + (half * wall.height) * wall.axes.up;
+  return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
+}
+
+}  // namespace
+
+void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record) {
+  std::vector<Vec3> stations;
+  std::vector<FacadeStation> steps;
+  for (const Station& s : inputs.stations) {
+    stations.push_back(s.position);
+    steps.push_back({{}, s.azimuth_step, s.elevation_step});
+  }
+  if (stations.empty()) record.warnings.push_back(kNoStations);
+  std::vector<WallGroup> walls = find_walls(planes.segments, stations, middle_of(planes.segments),
+                                            wall_params(settings.facades, context.metres_per_unit));
+  std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
+
+  FacadeWork work{store, planes.final_id, stations, steps};
+  work.metres_per_unit = context.metres_per_unit;
+  std::vector<PassTask> tasks;
+  std::uint64_t points = 0;
+  for (const WallGroup& wall : walls) {
+    const std::uint64_t count = points_to_read(work, wall);
+    tasks.push_back({count * kBytesPerPoint, count});
+    points += count;
+  }
+  progress.begin_stage("facades", points);
+  std::filesystem::create_directories(folder);
+  std::vector<FoundFacade> found(walls.size());
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    FacadeSite site = gather_facade(work, walls[i]);
+    if (inputs.crs.epsg > 0) site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
+    found[i] = find_facade(site, facade_params(settings.facades));
+    context.advance(tasks[i].points);
+  });
+  FacadeCounts counts;
+  for (FoundFacade& f : found) {
+    f.facade.id = static_cast<std::uint32_t>(++counts.facades);
+    counts.elements += f.facade.elements.size();
+    counts.occluded_edges += f.occluded_edges;
+    write_facade_json(folder / fmt::format("facade-{:03}.json", f.facade.id), f.facade);
+  }
+  record.facades = counts;
+  progress.end_stage();
+}
+
+}  // namespace ilot

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+
+#include "engine/pass/context.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/run/open_inputs.h"
+#include "engine/run/planes_product.h"
+#include "engine/settings/settings.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// Facades among the planes, each drawn from its own points, to folder/facade-NNN.json. The planes have their areas
+// (make_boundaries). Facades whose middle is not wanted are left out.
+void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record);
+
+}  // namespace ilot

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/wall_groups.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+// An upright rectangle from `from` along a heading, `off` in front of it.
+Segment upright(std::uint32_t id, double heading, double from, double to, double low, double high, double off) {
+  const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
+  const auto at = [&](double along, double z) { return Vec3{along * c + off * s, along * s - off * c, z}; };
+  const Vec3 a = at(from, low), b = at(to, high);
+  Segment seg;
+  seg.id = id;
+  seg.plane.n = {s, -c, 0};
+  seg.plane.d = -dot(seg.plane.n, a);
+  seg.min = {std::min(a.x, b.x), std::min(a.y, b.y), low};
+  seg.max = {std::max(a.x, b.x), std::max(a.y, b.y), high};
+  seg.centroid = 0.5 * (a + b);
+  seg.area_m2 = (to - from) * (high - low);
+  seg.points = static_cast<std::uint64_t>(seg.area_m2 * 1000);
+  seg.epsilon_m = 0.007;
+  seg.rms_m = 0.002;
+  return seg;
+}
+
+Segment level(std::uint32_t id) {
+  Segment seg = upright(id, 0, 0, 20, 0, 5, 0);
+  seg.plane = {{0, 0, 1}, 0};
+  return seg;
+}
+
+TEST(WallGroups, PiecesOnOnePlaneAreOneFacade) {
+  for (const double heading : {0.0, 17.0, 90.0, 163.0}) {
+    const std::vector<Segment> segments{upright(1, heading, 0, 15, 4, 13, 0), upright(2, heading, 0, 15, 0, 3.8, 0.004),
+                                        upright(3, heading, 2, 3, 5, 5.2, 0.09), level(4)};
+    const Vec3 eye{10 * cos_degrees(heading - 90), -10 * cos_degrees(heading), 1.6};
+    const auto walls = find_walls(segments, std::vector<Vec3>{eye}, {}, {});
+    ASSERT_EQ(walls.size(), 1u) << heading;
+    EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_NEAR(walls[0].width, 15, 0.02) << heading;
+    EXPECT_NEAR(walls[0].height, 13, 1e-9);
+    ASSERT_EQ(walls[0].parallel.size(), 1u);
+    EXPECT_EQ(walls[0].parallel[0].id, 3u);
+    const FacadeAxes& axes = walls[0].axes;
+    EXPECT_NEAR(norm(cross(axes.right, axes.up) - axes.out), 0, 1e-12);
+    EXPECT_GT(dot(eye - axes.origin, axes.out), 0);
+    EXPECT_NEAR(axes.up.z, 1, 1e-12);
+  }
+}
+
+TEST(WallGroups, SetBackWallsAndCornersArePartOfNothing) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 13, 0), upright(2, 0, 15.5, 28, 0, 12, 0.2),
+                                      upright(3, 90, 0, 10, 0, 13, 0)};
+  const auto walls = find_walls(segments, std::vector<Vec3>{{5, -10, 1}}, {}, {});
+  ASSERT_EQ(walls.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i)
+    EXPECT_EQ(walls[i].segments, (std::vector<std::uint32_t>{static_cast<std::uint32_t>(i + 1)}));
+}
+
+TEST(WallGroups, SmallWallsAreNone) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 1.5, 0, 13, 0), upright(2, 90, 0, 8, 0, 1.5, 0)};
+  EXPECT_TRUE(find_walls(segments, {}, {}, {}).empty());
+  WallParams small;
+  small.least_width = small.least_height = 1;
+  EXPECT_EQ(find_walls(segments, {}, {}, small).size(), 2u);
+}
+
+// Without a station the street is away from the middle of everything.
+TEST(WallGroups, TheStreetIsOutside) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 10, 0, 5, 0), upright(2, 0, 0, 10, 0, 4.9, -8)};
+  const auto walls = find_walls(segments, {}, {5, 4, 2}, {});
+  ASSERT_EQ(walls.size(), 2u);
+  EXPECT_LT(walls[0].axes.out.y, 0);
+  EXPECT_GT(walls[1].axes.out.y, 0);
+}
+
+TEST(WallGroups, SegmentsInAnyOrder) {
+  std::vector<Segment> segments{upright(1, 17, 0, 15, 4, 13, 0), upright(2, 17, 0, 15, 0, 3.8, 0.004),
+                                upright(3, 107, 2, 12, 0, 9, 0)};
+  const auto before = find_walls(segments, {}, {}, {});
+  std::reverse(segments.begin(), segments.end());
+  const auto after = find_walls(segments, {}, {}, {});
+  ASSERT_EQ(before.size(), after.size());
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_EQ(before[i].segments, after[i].segments);
+    EXPECT_NEAR(norm(before[i].axes.origin - after[i].axes.origin), 0, 1e-9);
+  }
+}
+
+}  // namespace
+}  // namespace ilot

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/facades_product.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "engine/deliverables/facade_json.h"
+#include "engine/run/run.h"
+#include "kernels/core/portable_math.h"
+#include "tests/support/cloud_store.h"
+#include "tests/support/facade_sites.h"
+
+namespace ilot {
+namespace {
+
+using nlohmann::json;
+
+constexpr Vec3 kEye{-2, 1.2, 7};
+constexpr double kEast = 651000, kNorth = 661000;
+
+// A wall of two windows with sills, turned about the vertical and shifted to a national grid; millimetres.
+std::vector<Index3> wall_points(double heading) {
+  test::ScannedWall wall;
+  wall.wall({{2, 0, 1, 2.1, 1.5, 3.2}, {2, 0, 3.5, 4.6, 1.5, 3.2}});
+  wall.block(0.93, 2.17, 1.36, 1.5, 0.09, 2);
+  wall.block(3.43, 4.67, 1.36, 1.5, 0.09, 3);
+  const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
+  std::vector<Index3> points;
+  for (const FacadePoint& p : test::scan_wall(wall, kEye, 0.0025).points) {
+    const double x = p.u * c + p.w * s, y = p.u * s - p.w * c;
+    points.push_back({std::llround((kEast + x) * 1000), std::llround((kNorth + y) * 1000), std::llround(p.v * 1000.0)});
+  }
+  return points;
+}
+
+struct Outcome {
+  int code = 0;
+  json record;
+  std::vector<Facade> facades;
+};
+
+Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
+                 const std::function<void(RunOptions&)>& change = {}) {
+  const TemporaryFolder folder;
+  const auto cloud = folder.path() / "wall.las", stations = folder.path() / "stations.csv";
+  test::write_cloud(cloud, points);
+  const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
+  std::ofstream(stations) << std::fixed << "x y z azimuth_step_deg elevation_step_deg\n"
+                          << kEast + kEye.x * c + kEye.z * s << ' ' << kNorth + kEye.x * s - kEye.z * c << ' ' << kEye.y
+                          << " 0.14 0.14\n";
+  RunOptions options;
+  options.inputs = {cloud};
+  options.output = folder.path() / "out";
+  options.products = {"facades"};
+  options.crs = "EPSG:2154";
+  options.threads = 2;
+  if (with_station) options.stations = stations;
+  if (change) change(options);
+  Progress progress;
+  Outcome out;
+  out.code = run(options, progress);
+  std::stringstream text;
+  text << std::ifstream(options.output / "run.json").rdbuf();
+  out.record = json::parse(text.str());
+  for (const auto& file : std::filesystem::directory_iterator(options.output / "facades"))
+    out.facades.push_back(read_facade_json(file.path()));
+  return out;
+}
+
+std::vector<FacadeElement> windows_of(const Facade& facade) {
+  std::vector<FacadeElement> windows;
+  for (const FacadeElement& e : facade.elements)
+    if (e.kind == "window") windows.push_back(e);
+  return windows;
+}
+
+TEST(FacadesProduct, FromCloudToPlanHoweverTheWallStands) {
+  for (const double heading : {0.0, 33.0, 200.0}) {
+    const Outcome out = run_wall(wall_points(heading), heading, true);
+    EXPECT_EQ(out.code, 0);
+    EXPECT_EQ(out.record["counts"]["facades"]["facades"], 1);
+    ASSERT_EQ(out.facades.size(), 1u) << heading;
+    const auto windows = windows_of(out.facades[0]);
+    ASSERT_EQ(windows.size(), 2u) << heading;
+    EXPECT_EQ(out.facades[0].crs, "EPSG:2154");
+    const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const double u = 1 + 2.5 * static_cast<double>(i);
+      const Vec3 truth{kEast + (u + 1.1) * c, kNorth + (u + 1.1) * s, 3.2};
+      EXPECT_LT(norm(windows[i].ring[2] - truth), 0.006) << heading;
+      EXPECT_NEAR(windows[i].width_m, 1.1, 0.008) << heading;
+      EXPECT_NEAR(windows[i].depth_m, -0.25, 0.004) << heading;
+    }
+    bool staged = false;
+    for (const json& stage : out.record["stages"]) staged |= stage["name"] == "facades";
+    EXPECT_TRUE(staged);
+  }
+}
+
+TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
+  const auto points = wall_points(33);
+  std::string hash;
+  for (const auto& [threads, block_points] : {std::pair{1, 1u << 20}, {3, 1u << 20}, {2, 5000u}}) {
+    const Outcome out = run_wall(points, 33, true, [&, t = threads, b = block_points](RunOptions& o) {
+      o.threads = t;
+      o.settings.index.block_points = b;
+    });
+    const std::string got = out.record["result_hash"];
+    if (hash.empty()) hash = got;
+    EXPECT_EQ(got, hash) << threads << " " << block_points;
+  }
+}
+
+TEST(FacadesProduct, WithoutStationsItWarns) {
+  const Outcome out = run_wall(wall_points(0), 0, false);
+  ASSERT_EQ(out.facades.size(), 1u);
+  EXPECT_EQ(windows_of(out.facades[0]).size(), 2u);
+  ASSERT_FALSE(out.record["warnings"].empty());
+  EXPECT_NE(out.record["warnings"].dump().find("station"), std::string::npos);
+}
+
+TEST(FacadesProduct, NoFacadeIsNoFailure) {
+  std::vector<Index3> ground;
+  Rng rng(1);
+  for (std::int64_t x = 0; x < 4000; x += 20)
+    for (std::int64_t y = 0; y < 4000; y += 20)
+      ground.push_back({651000000 + x, 661000000 + y, static_cast<std::int64_t>(rng.below(4))});
+  const Outcome out = run_wall(ground, 0, false);
+  EXPECT_EQ(out.code, 3);
+  EXPECT_TRUE(out.facades.empty());
+  EXPECT_EQ(out.record["counts"]["facades"]["facades"], 0);
+}
+
+}  // namespace
+}  // namespace ilot
