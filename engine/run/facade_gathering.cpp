@@ -4,10 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/segments/colours_pass.h"
 #include "engine/store/view.h"
 
 namespace ilot {
 namespace {
+
+constexpr std::uint32_t kBatch = 1 << 14;
 
 constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
 
@@ -52,7 +55,6 @@ class IntoAxes {
 };
 
 void read_points(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
-  constexpr std::uint32_t kBatch = 1 << 14;
   const IndexBox box = box_around(work, wall);
   const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
   std::vector<std::uint64_t> codes;
@@ -108,6 +110,35 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   add_stations(work, wall, site);
   read_points(work, wall, site);
   return site;
+}
+
+PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
+  return [&work, &wall](const std::function<void(std::span<const ImagePoint>)>& take) {
+    const double unit = work.store.unit();
+    std::vector<std::uint64_t> codes;
+    std::vector<StoredColour> colours;
+    std::vector<ImagePoint> points;
+    for (const Slice& s : plan_view(work.store, box_around(work, wall), {}).slices) {
+      const ColumnReader code_reader(work.store.path(s.block, "codes"));
+      const Tile tile = work.store.blocks()[s.block].node.tile;
+      const bool coloured = work.store.has(s.block, "colour");
+      for (std::uint32_t done = 0; done < s.count; done += kBatch) {
+        codes.resize(std::min(kBatch, s.count - done));
+        code_reader.read<std::uint64_t>(s.first + done, codes);
+        colours.assign(codes.size(), 0);
+        if (coloured) colours = work.store.read<StoredColour>(s.block, "colour", s.first + done, codes.size());
+        points.clear();
+        for (std::size_t i = 0; i < codes.size(); ++i) {
+          const Index3 p = index_of({tile, codes[i]});
+          const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
+          points.push_back(
+              {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
+               {channel(16), channel(8), channel(0)}});
+        }
+        take(points);
+      }
+    }
+  };
 }
 
 }  // namespace ilot

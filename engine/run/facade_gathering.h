@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <span>
 
+#include "engine/deliverables/facade_image.h"
 #include "engine/facades/facade_site.h"
 #include "engine/facades/wall_groups.h"
 #include "engine/store/store.h"
@@ -25,5 +26,9 @@ std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 
 // In global order, so that nothing depends on blocks.
 FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall);
+
+// The same points in CRS units, piece by piece and as often as they are asked for, in the colours of the column
+// "colour"; without it black. Refers to work and wall.
+PointSource points_around(const FacadeWork& work, const WallGroup& wall);
 
 }  // namespace ilot

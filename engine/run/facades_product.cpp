@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/deliverables/facade_json.h"
+#include "engine/deliverables/facade_files.h"
 #include "engine/facades/facade_model.h"
 #include "engine/facades/wall_groups.h"
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
+#include "engine/segments/colours_pass.h"
 
 namespace ilot {
 namespace {
@@ -56,6 +57,38 @@ bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
   return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
 }
 
+FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs, bool coloured) {
+  FacadeFilesParams p;
+  p.drawing.scale = settings.facades.scale;
+  p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
+  p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
+  if (!coloured) p.image.shade = ImageShade::relief;
+  return p;
+}
+
+// The column "colour", which images are painted with; false where no input has colours.
+bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
+  return store.has(0, "colour") || colours_pass(store, inputs.readers, context);
+}
+
+// One facade after the other: an image takes as much memory as the points it shows.
+void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
+                   const Settings& settings, FacadeFilesParams params, const std::filesystem::path& folder,
+                   Progress& progress) {
+  FacadesPage page(folder / "facades.html", params.layers);
+  params.page = &page;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Facade& facade = found[i].facade;
+    params.points = points_around(work, walls[i]);
+    params.sections.clear();
+    for (const double height : settings.facades.sections)
+      params.sections.push_back(named_level_section(facade, height));
+    write_facade_files(folder, facade, params);
+    progress.unit_done(facade_name(facade.id), 0, i + 1, found.size());
+  }
+  page.finish();
+}
+
 }  // namespace
 
 void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
@@ -95,8 +128,10 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     f.facade.id = static_cast<std::uint32_t>(++counts.facades);
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
-    write_facade_json(folder / fmt::format("facade-{:03}.json", f.facade.id), f.facade);
   }
+  if (!found.empty())
+    write_facades(found, walls, work, settings,
+                  files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
   record.facades = counts;
   progress.end_stage();
 }

@@ -12,8 +12,9 @@
 
 namespace ilot {
 
-// Facades among the planes, each drawn from its own points, to folder/facade-NNN.json. The planes have their areas
-// (make_boundaries). Facades whose middle is not wanted are left out.
+// Facades among the planes, each drawn from its own points, to the files of facade_files.h in the folder and a page,
+// facades.html, over them. The planes have their areas (make_boundaries). Facades whose middle is not wanted are left
+// out.
 void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                   RunRecord& record);

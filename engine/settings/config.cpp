@@ -43,12 +43,19 @@ std::optional<Value> read_value(const toml::node& node) {
   if (const auto* number = node.as_floating_point()) return number->get();
   const toml::array* array = node.as_array();
   if (array == nullptr) return std::nullopt;
-  std::vector<std::int64_t> list;
+  std::vector<std::int64_t> whole;
+  std::vector<double> numbers;
   for (const toml::node& entry : *array) {
-    if (!entry.is_integer()) return std::nullopt;
-    list.push_back(entry.as_integer()->get());
+    if (const auto* v = entry.as_integer()) {
+      whole.push_back(v->get());
+      numbers.push_back(static_cast<double>(v->get()));
+    } else if (const auto* d = entry.as_floating_point()) {
+      numbers.push_back(d->get());
+    } else {
+      return std::nullopt;
+    }
   }
-  return list;
+  return whole.size() == numbers.size() ? Value(whole) : Value(numbers);
 }
 
 // The line with a character beyond ASCII outside of a comment, from 1; nullopt when there is none. No setting needs

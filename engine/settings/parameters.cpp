@@ -51,6 +51,20 @@ struct Field<std::vector<int>> {
   }
 };
 
+template <>
+struct Field<std::vector<double>> {
+  static constexpr bool kOptional = false;
+  static constexpr ValueKind kKind = ValueKind::numbers;
+  static Value get(const std::vector<double>& field) { return field; }
+  static void set(std::vector<double>& field, const Value& value) {
+    if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&value)) {
+      field.assign(whole->begin(), whole->end());
+    } else {
+      field = std::get<std::vector<double>>(value);
+    }
+  }
+};
+
 // A choice among names, in the order of the enumeration.
 template <class E>
 requires std::is_enum_v<E>
@@ -186,6 +200,11 @@ std::vector<Parameter> make_table() {
            "sizes and lines that differ by less may have been meant equal"),
       make("facades.regularise", ILOT_FIELD(facades.regularise), {}, "",
            "rows, columns and families line up, each edge within its own error"),
+      make("facades.scale", ILOT_FIELD(facades.scale), {1, 10000}, "", "drawings are 1 : scale on paper"),
+      make("facades.layers", ILOT_FIELD(facades.layers), {}, "",
+           "whose layers drawings have; ilot draw takes an office's own"),
+      make("facades.sections", ILOT_FIELD(facades.sections), {-1e6, 1e6}, "CRS units",
+           "heights that facades are also cut at"),
       make("classes.ground", ILOT_FIELD(classes.ground), {0, 255}, "", "class codes of the ground"),
       make("classes.building", ILOT_FIELD(classes.building), {0, 255}, "", "class codes of buildings"),
       make("classes.noise", ILOT_FIELD(classes.noise), {0, 255}, "", "class codes of points that no product uses"),
@@ -219,6 +238,9 @@ bool fits_kind(const Parameter& p, const Value& value) {
       return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
     case ValueKind::integers:
       return std::holds_alternative<std::vector<std::int64_t>>(value);
+    case ValueKind::numbers:
+      return std::holds_alternative<std::vector<double>>(value) ||
+             std::holds_alternative<std::vector<std::int64_t>>(value);
     case ValueKind::choice:
       return std::holds_alternative<std::string>(value) &&
              std::find(p.choices.begin(), p.choices.end(), std::get<std::string>(value)) != p.choices.end();
@@ -233,6 +255,8 @@ bool in_range(const ValueRange& range, const Value& value) {
   if (const auto* list = std::get_if<std::vector<std::int64_t>>(&value)) {
     return std::all_of(list->begin(), list->end(), [&](std::int64_t v) { return inside(static_cast<double>(v)); });
   }
+  if (const auto* list = std::get_if<std::vector<double>>(&value))
+    return std::all_of(list->begin(), list->end(), inside);
   return true;
 }
 
@@ -292,7 +316,8 @@ std::optional<std::string> check_value(const Parameter& p, const Value& value) {
 }
 
 std::string expected_text(const Parameter& p) {
-  const char* names[] = {"true or false", "a whole number", "a number", "a list of whole numbers", "one of "};
+  const char* names[] = {"true or false",           "a whole number",    "a number",
+                         "a list of whole numbers", "a list of numbers", "one of "};
   std::string text = names[static_cast<int>(p.kind)];
   if (p.kind == ValueKind::choice) text += range_text(p);
   if (!p.unit.empty()) text += " (" + p.unit + ")";
@@ -306,8 +331,11 @@ std::string to_text(const Value& value) {
   if (const auto* number = std::get_if<double>(&value)) return number_text(*number);
   if (const auto* name = std::get_if<std::string>(&value)) return '"' + *name + '"';
   std::string text;
-  for (std::int64_t entry : std::get<std::vector<std::int64_t>>(value)) {
-    text += (text.empty() ? "" : ", ") + std::to_string(entry);
+  const auto add = [&](const std::string& entry) { text += (text.empty() ? "" : ", ") + entry; };
+  if (const auto* numbers = std::get_if<std::vector<double>>(&value)) {
+    for (const double entry : *numbers) add(number_text(entry));
+  } else {
+    for (const std::int64_t entry : std::get<std::vector<std::int64_t>>(value)) add(std::to_string(entry));
   }
   return "[" + text + "]";
 }

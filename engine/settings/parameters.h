@@ -20,9 +20,10 @@ struct Auto {
   friend bool operator==(Auto, Auto) = default;
 };
 
-using Value = std::variant<Auto, bool, std::int64_t, double, std::vector<std::int64_t>, std::string>;
+using Value =
+    std::variant<Auto, bool, std::int64_t, double, std::vector<std::int64_t>, std::vector<double>, std::string>;
 
-enum class ValueKind { boolean, integer, number, integers, choice };
+enum class ValueKind { boolean, integer, number, integers, numbers, choice };
 
 // Closed. Integers in it are exact up to 2^53.
 struct ValueRange {
@@ -52,7 +53,7 @@ const Parameter* find_parameter(std::string_view key);
 const Parameter& nearest_parameter(std::string_view key);
 
 // What is wrong with the value, as the end of a sentence ("planes.epsilon = 20 is out of range: ...");
-// nullopt when nothing is. An integer is accepted for a number, nothing else is converted.
+// nullopt when nothing is. An integer is accepted for a number, also in lists, nothing else is converted.
 std::optional<std::string> check_value(const Parameter& parameter, const Value& value);
 
 // What the parameter takes: "a number (m) or \"auto\"".

@@ -148,6 +148,13 @@ struct StreetsSettings {
   double rise = 0.1;            // metres; what stands so much above the pass to a higher thing is a thing of its own
 };
 
+// Whose names the layers of drawings have.
+enum class LayerNames : std::uint8_t { ilot, aia, iso13567 };
+constexpr std::array<std::string_view, 3> kLayerNames{"ilot", "aia", "iso13567"};
+constexpr std::span<const std::string_view> names_of(LayerNames) {
+  return kLayerNames;
+}
+
 struct FacadesSettings {
   double least_width = 2, least_height = 2;  // metres; of a facade
   double bias = 0.03;                        // metres; walls whose planes differ by less are one facade
@@ -156,6 +163,9 @@ struct FacadesSettings {
   double least_opening = 0.3;                // metres; width and height of a window
   double alike = 0.04;                       // metres; what differs by less may have been meant equal
   bool regularise = true;                    // rows, columns and families line up within their errors
+  double scale = 50;                         // of drawings, 1 : scale
+  LayerNames layers = LayerNames::ilot;      // of drawings
+  std::vector<double> sections;              // heights, CRS units, that facades are also cut at
 };
 
 struct ClassesSettings {

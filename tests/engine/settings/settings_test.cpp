@@ -185,6 +185,7 @@ TEST(SettingsHash, ChangesWithEveryParameter) {
     if (p.kind == ValueKind::boolean) value = !std::get<bool>(p.get(Settings{}));
     if (p.kind == ValueKind::number) value = p.range.max;
     if (p.kind == ValueKind::integers) value = std::vector<std::int64_t>{1};
+    if (p.kind == ValueKind::numbers) value = std::vector<double>{p.range.max, 0.5};
     if (p.kind == ValueKind::choice) value = std::string(p.choices.back());
     ASSERT_FALSE(check_value(p, value)) << p.key;
     p.set(changed, value);
