@@ -36,9 +36,9 @@ struct FacadeFilesParams {
 // "facade-007" for the facade 7: what its files are called before their extensions.
 std::string facade_name(std::uint32_t id);
 
-// In `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; where an element has a depth .obj and .stl; with points
-// .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each is whole or absent. The source of points is run
-// through four times at most. Throws Error.
+// In `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; where an element has a depth .obj and .stl; with
+// points .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each is whole or absent. The source of
+// points is run through four times at most. Throws Error.
 void write_facade_files(const std::filesystem::path& folder, const Facade& facade,
                         const FacadeFilesParams& params = {});
 

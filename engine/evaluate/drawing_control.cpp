@@ -16,6 +16,7 @@ namespace ilot {
 namespace {
 
 constexpr double kSamePlace = 1e-5, kMoved = 1e-4;  // metres
+constexpr std::size_t kMostTold = 20;               // vertices in the table
 constexpr std::size_t kMostCandidates = 64;         // of one vertex, the nearest
 
 // Different places, by x, then y.
@@ -68,7 +69,7 @@ std::vector<Pair> pairs_within(const std::vector<FlatPoint>& ours, const std::ve
 
 LayerControl judge(const std::string& name, const std::vector<FlatPoint>& ours, const std::vector<FlatPoint>& corrected,
                    double limit) {
-  LayerControl control{name, corrected.size(), 0, 0, 0, 0, {}, {}, {}, {}, {}, 0};
+  LayerControl control{name, corrected.size(), 0, 0, 0, 0, {}, {}, {}, {}, {}, 0, {}};
   std::vector<char> taken_ours(ours.size()), taken(corrected.size());
   std::vector<double> dx, dz, dd, signed_dx, signed_dz;
   for (const Pair& pair : pairs_within(ours, corrected, limit)) {
@@ -79,9 +80,14 @@ LayerControl judge(const std::string& name, const std::vector<FlatPoint>& ours, 
     dx.push_back(std::abs(signed_dx.back()));
     dz.push_back(std::abs(signed_dz.back()));
     dd.push_back(pair.distance);
-    control.moved += pair.distance > kMoved;
+    if (pair.distance > kMoved)
+      control.vertices.push_back({corrected[pair.corrected].x, corrected[pair.corrected].y, signed_dx.back(),
+                                  signed_dz.back(), pair.distance});
     control.largest_m = std::max(control.largest_m, pair.distance);
   }
+  std::stable_sort(control.vertices.begin(), control.vertices.end(),
+                   [](const VertexControl& a, const VertexControl& b) { return a.dd > b.dd; });
+  control.moved = control.vertices.size();
   control.paired = dd.size();
   control.missed = corrected.size() - dd.size();
   control.removed = ours.size() - dd.size();
@@ -101,6 +107,13 @@ void check_units(const DxfDrawing& drawing, const char* which) {
 
 nlohmann::ordered_json json_of(const MeanAndSpread& v) {
   return {{"mean_m", v.mean}, {"sd_m", v.sd}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<VertexControl>& vertices) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const VertexControl& v : vertices)
+    list.push_back({{"x", v.x}, {"z", v.z}, {"dx_m", v.dx}, {"dz_m", v.dz}, {"dd_m", v.dd}});
+  return list;
 }
 
 }  // namespace
@@ -131,6 +144,11 @@ std::string drawing_control_text(const std::vector<LayerControl>& layers) {
     text += fmt::format("{:<16}{:>9}{:>8}{:>8}{:>8}{:>8}{:>16}{:>16}{:>16}{:>10.2f}\n",
                         c.layer.empty() ? "all" : c.layer, c.corrected, c.paired, c.missed, c.removed, c.moved,
                         cm(c.dx_m), cm(c.dz_m), cm(c.dd_m), 100 * c.largest_m);
+  const std::vector<VertexControl>& moved = layers.back().vertices;
+  if (!moved.empty()) text += fmt::format("\n{:>12}{:>12}{:>10}{:>10}{:>10}\n", "x", "z", "dX cm", "dZ cm", "dD cm");
+  for (std::size_t i = 0; i < std::min(moved.size(), kMostTold); ++i)
+    text += fmt::format("{:>12.3f}{:>12.3f}{:>10.2f}{:>10.2f}{:>10.2f}\n", moved[i].x, moved[i].z, 100 * moved[i].dx,
+                        100 * moved[i].dz, 100 * moved[i].dd);
   return text;
 }
 
@@ -148,7 +166,8 @@ std::string drawing_control_json(const std::vector<LayerControl>& layers) {
                     {"dd", json_of(c.dd_m)},
                     {"signed_dx", json_of(c.signed_dx_m)},
                     {"signed_dz", json_of(c.signed_dz_m)},
-                    {"largest_m", c.largest_m}});
+                    {"largest_m", c.largest_m},
+                    {"vertices", json_of(c.vertices)}});
   const nlohmann::ordered_json whole{{"drawing", std::move(list)}};
   return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

@@ -16,6 +16,13 @@ struct DrawingControlParams {
   DrawingLayers layers = preset_layers("ilot");  // which layers hold elements; the others are not judged
 };
 
+// A pair of homologous vertices.
+struct VertexControl {
+  double x = 0, z = 0;    // of the corrected one, in its drawing
+  double dx = 0, dz = 0;  // ours less corrected
+  double dd = 0;
+};
+
 struct LayerControl {
   std::string layer;                       // empty: all, whatever layers homologous vertices are on
   std::uint64_t corrected = 0;             // different vertices of the corrected drawing
@@ -26,6 +33,7 @@ struct LayerControl {
   MeanAndSpread dx_m, dz_m, dd_m;          // absolute, along and up, and distance; over those paired
   MeanAndSpread signed_dx_m, signed_dz_m;  // ours less corrected: what is off all over
   double largest_m = 0;
+  std::vector<VertexControl> vertices;  // those moved, the farthest first
 };
 
 // The layer of each role from outline to completed that one of the drawings uses, in the order of roles, then all of
@@ -35,6 +43,7 @@ struct LayerControl {
 std::vector<LayerControl> compare_drawings(const DxfDrawing& ours, const DxfDrawing& corrected,
                                            const DrawingControlParams& params = {});
 
+// A table of layers, then of the 20 vertices that moved farthest; as JSON all that moved, with their layers.
 std::string drawing_control_text(const std::vector<LayerControl>& layers);
 std::string drawing_control_json(const std::vector<LayerControl>& layers);
 

@@ -59,6 +59,14 @@ TEST(DrawingControl, MovedMissedAndRemoved) {
   EXPECT_NEAR(opening.signed_dx_m.mean, 0.03, 1e-9);
   EXPECT_NEAR(opening.signed_dz_m.mean, -0.04, 1e-9);
   EXPECT_NEAR(opening.largest_m, 0.05, 1e-9);
+  ASSERT_EQ(opening.vertices.size(), 4u);
+  for (const VertexControl& v : opening.vertices) {
+    EXPECT_NEAR(v.dx, 0.03, 1e-9);
+    EXPECT_NEAR(v.dz, -0.04, 1e-9);
+    EXPECT_NEAR(v.dd, 0.05, 1e-9);
+    EXPECT_TRUE(std::abs(v.x + 0.03) < 1e-9 || std::abs(v.x - 0.97) < 1e-9) << v.x;
+  }
+  EXPECT_NE(drawing_control_text(layers).find("3.00     -4.00      5.00\n"), std::string::npos);
   EXPECT_EQ(layers[1].removed, 4u);  // the sill went to another layer
   EXPECT_EQ(layers[2].paired, 8u);   // and is the same vertex of all
   EXPECT_EQ(compare_drawings(ours, theirs, {0.04, preset_layers("ilot")})[0].paired, 0u);
