@@ -7,11 +7,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kBin = 0.25;           // metres
-constexpr double kAround = 1;           // metres around the wall that bins cover
-constexpr double kLeastThrough = 0.01;  // metres behind a plane that a ray has surely gone through it
-constexpr double kLowRelief = 0.15;     // metres before the wall, where surrounds of openings end
-constexpr double kEpsilons = 2;         // and epsilons
+constexpr double kBin = 0.25;        // metres
+constexpr double kAround = 1;        // metres around the wall that bins cover
+constexpr double kLowRelief = 0.15;  // metres before the wall, where surrounds of openings end
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));
@@ -97,8 +95,7 @@ Met RaySamples::met(std::uint32_t point, double depth, double epsilon) const {
   if (depth == 0 && on_wall_[point] != 0) return Met::solid;
   const double off = static_cast<double>(site_.points[point].w) - depth;
   if (std::abs(off) <= epsilon) return Met::solid;
-  if (off < -std::max(kLeastThrough, kEpsilons * epsilon)) return Met::through;
-  return off > epsilon ? Met::before : Met::unclear;
+  return off < 0 ? Met::through : Met::before;
 }
 
 std::size_t RaySamples::bin_of(Place2 place) const {

@@ -26,7 +26,6 @@ enum class Met : std::uint8_t {
   solid,    // ends on the plane
   through,  // ends behind it: there is a hole
   before,   // ends in front of it: what is there is not known
-  unclear,  // too near to the plane to tell, or hanging at its edge
 };
 
 // The rays of a facade's points, sorted by place. A point's ray comes from the one station there is; of several from

@@ -55,6 +55,17 @@ Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 middle) 
   return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
 }
 
+// Without a station a storey that stands back looks where the wall below it looks.
+Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
+  for (const WallGroup& wall : walls) {
+    const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
+    if (std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg) || std::abs(off) > params.relief_behind)
+      continue;
+    return dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n;
+  }
+  return otherwise;
+}
+
 void include(Extent& all, const Extent& e) {
   all.u0 = std::min(all.u0, e.u0);
   all.u1 = std::max(all.u1, e.u1);
@@ -126,7 +137,9 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
     const Segment& s = segments[i];
     if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
     WallGroup group;
-    group.axes = axes_of(s, street_side(s, stations, middle));
+    Vec3 out = street_side(s, stations, middle);
+    if (stations.empty()) out = side_like(s, walls, params, out);
+    group.axes = axes_of(s, out);
     Extent all = extent_of(s, group.axes, params.metres_per_unit);
     group.segments = {s.id};
     group.points = s.points;
