@@ -63,9 +63,9 @@ SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, c
       if (std::abs(pt - span.t) <= reach && ps >= span.s0 && ps <= span.s1) out.face.push_back({pt, w, ps});
     }
     if (std::abs(t - span.t) > reach || s < span.s0 || s > span.s1) continue;
-    Met met = rays.met(i, q.depth, q.epsilon);
-    if (!q.hole && met == Met::solid && p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane))
-      met = Met::unclear;
+    const Met met = rays.met(i, q.depth, q.epsilon);
+    const bool foreign = p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane);
+    if (!q.hole && met == Met::solid && foreign) continue;
     if (met == Met::solid) (q.hole ? out.outside : out.inside).push_back(t);
     out.hidden += met == Met::before && t > span.t;
     if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);

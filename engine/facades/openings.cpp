@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
 constexpr double kBoundReach = 0.5;   // metres beyond an opening where the wall must go on
+constexpr double kTopReach = 1.5;     // above it, where signs and blinds hide the wall
 constexpr double kBoundShare = 0.5;   // of its height or width
 constexpr double kLeastKnown = 0.2;   // of it, that something must be known of
 constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
@@ -48,8 +49,9 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
     const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
     if (c >= cells.columns || r >= cells.rows) continue;
     const auto at = static_cast<std::size_t>(r * cells.columns + c);
-    if (std::abs(w) <= site.epsilon) ++solid[at];
-    if (w < -least_depth) ++through[at];
+    const bool wall = samples.on_wall(i);
+    if (wall) ++solid[at];
+    if (!wall && w < -least_depth) ++through[at];
     if (w > site.epsilon) ++blocked[at];
   }
   cells.what.assign(count, kUnknown);
@@ -143,7 +145,7 @@ CellBox box_of(const Region& region, std::int64_t columns) {
 // little is known.
 double bounded(const WallCells& cells, const CellBox& box, Side side) {
   const bool u = side == Side::left || side == Side::right;
-  const auto reach = static_cast<std::int64_t>(kBoundReach / cells.cell) + 1;
+  const auto reach = static_cast<std::int64_t>((side == Side::top ? kTopReach : kBoundReach) / cells.cell) + 1;
   const std::int64_t from = u ? box.r0 : box.c0, to = u ? box.r1 : box.c1;
   std::int64_t found = 0, known = 0;
   for (std::int64_t i = from; i <= to; ++i) {
@@ -155,8 +157,9 @@ double bounded(const WallCells& cells, const CellBox& box, Side side) {
         unknown = false;
         break;
       }
-      solid = cells.at(c, r) == kSolid;
-      unknown = unknown && cells.at(c, r) == kUnknown;
+      const std::uint8_t what = cells.at(c, r);
+      solid = what == kSolid || (side == Side::top && what == kBlocked);  // a canopy or a sign hides the wall
+      unknown = unknown && what == kUnknown;
     }
     found += solid;
     known += !unknown;

@@ -7,11 +7,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kBin = 0.25;           // metres
-constexpr double kAround = 1;           // metres around the wall that bins cover
-constexpr double kLeastThrough = 0.01;  // metres behind a plane that a ray has surely gone through it
-constexpr double kLowRelief = 0.15;     // metres before the wall, where surrounds of openings end
-constexpr double kEpsilons = 2;         // and epsilons
+constexpr double kBin = 0.25;        // metres
+constexpr double kAround = 1;        // metres around the wall that bins cover
+constexpr double kLowRelief = 0.15;  // metres before the wall, where surrounds of openings end
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));
@@ -54,8 +52,16 @@ class SolidCells {
 }  // namespace
 
 RaySamples::RaySamples(const FacadeSite& site) : site_(site) {
+  find_wall();
   choose_stations();
   sort_into_bins();
+}
+
+void RaySamples::find_wall() {
+  on_wall_.reserve(site_.points.size());
+  for (const FacadePoint& p : site_.points)
+    on_wall_.push_back(std::abs(static_cast<double>(p.w)) <= site_.epsilon ||
+                       std::binary_search(site_.wall.begin(), site_.wall.end(), p.plane));
 }
 
 void RaySamples::choose_stations() {
@@ -71,7 +77,7 @@ void RaySamples::choose_stations() {
       const Vec3& eye = site_.stations[s].position;
       const double far = norm(eye - place);
       if (!(far < nearest) || eye.z <= place.z) continue;
-      if (place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
+      if (on_wall_[i] == 0 && place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
       nearest = far;
       station_[i] = static_cast<std::uint8_t>(s);
     }
@@ -86,10 +92,10 @@ Place2 RaySamples::crossing(std::uint32_t point, double depth) const {
 }
 
 Met RaySamples::met(std::uint32_t point, double depth, double epsilon) const {
+  if (depth == 0 && on_wall_[point] != 0) return Met::solid;
   const double off = static_cast<double>(site_.points[point].w) - depth;
   if (std::abs(off) <= epsilon) return Met::solid;
-  if (off < -std::max(kLeastThrough, kEpsilons * epsilon)) return Met::through;
-  return off > epsilon ? Met::before : Met::unclear;
+  return off < 0 ? Met::through : Met::before;
 }
 
 std::size_t RaySamples::bin_of(Place2 place) const {

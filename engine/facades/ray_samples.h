@@ -26,12 +26,11 @@ enum class Met : std::uint8_t {
   solid,    // ends on the plane
   through,  // ends behind it: there is a hole
   before,   // ends in front of it: what is there is not known
-  unclear,  // too near to the plane to tell, or hanging at its edge
 };
 
 // The rays of a facade's points, sorted by place. A point's ray comes from the one station there is; of several from
 // the nearest whose ray does not go through the wall where it is seen to be solid. Without stations rays are taken to
-// be square to the wall: an opening then is seen only as far as what lies behind it. 24 bytes a point.
+// be square to the wall: an opening then is seen only as far as what lies behind it. 6 bytes a point.
 class RaySamples {
  public:
   explicit RaySamples(const FacadeSite& site);
@@ -42,6 +41,8 @@ class RaySamples {
   // Where the point's ray crosses the plane w = depth.
   Place2 crossing(std::uint32_t point, double depth) const;
   Met met(std::uint32_t point, double depth, double epsilon) const;
+  // Within epsilon of the wall, or on a segment of it: real walls are not quite flat.
+  bool on_wall(std::uint32_t point) const { return on_wall_[point] != 0; }
 
   // Points whose rays cross the wall in the box, and more around it: in a fixed order.
   std::vector<std::uint32_t> near(const Box2& box) const;
@@ -52,11 +53,12 @@ class RaySamples {
 
  private:
   std::size_t bin_of(Place2 place) const;
+  void find_wall();
   void choose_stations();
   void sort_into_bins();
 
   const FacadeSite& site_;
-  std::vector<std::uint8_t> station_;  // per point
+  std::vector<std::uint8_t> station_, on_wall_;  // per point
   std::int64_t columns_ = 0, rows_ = 0;
   double u0_ = 0, v0_ = 0;
   std::vector<std::uint32_t> first_, order_;

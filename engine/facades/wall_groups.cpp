@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kParallelDeg = 5;  // planes of a facade's relief lean less than this from its wall
 constexpr double kCoplanarDeg = 2;  // parts of one wall
+constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
 constexpr double kInside = 0.5;     // share of a plane's width that must lie along the wall for it to be its relief
 
 struct Extent {
@@ -54,6 +55,17 @@ Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 middle) 
   return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
 }
 
+// Without a station a storey that stands back looks where the wall below it looks.
+Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
+  for (const WallGroup& wall : walls) {
+    const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
+    if (std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg) || std::abs(off) > params.relief_behind)
+      continue;
+    return dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n;
+  }
+  return otherwise;
+}
+
 void include(Extent& all, const Extent& e) {
   all.u0 = std::min(all.u0, e.u0);
   all.u1 = std::max(all.u1, e.u1);
@@ -71,7 +83,8 @@ void join_coplanar(std::span<const Segment> segments, const std::vector<std::siz
       const Segment& s = segments[i];
       if (taken[i] != 0 || std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
       const Extent e = extent_of(s, group.axes, params.metres_per_unit);
-      if (std::abs(e.w0) > params.bias || e.u0 > all.u1 + params.gap || e.u1 < all.u0 - params.gap ||
+      const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
+      if (std::abs(e.w0) > off || e.u0 > all.u1 + params.gap || e.u1 < all.u0 - params.gap ||
           e.v0 > all.v1 + params.gap || e.v1 < all.v0 - params.gap)
         continue;
       taken[i] = 1;
@@ -98,6 +111,9 @@ void claim_relief(std::span<const Segment> segments, const std::vector<std::size
     if (e.w0 > params.relief_front || e.w0 < -params.relief_behind || !(common >= kInside * (e.u1 - e.u0)) ||
         e.v0 > group.height + 0.5 || e.v1 < -0.5)
       continue;
+    const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
+    if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
+      continue;  // an upper storey that stands back
     taken[i] = 1;
     group.parallel.push_back({s.id, s.points});
   }
@@ -121,7 +137,9 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
     const Segment& s = segments[i];
     if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
     WallGroup group;
-    group.axes = axes_of(s, street_side(s, stations, middle));
+    Vec3 out = street_side(s, stations, middle);
+    if (stations.empty()) out = side_like(s, walls, params, out);
+    group.axes = axes_of(s, out);
     Extent all = extent_of(s, group.axes, params.metres_per_unit);
     group.segments = {s.id};
     group.points = s.points;

@@ -29,7 +29,8 @@ struct WallGroup {
 
 // Walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in the wall;
 // the street side is where most stations stand (each by one over its squared distance), else the side away from
-// `middle`, the middle of all points. Segments without an area (no outline) are left out. O(segments^2) at worst.
+// `middle`, the middle of all points, or that of a larger wall in line. Segments without an area (no outline) are left
+// out. O(segments^2) at worst.
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
                                   const WallParams& params);
 

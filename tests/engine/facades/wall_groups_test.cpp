@@ -81,6 +81,25 @@ TEST(WallGroups, TheStreetIsOutside) {
   EXPECT_GT(walls[1].axes.out.y, 0);
 }
 
+// A storey that stands back is a facade of its own, and looks to the same street though all points lie before it.
+TEST(WallGroups, StoreysThatStandBack) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 5, 0), upright(2, 0, 3, 9, 5.1, 8, -0.12),
+                                      upright(3, 0, 3, 4, 5.5, 7, -0.22)};
+  const auto walls = find_walls(segments, {}, {7, 0.001, 3}, {});
+  ASSERT_EQ(walls.size(), 2u);
+  EXPECT_EQ(walls[1].segments, std::vector<std::uint32_t>{2});
+  EXPECT_GT(dot(walls[0].axes.out, walls[1].axes.out), 0.9);
+}
+
+// A small piece beside the wall's plane is no part of it, a large one is.
+TEST(WallGroups, SmallPiecesMustLieOnTheWall) {
+  const auto walls = find_walls(std::vector<Segment>{upright(1, 0, 0, 15, 0, 5, 0), upright(2, 0, 15, 18, 0, 5, 0.02),
+                                                     upright(3, 0, 4, 5, 5.1, 5.5, 0.02)},
+                                std::vector<Vec3>{{5, -10, 1}}, {}, {});
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1, 2}));
+}
+
 TEST(WallGroups, SegmentsInAnyOrder) {
   std::vector<Segment> segments{upright(1, 17, 0, 15, 4, 13, 0), upright(2, 17, 0, 15, 0, 3.8, 0.004),
                                 upright(3, 107, 2, 12, 0, 9, 0)};
