@@ -393,7 +393,7 @@ class Search {
       members = std::move(next);
       if (settled) break;
     }
-    members = part_of(members, seed);
+    if (members.size() >= params_.min_points) members = part_of(members, seed);
     if (members.size() < params_.min_points) {
       pool_.drop(candidate);
       return;
