@@ -110,10 +110,66 @@ class Network {
   std::vector<std::uint32_t> queue_, path_;
 };
 
+// Most nodes gain more by staying than all their arcs could cost: they stay whatever the others do, so their arcs
+// become gains of those that they lead to, and what is left is a small network or none.
+class Core {
+ public:
+  Core(std::span<const std::int64_t> gain, std::span<const CutArc> arcs)
+      : gain_(gain.begin(), gain.end()), arcs_(arcs.begin(), arcs.end()), open_(gain.size(), 1) {
+    while (settle()) {
+    }
+  }
+
+  std::vector<std::uint8_t> solve() {
+    std::vector<std::uint32_t> number(gain_.size(), kNever);
+    std::vector<std::int64_t> gain;
+    for (std::size_t v = 0; v < gain_.size(); ++v) {
+      if (open_[v] == 0) continue;
+      number[v] = static_cast<std::uint32_t>(gain.size());
+      gain.push_back(gain_[v]);
+    }
+    std::vector<std::uint8_t> goes(gain_.size(), 0);
+    if (gain.empty()) return goes;
+    for (CutArc& a : arcs_) a = {number[a.from], number[a.to], a.capacity};
+    const std::vector<std::uint8_t> side = Network(gain, arcs_).sink_side();
+    for (std::size_t v = 0; v < goes.size(); ++v)
+      if (open_[v] != 0) goes[v] = side[number[v]];
+    return goes;
+  }
+
+ private:
+  // One sweep over nodes and arcs; true when a node was found to stay.
+  bool settle() {
+    at_stake_.assign(gain_.size(), 0);
+    for (const CutArc& a : arcs_) at_stake_[a.from] += a.capacity;
+    bool any = false;
+    for (std::size_t v = 0; v < gain_.size(); ++v)
+      if (open_[v] != 0 && gain_[v] >= at_stake_[v]) {
+        open_[v] = 0;
+        any = true;
+      }
+    if (!any) return false;
+    std::size_t kept = 0;
+    for (const CutArc& a : arcs_) {
+      if (open_[a.from] == 0) {
+        gain_[a.to] += a.capacity;
+      } else if (open_[a.to] != 0) {
+        arcs_[kept++] = a;
+      }
+    }
+    arcs_.resize(kept);
+    return true;
+  }
+
+  std::vector<std::int64_t> gain_, at_stake_;
+  std::vector<CutArc> arcs_;
+  std::vector<std::uint8_t> open_;
+};
+
 }  // namespace
 
 std::vector<std::uint8_t> least_cut(std::span<const std::int64_t> gain, std::span<const CutArc> arcs) {
-  return Network(gain, arcs).sink_side();
+  return Core(gain, arcs).solve();
 }
 
 }  // namespace ilot

@@ -250,23 +250,29 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
   const auto strip_of = [&](double x) {
     return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(strips - 1)));
   };
-  std::vector<std::vector<std::uint32_t>> crossing(strips);
-  for (std::uint32_t e = 0; e < partition.edges.size(); ++e) {
-    const std::size_t last = strip_of(partition.vertices[partition.edges[e].to].x);
-    for (std::size_t s = strip_of(partition.vertices[partition.edges[e].from].x); s <= last; ++s)
-      crossing[s].push_back(e);
+  struct Crossing {
+    double ax, ay, bx, by;
+    std::uint32_t left;
+  };
+  std::vector<std::vector<Crossing>> crossing(strips);
+  for (const PartitionEdge& e : partition.edges) {
+    const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
+    if (a.x == b.x) continue;  // never below
+    const Crossing c{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(b.x),
+                     static_cast<double>(b.y), e.left};  // from < to, so towards +x, and its left is above it
+    const std::size_t last = strip_of(c.bx);
+    for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FlatPoint p = points[i];
     if (p.x < low || p.x > high) continue;
     double nearest = -INFINITY;
-    for (const std::uint32_t e : crossing[strip_of(p.x)]) {
-      const Point2 a = partition.vertices[partition.edges[e].from], b = partition.vertices[partition.edges[e].to];
-      if (p.x < a.x || p.x >= b.x) continue;  // from < to: never to the left; upright edges are never below
-      const double y = a.y + (p.x - a.x) / static_cast<double>(b.x - a.x) * (b.y - a.y);
+    for (const Crossing& c : crossing[strip_of(p.x)]) {
+      if (p.x < c.ax || p.x >= c.bx || std::min(c.ay, c.by) > p.y) continue;
+      const double y = c.ay + (p.x - c.ax) / (c.bx - c.ax) * (c.by - c.ay);
       if (y > p.y || y <= nearest) continue;
       nearest = y;
-      regions[i] = partition.edges[e].left;  // towards +x, so its left is above it
+      regions[i] = c.left;
     }
   }
   return regions;
