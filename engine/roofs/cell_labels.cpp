@@ -57,13 +57,13 @@ FlatPoint metres(Point2 p) {
   return {p.x / 1000.0, p.y / 1000.0};
 }
 
+// Of an area from 0, rounded.
 Cost cost_of(double square_metres) {
-  return std::llround(square_metres * kCostPerM2);
+  return static_cast<Cost>(square_metres * kCostPerM2 + 0.5);
 }
 
-// The share of its area that a point costs on a plane.
-double misfit(const RoofPlane& plane, Vec3 p, bool labelled, double epsilon) {
-  const double lean = std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy);
+// The share of its area that a point costs on a plane; `lean`: of the plane's normal that rises by 1, its length.
+double misfit(const RoofPlane& plane, double lean, Vec3 p, bool labelled, double epsilon) {
   const double gap = std::abs(p.z - plane.at(p.x, p.y)), off = gap / (lean * epsilon);
   if (!labelled) return off <= 1 ? 0 : kUnlabelled * std::min(1.0, (off - 1) / 2);
   if (off <= 1) return kForeign * off * off;
@@ -127,12 +127,15 @@ class Labelling {
 
   void add_points(std::span<const std::uint32_t> region) {
     const double area = planes_.step * planes_.step;
+    std::vector<double> lean;  // per plane: length of the normal that rises by 1
+    for (const RoofPlane& p : planes_.planes) lean.push_back(std::sqrt(1 + p.gx * p.gx + p.gy * p.gy));
     for (std::size_t i = 0; i < region.size(); ++i) {
       if (region[i] == kOutside || planes_.on_wall[i]) continue;
       const std::uint32_t own = planes_.of_point[i];
       for (Candidate& c : candidates_[region[i] - 1])
         if (c.plane + 1 != own)
-          c.cost += cost_of(area * misfit(planes_.planes[c.plane], site_.points[i], own != 0, planes_.epsilon));
+          c.cost += cost_of(area *
+                            misfit(planes_.planes[c.plane], lean[c.plane], site_.points[i], own != 0, planes_.epsilon));
     }
   }
 

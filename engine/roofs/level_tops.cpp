@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -21,6 +22,7 @@ constexpr std::size_t kMembersPerOther = 5;  // within the hull
 constexpr double kLeastCover = 0.25;         // of the hull, of what its points stand for
 constexpr double kLargestTop = 10;           // m2 that its points stand for; more would be a plane by itself
 constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
+constexpr std::int32_t kRowHeight = 1000;    // millimetres; of the rows that points are found in
 constexpr double kMostOf = 0.6;              // ... when it takes so much of them or the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
@@ -29,24 +31,60 @@ Point2 millimetres(Vec3 p) {
   return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
 }
 
-// Points by x, so that those near a place are found without looking at all.
-class ByPlace {
+// Points in rows along x, each by x, so that those in a box are found without looking at all.
+class Rows {
  public:
-  ByPlace(const std::vector<Vec3>& points, Indices which) : points_(points), order_(std::move(which)) {
-    std::sort(order_.begin(), order_.end(),
-              [&](std::uint32_t a, std::uint32_t b) { return std::pair(points[a].x, a) < std::pair(points[b].x, b); });
+  Rows(const std::vector<Point2>& places, const Indices& which, std::int32_t height)
+      : places_(places), height_(std::max(height, 1)) {
+    low_y_ = std::numeric_limits<std::int32_t>::max();
+    std::int32_t high_y = low_y_;
+    for (const std::uint32_t i : which) {
+      high_y = low_y_ == std::numeric_limits<std::int32_t>::max() ? places[i].y : std::max(high_y, places[i].y);
+      low_y_ = std::min(low_y_, places[i].y);
+    }
+    if (which.empty()) return;
+    rows_ = row_of(high_y) + 1;
+    first_.assign(static_cast<std::size_t>(rows_) + 1, 0);
+    for (const std::uint32_t i : which) ++first_[static_cast<std::size_t>(row_of(places[i].y))];
+    for (std::uint32_t end = 0; std::uint32_t & f : first_) end = f += end;
+    order_.resize(which.size());
+    for (const std::uint32_t i : which)
+      order_[--first_[static_cast<std::size_t>(row_of(places[i].y))]] = {places[i].x, i};
+    for (std::int64_t row = 0; row < rows_; ++row) std::sort(row_begin(row), row_begin(row + 1));
   }
 
   template <class Visit>
-  void between(double low_x, double high_x, Visit visit) const {
-    auto at = std::lower_bound(order_.begin(), order_.end(), low_x,
-                               [&](std::uint32_t i, double x) { return points_[i].x < x; });
-    for (; at != order_.end() && points_[*at].x <= high_x; ++at) visit(*at);
+  void in_box(Point2 low, Point2 high, Visit visit) const {
+    const std::int64_t last = std::min(row_of(high.y), rows_ - 1);
+    for (std::int64_t row = std::max<std::int64_t>(row_of(low.y), 0); row <= last; ++row) {
+      const auto end = row_begin(row + 1);
+      for (auto at = std::lower_bound(row_begin(row), end, std::pair(low.x, 0u)); at != end && at->first <= high.x;
+           ++at) {
+        const std::int32_t y = places_[at->second].y;
+        if (y >= low.y && y <= high.y) visit(at->second);
+      }
+    }
   }
 
  private:
-  const std::vector<Vec3>& points_;
-  Indices order_;
+  using Placed = std::pair<std::int32_t, std::uint32_t>;  // x and the point
+
+  std::int64_t row_of(std::int32_t y) const {
+    const std::int64_t above = std::int64_t{y} - low_y_;
+    return above < 0 ? -1 : above / height_;
+  }
+  std::vector<Placed>::iterator row_begin(std::int64_t row) {
+    return order_.begin() + first_[static_cast<std::size_t>(row)];
+  }
+  std::vector<Placed>::const_iterator row_begin(std::int64_t row) const {
+    return order_.begin() + first_[static_cast<std::size_t>(row)];
+  }
+
+  const std::vector<Point2>& places_;
+  std::int32_t height_, low_y_ = 0;
+  std::int64_t rows_ = 0;
+  std::vector<std::uint32_t> first_;  // per row and one more: where it begins
+  std::vector<Placed> order_;
 };
 
 class TopFinder {
@@ -54,20 +92,24 @@ class TopFinder {
   TopFinder(const RoofSite& site, RoofPlanes& planes)
       : site_(site),
         planes_(planes),
-        all_(site.points, everyone()),
-        no_surface_(torn()),
-        free_(site.points, free_points()) {}
+        places_(places_of(site.points)),
+        all_(places_, everyone(), kRowHeight),
+        no_surface_(torn()) {
+    find_neighbours();
+  }
 
   void run() {
     std::vector<std::pair<std::size_t, std::uint32_t>> seeds;  // by the points around them
-    for (const std::uint32_t i : free_points()) {
-      const std::size_t around = level_around(i, site_.points[i].z).size();
+    for (const std::uint32_t i : everyone()) {
+      if (free_[i] == 0) continue;
+      std::size_t around = 0;
+      level_around(i, site_.points[i].z, [&](std::uint32_t) { ++around; });
       if (around + 1 >= kFewest / 2) seeds.emplace_back(around, i);
     }
     std::sort(seeds.begin(), seeds.end(),
               [](const auto& a, const auto& b) { return std::pair(b.first, a.second) < std::pair(a.first, b.second); });
     for (const auto& [around, seed] : seeds) {
-      if (!is_free(seed) || tried_[seed] != 0) continue;
+      if (free_[seed] == 0 || tried_[seed] != 0) continue;
       Indices top;
       for (const double steps : kReachSteps) {
         reach_ = steps * planes_.step;
@@ -88,12 +130,19 @@ class TopFinder {
     return all;
   }
 
+  static std::vector<Point2> places_of(const std::vector<Vec3>& points) {
+    std::vector<Point2> places;
+    places.reserve(points.size());
+    for (const Vec3& p : points) places.push_back(millimetres(p));
+    return places;
+  }
+
   // Without a plane, or on one so small that it may be a top seen badly.
   bool is_free(std::uint32_t i) const {
     if (planes_.on_wall[i] != 0) return false;
     const std::uint32_t plane = planes_.of_point[i];
     if (plane == 0) return true;
-    return plane <= given_ && is_small(plane);
+    return is_small(plane);
   }
 
   bool is_small(std::uint32_t plane) const {
@@ -114,15 +163,34 @@ class TopFinder {
 
   std::vector<Point2> hull_of(const Indices& points) const {
     std::vector<Point2> places, hull;
-    for (const std::uint32_t i : points) places.push_back(millimetres(site_.points[i]));
+    for (const std::uint32_t i : points) places.push_back(places_[i]);
     for (const std::uint32_t v : convex_hull(places)) hull.push_back(places[v]);
     return hull;
   }
 
-  Indices free_points() const {
+  // Who is free and, of these, who lies within the farthest reach of whom.
+  void find_neighbours() {
     Indices free = everyone();
     std::erase_if(free, [&](std::uint32_t i) { return !is_free(i); });
-    return free;
+    free_.assign(site_.points.size(), 0);
+    for (const std::uint32_t i : free) free_[i] = 1;
+    const auto reach = static_cast<std::int32_t>(std::ceil(std::min(reach_ * 1000 + 1, 1e6)));
+    const Rows rows(places_, free, reach);
+    first_.assign(site_.points.size() + 1, 0);
+    for (const std::uint32_t i : free) {
+      const Point2 p = places_[i];
+      const auto before = static_cast<std::uint32_t>(others_.size());
+      rows.in_box({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t j) {
+        if (j != i && squared_apart(i, j) <= reach_ * reach_) others_.push_back(j);
+      });
+      first_[i + 1] = static_cast<std::uint32_t>(others_.size()) - before;
+    }
+    std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  double squared_apart(std::uint32_t i, std::uint32_t j) const {
+    const double dx = site_.points[j].x - site_.points[i].x, dy = site_.points[j].y - site_.points[i].y;
+    return dx * dx + dy * dy;
   }
 
   double mean_height(const Indices& top) const {
@@ -132,16 +200,13 @@ class TopFinder {
   }
 
   // Free points around one of them, at a height.
-  Indices level_around(std::uint32_t i, double height) const {
-    const Vec3 p = site_.points[i];
-    Indices found;
-    free_.between(p.x - reach_, p.x + reach_, [&](std::uint32_t j) {
-      const Vec3 q = site_.points[j];
-      const double dx = q.x - p.x, dy = q.y - p.y;
-      if (j == i || !is_free(j) || dx * dx + dy * dy > reach_ * reach_) return;
-      if (std::abs(q.z - height) <= planes_.epsilon) found.push_back(j);
-    });
-    return found;
+  template <class Visit>
+  void level_around(std::uint32_t i, double height, Visit visit) const {
+    for (std::uint32_t at = first_[i]; at < first_[i + 1]; ++at) {
+      const std::uint32_t j = others_[at];
+      if (free_[j] == 0 || std::abs(site_.points[j].z - height) > planes_.epsilon) continue;
+      if (squared_apart(i, j) <= reach_ * reach_) visit(j);
+    }
   }
 
   bool is_large(const Indices& top) const {
@@ -153,8 +218,9 @@ class TopFinder {
     Indices top{seed};
     grown_[seed] = ++growth_;
     for (std::size_t next = 0; next < top.size() && !is_large(top); ++next)
-      for (const std::uint32_t j : level_around(top[next], height))
+      level_around(top[next], height, [&](std::uint32_t j) {
         if (std::exchange(grown_[j], growth_) != growth_) top.push_back(j);
+      });
     std::sort(top.begin(), top.end());
     return top;
   }
@@ -173,14 +239,14 @@ class TopFinder {
 
   // Points off the plane.
   std::size_t others_within(std::span<const Point2> hull, const RoofPlane& plane) const {
-    std::int32_t low = hull[0].x, high = low;
+    Point2 low = hull[0], high = low;
     for (const Point2 v : hull) {
-      low = std::min(low, v.x);
-      high = std::max(high, v.x);
+      low = {std::min(low.x, v.x), std::min(low.y, v.y)};
+      high = {std::max(high.x, v.x), std::max(high.y, v.y)};
     }
     std::size_t others = 0;
-    all_.between(low * 0.001, high * 0.001, [&](std::uint32_t i) {
-      const Point2 p = millimetres(site_.points[i]);
+    all_.in_box(low, high, [&](std::uint32_t i) {
+      const Point2 p = places_[i];
       for (std::size_t k = 0; k < hull.size(); ++k)
         if (orient2d(hull[k], hull[(k + 1) % hull.size()], p) <= 0) return;
       const Vec3 at = site_.points[i];
@@ -222,6 +288,7 @@ class TopFinder {
     for (const std::uint32_t i : top) {
       if (std::abs(site_.points[i].z - plane.c) > planes_.epsilon) continue;
       planes_.of_point[i] = label;
+      free_[i] = 0;
       ++plane.points;
       plane.lowest = std::min(plane.lowest, site_.points[i].z);
       plane.highest = std::max(plane.highest, site_.points[i].z);
@@ -235,10 +302,11 @@ class TopFinder {
   std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // the last growth with it
   std::uint32_t growth_ = 0;
   double reach_ = kReachSteps.front() * planes_.step;
-  std::size_t given_ = planes_.planes.size();  // planes that were there before
-  ByPlace all_;
+  std::vector<Point2> places_;
+  Rows all_;
   std::set<std::uint32_t> no_surface_;  // planes
-  ByPlace free_;
+  std::vector<std::uint8_t> free_;      // per point: may be of a top
+  Indices first_, others_;              // per free point those around it
 };
 
 void drop_empty_planes(RoofPlanes& planes) {

@@ -10,6 +10,8 @@
 namespace ilot {
 namespace {
 
+constexpr std::int64_t kLeastEdge = 2;  // millimetres: ends of a shorter one are one vertex to validators
+
 using Ring = std::vector<Point2>;
 
 struct Geos {
@@ -35,11 +37,18 @@ std::int64_t twice_area(const Ring& ring) {
   return sum;
 }
 
+// Without the greater of any two vertices in a row that lie nearer than kLeastEdge, the same one wherever the ring
+// starts and whichever way it runs, so that neighbours lose the same.
 Ring without_repeats(const Ring& ring) {
+  const auto near = [](Point2 p, Point2 q) { return squared_distance(p, q) < kLeastEdge * kLeastEdge; };
   Ring result;
-  for (const Point2 p : ring)
-    if (result.empty() || p != result.back()) result.push_back(p);
-  while (result.size() > 1 && result.front() == result.back()) result.pop_back();
+  const auto add = [&](Point2 p) {
+    while (!result.empty() && near(result.back(), p) && p <= result.back()) result.pop_back();
+    if (result.empty() || !near(result.back(), p)) result.push_back(p);
+  };
+  for (const Point2 p : ring) add(p);
+  while (result.size() > 1 && near(result.front(), result.back()))
+    result.erase(result.front() < result.back() ? result.end() - 1 : result.begin());
   return result;
 }
 
@@ -110,6 +119,17 @@ std::vector<SitePolygon> rebuilt(const Geos& geos, const GEOSGeometry* broken) {
   return polygons;
 }
 
+// The same polygon where it would not be valid without them.
+SitePolygon without_short_edges(const Geos& geos, const SitePolygon& polygon) {
+  SitePolygon shorter;
+  for (const Ring& ring : polygon) {
+    shorter.push_back(without_repeats(ring));
+    if (shorter.back().size() < 3) return polygon;
+  }
+  const Geometry geometry = polygon_geometry(geos, shorter);
+  return geometry && GEOSisValid_r(geos.handle, geometry.get()) == 1 ? oriented(shorter) : polygon;
+}
+
 bool larger(const SitePolygon& a, const SitePolygon& b) {
   const double of_a = area_of(a), of_b = area_of(b);
   return of_a != of_b ? of_a > of_b : a < b;
@@ -158,7 +178,7 @@ RepairedOutline repair_outline(const SitePolygon& rings, double least_area) {
     const std::string text = reason != nullptr ? reason : "unknown";
     GEOSFree_r(geos.handle, reason);
     result.repair = "it was not valid (" + text.substr(0, text.find('[')) + ") and has been mended";
-    result.polygons = rebuilt(geos, polygon.get());
+    for (const SitePolygon& p : rebuilt(geos, polygon.get())) result.polygons.push_back(without_short_edges(geos, p));
   }
   std::erase_if(result.polygons, [&](const SitePolygon& p) { return area_of(p) < least_area; });
   if (result.polygons.empty()) return {{}, "its outline has no area"};

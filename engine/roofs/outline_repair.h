@@ -13,9 +13,10 @@ struct RepairedOutline {
 };
 
 // Polygons on the millimetre grid that are valid as ISO 19107 asks: simple rings, holes inside, interior connected,
-// outer rings counter-clockwise and holes clockwise, no vertex twice in a row. A valid polygon keeps its vertices;
-// others are rebuilt by GEOS (MakeValid, then noded on the grid), and parts below `least_area` (m2) are left out. The
-// ring's vertices are whole millimetres from an anchor. Depends on the vertices alone.
+// outer rings counter-clockwise and holes clockwise, vertices in a row 2 mm apart or more: validators take nearer ones
+// for one. A valid polygon keeps its other vertices; others are rebuilt by GEOS (MakeValid, then noded on the grid), and
+// parts below `least_area` (m2) are left out. The ring's vertices are whole millimetres from an anchor. Depends on the
+// vertices alone.
 RepairedOutline repair_outline(const SitePolygon& rings, double least_area);
 
 // In square metres, holes taken out.

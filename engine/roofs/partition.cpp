@@ -1,165 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/roofs/partition.h"
 
-#include <geos_c.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <memory>
 #include <numeric>
 #include <tuple>
 #include <utility>
 
-#include "engine/error.h"
-#include "engine/geos_context.h"
+#include "engine/roofs/line_net.h"
+#include "engine/roofs/net_cells.h"
 #include "kernels/core/union_find.h"
 #include "kernels/delaunay/rings.h"
-#include "kernels/outlines/simple_ring.h"
 
 namespace ilot {
 namespace {
-
-constexpr double kGrid = 1;  // millimetre
-
-using Owned = GeosOwned;
-
-Owned checked(GEOSGeometry* geometry) {
-  if (!geometry) throw Error("an outline could not be parted (GEOS gave nothing)");
-  return Owned(geometry);
-}
-
-Owned line_string(std::span<const FlatPoint> points) {
-  GEOSCoordSequence* corners = GEOSCoordSeq_create_r(geos_context(), static_cast<unsigned>(points.size()), 2);
-  if (!corners) throw Error("out of memory: an outline");
-  for (unsigned i = 0; i < points.size(); ++i)
-    GEOSCoordSeq_setXY_r(geos_context(), corners, i, points[i].x, points[i].y);
-  return checked(GEOSGeom_createLineString_r(geos_context(), corners));
-}
-
-FlatPoint rounded(FlatPoint metres) {
-  return {std::round(metres.x * 1000), std::round(metres.y * 1000)};
-}
-
-// Outline and lines as one set that meets only in vertices.
-Owned noded(const SitePolygon& outline, std::span<const FlatEdge> lines) {
-  std::vector<Owned> owned;
-  for (const auto& ring : outline) {
-    std::vector<FlatPoint> corners;
-    for (const Point2 p : ring) corners.push_back({static_cast<double>(p.x), static_cast<double>(p.y)});
-    corners.push_back(corners.front());
-    owned.push_back(line_string(corners));
-  }
-  for (const FlatEdge& line : lines) {
-    const FlatPoint ends[2]{rounded(line.a), rounded(line.b)};
-    if (ends[0].x != ends[1].x || ends[0].y != ends[1].y) owned.push_back(line_string(ends));
-  }
-  std::vector<GEOSGeometry*> parts;
-  for (Owned& o : owned) parts.push_back(o.release());
-  const Owned all = checked(GEOSGeom_createCollection_r(geos_context(), GEOS_MULTILINESTRING, parts.data(),
-                                                        static_cast<unsigned>(parts.size())));
-  return checked(GEOSUnaryUnionPrec_r(geos_context(), all.get(), kGrid));
-}
-
-Owned polygon_of(const SitePolygon& outline) {
-  const auto ring_of = [](const std::vector<Point2>& ring) {
-    GEOSCoordSequence* corners = GEOSCoordSeq_create_r(geos_context(), static_cast<unsigned>(ring.size() + 1), 2);
-    if (!corners) throw Error("out of memory: an outline");
-    for (unsigned i = 0; i <= ring.size(); ++i) {
-      const Point2 p = ring[i == ring.size() ? 0 : i];
-      GEOSCoordSeq_setXY_r(geos_context(), corners, i, p.x, p.y);
-    }
-    return checked(GEOSGeom_createLinearRing_r(geos_context(), corners));
-  };
-  std::vector<GEOSGeometry*> holes;
-  for (std::size_t r = 1; r < outline.size(); ++r) holes.push_back(ring_of(outline[r]).release());
-  return checked(GEOSGeom_createPolygon_r(geos_context(), ring_of(outline[0]).release(), holes.data(),
-                                          static_cast<unsigned>(holes.size())));
-}
-
-using Corners = std::vector<Point2>;
-
-Corners corners_of(const GEOSGeometry* ring) {
-  const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos_context(), ring);
-  unsigned count = 0;
-  GEOSCoordSeq_getSize_r(geos_context(), sequence, &count);
-  Corners corners;
-  for (unsigned i = 0; i < count; ++i) {
-    double x = 0, y = 0;
-    GEOSCoordSeq_getXY_r(geos_context(), sequence, i, &x, &y);
-    corners.push_back({static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))});
-  }
-  return corners;
-}
-
-bool turns_left(const Corners& closed) {
-  std::int64_t area = 0;
-  for (std::size_t i = 0; i + 1 < closed.size(); ++i)
-    area += static_cast<std::int64_t>(closed[i].x - closed[0].x) * (closed[i + 1].y - closed[0].y) -
-            static_cast<std::int64_t>(closed[i + 1].x - closed[0].x) * (closed[i].y - closed[0].y);
-  return area > 0;
-}
-
-struct Cell {
-  std::vector<Corners> rings;  // closed; the cell lies to their left
-};
-
-// Cells inside the outline, in a definite order.
-std::vector<Cell> cells_of(const GEOSGeometry* polygons, const GEOSPreparedGeometry* outline) {
-  std::vector<Cell> cells;
-  const int count = GEOSGetNumGeometries_r(geos_context(), polygons);
-  for (int i = 0; i < count; ++i) {
-    const GEOSGeometry* polygon = GEOSGetGeometryN_r(geos_context(), polygons, i);
-    const Owned inside = checked(GEOSPointOnSurface_r(geos_context(), polygon));
-    if (GEOSPreparedIntersects_r(geos_context(), outline, inside.get()) != 1) continue;
-    Cell cell;
-    const auto add = [&](const GEOSGeometry* ring, bool left) {
-      Corners corners = corners_of(ring);
-      if (turns_left(corners) != left) std::reverse(corners.begin(), corners.end());
-      cell.rings.push_back(std::move(corners));
-    };
-    add(GEOSGetExteriorRing_r(geos_context(), polygon), true);
-    for (int r = 0; r < GEOSGetNumInteriorRings_r(geos_context(), polygon); ++r)
-      add(GEOSGetInteriorRingN_r(geos_context(), polygon, r), false);
-    cells.push_back(std::move(cell));
-  }
-  std::sort(cells.begin(), cells.end(), [](const Cell& a, const Cell& b) {
-    const auto least = [](const Cell& c) { return *std::min_element(c.rings[0].begin(), c.rings[0].end()); };
-    const Point2 p = least(a), q = least(b);
-    if (p != q) return p < q;
-    return std::lexicographical_compare(a.rings[0].begin(), a.rings[0].end(), b.rings[0].begin(), b.rings[0].end());
-  });
-  return cells;
-}
-
-Partition subdivision(const std::vector<Cell>& cells) {
-  Partition p;
-  for (const Cell& cell : cells)
-    for (const Corners& ring : cell.rings) p.vertices.insert(p.vertices.end(), ring.begin(), ring.end());
-  std::sort(p.vertices.begin(), p.vertices.end());
-  p.vertices.erase(std::unique(p.vertices.begin(), p.vertices.end()), p.vertices.end());
-  const auto number = [&](Point2 v) {
-    return static_cast<std::uint32_t>(std::lower_bound(p.vertices.begin(), p.vertices.end(), v) - p.vertices.begin());
-  };
-  for (const Cell& cell : cells) {
-    ++p.regions;
-    for (const Corners& ring : cell.rings)
-      for (std::size_t i = 0; i + 1 < ring.size(); ++i) {
-        const std::uint32_t from = number(ring[i]), to = number(ring[i + 1]);
-        if (from == to) continue;
-        p.edges.push_back(from < to ? PartitionEdge{from, to, p.regions, kOutside}
-                                    : PartitionEdge{to, from, kOutside, p.regions});
-      }
-  }
-  tidy(p);
-  return p;
-}
-
-Partition one_cell(Corners ring) {
-  ring.push_back(ring.front());
-  if (!turns_left(ring)) std::reverse(ring.begin(), ring.end());
-  return subdivision({{{std::move(ring)}}});
-}
 
 // Vertices in the middle of straight borders of the same two regions, by walking from junction to junction.
 class Straightener {
@@ -307,7 +162,21 @@ void pass_through_near_vertices(Partition& p, double reach) {
   tidy(p);
 }
 
+Point2 millimetres(FlatPoint metres) {
+  const auto rounded = [](double v) {
+    constexpr double kMost = kMaxPlaneCoordinate;
+    return static_cast<std::int32_t>(std::clamp(std::round(v * 1000), -kMost, kMost));
+  };
+  return {rounded(metres.x), rounded(metres.y)};
+}
+
 }  // namespace
+
+bool turns_before(Point2 o, Point2 p, Point2 q) {
+  const auto lower = [&](Point2 r) { return r.y < o.y || (r.y == o.y && r.x < o.x); };
+  if (lower(p) != lower(q)) return lower(q);
+  return orient2d(o, p, q) > 0;
+}
 
 void tidy(Partition& p) {
   join_vertices(p);
@@ -364,15 +233,11 @@ std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolyg
 }
 
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
-  if (lines.empty() && outline.size() == 1 && is_simple_ring(outline[0])) return one_cell(outline[0]);
-  const Owned net = noded(outline, lines);
-  const GEOSGeometry* nets[1]{net.get()};
-  const Owned polygons = checked(GEOSPolygonize_r(geos_context(), nets, 1));
-  const Owned polygon = polygon_of(outline);
-  const auto release = [](const GEOSPreparedGeometry* g) { GEOSPreparedGeom_destroy_r(geos_context(), g); };
-  const std::unique_ptr<const GEOSPreparedGeometry, decltype(release)> prepared(
-      GEOSPrepare_r(geos_context(), polygon.get()), release);
-  return subdivision(cells_of(polygons.get(), prepared.get()));
+  std::vector<NetSegment> segments;
+  for (const auto& ring : outline)
+    for (std::size_t i = 0; i < ring.size(); ++i) segments.push_back({ring[i], ring[(i + 1) % ring.size()], true});
+  for (const FlatEdge& line : lines) segments.push_back({millimetres(line.a), millimetres(line.b), false});
+  return cells_inside(snap_rounded(segments));
 }
 
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points) {
@@ -385,23 +250,29 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
   const auto strip_of = [&](double x) {
     return static_cast<std::size_t>(std::clamp((x - low) / width, 0.0, static_cast<double>(strips - 1)));
   };
-  std::vector<std::vector<std::uint32_t>> crossing(strips);
-  for (std::uint32_t e = 0; e < partition.edges.size(); ++e) {
-    const std::size_t last = strip_of(partition.vertices[partition.edges[e].to].x);
-    for (std::size_t s = strip_of(partition.vertices[partition.edges[e].from].x); s <= last; ++s)
-      crossing[s].push_back(e);
+  struct Crossing {
+    double ax, ay, bx, by;
+    std::uint32_t left;
+  };
+  std::vector<std::vector<Crossing>> crossing(strips);
+  for (const PartitionEdge& e : partition.edges) {
+    const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
+    if (a.x == b.x) continue;  // never below
+    const Crossing c{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(b.x),
+                     static_cast<double>(b.y), e.left};  // from < to, so towards +x, and its left is above it
+    const std::size_t last = strip_of(c.bx);
+    for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
   }
   for (std::size_t i = 0; i < points.size(); ++i) {
     const FlatPoint p = points[i];
     if (p.x < low || p.x > high) continue;
     double nearest = -INFINITY;
-    for (const std::uint32_t e : crossing[strip_of(p.x)]) {
-      const Point2 a = partition.vertices[partition.edges[e].from], b = partition.vertices[partition.edges[e].to];
-      if (p.x < a.x || p.x >= b.x) continue;  // from < to: never to the left; upright edges are never below
-      const double y = a.y + (p.x - a.x) / static_cast<double>(b.x - a.x) * (b.y - a.y);
+    for (const Crossing& c : crossing[strip_of(p.x)]) {
+      if (p.x < c.ax || p.x >= c.bx || std::min(c.ay, c.by) > p.y) continue;
+      const double y = c.ay + (p.x - c.ax) / (c.bx - c.ax) * (c.by - c.ay);
       if (y > p.y || y <= nearest) continue;
       nearest = y;
-      regions[i] = partition.edges[e].left;  // towards +x, so its left is above it
+      regions[i] = c.left;
     }
   }
   return regions;

@@ -30,9 +30,12 @@ struct Partition {
 // length go, and where a region has lost its width its two sides become one edge.
 void tidy(Partition& partition);
 
-// Cuts the polygon by the lines (metres). Ends of lines that lead nowhere are dropped. Snap rounding [Hobby 1999] keeps
+// Whether direction p - o comes before q - o counter-clockwise from the direction of +x.
+bool turns_before(Point2 o, Point2 p, Point2 q);
+
+// Cuts the polygon by the lines (metres). Ends of lines that lead nowhere are dropped. Snap rounding (line_net.h) keeps
 // vertices on the grid, so lines move by up to a millimetre, and those of the outline too where a line passes within
-// one. Without lines the polygon itself, region 1. By GEOS. Throws Error when it finds the polygon invalid.
+// one. Without lines the polygon itself, region 1; of a polygon whose rings cross, what an odd number of them encloses.
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines);
 
 // Region of each point (millimetres), kOutside when beyond all; a point on an edge belongs to either side of it.

@@ -16,6 +16,7 @@
 namespace ilot {
 namespace {
 
+constexpr double kShortestEdge = 0.003;    // metres: a cut that ends so near a corner ends there
 constexpr double kCellSteps = 1.6;         // side of the cells in which heights are compared: two or three points each
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 4;
@@ -297,7 +298,9 @@ std::vector<SitePolygon> split_at_party_walls(const SitePolygon& outline, std::s
     for (SitePolygon& p : parts_of(polygon, *wall, params)) open.push_back(std::move(p));
   }
   if (cuts.empty()) return {outline};
-  std::vector<SitePolygon> parts = region_polygons(part(outline, cuts));
+  Partition cells = part(outline, cuts);
+  close_short_edges(cells, outline, kShortestEdge);
+  std::vector<SitePolygon> parts = region_polygons(cells);
   std::stable_sort(parts.begin(), parts.end(),
                    [](const SitePolygon& a, const SitePolygon& b) { return area_of(a) > area_of(b); });
   return parts;

@@ -270,14 +270,15 @@ class StepFinder {
     }
   }
 
-  // Places of a strip and of the next one, along them, that are not taken.
-  std::vector<Place> places_in(const Window& window) const {
+  // Places of a strip and of the next one, along them, that are not taken. Valid until the next call.
+  const std::vector<Place>& places_in(const Window& window) const {
     const std::vector<Place>& places = places_[window.direction];
     const std::vector<std::size_t>& starts = starts_[window.direction];
     const std::size_t first = starts[window.strip], middle = starts[window.strip + 1];
     std::size_t last = middle;
     if (middle < places.size() && places[middle].strip == places[first].strip + 1) last = starts[window.strip + 2];
-    std::vector<Place> merged;
+    std::vector<Place>& merged = merged_;
+    merged.clear();
     const auto place = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
     std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged),
                [](const Place& p, const Place& q) {
@@ -289,7 +290,7 @@ class StepFinder {
 
   // The most sightings of a window without a gap; none when they lie too close together to give a direction.
   Run longest(const Window& window) const {
-    const std::vector<Place> places = places_in(window);
+    const std::vector<Place>& places = places_in(window);
     std::size_t best_first = 0, best_last = 0, first = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i > first && places[i].along - places[i - 1].along > kGapSteps * step_) first = i;
@@ -322,6 +323,7 @@ class StepFinder {
   std::vector<std::vector<Place>> places_;        // per direction
   std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end
   std::priority_queue<Window> windows_;
+  mutable std::vector<Place> merged_;  // what places_in gives
 };
 
 // Runs that a wall of the outline or a longer run continues lie on its line: between the two nothing but slivers would

@@ -23,7 +23,7 @@ struct RoofSite {
   std::string id;       // the footprint's, else made from the content; unique within a run
   Vec3 anchor;          // CRS units; where the coordinates below start. Whole millimetres of the CRS's own grid, so
                         // that neighbours that share a wall share its vertices
-  SitePolygon outline;  // valid: simple rings, holes inside, at least 1 mm between vertices
+  SitePolygon outline;  // valid: simple rings, holes inside, at least 2 mm from vertex to vertex
   std::vector<Vec3> points;  // metres from the anchor: the building's points, in global order
   double ground = 0;         // metres above the anchor: where the walls end
   GroundSource ground_source = GroundSource::measured;

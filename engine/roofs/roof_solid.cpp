@@ -23,13 +23,6 @@ struct Spoke {
   std::uint32_t left = kOutside;
 };
 
-// Whether direction p - o comes before q - o counter-clockwise from the direction of +x.
-bool turns_before(Point2 o, Point2 p, Point2 q) {
-  const auto lower = [&](Point2 r) { return r.y < o.y || (r.y == o.y && r.x < o.x); };
-  if (lower(p) != lower(q)) return lower(q);
-  return orient2d(o, p, q) > 0;
-}
-
 class Solid {
  public:
   Solid(Partition faces, std::span<const RoofPlane> planes, double ground, double same_height)

@@ -315,12 +315,18 @@ class Search {
            std::abs(dot(plane.n, remaining_.normal(i))) >= params_.min_cos;
   }
 
+  // Distances first, as one loop without branches: most points of a run are not near.
   std::vector<std::uint32_t> consensus(const Plane& plane) const {
     std::vector<std::uint32_t> members;
+    std::array<double, RunBoxes::kRun> distance;
     for (std::size_t run = 0; run < runs_.count(); ++run) {
       if (!runs_[run].may_reach(plane, params_.epsilon)) continue;
-      for (std::size_t i = run * RunBoxes::kRun; i < RunBoxes::end(run, remaining_); ++i)
-        if (agrees(plane, i)) members.push_back(static_cast<std::uint32_t>(i));
+      const std::size_t begin = run * RunBoxes::kRun, size = RunBoxes::end(run, remaining_) - begin;
+      const float *x = &remaining_.x[begin], *y = &remaining_.y[begin], *z = &remaining_.z[begin];
+      for (std::size_t i = 0; i < size; ++i) distance[i] = std::abs(signed_distance(plane, {x[i], y[i], z[i]}));
+      for (std::size_t i = 0; i < size; ++i)
+        if (distance[i] <= params_.epsilon && std::abs(dot(plane.n, remaining_.normal(begin + i))) >= params_.min_cos)
+          members.push_back(static_cast<std::uint32_t>(begin + i));
     }
     return members;
   }
@@ -393,7 +399,7 @@ class Search {
       members = std::move(next);
       if (settled) break;
     }
-    members = part_of(members, seed);
+    if (members.size() >= params_.min_points) members = part_of(members, seed);
     if (members.size() < params_.min_points) {
       pool_.drop(candidate);
       return;

@@ -4,6 +4,8 @@
 #include <geos_c.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "kernels/core/rng.h"
 
 namespace ilot {
@@ -74,6 +76,18 @@ TEST(OutlineRepair, RepeatedVerticesAreOne) {
   const RepairedOutline repaired = repair_outline({ring}, 0.01);
   ASSERT_EQ(repaired.polygons.size(), 1u);
   EXPECT_EQ(repaired.polygons[0][0], kSquare);
+}
+
+TEST(OutlineRepair, VerticesOfAMillimetreAreOneTheSameForBothNeighbours) {
+  const std::vector<Point2> ring{{0, 0}, {10000, 0}, {10000, 5000}, {10000, 5001}, {10000, 10000}, {0, 10000}, {0, 1}};
+  const std::vector<Point2> whole{{0, 0}, {10000, 0}, {10000, 5000}, {10000, 10000}, {0, 10000}};
+  for (std::size_t start = 0; start < ring.size(); ++start) {
+    std::vector<Point2> turned = ring;
+    std::rotate(turned.begin(), turned.begin() + static_cast<std::ptrdiff_t>(start), turned.end());
+    EXPECT_EQ(repair_outline({turned}, 0.01).polygons.at(0)[0], whole) << start;
+    std::reverse(turned.begin(), turned.end());
+    EXPECT_EQ(repair_outline({turned}, 0.01).polygons.at(0)[0], whole) << start;
+  }
 }
 
 TEST(OutlineRepair, AnyScribbleComesOutValidOrWithAReason) {

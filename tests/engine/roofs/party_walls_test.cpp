@@ -44,6 +44,20 @@ TEST(PartyWalls, ARowComesApartAtItsWalls) {
   EXPECT_LE(places_x(parts).size(), 6u) << "neighbours share the vertices of their wall";
 }
 
+TEST(PartyWalls, ACutThatMeetsAWallBesideACornerEndsInTheCorner) {
+  RoofSite site = roof_site(24, 10, row);
+  std::set<std::int32_t> ends;  // of the cuts, on the side y = 0
+  for (const SitePolygon& p : split_at_party_walls(site.outline, site.points, kStep))
+    for (const Point2 v : p[0])
+      if (v.y == 0 && v.x > 0 && v.x < 24000) ends.insert(v.x);
+  ASSERT_EQ(ends.size(), 2u);
+  site.outline[0].insert(site.outline[0].begin() + 1, {*ends.begin() + 1, 0});
+  const auto parts = split_at_party_walls(site.outline, site.points, kStep);
+  EXPECT_EQ(parts.size(), 3u);
+  for (const SitePolygon& p : parts)
+    for (std::size_t v = 0; v < p[0].size(); ++v) EXPECT_GE(squared_distance(p[0][v], p[0][(v + 1) % p[0].size()]), 4);
+}
+
 TEST(PartyWalls, OneRoofStaysOne) {
   const auto gable = [](double, double y) { return 5 + std::min(y, 10 - y); };
   const RoofSite house = roof_site(24, 10, gable);

@@ -215,6 +215,47 @@ TEST(RoofModel, ARefusedRoofLosesItsSmallFacesFirst) {
   EXPECT_EQ(roof_faces(m.lod22), 2u);
 }
 
+// A perimeter block around a courtyard, 220 x 160 m, of 200 narrow houses whose ridges run along the street and whose
+// heights differ: 400 faces of some 24 m2. The corners are flat.
+constexpr double kBlockWidth = 220, kBlockDepth = 160, kWing = 14;
+
+double perimeter_block(double x, double y) {
+  const double south = y, north = kBlockDepth - y, west = x, east = kBlockWidth - x;
+  const bool along_x = std::min(south, north) < kWing, along_y = std::min(west, east) < kWing;
+  if (along_x && along_y) return 11;
+  const double across = along_x ? std::min(south, north) : std::min(west, east);
+  const auto house = static_cast<int>((along_x ? x : y) / 3.3);
+  return 12 + 1.7 * (house % 5) + 0.6 * std::min(across, kWing - across);
+}
+
+TEST(RoofModel, APerimeterBlockOf400FacesIsOneValidSolid) {
+  RoofSite site = roof_site(kBlockWidth, kBlockDepth, perimeter_block, 8);
+  const auto in = [](double low, double v, double high) { return v > low && v < high; };
+  std::erase_if(site.points, [&](const Vec3& p) {
+    return in(kWing, p.x, kBlockWidth - kWing) && in(kWing, p.y, kBlockDepth - kWing);
+  });
+  const auto block = [](Vec3 p) {  // points come along a curve that fills space
+    return std::pair(static_cast<int>(p.y / 7), (static_cast<int>(p.y / 7) % 2 == 0 ? 1 : -1) * static_cast<int>(p.x));
+  };
+  std::stable_sort(site.points.begin(), site.points.end(),
+                   [&](const Vec3& a, const Vec3& b) { return block(a) < block(b); });
+  const auto mm = [](double v) { return static_cast<std::int32_t>(v * 1000); };
+  site.outline.push_back({{mm(kWing), mm(kWing)},
+                          {mm(kWing), mm(kBlockDepth - kWing)},
+                          {mm(kBlockWidth - kWing), mm(kBlockDepth - kWing)},
+                          {mm(kBlockWidth - kWing), mm(kWing)}});
+  const RoofModel model = model_roof(site, {}, 1, [](const Building& b) {
+    const Faults faults = validate_building(b, {85000, 446000, 0}, 0.0001, {});
+    return faults.empty() ? std::string() : std::to_string(faults[0].code);
+  });
+  ASSERT_EQ(model.status, RoofStatus::lod22) << model.reason;
+  EXPECT_GE(roof_faces(model.lod22), 380u);
+  EXPECT_LE(roof_faces(model.lod22), 440u);
+  std::size_t lying = 0;
+  for (const std::uint32_t face : model.face_of_point) lying += face != 0;
+  EXPECT_GE(lying, site.points.size() * 95 / 100);
+}
+
 TEST(RoofPlanes, WallsAreNotRoofs) {
   RoofSite site = roof_site(12, 6, gable);
   Rng rng(2);
