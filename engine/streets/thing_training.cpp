@@ -408,11 +408,12 @@ ThingModel train_things(std::span<const ThingSample> all, const ThingTrainingPar
   if (model.features.empty()) throw Error("training: no feature tells the classes apart", ExitCode::usage);
   standardise(samples, model);
   const TrainingSet first = training_set(samples, model, params.folds);
-  const GridBest best = search_grid(first, usable_folds(first, params.folds), model.classes.size());
+  const TrainingSet few = training_set(thinned(samples, params.most_in_grid, ignored), model, params.folds);
+  const GridBest best = search_grid(few, usable_folds(few, params.folds), model.classes.size());
   model.cost = best.cost;
   model.gamma = best.gamma;
   finish(first, even, params, model);
-  const std::vector<ThingSample> wrong = thinned(wrong_ones(model, rest), params.most_of_class, ignored);
+  const std::vector<ThingSample> wrong = thinned(wrong_ones(model, rest), params.most_of_class / 3, ignored);
   if (wrong.empty()) return model;
   samples.insert(samples.end(), wrong.begin(), wrong.end());
   finish(training_set(samples, model, params.folds), even, params, model);
