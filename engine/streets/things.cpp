@@ -6,7 +6,6 @@
 #include <map>
 #include <mutex>
 
-#include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/rasters/box_minimum.h"
 #include "kernels/rasters/flat_zones_tiled.h"
@@ -15,7 +14,8 @@
 namespace ilot {
 namespace {
 
-constexpr Height kModeMetres100 = 5;  // bins of the mode of heights, centimetres
+constexpr std::uint32_t kBytesPerPixel = 60;  // of what a component or a tile is worked on with
+constexpr Height kModeMetres100 = 5;          // bins of the mode of heights, centimetres
 
 struct PixelRect {
   std::int64_t x0 = INT64_MAX, y0 = INT64_MAX, x1 = INT64_MIN, y1 = INT64_MIN;  // closed
@@ -415,9 +415,12 @@ class ThingFinder {
 
   std::vector<Thing> find() {
     const std::vector<std::vector<std::uint32_t>> of_tile = share_out();
-    for_each_tile(layers_.grid, [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); });
+    for_each_tile(layers_.grid, [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); }, {kBytesPerPixel, 0});
     shared_.resize(spanning_.size());
-    parallel_for(spanning_.size(), [&](std::size_t i) { work_on_spanning(i); });
+    std::vector<std::uint64_t> bytes;
+    for (const std::uint32_t c : spanning_)
+      bytes.push_back(std::uint64_t{components_.boxes[c].width()} * components_.boxes[c].height() * kBytesPerPixel);
+    run_tasks(layers_.grid, bytes, [&](std::size_t i) { work_on_spanning(i); });
     std::vector<std::uint32_t> first(things_.size() + 1, 0);
     for (std::size_t c = 0; c < things_.size(); ++c) first[c + 1] = first[c] + separated(things_[c]);
     for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, first); });
