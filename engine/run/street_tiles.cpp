@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kShareOfLayers = 0.4;     // of the budget, for packed layers; the rest is for the work on tiles
+constexpr double kShareOfLayers = 0.25;    // of the budget, for packed layers
+constexpr double kShareOfTiles = 0.5;      // for the work on tiles; the rest is what the allocator holds back
 constexpr std::uint64_t kBytesDrawn = 16;  // per pixel of a tile that is drawn
 constexpr double kFinestPixel = 0.05;      // metres
 constexpr int kCoarsest = 20;              // times that
@@ -46,12 +47,8 @@ std::vector<std::pair<std::int64_t, std::int64_t>> windows_of(const Store& store
   return windows;
 }
 
-std::uint64_t bytes_of_layers(const PassContext& context) {
-  return static_cast<std::uint64_t>(kShareOfLayers * static_cast<double>(context.budget_bytes));
-}
-
-std::uint64_t budget_of_tiles(const PassContext& context) {
-  return context.budget_bytes - bytes_of_layers(context);
+std::uint64_t share_of(const PassContext& context, double share) {
+  return static_cast<std::uint64_t>(share * static_cast<double>(context.budget_bytes));
 }
 
 std::int64_t whole_units(const Store& store, const PassContext& context, double metres) {
@@ -125,7 +122,7 @@ double pixel_for(double density) {
 }
 
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
-    : store_(store), context_(context), packed_(store.folder() / "streets", bytes_of_layers(context)) {
+    : store_(store), context_(context), packed_(store.folder() / "streets", share_of(context, kShareOfLayers)) {
   raster_.pixel = whole_units(store, context, pixel_metres);
   raster_.unit = store.unit();
   const double metres = store.unit() * context.metres_per_unit;
@@ -143,8 +140,8 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
   std::vector<std::size_t> tiles;
   for (const auto& [row, column] : windows)
     tiles.push_back(static_cast<std::size_t>((row - windows.front().first) * raster_.grid.columns() + column - first));
-  const auto run = [budget = budget_of_tiles(context)](std::span<const std::uint64_t> bytes,
-                                                       const std::function<void(std::size_t)>& body) {
+  const auto run = [budget = share_of(context, kShareOfTiles)](std::span<const std::uint64_t> bytes,
+                                                               const std::function<void(std::size_t)>& body) {
     std::vector<PassTask> tasks;
     for (const std::uint64_t b : bytes) tasks.push_back({b, b});
     run_pass(tasks, budget, body);
