@@ -47,6 +47,7 @@ struct Street {
   std::vector<std::uint32_t> object;             // which one a sample is; 0 = none
   std::vector<double> overlaps;                  // with it
   std::map<std::string, std::uint64_t> objects;  // seen, by class
+  std::map<std::uint32_t, PointLabel> classes;   // of objects
   std::uint64_t blocks = 0, gaps = 0, found_gaps = 0, ground = 0, ground_found = 0;
 };
 
@@ -207,6 +208,20 @@ void save(const Street& street, const fs::path& path) {
   write_whole_file(path, text);
 }
 
+// A thing that overlaps an object well is no sample of its class where another overlaps it clearly better: it is a part
+// of it, or it and something else.
+void keep_best(Street& street) {
+  constexpr double kClearly = 0.2;
+  std::map<std::uint32_t, double> best;
+  for (std::size_t i = 0; i < street.samples.size(); ++i) {
+    best[street.object[i]] = std::max(best[street.object[i]], street.overlaps[i]);
+    street.classes[street.object[i]] = street.samples[i].label;
+  }
+  for (std::size_t i = 0; i < street.samples.size(); ++i)
+    if (street.object[i] != 0 && street.overlaps[i] < best[street.object[i]] - kClearly)
+      street.samples[i].label = PointLabel::none;
+}
+
 Street load(const fs::path& path) {
   std::ifstream file(path);
   Street street;
@@ -331,8 +346,9 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, M
       ++m[street.samples[i].label][classes[i].label];
       continue;
     }
-    ++m[street.samples[i].label][classes[i].label];
-    ++detected[name_of(street.samples[i].label)];
+    const PointLabel truth = street.classes.at(street.object[i]);
+    ++m[truth][classes[i].label];
+    ++detected[name_of(truth)];
     ++right;
   }
   for (std::size_t t = 3; t < kThresholds; ++t) {
@@ -439,6 +455,7 @@ int run(const std::vector<std::string>& arguments) {
       streets.push_back(study(cloud));
       if (!kept.empty()) save(streets.back(), kept);
     }
+    keep_best(streets.back());
     const Street& s = streets.back();
     std::map<PointLabel, std::uint64_t> counts;
     for (const ThingSample& sample : s.samples) ++counts[sample.label];

@@ -58,7 +58,7 @@ void RasterFile::write(std::uint32_t x, std::uint32_t y, std::uint32_t width, st
   const CPLErr failed = dataset_->file->GetRasterBand(1)->RasterIO(
       GF_Write, static_cast<int>(x), static_cast<int>(y), static_cast<int>(width), static_cast<int>(height),
       const_cast<float*>(values.data()), static_cast<int>(width), static_cast<int>(height), GDT_Float32, 0, 0, nullptr);
-  if (failed != CE_None) dataset_->fail();
+  if (failed != CE_None || dataset_->file->GetRasterBand(1)->FlushCache(false) != CE_None) dataset_->fail();
 }
 
 void RasterFile::finish() {

@@ -7,7 +7,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
-constexpr std::uint64_t kBytesOfTile = 12u << 20;
+constexpr std::uint64_t kBytesOfTile = 4u << 20;
 
 // One tile at a time: points come in Morton order, so tiles seldom change.
 class Verdict {

@@ -7,16 +7,17 @@
 
 #include "engine/pass/pass.h"
 #include "engine/store/view.h"
-#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kSide = 1024;
+constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kShareOfLayers = 0.4;  // of the budget, for packed layers
-constexpr double kFinestPixel = 0.05;   // metres
-constexpr int kCoarsest = 20;           // times that
+constexpr double kShareOfLayers = 0.25;    // of the budget, for packed layers
+constexpr double kShareOfTiles = 0.5;      // for the work on tiles; the rest is what the allocator holds back
+constexpr std::uint64_t kBytesDrawn = 16;  // per pixel of a tile that is drawn
+constexpr double kFinestPixel = 0.05;      // metres
+constexpr int kCoarsest = 20;              // times that
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
@@ -44,6 +45,10 @@ std::vector<std::pair<std::int64_t, std::int64_t>> windows_of(const Store& store
   std::sort(windows.begin(), windows.end());
   windows.erase(std::unique(windows.begin(), windows.end()), windows.end());
   return windows;
+}
+
+std::uint64_t share_of(const PassContext& context, double share) {
+  return static_cast<std::uint64_t>(share * static_cast<double>(context.budget_bytes));
 }
 
 std::int64_t whole_units(const Store& store, const PassContext& context, double metres) {
@@ -88,7 +93,8 @@ double median_density(const Store& store, const PassContext& context) {
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
   const auto windows = windows_of(store, side);
   std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
-  parallel_for(windows.size(), [&](std::size_t i) {
+  const std::vector<PassTask> tasks(windows.size(), {context.task_points * sizeof(std::uint64_t), 0});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto [row, column] = windows[i];
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
@@ -116,10 +122,7 @@ double pixel_for(double density) {
 }
 
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
-    : store_(store),
-      context_(context),
-      packed_(store.folder() / "streets",
-              static_cast<std::uint64_t>(kShareOfLayers * static_cast<double>(context.budget_bytes))) {
+    : store_(store), context_(context), packed_(store.folder() / "streets", share_of(context, kShareOfLayers)) {
   raster_.pixel = whole_units(store, context, pixel_metres);
   raster_.unit = store.unit();
   const double metres = store.unit() * context.metres_per_unit;
@@ -137,11 +140,17 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
   std::vector<std::size_t> tiles;
   for (const auto& [row, column] : windows)
     tiles.push_back(static_cast<std::size_t>((row - windows.front().first) * raster_.grid.columns() + column - first));
-  parallel_for(tiles.size(), [&](std::size_t i) {
-    stop_if_asked();
-    draw(tiles[i], present);
-  });
+  const auto run = [budget = share_of(context, kShareOfTiles)](std::span<const std::uint64_t> bytes,
+                                                               const std::function<void(std::size_t)>& body) {
+    std::vector<PassTask> tasks;
+    for (const std::uint64_t b : bytes) tasks.push_back({b, b});
+    run_pass(tasks, budget, body);
+  };
+  const std::uint64_t of_points = context.task_points * sizeof(std::uint64_t);  // of a block that is read
+  const std::vector<std::uint64_t> bytes(tiles.size(), kBytesDrawn * kSide * kSide + of_points);
+  run(bytes, [&](std::size_t i) { draw(tiles[i], present); });
   raster_.grid.present = std::move(present);
+  raster_.grid.run = run;
   layers_ = {
       raster_.grid,
       [this](const char* layer, std::size_t tile, const TileFrame& part) { return packed_.read(layer, tile, part); },
@@ -196,25 +205,27 @@ double StreetTiles::mean_accumulation() const {
 
 void StreetTiles::spread_level(double reach) const {
   const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
-  for_each_tile(raster_.grid, [&](std::size_t tile) {
-    Image level = layer_around(layers_, "filled", tile, halo);
-    const Image mask = layer_around(layers_, "mask", tile, halo), height = layer_around(layers_, "height", tile, halo);
-    for (std::size_t i = 0; i < level.size(); ++i) {
-      if (mask.values[i] != 1) {
-        level.values[i] = kNoHeight;
-      } else if (height.values[i] != kNoHeight) {
-        level.values[i] -= height.values[i];
-      }
-    }
-    spread(level, halo - 1);
-    layers_.write("level", tile, without_halo(level, halo));
-  });
+  for_each_tile(raster_.grid,
+                [&](std::size_t tile) {
+                  Image level = layer_around(layers_, "filled", tile, halo);
+                  const Image mask = layer_around(layers_, "mask", tile, halo),
+                              height = layer_around(layers_, "height", tile, halo);
+                  for (std::size_t i = 0; i < level.size(); ++i) {
+                    if (mask.values[i] != 1) {
+                      level.values[i] = kNoHeight;
+                    } else if (height.values[i] != kNoHeight) {
+                      level.values[i] -= height.values[i];
+                    }
+                  }
+                  spread(level, halo - 1);
+                  layers_.write("level", tile, without_halo(level, halo));
+                },
+                {28, halo});
 }
 
 void StreetTiles::count_above(double least_height, double low_height) const {
   const Height least = raster_.scale.units(least_height), low_below = raster_.scale.units(low_height);
   for_each_tile(raster_.grid, [&](std::size_t tile) {
-    stop_if_asked();
     const Image level = layer_tile(layers_, "level", tile);
     Image above = filled_image(kSide, kSide, 0), low = above;
     for_points(tile, [&](std::size_t pixel, Height z) {

@@ -2,7 +2,6 @@
 #include "engine/run/streets_product.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,15 +25,6 @@ constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lin
 constexpr float kNone = -9999;             // pixels without a height
 constexpr std::uint64_t kLeastPoints = 3;  // of an object [B7]
 constexpr double kPixelsOfThing = 4;       // of a thing at least
-
-// Images of tiles come and go all the time: memory that is given back to the system each time comes back as page
-// faults, which are a third of the work.
-void keep_freed_memory() {
-#ifdef __GLIBC__
-  mallopt(M_MMAP_THRESHOLD, 64 << 20);
-  mallopt(M_TRIM_THRESHOLD, 128 << 20);
-#endif
-}
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
   return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
@@ -187,7 +177,6 @@ void choose_pixel(const StreetsSettings& settings, const FoundStreet& street, Ru
 }  // namespace
 
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
-  keep_freed_memory();
   FoundStreet street;
   street.density = median_density(store, context);
   street.tiles = std::make_unique<StreetTiles>(store, context, settings.pixel.value_or(pixel_for(street.density)));

@@ -7,7 +7,7 @@ namespace ilot {
 
 struct SeparationParams {
   double least_area = 0.025;  // square metres of a top, and of an artefact
-  double rise = 0.1;          // metres by which a top has to rise above the pass to a higher one
+  double rise = 0.05;         // metres by which a top has to rise above the pass to a higher one
 };
 
 // One label for each thing that stands there, also where things touch [B5]: an opening by area takes away peaks smaller

@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "kernels/core/parallel.h"
-
 namespace ilot {
 namespace {
 
@@ -71,12 +69,6 @@ ReadAround around_reader_of(const StreetLayers& layers, const char* layer) {
 
 WriteTile writer_of(const StreetLayers& layers, const char* layer) {
   return [&layers, layer](std::size_t tile, const Image& image) { layers.write(layer, tile, image); };
-}
-
-void for_each_tile(const TileGrid& grid, const std::function<void(std::size_t)>& body) {
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (grid.has(tile)) body(tile);
-  });
 }
 
 }  // namespace ilot

@@ -34,7 +34,4 @@ ReadTile reader_of(const StreetLayers& layers, const char* layer);
 ReadAround around_reader_of(const StreetLayers& layers, const char* layer);
 WriteTile writer_of(const StreetLayers& layers, const char* layer);
 
-// Calls body(tile) for the tiles that are present, in parallel.
-void for_each_tile(const TileGrid& grid, const std::function<void(std::size_t)>& body);
-
 }  // namespace ilot

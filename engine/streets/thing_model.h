@@ -24,9 +24,11 @@ enum class FeatureSet : std::uint8_t { document, all };
 
 struct ThingTrainingParams {
   FeatureSet features = FeatureSet::all;
-  double max_p = 0.01;                // of the stepwise selection
-  std::uint32_t folds = 5;            // of the cross-validation that the grid is searched by
-  std::uint32_t most_of_class = 400;  // samples; of more, as many evenly spread
+  double max_p = 0.01;      // of the stepwise selection
+  std::uint32_t folds = 5;  // of the cross-validation that the grid is searched by
+  std::uint32_t most_in_grid =
+      300;  // samples of a class that the grid is searched with; of more, as many evenly spread
+  std::uint32_t most_of_class = 900;  // samples of a class that the machine is trained on, likewise
 };
 
 // A trained machine: one against one, radial kernel exp(-gamma d^2) on standardised features.
@@ -56,8 +58,9 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 // Selects features, searches cost and gamma on a grid by cross-validation over groups, trains on all with what was best
 // (ties: the lower cost, then the lower gamma) and fits the probabilities to the decisions of the cross-validation
 // (Platt 1999 as Lin, Lin and Weng 2007 do it). Where samples were left out because a class has many, those that the
-// machine gets wrong join the others, and it is trained once more; probabilities stay those of the even choice, times
-// how many samples each class really had. At least two classes with two samples each, else Error(usage).
+// machine gets wrong (at most a third as many) join the others, and it is trained once more; probabilities stay those
+// of the even choice, times how many samples each class really had. At least two classes with two samples each, else
+// Error(usage).
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
 // The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things

@@ -87,9 +87,9 @@ void drain(const StreetLayers& layers, Height least, Height most, std::uint32_t 
 
 void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params) {
   const Height least = scale.units(params.least_height);
-  for_each_tile(layers.grid, [&](std::size_t tile) {
-    layers.write("over", tile, over_of(layers, tile, scale.pixels(params.ring_reach)));
-  });
+  const std::uint32_t reach = scale.pixels(params.ring_reach);
+  for_each_tile(layers.grid, [&](std::size_t tile) { layers.write("over", tile, over_of(layers, tile, reach)); },
+                {24, reach + 1});
   fill_holes_tiled(layers.grid, Adjacency::eight, reader_of(layers, "over"), writer_of(layers, "raised"));
   drain(layers, least, scale.units(params.highest_kerb), scale.area(params.least_plateau));
   for_each_tile(layers.grid, [&](std::size_t tile) {

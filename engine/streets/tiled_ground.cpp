@@ -93,10 +93,13 @@ std::vector<std::uint8_t> open_parts(const StreetLayers& layers, const PixelLabe
 void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
   const Height flat = scale.units(params.flat);
   const ShortGapsParams gaps{scale.pixels(params.longest_gap), scale.units(params.gap_step)};
-  for_each_tile(layers.grid, [&](std::size_t tile) {
-    const std::uint32_t halo = gaps.longest + 1;
-    layers.write("closed", tile, without_halo(fill_short_gaps(layer_around(layers, "range", tile, halo), gaps), halo));
-  });
+  for_each_tile(layers.grid,
+                [&](std::size_t tile) {
+                  const std::uint32_t halo = gaps.longest + 1;
+                  layers.write("closed", tile,
+                               without_halo(fill_short_gaps(layer_around(layers, "range", tile, halo), gaps), halo));
+                },
+                {40, gaps.longest + 1});
   fill_layer(layers, "closed", "linked");
   flat_zones_tiled(layers.grid, flat, Adjacency::eight, reader_of(layers, "linked"), label_writer(layers, "zones"));
   link_regions_tiled(layers.grid, {flat, scale.pixels(params.longest_link)}, reader_of(layers, "linked"),

@@ -3,8 +3,8 @@
 
 #include <mutex>
 
-#include "kernels/core/parallel.h"
 #include "kernels/rasters/flat_zones_tiled.h"
+#include "kernels/rasters/tiles.h"
 
 namespace ilot {
 namespace {
@@ -53,11 +53,9 @@ void fill_missing_tiled(const TileGrid& grid, const ReadAround& around, const Re
       [&](std::size_t tile, const PixelLabels& labels) { regions.write(tile, as_image(labels)); });
   std::vector<Height> levels(sizes.pixels.size(), kAboveAll);
   std::mutex mutex;
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (grid.has(tile)) lower_levels(grid, tile, around(tile, 1), regions.read(tile), levels, mutex);
-  });
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (!grid.has(tile)) return;
+  for_each_tile(
+      grid, [&](std::size_t tile) { lower_levels(grid, tile, around(tile, 1), regions.read(tile), levels, mutex); });
+  for_each_tile(grid, [&](std::size_t tile) {
     Image image = around(tile, 0);
     const Image numbers = regions.read(tile);
     for (std::size_t i = 0; i < image.size(); ++i)

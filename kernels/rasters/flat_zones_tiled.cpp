@@ -3,10 +3,10 @@
 
 #include <cstdlib>
 
-#include "kernels/core/parallel.h"
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/border_pixels.h"
 #include "kernels/rasters/flat_zones.h"
+#include "kernels/rasters/tiles.h"
 
 namespace ilot {
 namespace {
@@ -103,8 +103,7 @@ ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Heig
 ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
                            const WriteLabels& write) {
   std::vector<TileZones> told(grid.count());
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (!grid.has(tile)) return;
+  for_each_tile(grid, [&](std::size_t tile) {
     const Image image = read(tile);
     told[tile] = told_by(grid, tile, image, flat_zones(image, lambda, adjacency));
   });
@@ -116,8 +115,7 @@ ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjace
     for (std::size_t z = 1; z < told[t].size.size(); ++z)
       sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
   }
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (!grid.has(tile)) return;
+  for_each_tile(grid, [&](std::size_t tile) {
     PixelLabels labels = flat_zones(read(tile), lambda, adjacency);
     for (std::uint32_t& label : labels.of)
       if (label != 0) label = list.number[list.first[tile] + label - 1];

@@ -3,12 +3,14 @@
 
 #include <algorithm>
 
-#include "kernels/core/parallel.h"
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/region_links.h"
+#include "kernels/rasters/tiles.h"
 
 namespace ilot {
 namespace {
+
+constexpr std::uint32_t kBytesPerPixel = 48;  // of a window: heights, zones, their padded copies, waves
 
 LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, const Image& zones, std::uint32_t halo) {
   const TileFrame frame = tile_frame(grid, tile);
@@ -54,18 +56,18 @@ void link_regions_tiled(const TileGrid& grid, const LinkRegionsParams& params, c
                         const ReadAround& heights, const ReadAround& zones, const WriteTile& write) {
   const std::uint32_t halo = link_halo(params);
   std::vector<std::vector<RegionLink>> found(grid.count());
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (grid.has(tile))
-      found[tile] = links_in(window_of(grid, tile, heights(tile, halo), zones(tile, halo), halo), params);
-  });
+  for_each_tile(grid,
+                [&](std::size_t tile) {
+                  found[tile] = links_in(window_of(grid, tile, heights(tile, halo), zones(tile, halo), halo), params);
+                },
+                {kBytesPerPixel, halo});
   std::vector<RegionLink> links;
   for (auto& list : found) {
     std::move(list.begin(), list.end(), std::back_inserter(links));
     list = {};
   }
   const std::vector<std::vector<LinkPixel>> pixels = drawn(grid, std::move(links));
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (!grid.has(tile)) return;
+  for_each_tile(grid, [&](std::size_t tile) {
     const TileFrame frame = tile_frame(grid, tile);
     Image image = read(tile);
     for (const LinkPixel& p : pixels[tile]) {

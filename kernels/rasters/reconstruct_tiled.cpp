@@ -4,10 +4,10 @@
 #include <numeric>
 #include <vector>
 
-#include "kernels/core/parallel.h"
 #include "kernels/rasters/border_pixels.h"
 #include "kernels/rasters/radix_heap.h"
 #include "kernels/rasters/reconstruct.h"
+#include "kernels/rasters/tiles.h"
 
 namespace ilot {
 namespace {
@@ -147,13 +147,10 @@ Image turned_over(Image image) {
 
 void settle_tiles(const TileGrid& grid, Adjacency adjacency, const ReadImages& read, const WriteTile& write) {
   std::vector<Border> borders(grid.count());
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (grid.has(tile)) borders[tile] = told_by(read(tile), adjacency);
-  });
+  for_each_tile(grid, [&](std::size_t tile) { borders[tile] = told_by(read(tile), adjacency); });
   BorderGraph graph(grid, std::move(borders));
   graph.settle(adjacency);
-  parallel_for(grid.count(), [&](std::size_t tile) {
-    if (!grid.has(tile)) return;
+  for_each_tile(grid, [&](std::size_t tile) {
     TileImages images = read(tile);
     write(tile, reconstruct_by_erosion(with_border(std::move(images.marker), graph, tile), images.mask, adjacency));
   });

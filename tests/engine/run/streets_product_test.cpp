@@ -99,19 +99,38 @@ TEST(StreetsProduct, OneSideOnly) {
   EXPECT_GE(street.things.size(), 2u);
 }
 
-TEST(StreetsProduct, NothingDependsOnThreadsOrBlocks) {
+TEST(StreetsProduct, NothingDependsOnThreadsBlocksOrMemory) {
   const auto points = street_points(3, 2);
   std::string hash;
-  for (const auto& [threads, block_points] : {std::pair{1, 1u << 20}, {3, 1u << 20}, {2, 5000u}}) {
+  struct Way {
+    int threads;
+    std::uint64_t block_points, memory;
+  };
+  for (const auto& [threads, block_points, memory] :
+       {Way{1, 1u << 20, 1u << 30}, {3, 1u << 20, 1u << 30}, {2, 5000u, 1u << 30}, {2, 1u << 20, 64u << 20}}) {
     const TemporaryFolder folder;
-    const Outcome out = run_cloud(folder, points, "out", [&, t = threads, b = block_points](RunOptions& o) {
+    const Outcome out = run_cloud(folder, points, "out", [&, t = threads, b = block_points, m = memory](RunOptions& o) {
       o.threads = t;
       o.settings.index.block_points = b;
+      o.memory_bytes = m;
     });
     const std::string got = out.record["result_hash"];
     if (hash.empty()) hash = got;
     EXPECT_EQ(got, hash) << threads << " " << block_points;
   }
+}
+
+// A deck of 4 m, 6 m above the road, from facade to facade: the range image shows no road there.
+TEST(StreetsProduct, ABridgeOverTheStreet) {
+  auto points = street_points(0, 3);
+  for (std::int64_t x = 14000; x < 18000; x += 50)
+    for (std::int64_t y = 600; y < 11400; y += 50) points.push_back({700000000 + x, 660000000 + y, 36000});
+  const test::CloudStore store(points);
+  const FoundStreet street = find_street(store.store(), {}, {});
+  std::size_t boxes = 0;
+  for (const Thing& t : street.things)
+    if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
+  EXPECT_EQ(boxes, 2u) << "those on the longer side of the bridge";
 }
 
 // Clouds that hold no street: a clear end, nothing thrown.
@@ -160,6 +179,42 @@ TEST(StreetsProduct, LearnsFromPlaces) {
   const auto train = folder.put("labels.geojson", collection(features));
   EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one", [&](RunOptions& o) { o.train = train; }), Error)
       << "one thing of a class is too little";
+}
+
+struct Stand {
+  std::int64_t x, y, length, width, height;  // millimetres
+  const char* name;
+};
+
+const std::vector<Stand>& stands() {
+  static const std::vector<Stand> list{
+      {1500, 2500, 4000, 1700, 1400, "car"},    {8500, 2500, 4200, 1800, 1500, "car"},
+      {2000, 8000, 200, 200, 5000, "lamppost"}, {8000, 8000, 200, 200, 5500, "lamppost"},
+      {15000, 8000, 600, 700, 1100, "other"},   {20000, 8000, 700, 600, 1000, "other"},
+      {16000, 2500, 4100, 1700, 1450, "car"},   {12000, 8000, 250, 200, 5200, "lamppost"},
+      {17500, 8000, 600, 600, 1050, "other"}};
+  return list;
+}
+
+// Labels without a class: it is said, and nothing is called that.
+TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
+  std::vector<Index3> points = street_points(1, 0);
+  std::string features;
+  for (Index3& p : points)
+    for (const Stand& s : stands()) {
+      const std::int64_t x = p.x - 700000000 - s.x, y = p.y - 660000000 - s.y;
+      if (x >= 0 && x < s.length && y >= 0 && y < s.width) p.z += s.height;
+    }
+  for (const Stand& s : stands())
+    features += (features.empty() ? "" : ",") + place(700000 + 0.001 * static_cast<double>(s.x + s.length / 2),
+                                                      660000 + 0.001 * static_cast<double>(s.y + s.width / 2), s.name);
+  const TemporaryFolder folder;
+  const auto train = folder.put("labels.geojson", collection(features));
+  const Outcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
+  ASSERT_FALSE(out.record["warnings"].empty());
+  EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
+      << out.record["warnings"].dump();
+  EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "things.model"), 0u);
 }
 
 TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {

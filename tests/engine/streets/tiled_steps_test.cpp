@@ -36,6 +36,20 @@ Image busy_street() {
   return range;
 }
 
+TEST(TileRuns, TilesRunAsTheGridSays) {
+  TileGrid grid{100, 70, 32, std::vector<std::uint8_t>(12, 1)};
+  grid.present[5] = 0;
+  std::vector<std::uint64_t> asked;
+  grid.run = [&](std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) {
+    asked.assign(bytes.begin(), bytes.end());
+    for (std::size_t i = bytes.size(); i-- > 0;) body(i);
+  };
+  std::vector<std::size_t> seen;
+  for_each_tile(grid, [&](std::size_t tile) { seen.push_back(tile); }, {10, 4});
+  EXPECT_EQ(seen, (std::vector<std::size_t>{11, 10, 9, 8, 7, 6, 4, 3, 2, 1, 0}));
+  EXPECT_EQ(asked, std::vector<std::uint64_t>(11, 10 * 40 * 40));
+}
+
 class TiledSteps : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(TiledSteps, AreThoseOfTheWhole) {
