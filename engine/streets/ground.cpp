@@ -41,6 +41,8 @@ Ground find_ground(const Image& range, const RasterScale& scale, const GroundPar
   const PixelLabels zones = flat_zones(ground.filled, flat, Adjacency::eight);
   const std::uint32_t largest = largest_zone(zones);
   ground.mask = largest == 0 ? std::vector<std::uint8_t>(range.size(), 0) : with_enclosed(zones, largest);
+  for (std::size_t i = 0; i < ground.mask.size(); ++i)
+    if (ground.filled.values[i] == kNoHeight) ground.mask[i] = 0;
   return ground;
 }
 

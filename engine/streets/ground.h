@@ -23,8 +23,8 @@ struct Ground {
 // The ground of a street [B3]: gaps between scan lines closed (ours: the document's clouds have a point in every
 // pixel), pixels without a height filled basin by basin; regions that shadows still cut apart linked along their
 // shortest connections, and the holes that this closes filled; of the zones flat within `flat` the largest is the
-// ground, and what it encloses, as lampposts, belongs to it. `range`: highest z per pixel. Nothing with a height: an
-// empty mask. O(n) but for the links.
+// ground, and what it encloses, as lampposts, belongs to it; what stayed without a height never does. `range`: highest
+// z per pixel. Nothing with a height: an empty mask. O(n) but for the links.
 Ground find_ground(const Image& range, const RasterScale& scale, const GroundParams& params = {});
 
 }  // namespace ilot

@@ -112,7 +112,11 @@ void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, con
   for_each_tile(layers.grid, [&](std::size_t tile) {
     Image mask = layer_tile(layers, "regions", tile);
     const bool any = largest[groups.of[tile]] != 0;
-    for (Height& v : mask.values) v = any && (v == 0 || open[static_cast<std::uint32_t>(v)] == 0);
+    const Image filled = layer_tile(layers, "filled", tile);
+    for (std::size_t i = 0; i < mask.size(); ++i) {
+      const auto part = static_cast<std::uint32_t>(mask.values[i]);
+      mask.values[i] = any && filled.values[i] != kNoHeight && (part == 0 || open[part] == 0);
+    }
     layers.write("mask", tile, mask);
   });
   for (const char* layer : {"closed", "linked", "regions", "zones"}) layers.drop(layer);

@@ -31,6 +31,19 @@ TEST(Ground, AShadowAcrossTheStreetIsBridged) {
   EXPECT_EQ(ground.mask[50 * 300 + 135], 1);
 }
 
+// A hole in the scan that a chain of corners joins to the border stays without a height, though from side to side the
+// ground encloses it: it is no ground.
+TEST(Ground, WhatHasNoHeightIsNone) {
+  Image range = filled_image(120, 120, 0);
+  for (std::uint32_t y = 0; y < 120; ++y)
+    for (std::uint32_t x = y; x < 120; ++x) range.values[y * 120 + x] = x == y && x < 60 ? kNoHeight : 300;
+  put(range, {60, 60, 40, 40}, kNoHeight);
+  const Ground ground = find_ground(range, {});
+  EXPECT_EQ(ground.filled.values[80 * 120 + 80], kNoHeight);
+  EXPECT_EQ(ground.mask[80 * 120 + 80], 0);
+  EXPECT_EQ(ground.mask[50 * 120 + 10], 1);
+}
+
 TEST(Ground, NothingAndOnePixel) {
   EXPECT_TRUE(find_ground({}, {}).mask.empty());
   EXPECT_EQ(find_ground(filled_image(3, 2, kNoHeight), {}).mask, (std::vector<std::uint8_t>(6, 0)));
