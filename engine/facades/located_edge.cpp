@@ -12,8 +12,10 @@ namespace {
 
 constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // of a side, metres: left out at its ends
 constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a shadow
-constexpr double kNothingKnown = 3;                        // metres: how far a hidden side may be
-constexpr double kBesideGap = 0.02;                        // metres beside the gap that points of the face may lie
+constexpr double kBeam = 0.002;      // metres: echoes from the rim of a beam hang behind the edge that they came from
+constexpr double kGuessed = 0.5;     // of the depth: how far a ray may be off whose station is guessed among several
+constexpr double kNothingKnown = 3;  // metres: how far a hidden side may be
+constexpr double kBesideGap = 0.02;  // metres beside the gap that points of the face may lie
 constexpr std::size_t kLeastFacePoints = 12;
 constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
 constexpr double kLeastSpread = 0.35;  // share of the face's depth, and of the side's length, that points cover
@@ -157,7 +159,8 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const double noise = samples.site().noise;
   const bool shadow = 2 * split.half_gap > kStepsOfShadow * step;
   double t = split.at;
-  edge.error = split.half_gap + noise / 2;
+  edge.error = split.half_gap + noise / 2 + (samples.oblique() ? kBeam : 0);
+  if (!q.hole && along_u(side) && samples.site().stations.size() > 1) edge.error += kGuessed * std::abs(q.depth);
   edge.points = around.inside.size() + around.outside.size() - split.wrong;
   if (!samples.oblique()) {  // what is behind is hidden beside the edge: half a step from the solid side
     t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;

@@ -222,7 +222,7 @@ void set_depth(const RaySamples& samples, const Box2& box, double least_depth, F
   double squares = 0;
   for (const double d : off) squares += (d - centre) * (d - centre);
   opening.depth = -(middle + centre);
-  opening.depth_error = samples.site().noise / 2 + 2 * std::sqrt(squares) / static_cast<double>(off.size());
+  opening.depth_error = samples.site().noise + 2 * std::sqrt(squares) / static_cast<double>(off.size());
 }
 
 }  // namespace

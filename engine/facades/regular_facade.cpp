@@ -114,13 +114,20 @@ bool complete_from_sill(FacadeThing& t, const std::vector<FacadeThing>& things) 
   return false;
 }
 
+// Whether a side may lie there: not inside of what was seen to be open.
+bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams& params) {
+  const bool low = side == Side::left || side == Side::bottom;
+  return low ? at <= edge.inner + params.alike : at >= edge.inner - params.alike;
+}
+
 // From members of the row whose side is seen.
 bool complete_from_row(FacadeThing& t, const std::vector<FacadeThing>& things, Side side, const RegularParams& params) {
   std::vector<Bounded> bounds;
   LocatedEdge& edge = t.shape.side(side);
   for (const FacadeThing& other : things)
     if (other.kind == t.kind && other.row == t.row && &other != &t && seen(other, side) &&
-        std::abs(other.shape.at(side) - edge.at) <= edge.error + params.alike)
+        std::abs(other.shape.at(side) - edge.at) <= edge.error + params.alike &&
+        allowed(edge, side, other.shape.at(side), params))
       bounds.push_back({other.shape.at(side), other.shape.error(side)});
   if (t.row == 0 || bounds.empty()) return false;
   const Bounded common = agreement(bounds);
@@ -144,7 +151,7 @@ bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, 
     if (other.kind != t.kind || !seen_across(other, low, high)) continue;
     const double size = other.shape.at(high) - other.shape.at(low);
     const double at = t.shape.at(other_side) + (side == high ? size : -size);
-    if (std::abs(at - edge.at) <= edge.error + params.alike)
+    if (std::abs(at - edge.at) <= edge.error + params.alike && allowed(edge, side, at, params))
       sizes.push_back({size, other.shape.error(low) + other.shape.error(high)});
   }
   if (sizes.empty()) return false;
