@@ -290,27 +290,48 @@ void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sit
   progress.warn(text);
 }
 
-// Sites in the order of ids, some at a time: worked on in parallel, taken in order.
+// Consecutive sites and what became of them.
+struct Batch {
+  std::size_t first = 0, end = 0;
+  std::vector<SiteResult> results;
+};
+
+Batch batch_from(std::size_t first, std::span<const PassTask> costs) {
+  Batch batch{first, first, {}};
+  for (std::uint64_t points = 0; batch.end < costs.size(); ++batch.end) {
+    if (batch.end > first && (batch.end - first >= kSitesTogether || points >= kPointsTogether)) break;
+    points += costs[batch.end].points;
+  }
+  batch.results.resize(batch.end - first);
+  return batch;
+}
+
+void deliver(Batch& batch, RoofSink& sink) {
+  std::vector<LabelledPoint> labels;
+  for (SiteResult& result : batch.results) {
+    sink.take(result, labels);
+    result = {};
+  }
+  sink.keep(std::move(labels));
+}
+
+// Sites in the order of ids, some at a time: worked on in parallel, taken in order. While one batch is worked on, one
+// thread takes the one before.
 void model_sites(const SiteModeller& modeller, std::span<const std::size_t> sites, std::span<const PassTask> costs,
                  const PassContext& context, RoofSink& sink) {
-  for (std::size_t first = 0; first < sites.size();) {
-    std::size_t end = first;
-    for (std::uint64_t points = 0;
-         end < sites.size() && (end == first || (end - first < kSitesTogether && points < kPointsTogether)); ++end)
-      points += costs[end].points;
-    std::vector<SiteResult> results(end - first);
-    run_pass(costs.subspan(first, end - first), context.budget_bytes, [&](std::size_t i) {
-      results[i] = modeller.model(sites[first + i]);
-      context.advance(costs[first + i].points);
+  Batch before;
+  while (before.end < sites.size()) {
+    Batch batch = batch_from(before.end, costs);
+    parallel_for(2, [&](std::size_t turn) {
+      if (turn == 1) return deliver(before, sink);
+      run_pass(costs.subspan(batch.first, batch.results.size()), context.budget_bytes, [&](std::size_t i) {
+        batch.results[i] = modeller.model(sites[batch.first + i]);
+        context.advance(costs[batch.first + i].points);
+      });
     });
-    std::vector<LabelledPoint> labels;
-    for (SiteResult& result : results) {
-      sink.take(result, labels);
-      result = {};
-    }
-    sink.keep(std::move(labels));
-    first = end;
+    before = std::move(batch);
   }
+  deliver(before, sink);
 }
 
 // Points of no building: those that the cloud says are ground.
