@@ -121,7 +121,7 @@ struct View {
 View view_of(const Scan& scan, const TruePlane& bare, const std::vector<std::uint32_t>& stations) {
   View v;
   const TruePlane plane = with_covers(bare, scan.projecting);
-  const PlaneFrame frame = plane_frame(plane.plane.n, plane.polygons[0].ring[0]);
+  const FlatFrame frame = plane_frame(plane.plane.n, plane.polygons[0].ring[0]);
   std::vector<Scanner> scanners;
   for (const std::uint32_t id : stations) scanners.push_back(scan.stations.at(id));
   for (Scanner& s : scanners) s.position = s.position - frame.origin;
