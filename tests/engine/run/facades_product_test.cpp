@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "engine/deliverables/facade_json.h"
@@ -41,6 +42,7 @@ struct Outcome {
   int code = 0;
   json record;
   std::vector<Facade> facades;
+  std::set<std::string> files;  // of the facades
 };
 
 Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
@@ -66,8 +68,10 @@ Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_st
   std::stringstream text;
   text << std::ifstream(options.output / "run.json").rdbuf();
   out.record = json::parse(text.str());
-  for (const auto& file : std::filesystem::directory_iterator(options.output / "facades"))
-    out.facades.push_back(read_facade_json(file.path()));
+  for (const auto& file : std::filesystem::directory_iterator(options.output / "facades")) {
+    out.files.insert(file.path().filename());
+    if (file.path().extension() == ".json") out.facades.push_back(read_facade_json(file.path()));
+  }
   return out;
 }
 
@@ -113,6 +117,24 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
     if (hash.empty()) hash = got;
     EXPECT_EQ(got, hash) << threads << " " << block_points;
   }
+}
+
+TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
+  const Outcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) { o.settings.facades.sections = {2.5}; });
+  const std::set<std::string> wanted{"facade-001.csv",
+                                     "facade-001.dxf",
+                                     "facade-001.json",
+                                     "facade-001.obj",
+                                     "facade-001.pdf",
+                                     "facade-001.pgw",
+                                     "facade-001.png",
+                                     "facade-001.stl",
+                                     "facade-001.svg",
+                                     "facade-001-section-level-2.50.dxf",
+                                     "facade-001-section-level-2.50.pdf",
+                                     "facade-001-section-level-2.50.svg",
+                                     "facades.html"};
+  EXPECT_EQ(out.files, wanted);
 }
 
 TEST(FacadesProduct, WithoutStationsItWarns) {
