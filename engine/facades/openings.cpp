@@ -10,6 +10,7 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
+constexpr double kWidestBar = 0.15;   // metres; bars and frames nearly as far out as the wall
 constexpr double kBoundReach = 0.5;   // metres beyond an opening where the wall must go on
 constexpr double kTopReach = 1.5;     // above it, where signs and blinds hide the wall
 constexpr double kBoundShare = 0.5;   // of its height or width
@@ -21,7 +22,13 @@ constexpr double kDepthBin = 0.01;    // metres
 constexpr double kCoverShare = 0.25;  // of the widest spread
 constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
 
-enum Cell : std::uint8_t { kUnknown, kSolid, kThrough, kBlocked };
+enum Cell : std::uint8_t {
+  kUnknown,
+  kSolid,
+  kThrough,
+  kBlocked,  // something before the wall
+  kShallow,  // too little behind it to be an opening: joints of stone
+};
 
 // The wall in cells.
 struct WallCells {
@@ -40,7 +47,7 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
   cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
   cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
   const auto count = static_cast<std::size_t>(cells.columns * cells.rows);
-  std::vector<std::uint32_t> solid(count), through(count), blocked(count);
+  std::vector<std::uint32_t> solid(count), through(count), shallow(count), blocked(count);
   for (std::uint32_t i = 0; i < site.points.size(); ++i) {
     const double w = site.points[i].w;
     if (w < -kMostBehind) continue;
@@ -51,30 +58,40 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
     const auto at = static_cast<std::size_t>(r * cells.columns + c);
     const bool wall = samples.on_wall(i);
     if (wall) ++solid[at];
-    if (!wall && w < -least_depth) ++through[at];
+    if (!wall && w < 0) ++(w < -least_depth ? through : shallow)[at];
     if (w > site.epsilon) ++blocked[at];
   }
   cells.what.assign(count, kUnknown);
   for (std::size_t i = 0; i < count; ++i) {
-    if (solid[i] == 0 && through[i] == 0 && blocked[i] == 0) continue;
-    cells.what[i] = through[i] > solid[i] ? kThrough : solid[i] > 0 ? kSolid : kBlocked;
+    if (through[i] > solid[i])
+      cells.what[i] = kThrough;
+    else if (solid[i] > 0)
+      cells.what[i] = kSolid;
+    else if (blocked[i] > 0)
+      cells.what[i] = kBlocked;
+    else if (shallow[i] > 0)
+      cells.what[i] = kShallow;
   }
   return cells;
 }
 
 // Fills runs of cells that nothing was seen in, or only something before the wall, between two cells that rays went
-// through, along rows and columns.
+// through, along rows and columns. A joint from one opening to the next is none of these, its back was seen; frames and
+// bars so little behind the wall are narrower.
 WallCells filled(const WallCells& cells, double longest) {
   WallCells out = cells;
   const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
+  const auto most_shallow = static_cast<std::int64_t>(kWidestBar / cells.cell) + 1;
   const auto fill_line = [&](std::int64_t c, std::int64_t r, std::int64_t dc, std::int64_t dr, std::int64_t length) {
-    std::int64_t last = -1;
+    std::int64_t last = -1, shallow = 0;
     for (std::int64_t i = 0; i < length; ++i) {
       const std::uint8_t what = cells.at(c + i * dc, r + i * dr);
+      shallow += what == kShallow;
       if (what == kThrough) {
-        if (last >= 0 && i - last <= most)
+        if (last >= 0 && i - last <= most && shallow <= most_shallow)
           for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
         last = i;
+        shallow = 0;
       } else if (what == kSolid) {
         last = -1;
       }
@@ -159,7 +176,7 @@ double bounded(const WallCells& cells, const CellBox& box, Side side) {
       }
       const std::uint8_t what = cells.at(c, r);
       solid = what == kSolid || (side == Side::top && what == kBlocked);  // a canopy or a sign hides the wall
-      unknown = unknown && what == kUnknown;
+      unknown = unknown && (what == kUnknown || what == kShallow);
     }
     found += solid;
     known += !unknown;

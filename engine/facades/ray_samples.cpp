@@ -10,13 +10,15 @@ namespace {
 constexpr double kBin = 0.25;        // metres
 constexpr double kAround = 1;        // metres around the wall that bins cover
 constexpr double kLowRelief = 0.15;  // metres before the wall, where surrounds of openings end
+constexpr double kJoint = 0.04;      // metres behind it, where joints of stone end
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));
   return {eye.x + (static_cast<double>(p.u) - eye.x) * along, eye.y + (static_cast<double>(p.v) - eye.y) * along};
 }
 
-// Cells that points of the wall, or of what stands out a little, cover on all sides: a ray does not pass there.
+// Cells that points of the wall, of what stands out a little, or of its joints cover on all sides: a ray does not pass
+// there.
 class SolidCells {
  public:
   explicit SolidCells(const FacadeSite& site) : cell_(2 * site.step) {
@@ -24,7 +26,7 @@ class SolidCells {
     rows_ = static_cast<std::int64_t>(site.height / cell_) + 1;
     seen_.assign(static_cast<std::size_t>(columns_ * rows_), 0);
     for (const FacadePoint& p : site.points)
-      if (p.w >= -site.epsilon && p.w <= kLowRelief && inside({p.u, p.v})) seen_[at({p.u, p.v})] = 1;
+      if (p.w >= -std::max(site.epsilon, kJoint) && p.w <= kLowRelief && inside({p.u, p.v})) seen_[at({p.u, p.v})] = 1;
   }
   bool covers(Place2 p) const {
     for (int dv = -1; dv <= 1; ++dv)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Walls of rectangles in the planes of the axes, scanned from a station by exact rays.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -35,9 +36,9 @@ struct ScannedWall {
       }
     for (const Sheet& h : holes) window(h);
   }
-  // Reveals 25 cm deep and a pane behind.
+  // Reveals as deep as the hole says, else 25 cm, and a pane behind; 2 cm deep it is a joint of stone.
   void window(const Sheet& h) {
-    const double back = -0.25;
+    const double back = h.at < 0 ? h.at : -0.25;
     sheets.push_back({2, back, h.low_a, h.high_a, h.low_b, h.high_b, 0});
     for (const double u : {h.low_a, h.high_a}) sheets.push_back({0, u, h.low_b, h.high_b, back, 0, 0});
     for (const double v : {h.low_b, h.high_b}) sheets.push_back({1, v, h.low_a, h.high_a, back, 0, 0});
@@ -87,6 +88,14 @@ inline FacadeSite scan_wall(const ScannedWall& wall, Vec3 eye, double step, std:
       on_wall += plane == 1;
     }
   site.step = std::sqrt(wall.width * wall.height / static_cast<double>(on_wall));
+  return site;
+}
+
+// Both scans of one wall.
+inline FacadeSite joined(FacadeSite site, const FacadeSite& other) {
+  site.points.insert(site.points.end(), other.points.begin(), other.points.end());
+  site.stations.insert(site.stations.end(), other.stations.begin(), other.stations.end());
+  site.step = 1 / std::sqrt(1 / (site.step * site.step) + 1 / (other.step * other.step));
   return site;
 }
 

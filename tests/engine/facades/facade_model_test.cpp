@@ -111,6 +111,29 @@ TEST(FacadeModel, ShadowsAreNoOpenings) {
   EXPECT_TRUE(of_kind(found.facade, "door").empty());
 }
 
+// Joints of banded stone run from one opening to the next: the back of a joint was seen, so nothing is open there.
+TEST(FacadeModel, JointsJoinNoOpenings) {
+  for (const double pier : {0.4, 0.7}) {
+    const double u = 2.6 - pier / 2;
+    ScannedWall wall;
+    const std::vector<Sheet> doors{{2, -0.45, u - 1.2, u, 0, 3.2}, {2, -0.45, u + pier, u + pier + 1.2, 0, 3.2}};
+    std::vector<Sheet> holes = doors;
+    for (const double v : {0.9, 1.7, 2.5}) holes.push_back({2, -0.02, u, u + pier, v, v + 0.07});
+    wall.wall(holes);
+    const FacadeSite left_scan = test::scan_wall(wall, {-1, 1.6, 7}, 0.0025);
+    const FacadeSite both = test::joined(left_scan, test::scan_wall(wall, {8, 1.6, 7}, 0.0025));
+    for (const FacadeSite& site : {left_scan, both}) {
+      const auto found = of_kind(find_facade(site).facade, "door");
+      ASSERT_EQ(found.size(), 2u) << pier << " " << site.stations.size();
+      for (std::size_t i = 0; i < 2; ++i) {
+        // Beside a jamb a ray may be taken for one of the other station.
+        EXPECT_NEAR(left(found[i]), doors[i].low_a, site.stations.size() == 1 ? 0.01 : 0.03);
+        EXPECT_NEAR(right(found[i]), doors[i].high_a, 0.01);
+      }
+    }
+  }
+}
+
 // Half as many rays: what is drawn stays within what it says of itself.
 TEST(FacadeModel, EdgesLieWithinTheirErrors) {
   for (const double step : {0.002, 0.004, 0.0055}) {

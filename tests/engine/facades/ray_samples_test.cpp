@@ -56,20 +56,24 @@ TEST(RaySamples, NearFindsAllOfABox) {
     EXPECT_TRUE(!box.holds(samples.crossing(i, 0)) || set.count(i) > 0) << i;
 }
 
-// A pane seen from the left through its window: from the right the ray would have to go through the wall.
+// A pane seen from the left through its window: from the right the ray would have to go through the wall, or through
+// the back of a joint between its stones.
 TEST(RaySamples, OfSeveralStationsOneThatCouldSeeThePoint) {
-  std::vector<FacadePoint> points;
-  for (int i = 0; i <= 250; ++i)
-    for (int k = 0; k <= 250; ++k) {
-      const float u = 0.04f * static_cast<float>(i), v = 0.02f * static_cast<float>(k);
-      if (u < 4 || u > 5 || v < 1 || v > 3) points.push_back({u, v, 0, 1});
-    }
-  const auto pane = static_cast<std::uint32_t>(points.size());
-  points.push_back({4.95f, 2, -0.5f, 0});
-  FacadeSite site = site_with(points, {{{9, 1.5, 4}, 0, 0}, {{1, 1.5, 8}, 0, 0}});
-  site.step = 0.03;
-  const RaySamples samples(site);
-  EXPECT_LT(samples.crossing(pane, 0).u, 4.95);  // from the left, though the other stands nearer
+  for (const float joint : {0.0f, 0.02f}) {
+    std::vector<FacadePoint> points;
+    for (int i = 0; i <= 250; ++i)
+      for (int k = 0; k <= 250; ++k) {
+        const float u = 0.04f * static_cast<float>(i), v = 0.02f * static_cast<float>(k);
+        const bool deep = k >= 96 && k <= 100;
+        if (u < 4 || u > 5 || v < 1 || v > 3) points.push_back({u, v, deep ? -joint : 0.0f, deep ? 0u : 1u});
+      }
+    const auto pane = static_cast<std::uint32_t>(points.size());
+    points.push_back({4.95f, 2, -0.5f, 0});
+    FacadeSite site = site_with(points, {{{9, 1.5, 4}, 0, 0}, {{1, 1.5, 8}, 0, 0}});
+    site.step = 0.03;
+    const RaySamples samples(site);
+    EXPECT_LT(samples.crossing(pane, 0).u, 4.95) << joint;  // from the left, though the other stands nearer
+  }
 }
 
 TEST(ArchedTop, RoundStaysRoundAndStraightStraight) {
