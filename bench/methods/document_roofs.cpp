@@ -8,8 +8,8 @@
 // projection the same, with the sense of its turn kept, every vertex within 1 cm of the planes of all its faces and
 // moved by less than --move (1 m) in plan; planes that have no common point fail. Outlines of windows that meet no
 // other line get no polygon: the document leaves them out on purpose, so they are counted apart ("no face lost").
-// A dormer at the eaves meets other lines, but in two vertices alone, so its polygon is a line: it is open, as the
-// document has it, and a second count leaves it out like a window ("lines left out").
+// A dormer at the eaves or the ridge meets other lines in two vertices alone, so its polygon is a line: it is open, as
+// the document has it, and a second count leaves it out like a window ("lines left out").
 //
 // Where the document can be read in two ways the one that fails less is taken: its longest boundary chain, vertices
 // where planes meet are never removed, the line between two faces ends in the middle of the boundary's edge. Its walk
