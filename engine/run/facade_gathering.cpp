@@ -54,29 +54,35 @@ class IntoAxes {
   Vec3 rest_;
 };
 
-void read_points(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
-  const IndexBox box = box_around(work, wall);
-  const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
+// Calls visit(slice, first, tile, codes) for stretches of at most kBatch points, from `first` on in the slice's block,
+// in global order: those around the wall and others beside them.
+template <class Visit>
+void for_each_batch(const FacadeWork& work, const WallGroup& wall, const Visit& visit) {
   std::vector<std::uint64_t> codes;
-  std::vector<std::uint32_t> planes;
-  for (const Slice& s : plan_view(work.store, box, {}).slices) {
-    const ColumnReader code_reader(work.store.path(s.block, "codes")), plane_reader(work.store.path(s.block, "plane"));
+  for (const Slice& s : plan_view(work.store, box_around(work, wall), {}).slices) {
+    const ColumnReader reader(work.store.path(s.block, "codes"));
     const Tile tile = work.store.blocks()[s.block].node.tile;
     for (std::uint32_t done = 0; done < s.count; done += kBatch) {
       codes.resize(std::min(kBatch, s.count - done));
-      planes.resize(codes.size());
-      code_reader.read<std::uint64_t>(s.first + done, codes);
-      plane_reader.read<std::uint32_t>(s.first + done, planes);
-      for (std::size_t i = 0; i < codes.size(); ++i) {
-        const Vec3 p = into.of(index_of({tile, codes[i]}));
-        if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
-            p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
-          continue;
-        site.points.push_back(
-            {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
-      }
+      reader.read<std::uint64_t>(s.first + done, codes);
+      visit(s, s.first + done, tile, codes);
     }
   }
+}
+
+void read_points(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
+  for_each_batch(work, wall, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
+    const auto planes = work.store.read<std::uint32_t>(s.block, "plane", first, codes.size());
+    for (std::size_t i = 0; i < codes.size(); ++i) {
+      const Vec3 p = into.of(index_of({tile, codes[i]}));
+      if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
+          p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
+        continue;
+      site.points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
+    }
+  });
 }
 
 void add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
@@ -115,29 +121,22 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
 PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
   return [&work, &wall](const std::function<void(std::span<const ImagePoint>)>& take) {
     const double unit = work.store.unit();
-    std::vector<std::uint64_t> codes;
-    std::vector<StoredColour> colours;
     std::vector<ImagePoint> points;
-    for (const Slice& s : plan_view(work.store, box_around(work, wall), {}).slices) {
-      const ColumnReader code_reader(work.store.path(s.block, "codes"));
-      const Tile tile = work.store.blocks()[s.block].node.tile;
-      const bool coloured = work.store.has(s.block, "colour");
-      for (std::uint32_t done = 0; done < s.count; done += kBatch) {
-        codes.resize(std::min(kBatch, s.count - done));
-        code_reader.read<std::uint64_t>(s.first + done, codes);
-        colours.assign(codes.size(), 0);
-        if (coloured) colours = work.store.read<StoredColour>(s.block, "colour", s.first + done, codes.size());
-        points.clear();
-        for (std::size_t i = 0; i < codes.size(); ++i) {
-          const Index3 p = index_of({tile, codes[i]});
-          const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
-          points.push_back(
-              {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
-               {channel(16), channel(8), channel(0)}});
-        }
-        take(points);
-      }
-    }
+    for_each_batch(
+        work, wall, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
+          std::vector<StoredColour> colours(codes.size(), 0);
+          if (work.store.has(s.block, "colour"))
+            colours = work.store.read<StoredColour>(s.block, "colour", first, codes.size());
+          points.clear();
+          for (std::size_t i = 0; i < codes.size(); ++i) {
+            const Index3 p = index_of({tile, codes[i]});
+            const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
+            points.push_back(
+                {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
+                 {channel(16), channel(8), channel(0)}});
+          }
+          take(points);
+        });
   };
 }
 
