@@ -149,10 +149,12 @@ struct PlaneWay {
   std::function<Found(const OrientedCloud&)> detect;
 };
 
-// argv: CLOUD EPSILON_M WORK_DIR. Clouds of more than half a million points are gone through once.
+// argv: CLOUD EPSILON_M WORK_DIR [NAME], of the peers only those with NAME in theirs. Clouds of more than half a
+// million points are gone through once.
 inline void compare_planes(int argc, char** argv,
                            const std::function<std::vector<PlaneWay>(const OrientedCloud&, double)>& peers) {
-  require(argc == 4 && std::atof(argv[2]) > 0, "usage: CLOUD EPSILON_M WORK_DIR");
+  require((argc == 4 || argc == 5) && std::atof(argv[2]) > 0, "usage: CLOUD EPSILON_M WORK_DIR [NAME]");
+  const std::string wanted = argc == 5 ? argv[4] : "";
   const std::filesystem::path path = argv[1], work = argv[3];
   const double epsilon = std::atof(argv[2]);
   const OrientedCloud cloud = load_oriented(path);
@@ -160,7 +162,8 @@ inline void compare_planes(int argc, char** argv,
   std::vector<PlaneWay> ways{
       {"ilot, file to planes", [&](const OrientedCloud&) { return cloud_to_planes(path, epsilon, work); }},
       {"ilot, file to files", [&](const OrientedCloud&) { return whole_run(path, epsilon, work); }}};
-  for (PlaneWay& peer : peers(cloud, epsilon)) ways.push_back(std::move(peer));
+  for (PlaneWay& peer : peers(cloud, epsilon))
+    if (peer.name.find(wanted) != std::string::npos) ways.push_back(std::move(peer));
   std::vector<Found> found(ways.size());
   std::vector<Way> timed;
   for (std::size_t i = 0; i < ways.size(); ++i)

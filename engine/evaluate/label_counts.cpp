@@ -19,6 +19,12 @@ class OptionalField {
   std::optional<ExtraField> field_;
 };
 
+// A plane, or a sphere, cylinder or cone, which are numbered by themselves; a point has one of them at most. 0 = none.
+std::uint32_t segment_of(std::uint32_t plane, std::uint32_t shape) {
+  constexpr std::uint32_t kShape = 1u << 31;
+  return plane != 0 || shape == 0 ? plane : kShape | shape;
+}
+
 }  // namespace
 
 void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
@@ -28,6 +34,7 @@ void count_labels(const std::filesystem::path& cloud, const std::string& found_f
   const RecordLayout& layout = reader->info().layout;
   const OptionalField true_plane(layout, "true_plane"), true_class(layout, "true_class");
   const OptionalField true_element(layout, "true_element"), plane(layout, found_field), label(layout, "label");
+  const OptionalField shape(layout, "shape_id");
   const OptionalField object(layout, "object_id"), boundary(layout, "boundary");
   counts.metres_per_unit = reader->info().crs.metres_per_unit;
   counts.has_true_plane |= static_cast<bool>(true_plane);
@@ -38,7 +45,8 @@ void count_labels(const std::filesystem::path& cloud, const std::string& found_f
   counts.has_objects |= static_cast<bool>(object);
   counts.has_boundary |= static_cast<bool>(boundary);
   for_each_record(*reader, [&](const std::byte* record) {
-    const std::uint32_t truth = true_plane.of(record), found = plane.of(record), kind = true_class.of(record);
+    const std::uint32_t truth = true_plane.of(record), kind = true_class.of(record);
+    const std::uint32_t found = segment_of(plane.of(record), shape.of(record));
     ++counts.points;
     if (true_plane && plane) counts.planes.add(truth, found);
     if (true_class && plane) counts.class_segments.add(kind, found);

@@ -12,8 +12,8 @@
 namespace ilot {
 
 struct LabelCounts {
-  LabelPairs planes;                                          // true_plane, found plane
-  LabelPairs class_segments;                                  // true_class, found plane
+  LabelPairs planes;                                          // true_plane, found plane or shape
+  LabelPairs class_segments;                                  // true_class, the same
   LabelPairs class_labels;                                    // true_class, label
   LabelPairs objects;                                         // true_element where it is an object, else 0; object_id
   LabelPairs object_labels;                                   // object_id, label

@@ -122,8 +122,8 @@ void clear_store(const fs::path& store) {
 
 void remove_products(const fs::path& folder) {
   clear_store(folder / ".store");
-  for (const char* name : {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "roofs", "streets",
-                           "run.json", ".new", ".store"})
+  for (const char* name : {"points", "planes.csv", "planes.gpkg", "planes_neighbours.csv", "shapes.csv", "density",
+                           "roofs", "facades", "streets", "run.json", ".new", ".store"})
     fs::remove_all(folder / name);
 }
 

@@ -11,6 +11,7 @@
 #include "engine/segments/join_pass.h"
 #include "engine/segments/label_pass.h"
 #include "engine/segments/normals_pass.h"
+#include "engine/segments/plane_methods.h"
 #include "engine/segments/planes_pass.h"
 #include "engine/segments/shapes_pass.h"
 #include "kernels/core/portable_math.h"
@@ -93,6 +94,15 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+std::size_t cells_searched_for_curved(const CellPlanes& found) {
+  return static_cast<std::size_t>(std::count_if(found.cells.begin(), found.cells.end(),
+                                                [](const CellSummary& cell) { return cell.searched_curved; }));
+}
+
+bool searched_for_curved(const CellPlanes& found, const PlanesSettings& settings) {
+  return settings.curved.value_or(false) || cells_searched_for_curved(found) > 0;
+}
+
 void record_choices(const CellPlanes& found, const Settings& settings, double unit_m, RunRecord& record) {
   std::vector<double> epsilon, connectivity, step, noise, min_points, angle;
   std::size_t from_the_ground = 0;
@@ -115,6 +125,13 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
          "shape_ransac in " + ground +
              " cells where more than a quarter of the normals are level (walls, seen from the ground), ransac in " +
              air + " others (seen from the air)"});
+  if (!settings.planes.curved)
+    record.chosen.push_back(
+        {"planes.curved", std::string(searched_for_curved(found, settings.planes) ? "true" : "false"),
+         settings.planes.method ? "planes.method is given"
+                                : "looked for in " + std::to_string(cells_searched_for_curved(found)) + " of " +
+                                      std::to_string(found.cells.size()) +
+                                      " cells, where planes.curved_points points cover a square metre or less"});
   if (!settings.planes.epsilon)
     record.chosen.push_back({"planes.epsilon", median(epsilon),
                              "the larger of 3.5 times the noise and a quarter of the sampling step of each cell, each "
@@ -173,10 +190,11 @@ void find_shapes(const Store& store, const std::vector<Cell>& cells, const Setti
   const std::vector<ShapeTally> tallies = shapes_pass(store, cells, joined, context);
   const std::uint64_t least = context.wanted ? 1 : static_cast<std::uint64_t>(settings.planes.curved_points);
   r.final_shape.assign(tallies.size() + 1, 0);
+  std::vector<CurvedSegment>& curved = r.curved.emplace();
   for (std::size_t i = 0; i < tallies.size(); ++i) {
     if (tallies[i].points < least) continue;
-    r.curved.push_back(curved_of(joined.shapes[i], tallies[i], store.unit(), context.metres_per_unit));
-    r.final_shape[i + 1] = r.curved.back().id = static_cast<std::uint32_t>(r.curved.size());
+    curved.push_back(curved_of(joined.shapes[i], tallies[i], store.unit(), context.metres_per_unit));
+    r.final_shape[i + 1] = curved.back().id = static_cast<std::uint32_t>(curved.size());
   }
 }
 
@@ -201,7 +219,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   PlanesResult result =
       number_planes(joined, tallies, context.wanted != nullptr, store.unit(), context.metres_per_unit);
   find_neighbours(store, cells, found, context, result);
-  if (settings.planes.curved) find_shapes(store, cells, settings, context, result);
+  if (searched_for_curved(found, settings.planes)) find_shapes(store, cells, settings, context, result);
   progress.end_stage();
   result.ranges = neighbour_ranges(store, cells, found);
   return result;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "engine/formats/reader.h"
@@ -15,13 +16,13 @@
 namespace ilot {
 
 struct PlanesResult {
-  std::vector<Segment> segments;                    // by id
-  std::vector<PlaneNeighbours> neighbours;          // pairs that touch, ascending
-  std::vector<JoinedPlane> planes;                  // the same on the lattice
-  std::vector<std::uint32_t> final_id;              // per joined plane + 1; [0] = 0
-  std::vector<std::vector<NeighbourRange>> ranges;  // per block
-  std::vector<CurvedSegment> curved;                // by id; none unless they are asked for
-  std::vector<std::uint32_t> final_shape;           // per joined shape + 1; [0] = 0; empty unless they are asked for
+  std::vector<Segment> segments;                     // by id
+  std::vector<PlaneNeighbours> neighbours;           // pairs that touch, ascending
+  std::vector<JoinedPlane> planes;                   // the same on the lattice
+  std::vector<std::uint32_t> final_id;               // per joined plane + 1; [0] = 0
+  std::vector<std::vector<NeighbourRange>> ranges;   // per block
+  std::optional<std::vector<CurvedSegment>> curved;  // by id; nullopt where no cell was searched for them
+  std::vector<std::uint32_t> final_shape;            // per joined shape + 1; [0] = 0; empty unless they are asked for
 };
 
 // Blocks to planes: colours where the inputs have them, normals, planes per cell, join over cells, labels. Adds its

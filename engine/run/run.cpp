@@ -184,15 +184,17 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   labels.with_planes = makes(options, "planes") || facades;
   labels.with_roofs = makes(options, "roofs");
   if (labels.with_planes) {
-    PlanesResult planes = make_planes(index.store, inputs.readers, options.settings, context, progress, record);
+    Settings settings = options.settings;
+    if (!makes(options, "planes") && !settings.planes.curved) settings.planes.curved = false;  // walls are flat
+    PlanesResult planes = make_planes(index.store, inputs.readers, settings, context, progress, record);
     progress.begin_stage("boundaries", index.store.points());
     make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
     write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
     record.planes = planes.segments.size();
-    if (options.settings.planes.curved) {
-      write_shapes_csv(out.staging() / "shapes.csv", planes.curved);
-      record.shapes = planes.curved.size();
+    if (planes.curved) {
+      write_shapes_csv(out.staging() / "shapes.csv", *planes.curved);
+      record.shapes = planes.curved->size();
     }
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
     if (facades) {

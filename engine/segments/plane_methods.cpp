@@ -2,6 +2,7 @@
 #include "engine/segments/plane_methods.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 #include <vector>
@@ -133,6 +134,29 @@ bool is_flat(Points points, std::span<const std::uint32_t> members, double epsil
   return !fit.unique || rms_to_plane(m, fit.plane) <= kFringe * epsilon;
 }
 
+// The points of two planes that meet, as a cone of 45 degrees touches a wall and the underside of its band: the two
+// largest planes hold nearly all of them. A surface that bends on leaves them.
+bool is_edge(const OrientedPoints& points, std::span<const std::uint32_t> members, ShapeRansacParams params) {
+  constexpr double kShare = 0.9;
+  std::array<std::vector<float>, 6> column;
+  const std::array<const float*, 6> from{points.points.x, points.points.y, points.points.z,
+                                         points.nx,       points.ny,       points.nz};
+  for (std::size_t c = 0; c < column.size(); ++c)
+    for (const std::uint32_t i : members) column[c].push_back(from[c][i]);
+  params.kinds = shape_bit(ShapeKind::kPlane);
+  params.min_points = std::max<std::uint32_t>(3, static_cast<std::uint32_t>(members.size() / 10));
+  const ShapeSegments planes = ransac_shapes({{column[0].data(), column[1].data(), column[2].data(), members.size()},
+                                              column[3].data(),
+                                              column[4].data(),
+                                              column[5].data()},
+                                             params);
+  std::vector<std::uint32_t> sizes;
+  for (const FoundShape& plane : planes.shapes) sizes.push_back(plane.points);
+  std::sort(sizes.rbegin(), sizes.rend());
+  const std::uint64_t two = (sizes.empty() ? 0 : sizes[0]) + (sizes.size() < 2 ? 0 : sizes[1]);
+  return static_cast<double>(two) >= kShare * static_cast<double>(members.size());
+}
+
 PlaneSegments by_shape_ransac(const PlaneSearch& s) {
   const ShapeRansacParams params = shape_params(s, s.params.min_points, shape_bit(ShapeKind::kPlane));
   ShapeSegments found = ransac_shapes(s.points, params);
@@ -200,7 +224,8 @@ PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
 }
 
 ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
-  ShapeSegments all = ransac_shapes(search.points, shape_params(search, min_points, kAllShapes));
+  const ShapeRansacParams params = shape_params(search, min_points, kAllShapes);
+  ShapeSegments all = ransac_shapes(search.points, params);
   std::vector<std::vector<std::uint32_t>> members(all.shapes.size());
   for (std::uint32_t i = 0; i < all.label.size(); ++i)
     if (all.label[i] != 0) members[all.label[i] - 1].push_back(i);
@@ -208,13 +233,20 @@ ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
   std::vector<std::uint32_t> number{0};  // by label: among the curved ones, 0 = a plane
   for (std::size_t s = 0; s < all.shapes.size(); ++s) {
     const bool plane = all.shapes[s].shape.kind == ShapeKind::kPlane ||
-                       is_flat(search.points.points, members[s], search.params.epsilon);
+                       is_flat(search.points.points, members[s], search.params.epsilon) ||
+                       is_edge(search.points, members[s], params);
     if (!plane) curved.shapes.push_back(all.shapes[s]);
     number.push_back(plane ? 0 : static_cast<std::uint32_t>(curved.shapes.size()));
   }
   curved.label = std::move(all.label);
   for (std::uint32_t& label : curved.label) label = number[label];
   return curved;
+}
+
+bool wants_curved(const PlanesSettings& settings, double step_m) {
+  constexpr double kMostSquareMetres = 1;
+  const bool dense = step_m > 0 && settings.curved_points * step_m * step_m <= kMostSquareMetres;
+  return settings.curved.value_or(!settings.method && dense);
 }
 
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method) {

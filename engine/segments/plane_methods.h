@@ -35,6 +35,11 @@ PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search);
 // numbered from 1 in the order they were taken.
 ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points);
 
+// Whether a cell is searched for them: as asked; else where the method is chosen by itself too and the fewest points of
+// a shape cover a square metre at most, at this sampling step (m). Wider apart, as from the air, corners of roofs pass
+// for cones. False for a step of 0, which is none.
+bool wants_curved(const PlanesSettings& settings, double step_m);
+
 // Bytes of memory that the method takes for a point of a cell, beside the cell itself; the most where it is not chosen.
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);
 

@@ -26,7 +26,8 @@ struct StoredCell {
   double epsilon = 0, normal_angle = 25, step = 0, noise = 0;
   std::uint32_t min_points = 3;
   SeenFrom from = SeenFrom::air;
-  std::uint8_t unused[11]{};  // the planes that follow hold 128-bit sums and are aligned
+  bool curved = false;        // shapes were looked for
+  std::uint8_t unused[10]{};  // the planes that follow hold 128-bit sums and are aligned
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
@@ -91,6 +92,7 @@ struct Solved {
   PlaneParams params;
   Sampling sampling;
   SeenFrom from = SeenFrom::air;
+  bool searched_curved = false;
   ShapeSegments curved;  // no labels where none were looked for
 };
 
@@ -145,25 +147,37 @@ ShapeSegments search_curved(const CellPoints& cp, const NeighbourIndex& index, c
   return find_curved(search, static_cast<std::uint32_t>(settings.planes.curved_points));
 }
 
-// The search over those points alone that cleaning keeps and no curved shape has; the others have no plane.
-Solved search_rest(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
-                   std::int64_t reach) {
-  const SeenFrom from = seen_from(std::span(cp.normals).first(cp.size));
-  const PlaneParams params = choose_plane_params(settings.planes, measure_sampling(index), from, unit_metres, reach);
-  std::vector<std::uint8_t> kept(cp.size, 1);
-  if (settings.planes.cleaning != Cleaning::none) kept = kept_points(index, settings.planes.cleaning, params);
-  ShapeSegments curved;
-  if (settings.planes.curved) {
-    curved = search_curved(cp, index, settings, params, from);
-    for (std::size_t i = 0; i < cp.size; ++i)
-      if (curved.label[i] != 0) kept[i] = 0;
-  }
+// The search over the kept points alone; the others have no plane.
+Solved search_kept(const CellPoints& cp, const std::vector<std::uint8_t>& kept, const Settings& settings,
+                   double unit_metres, std::int64_t reach) {
   const CellPoints part = only(cp, kept);
   Solved s = search(part, build_neighbour_index(part.points()), settings, unit_metres, reach);
   std::vector<std::uint32_t> label(cp.size, 0);
   for (std::size_t i = 0, at = 0; i < cp.size; ++i)
     if (kept[i] != 0) label[i] = s.found.label[at++];
   s.found.label = std::move(label);
+  return s;
+}
+
+// Planes of the points that cleaning keeps and no curved shape has, where these are looked for.
+Solved search_all(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
+                  std::int64_t reach) {
+  const bool cleaned = settings.planes.cleaning != Cleaning::none;
+  const SeenFrom from = seen_from(std::span(cp.normals).first(cp.size));
+  const Sampling sampling = measure_sampling(index);
+  const bool shapes = wants_curved(settings.planes, sampling.step * unit_metres);
+  if (!cleaned && !shapes) return search(cp, index, settings, unit_metres, reach);
+  const PlaneParams params = choose_plane_params(settings.planes, sampling, from, unit_metres, reach);
+  std::vector<std::uint8_t> kept(cp.size, 1);
+  if (cleaned) kept = kept_points(index, settings.planes.cleaning, params);
+  ShapeSegments curved;
+  if (shapes) curved = search_curved(cp, index, settings, params, from);
+  for (std::size_t i = 0; i < curved.label.size(); ++i)
+    if (curved.label[i] != 0) kept[i] = 0;
+  Solved s = cleaned || !curved.shapes.empty() ? search_kept(cp, kept, settings, unit_metres, reach)
+                                               : search(cp, index, settings, unit_metres, reach);
+  s.from = from;
+  s.searched_curved = shapes;
   s.curved = std::move(curved);
   return s;
 }
@@ -174,13 +188,11 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
   const CellPoints cp = load_cell(store, cell, coloured ? palette : ColourPalette{});
   const NeighbourIndex index = build_neighbour_index(cp.points());
   const double unit_metres = store.unit() * context.metres_per_unit;
-  const bool rest = settings.planes.curved || settings.planes.cleaning != Cleaning::none;
-  const auto how = rest ? search_rest : search;
-  const Solved s = how(cp, index, settings, unit_metres, margin_of(cell));
-  if (settings.planes.curved) write_cell_shapes(store, cell, cp, s.curved, s.params);
+  const Solved s = search_all(cp, index, settings, unit_metres, margin_of(cell));
+  if (!s.curved.shapes.empty()) write_cell_shapes(store, cell, cp, s.curved, s.params);
   CellResult r = own_part(cp, s.found);
-  r.header = {r.planes.size(), s.params.connectivity, s.params.epsilon,    s.params.normal_angle,
-              s.sampling.step, s.sampling.noise,      s.params.min_points, s.from};
+  r.header = {r.planes.size(),  s.params.connectivity, s.params.epsilon, s.params.normal_angle, s.sampling.step,
+              s.sampling.noise, s.params.min_points,   s.from,           s.searched_curved};
   return r;
 }
 
@@ -203,7 +215,8 @@ void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t
                      header.normal_angle,
                      header.step,
                      header.noise,
-                     header.from};
+                     header.from,
+                     header.curved};
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 

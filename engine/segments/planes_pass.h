@@ -20,6 +20,7 @@ struct CellSummary {
   double normal_angle = 25;  // degrees
   double step = 0, noise = 0;
   SeenFrom from = SeenFrom::air;
+  bool searched_curved = false;  // spheres, cylinders and cones too
 };
 
 struct CellPlanes {
@@ -27,9 +28,9 @@ struct CellPlanes {
   std::vector<std::uint32_t> cell_of;  // per cell plane: its cell
 };
 
-// Finds the planes of each cell, with planes.curved after its curved shapes (engine/segments/cell_shapes.h), and writes
-// the column "segment" (u32 per point: 0 = none, else 1 + number of the cell plane). A cell's answer depends on the
-// points of the cell and its margin alone. The palette (with the column "colour") is for colour_ransac.
+// Finds the planes of each cell, after its curved shapes where these are wanted (engine/segments/cell_shapes.h), and
+// writes the column "segment" (u32 per point: 0 = none, else 1 + number of the cell plane). A cell's answer depends on
+// the points of the cell and its margin alone. The palette (with the column "colour") is for colour_ransac.
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context, const ColourPalette& palette = {});
 

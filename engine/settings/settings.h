@@ -75,9 +75,9 @@ struct PlanesSettings {
   double probability = 0.99;           // that the best plane was among those tried
   Cleaning cleaning = Cleaning::none;
   EpsilonBy epsilon_by = EpsilonBy::noise;
-  int colour_classes = 6;   // that colours are parted into where points have them; 0 = none
-  bool curved = false;      // spheres, cylinders and cones too, before planes
-  int curved_points = 300;  // fewest points of one of these
+  int colour_classes = 6;      // that colours are parted into where points have them; 0 = none
+  std::optional<bool> curved;  // spheres, cylinders and cones too, before planes
+  int curved_points = 300;     // fewest points of one of these
 };
 
 // Where the sampling step around a point comes from.

@@ -180,6 +180,10 @@ class BadInput(RunTest):
     def test_overwrite(self):
         out, first = self.work(self.good)
         (out / "points" / "stray.laz").write_text("of an earlier run")
+        (out / "shapes.csv").write_text("of an earlier run")
+        for folder in ("density", "facades", "roofs", "streets"):
+            (out / folder).mkdir()
+            (out / folder / "stray").write_text("of an earlier run")
         _, second = self.work(self.good, "--overwrite", out=out)
         self.assertEqual(first["result_hash"], second["result_hash"])
         self.assertEqual(sorted(p.name for p in out.iterdir()),

@@ -103,7 +103,7 @@ class Synthetic(Determinism):
         """What only terrestrial scans have, with the stations known."""
         path = self.folder / "shapes.laz"
         self.assertEqual(ilot("scan", "shapes", "--points", "150000", "-o", path, "-q").returncode, 0)
-        asked = ["--stations", self.folder / "shapes.stations.csv", "--set", "planes.curved=true"]
+        asked = ["--stations", self.folder / "shapes.stations.csv"]
         hashes = set()
         for way in (["--threads", "1"], ["--threads", "3", "--block-points", "8192"], ["--memory", "96M"]):
             out, told = self.work(path, *asked, *way)

@@ -58,10 +58,23 @@ class Las:
         (sx, sy, sz), (ox, oy, oz) = self.scale, self.offset
         return [(x * sx + ox, y * sy + oy, z * sz + oz) for x, y, z in self.raw()]
 
+    def extra_bytes(self):
+        """Name and size of every field of the extra bytes, in order."""
+        at, = struct.unpack_from("<H", self.data, 94)
+        for _ in range(struct.unpack_from("<I", self.data, 100)[0]):
+            user, record, length = struct.unpack_from("<2x16sHH32x", self.data, at)
+            if user.rstrip(b"\0") == b"LASF_Spec" and record == 4:
+                fields = [self.data[i:i + 192] for i in range(at + 54, at + 54 + length, 192)]
+                return [(f[4:36].rstrip(b"\0").decode(), (0, 1, 1, 2, 2, 4, 4, 8, 8, 4, 8)[f[2]]) for f in fields]
+            at += 54 + length
+        return []
+
     def labels(self):
-        """(plane_id, residual) of every record of a labelled cloud."""
+        """(plane_id, residual, boundary) of every record of a labelled cloud: they follow each other."""
+        fields = self.extra_bytes()
+        behind = sum(size for _, size in fields[[name for name, _ in fields].index("boundary") + 1:])
         rows = self.data[self.start:self.start + self.count * self.length]
-        return list(struct.iter_unpack(f"<{self.length - 9}xIfB", rows))
+        return list(struct.iter_unpack(f"<{self.length - 9 - behind}xIfB{behind}x", rows))
 
     def write(self, path, records=None, offset=None, scale=None):
         """The same cloud with other records, offset or scale."""

@@ -23,6 +23,7 @@ struct LabelledPoint {
   std::uint8_t true_class = 0;
   std::uint32_t true_plane = 0, true_element = 0, plane_id = 0, object_id = 0;
   std::uint8_t label = 0, boundary = 0;
+  std::uint32_t shape_id = 0;
 };
 
 void write_cloud(const std::filesystem::path& path, const std::vector<LabelledPoint>& points) {
@@ -35,7 +36,7 @@ void write_cloud(const std::filesystem::path& path, const std::vector<LabelledPo
   spec.appended = {field("true_class", FieldType::u8, 1),    field("true_plane", FieldType::u32, 4),
                    field("true_element", FieldType::u32, 4), field("plane_id", FieldType::u32, 4),
                    field("object_id", FieldType::u32, 4),    field("label", FieldType::u8, 1),
-                   field("boundary", FieldType::u8, 1)};
+                   field("boundary", FieldType::u8, 1),      field("shape_id", FieldType::u32, 4)};
   std::filesystem::create_directories(path.parent_path());
   const std::unique_ptr<PointWriter> writer = create_cloud(path, spec);
   for (const LabelledPoint& p : points) {
@@ -51,6 +52,7 @@ void write_cloud(const std::filesystem::path& path, const std::vector<LabelledPo
     store(&record[43], p.object_id);
     store(&record[47], p.label);
     store(&record[48], p.boundary);
+    store(&record[49], p.shape_id);
     writer->write(record);
   }
   writer->finish();
@@ -135,6 +137,23 @@ TEST(Evaluate, JudgesEverythingThatIsThere) {
   const std::string html = evaluation_html(e);
   EXPECT_TRUE(html.starts_with("<section class=\"ilot-evaluation\">"));
   EXPECT_EQ(html.find("http"), std::string::npos);
+}
+
+// A column of the truth's numbering of planes, found as shape 9: another segment than plane 9.
+TEST(Evaluate, ShapesAreSegmentsOfTheirOwn) {
+  const TemporaryFolder out;
+  std::vector<LabelledPoint> points = wall();
+  for (LabelledPoint& p : points)
+    if (p.plane_id == 0) {
+      p.true_class = 2;
+      p.true_plane = 7;
+      p.shape_id = 9;
+    }
+  write_cloud(out.path() / "a.las", points);
+  const Evaluation e = evaluate(out.path() / "a.las", {});
+  EXPECT_EQ(e.confusion->counts, (std::vector<std::vector<std::uint64_t>>{{56, 0, 0}, {0, 8, 0}}));
+  EXPECT_EQ(e.planes->matching.matches.size(), 2u);
+  EXPECT_EQ(e.planes->matching.carrying, 64u);
 }
 
 TEST(Evaluate, TakesClassesFromLabelsWhereThereAreAny) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/segments/label_pass.h"
+#include "engine/segments/plane_methods.h"
 #include "tests/support/plane_store.h"
 
 namespace ilot {
@@ -130,6 +131,33 @@ TEST(ShapesPass, NothingCurvedIsFoundWhereAllIsFlat) {
   const PlaneStore s(points, {}, curved());
   EXPECT_TRUE(join_shapes(s.cloud.store(), s.cells).shapes.empty());
   EXPECT_EQ(s.joined.planes.size(), 3u);
+}
+
+// An upright and a level bar, each with too few points for a shape: a cone of 45 degrees touches both along a line.
+TEST(ShapesPass, TwoPlanesThatMeetAreNoCone) {
+  std::vector<Index3> points;
+  Rng rng(7);
+  constexpr std::int64_t kStep = 20, kWidth = 100, kLength = 1100;
+  const auto noise = [&] { return static_cast<std::int64_t>(std::nearbyint(2 * test::bell(rng))); };
+  for (std::int64_t across = 0; across < kWidth; across += kStep)
+    for (std::int64_t along = 0; along < kLength; along += kStep) {
+      const std::int64_t x = 500 + across + static_cast<std::int64_t>(rng.below(kStep / 2));
+      points.push_back({x, 3000 + noise(), 500 + along});
+      points.push_back({x, 3000 - along, 500 + noise()});
+    }
+  const PlaneStore s(points, {}, curved());
+  EXPECT_TRUE(join_shapes(s.cloud.store(), s.cells).shapes.empty());
+}
+
+TEST(ShapesPass, AreLookedForByThemselvesInDenseScansAlone) {
+  PlanesSettings settings;
+  EXPECT_TRUE(wants_curved(settings, 0.05)) << "300 points on 0.75 m2";
+  EXPECT_FALSE(wants_curved(settings, 0.06));
+  EXPECT_FALSE(wants_curved(settings, 0)) << "nothing measured";
+  settings.method = PlaneMethod::shape_ransac;
+  EXPECT_FALSE(wants_curved(settings, 0.05)) << "who names a method asks for planes";
+  settings.curved = true;
+  EXPECT_TRUE(wants_curved(settings, 0.5));
 }
 
 }  // namespace

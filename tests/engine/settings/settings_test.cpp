@@ -182,7 +182,7 @@ TEST(SettingsHash, ChangesWithEveryParameter) {
   for (const Parameter& p : parameters()) {
     Settings changed;
     Value value = std::int64_t{static_cast<std::int64_t>(p.range.max)};
-    if (p.kind == ValueKind::boolean) value = !std::get<bool>(p.get(Settings{}));
+    if (p.kind == ValueKind::boolean) value = p.get(Settings{}) != Value(true);
     if (p.kind == ValueKind::number) value = p.range.max;
     if (p.kind == ValueKind::integers) value = std::vector<std::int64_t>{1};
     if (p.kind == ValueKind::numbers) value = std::vector<double>{p.range.max, 0.5};
