@@ -111,6 +111,11 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
   std::vector<FacadeSolid> solids;
   for (const FacadeElement& e : facade.elements) {
     if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline") continue;
+    if (e.region == FacadeRegion::irregularity && !e.body.vertices.empty()) continue;
+    if (e.body.closed && is_on_earth(facade)) {
+      solids.push_back({e.id, e.kind, e.body.vertices, e.body.faces});
+      continue;
+    }
     const std::vector<FlatPoint> ring = clean_ring(chords_of(flat_element(facade, e, metres_per_unit)));
     if (!is_simple(ring) || !is_on_earth(facade)) continue;
     const double own = mean_distance(facade, e), depth = e.depth_m / metres_per_unit;
@@ -121,6 +126,14 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
     solids.push_back(std::move(solid));
   }
   return solids;
+}
+
+std::vector<FacadeSolid> facade_meshes(const Facade& facade) {
+  std::vector<FacadeSolid> meshes;
+  for (const FacadeElement& e : facade.elements)
+    if (e.region == FacadeRegion::irregularity && !e.body.closed && !e.body.faces.empty() && is_on_earth(facade))
+      meshes.push_back({e.id, e.kind, e.body.vertices, e.body.faces});
+  return meshes;
 }
 
 std::string solids_obj(const std::vector<FacadeSolid>& solids) {

@@ -21,6 +21,20 @@ struct FacadeArc {
   double radius_m = 0, from_deg = 0, to_deg = 0;  // in the facade's plane, from its right axis towards up
 };
 
+// What a part of a facade is for who builds on it [C9].
+enum class FacadeRegion : std::uint8_t {
+  facade,        // the wall itself: a polygon
+  element,       // windows, doors, sills, balconies: a polyhedron
+  irregularity,  // where the wall is not even: a mesh
+};
+
+// An element in space. Faces of a closed body turn outwards; those of a mesh are triangles that turn out of the wall.
+struct FacadeBody {
+  bool closed = false;
+  std::vector<Vec3> vertices;  // CRS
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
 // The edge from vertex i of the ring to the next one.
 struct FacadeEdge {
   DrawnStatus status = DrawnStatus::seen;
@@ -36,6 +50,7 @@ struct FacadeElement {
   bool opening = false;               // a hole in the wall: windows and doors
   std::uint32_t family = 0;           // equal elements share it; 0 = none
   std::uint32_t row = 0, column = 0;  // from 1, bottom up and left to right; 0 = none
+  FacadeRegion region = FacadeRegion::element;
   DrawnStatus status = DrawnStatus::seen;
   std::string reason;             // of a status other than seen
   std::vector<Vec3> ring;         // CRS; counter-clockwise seen from outside, the last corner not repeated
@@ -44,6 +59,7 @@ struct FacadeElement {
   double width_m = 0, height_m = 0, depth_m = 0;  // along right, up and out of the wall (recesses negative)
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
+  FacadeBody body;  // [C10, C11]; without vertices where its ring and its depth say all
 };
 
 struct Facade {
