@@ -9,7 +9,18 @@
 
 namespace ilot {
 
-enum class ThingKind : std::uint8_t { window, door, sill, lintel, balcony, band, bulge, stone };
+enum class ThingKind : std::uint8_t {
+  window,
+  door,
+  sill,
+  lintel,
+  balcony,
+  band,
+  bulge,
+  stone,
+  protrusion,  // bays, oriels
+  recess,      // niches, cut corners
+};
 
 struct FacadeThing {
   FoundRectangle shape;

@@ -50,7 +50,6 @@ struct FacadeElement {
   bool opening = false;               // a hole in the wall: windows and doors
   std::uint32_t family = 0;           // equal elements share it; 0 = none
   std::uint32_t row = 0, column = 0;  // from 1, bottom up and left to right; 0 = none
-  FacadeRegion region = FacadeRegion::element;
   DrawnStatus status = DrawnStatus::seen;
   std::string reason;             // of a status other than seen
   std::vector<Vec3> ring;         // CRS; counter-clockwise seen from outside, the last corner not repeated
@@ -59,6 +58,7 @@ struct FacadeElement {
   double width_m = 0, height_m = 0, depth_m = 0;  // along right, up and out of the wall (recesses negative)
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
+  FacadeRegion region = FacadeRegion::element;
   FacadeBody body;  // [C10, C11]; without vertices where its ring and its depth say all
 };
 
