@@ -19,9 +19,10 @@ constexpr double kUnder = 0.7;                        // share of the opening's 
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
 constexpr double kSameThing = 0.8;                    // of an area, that what is found twice has in common
+constexpr double kStraight = 0.02;                    // metres: a side's ends before and behind, of one that leans not
 constexpr double kSamePatch = 0.5;                    // of a patch, that lies within an irregularity
-constexpr std::array<const char*, 10> kNames{"window", "door",  "sill",  "lintel",     "balcony",
-                                             "band",   "bulge", "stone", "protrusion", "recess"};
+constexpr std::array<const char*, 11> kNames{"window", "door",  "sill",       "lintel", "balcony", "band",
+                                             "bulge",  "stone", "protrusion", "recess", "eaves"};
 
 bool is_opening(ThingKind kind) {
   return kind == ThingKind::window || kind == ThingKind::door;
@@ -125,7 +126,7 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
     e.arcs = {arched.arc};
     sides = std::move(arched.sides);
   } else {
-    const bool in_wall = e.opening || thing.kind == ThingKind::protrusion || thing.kind == ThingKind::recess;
+    const bool in_wall = e.opening || thing.kind >= ThingKind::protrusion;
     e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
   }
   for (const Side side : sides) {
@@ -248,7 +249,7 @@ void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
 }
 
 // What is large and not found yet, in place of what is only a part of it: the front of a bay.
-void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large) {
+void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large, double wall_height) {
   for (const FoundRectangle& r : large) {
     const Box2 box = r.box();
     const auto same_side = [&](const FacadeThing& t) {
@@ -265,7 +266,15 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
       const Box2 own = t.shape.box();
       return same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
     });
-    things.push_back({r, r.depth > 0 ? ThingKind::protrusion : ThingKind::recess, 0, 0, 0, {}});
+    const bool above = (box.v0 + box.v1) / 2 > wall_height;
+    things.push_back({r,
+                      r.depth < 0 ? ThingKind::recess
+                      : above     ? ThingKind::eaves
+                                  : ThingKind::protrusion,
+                      0,
+                      0,
+                      0,
+                      {}});
   }
 }
 
@@ -277,8 +286,15 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
   for (const FoundRectangle& s : find_stones(samples)) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
   merge_bulges(things);
-  add_large_relief(things, find_large_relief(samples, params.large));
+  add_large_relief(things, find_large_relief(samples, params.large), samples.site().height);
   return things;
+}
+
+// Sides that do not lean end where the outline is drawn.
+Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
+  const auto side = [](double at, double from, double now) { return std::abs(at - from) < kStraight ? now : at; };
+  return {side(end.u0, measured.u0, drawn.u0), side(end.u1, measured.u1, drawn.u1), side(end.v0, measured.v0, drawn.v0),
+          side(end.v1, measured.v1, drawn.v1)};
 }
 
 // What a thing comes down to at its depth [C10], where its sides are seen to lean.
@@ -286,12 +302,15 @@ void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
   constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
   for (FacadeThing& t : things) {
     FoundRectangle& r = t.shape;
+    const Box2 box = r.box();
+    if (r.end) r.end = straightened(*r.end, box, box);
     if (r.end || r.arc || t.kind == ThingKind::stone || r.depth == 0) continue;
     const double about = 1.5 * SliceParams{}.spacing;
-    const std::vector<FacadeSlice> slices =
-        slices_of(samples, r.box().grown(kMargin), r.depth - about, r.depth + about);
-    const std::optional<FacadeSlice> end = end_slice(slices);
-    if (end) r.end = side_faces(samples, r.box(), end->extent.grown(samples.site().step / 2), r.depth).end;
+    const std::optional<FacadeSlice> end =
+        end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));
+    if (!end) continue;
+    const SideFaces faces = side_faces(samples, box, end->extent.grown(samples.site().step / 2), r.depth);
+    r.end = straightened(faces.end, faces.outline, box);
   }
 }
 

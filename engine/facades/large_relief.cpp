@@ -21,7 +21,8 @@ constexpr double kInWall = 0.5;                      // share of its box that li
 constexpr double kHangsFrom = 0.05, kHangsTo = 0.4;  // of its depth: there its side faces have points
 constexpr double kHangs = 0.25;                      // share of the cells on its rim
 constexpr double kFlatEnd = 0.2;                     // share of its points that lie on its end
-constexpr double kBehindAll = 0.02;                  // share of its points that may lie deeper
+constexpr double kReaches = 0.9;     // of the way to the wall's end: the rest is noise of its deepest points
+constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
 
 enum Cell : std::int8_t { kBehind = -1, kWall = 0, kBefore = 1, kNothing = 2 };
 
@@ -213,6 +214,16 @@ bool hangs_on_wall(const RaySamples& samples, const DepthImage& image, const Reg
   return count > 0 && static_cast<double>(reached) >= kHangs * static_cast<double>(count);
 }
 
+// Of its width, where it stands on cells of the wall: eaves lie above all of it.
+double stands_on_wall(const DepthImage& image, const Region& region) {
+  double columns = 0;
+  for (const std::int64_t i : region.cells) {
+    const std::int64_t below = i - image.columns;
+    columns += below >= 0 && image.what[static_cast<std::size_t>(below)] == kWall;
+  }
+  return columns / static_cast<double>(region.c1 - region.c0 + 1);
+}
+
 double share_within(const Box2& box, const FacadeSite& site) {
   const double u = std::min(box.u1, site.width) - std::max(box.u0, 0.0);
   const double v = std::min(box.v1, site.height) - std::max(box.v0, 0.0);
@@ -289,11 +300,28 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
       inside.push_back(t);
   }
   const EdgeSplit split = split_edge(inside, outside);
+  const double end = side == Side::right ? site.width : side == Side::top ? site.height : 0;
+  const bool to_end = !split.found && std::abs(sign * t0 - end) <= reach;  // the wall goes no farther
   LocatedEdge edge;
-  edge.at = edge.inner = sign * (split.found ? split.at : t0);
-  edge.error = split.found ? split.half_gap + site.noise / 2 : reach;
+  edge.at = edge.inner = to_end ? end : sign * (split.found ? split.at : t0);
+  edge.error = to_end ? site.step : split.found ? split.half_gap + site.noise / 2 : reach;
   edge.points = inside.size() + outside.size();
   return edge;
+}
+
+// A cut corner goes as deep as its face has come at the wall's end.
+void reach_end(FoundRectangle& thing, Box2& end) {
+  const auto reach = [&](Side leaning, Side open, double& end_of_leaning, double& end_of_open) {
+    if (!thing.side(leaning).by_face || thing.side(open).by_face) return;
+    const double way = end_of_leaning - thing.at(leaning), whole = thing.at(open) - thing.at(leaning);
+    if (std::abs(way) < kReaches * std::abs(whole) || way * whole <= 0) return;
+    const double far = whole / way;
+    if (std::abs(far - 1) > 1 - kReaches) return;
+    thing.depth *= far;
+    end_of_leaning = end_of_open = thing.at(open);
+  };
+  reach(Side::left, Side::right, end.u0, end.u1);
+  reach(Side::right, Side::left, end.u1, end.u0);
 }
 
 }  // namespace
@@ -305,7 +333,8 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
   std::vector<FoundRectangle> found;
   for (const Region& region : regions_of(image)) {
     Box2 box{image.u(region.c0), image.u(region.c1 + 1), image.u(region.r0), image.u(region.r1 + 1)};
-    if (box.width() < params.least_size || box.height() < params.least_size || share_within(box, site) < kInWall)
+    if (box.width() < params.least_size || box.height() < params.least_size) continue;
+    if (share_within(box, site) < kInWall && (region.what == kBehind || stands_on_wall(image, region) < kInWall))
       continue;
     FoundRectangle thing;
     thing.fill = static_cast<double>(region.cells.size()) /
@@ -325,7 +354,9 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
       edge = {at[k], faces.error[k]};
       edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
     }
-    thing.end = faces.end;
+    Box2 body_end = faces.end;
+    reach_end(thing, body_end);
+    thing.end = body_end;
     found.push_back(thing);
   }
   return found;

@@ -20,6 +20,7 @@ enum class ThingKind : std::uint8_t {
   stone,
   protrusion,  // bays, oriels
   recess,      // niches, cut corners
+  eaves,       // what stands out above the wall's top
 };
 
 struct FacadeThing {

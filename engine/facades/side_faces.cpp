@@ -68,9 +68,26 @@ double spread_of(const std::vector<FacePoint>& points) {
   return high - low;
 }
 
-// The face through the points within `beside` of the line, looked for again beside what was found.
-FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double depth, double noise) {
-  double beside = std::max(kBeside, 3 * noise);
+// The line, moved to where most points lie beside it: other faces of the element end near by.
+FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double search, double width) {
+  std::vector<double> offs;
+  for (const FacePoint& p : points)
+    if (const double off = p.t - line.at - line.slope * p.w; std::abs(off) <= search) offs.push_back(off);
+  std::sort(offs.begin(), offs.end());
+  std::size_t best = 0, most = 0, end = 0;
+  for (std::size_t i = 0; i < offs.size(); ++i) {
+    while (end < offs.size() && offs[end] - offs[i] <= width) ++end;
+    if (end - i > most) best = i, most = end - i;
+  }
+  if (most > 0) line.at += offs[best + most / 2];
+  return line;
+}
+
+// The face through the points beside the line, looked for again beside what was found.
+FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double depth, double search, double noise) {
+  const double width = std::max(kBeside, 4 * noise);
+  line = crowded(points, line, search, width);
+  double beside = width;
   for (int round = 0; round < 4; ++round) {
     std::vector<FacePoint> near;
     for (const FacePoint& p : points)
@@ -98,9 +115,9 @@ SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2&
     const std::vector<FacePoint> points =
         points_of(samples, outline.grown(samples.oblique() ? 1.5 * reach : reach), side, depth,
                   std::min(t0, t1) - search, std::max(t0, t1) + search, s0 + corner, s1 - corner);
-    FaceLine face = find_face(points, {t0, 0, 0, 0}, depth, search);
+    FaceLine face = find_face(points, {t0, 0, 0, 0}, depth, search, noise);
     if (std::abs(t1 - t0) > std::max(kLeans, 2 * site.step)) {
-      const FaceLine leaning = find_face(points, {t0, (t1 - t0) / depth, 0, 0}, depth, search);
+      const FaceLine leaning = find_face(points, {t0, (t1 - t0) / depth, 0, 0}, depth, search, noise);
       if (leaning.points > face.points) face = leaning;
     }
     if (face.points == 0) continue;

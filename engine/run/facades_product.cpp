@@ -41,7 +41,7 @@ FacadeParams facade_params(const FacadesSettings& s) {
   return p;
 }
 
-Vec3 middle_of(const std::vector<Segment>& segments) {
+Vec3 middle_of(std::span<const Segment> segments) {
   double points = 0;
   Vec3 sum;
   for (const Segment& s : segments) {
