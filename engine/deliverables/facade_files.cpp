@@ -76,7 +76,9 @@ void write_facade_files(const std::filesystem::path& folder, const Facade& facad
   write_facade_json(named(".json"), facade);
   write_drawing(folder, name, drawing, params.layers);
   write_whole_file(named(".csv"), facade_table(facade, params.drawing.metres_per_unit));
-  const std::vector<FacadeSolid> solids = facade_solids(facade, params.drawing.metres_per_unit);
+  std::vector<FacadeSolid> solids = facade_solids(facade, params.drawing.metres_per_unit);
+  const std::vector<FacadeSolid> meshes = facade_meshes(facade);
+  solids.insert(solids.end(), meshes.begin(), meshes.end());
   if (!solids.empty()) {
     write_whole_file(named(".obj"), solids_obj(solids));
     write_whole_file(named(".stl"), solids_stl(solids));

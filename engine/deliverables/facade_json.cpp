@@ -18,6 +18,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int kVersion = 1;
 constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
+constexpr std::array<const char*, 3> kRegion{"facade", "element", "irregularity"};
 
 Json json_of(Vec3 p) {
   return {p.x, p.y, p.z};
@@ -44,9 +45,16 @@ Json list_of(const std::vector<Item>& items) {
   return list;
 }
 
+Json json_of(const FacadeBody& b) {
+  Json json{{"closed", b.closed}, {"vertices", list_of(b.vertices)}, {"faces", Json::array()}};
+  for (const auto& face : b.faces) json["faces"].push_back(face);
+  return json;
+}
+
 Json json_of(const FacadeElement& e) {
   Json json{{"id", e.id},
             {"kind", e.kind},
+            {"region", kRegion[static_cast<std::size_t>(e.region)]},
             {"opening", e.opening},
             {"family", e.family},
             {"row", e.row},
@@ -63,6 +71,7 @@ Json json_of(const FacadeElement& e) {
   json["height_error_m"] = e.height_error_m;
   json["depth_error_m"] = e.depth_error_m;
   json["points"] = e.points;
+  json["body"] = json_of(e.body);
   return json;
 }
 
@@ -101,11 +110,15 @@ struct Reader {
     if (!json.is_array() || json.size() != 3) fail("needs three numbers");
     return {Reader{json[0], place}.number(), Reader{json[1], place}.number(), Reader{json[2], place}.number()};
   }
-  DrawnStatus status() const {
+  template <std::size_t N>
+  std::size_t choice(const std::array<const char*, N>& names, const std::string& what) const {
     const std::string name = text();
-    for (std::size_t i = 0; i < kStatus.size(); ++i)
-      if (name == kStatus[i]) return static_cast<DrawnStatus>(i);
-    fail("'" + name + "' is no status: seen, completed or occluded");
+    for (std::size_t i = 0; i < N; ++i)
+      if (name == names[i]) return i;
+    fail("'" + name + "' is no " + what);
+  }
+  DrawnStatus status() const {
+    return static_cast<DrawnStatus>(choice(kStatus, "status: seen, completed or occluded"));
   }
   template <class Make>
   auto list(Make make) const {
@@ -126,10 +139,26 @@ FacadeArc arc_of(const Reader& r) {
   return {r.at("centre").position(), r.at("radius_m").number(), r.at("from_deg").number(), r.at("to_deg").number()};
 }
 
+FacadeBody body_of(const Reader& r) {
+  FacadeBody b;
+  b.closed = r.at("closed").flag();
+  b.vertices = r.at("vertices").list([](const Reader& corner) { return corner.position(); });
+  b.faces = r.at("faces").list([&](const Reader& face) {
+    const auto corners = face.list([](const Reader& corner) { return corner.id(); });
+    if (corners.size() < 3) face.fail("needs three corners or more");
+    for (const std::uint32_t i : corners)
+      if (i >= b.vertices.size()) face.fail("names a vertex that is not there");
+    return corners;
+  });
+  return b;
+}
+
 FacadeElement element_of(const Reader& r) {
   FacadeElement e;
   e.id = r.at("id").id();
   e.kind = r.at("kind").text();
+  if (r.json.contains("region"))  // files written before there were regions have none
+    e.region = static_cast<FacadeRegion>(r.at("region").choice(kRegion, "region: facade, element or irregularity"));
   e.opening = r.at("opening").flag();
   e.family = r.at("family").id();
   e.row = r.at("row").id();
@@ -148,6 +177,7 @@ FacadeElement element_of(const Reader& r) {
   e.height_error_m = r.at("height_error_m").number();
   e.depth_error_m = r.at("depth_error_m").number();
   e.points = r.at("points").count();
+  if (r.json.contains("body")) e.body = body_of(r.at("body"));
   return e;
 }
 

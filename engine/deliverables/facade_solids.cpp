@@ -46,6 +46,21 @@ bool is_on_earth(const Facade& facade) {
   return std::abs(o.x) < kFarthest && std::abs(o.y) < kFarthest && std::abs(o.z) < kFarthest;
 }
 
+// Of a body that somebody else wrote: corners that are one, faces without a normal have no triangles.
+bool is_sound(const FacadeBody& body) {
+  constexpr double kLeastEdge = 1e-6, kLeastArea = 1e-9;  // CRS units
+  for (const Vec3& p : body.vertices)
+    if (!(std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest)) return false;
+  for (const auto& face : body.faces) {
+    const Vec3 a = body.vertices[face[0]];
+    Vec3 normal{0, 0, 0};
+    for (std::size_t i = 1; i + 1 < face.size(); ++i)
+      normal = normal + cross(body.vertices[face[i]] - a, body.vertices[face[i + 1]] - a);
+    if (norm(body.vertices[face[1]] - a) < kLeastEdge || norm(normal) < kLeastArea) return false;
+  }
+  return !body.faces.empty();
+}
+
 double mean_distance(const Facade& facade, const FacadeElement& element) {
   double sum = 0;
   for (const Vec3& p : element.ring) sum += dot(p - facade.origin, facade.out);
@@ -111,6 +126,11 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
   std::vector<FacadeSolid> solids;
   for (const FacadeElement& e : facade.elements) {
     if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline") continue;
+    if (e.region == FacadeRegion::irregularity && !e.body.vertices.empty()) continue;
+    if (e.body.closed && is_on_earth(facade) && is_sound(e.body)) {
+      solids.push_back({e.id, e.kind, e.body.vertices, e.body.faces});
+      continue;
+    }
     const std::vector<FlatPoint> ring = clean_ring(chords_of(flat_element(facade, e, metres_per_unit)));
     if (!is_simple(ring) || !is_on_earth(facade)) continue;
     const double own = mean_distance(facade, e), depth = e.depth_m / metres_per_unit;
@@ -121,6 +141,14 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
     solids.push_back(std::move(solid));
   }
   return solids;
+}
+
+std::vector<FacadeSolid> facade_meshes(const Facade& facade) {
+  std::vector<FacadeSolid> meshes;
+  for (const FacadeElement& e : facade.elements)
+    if (e.region == FacadeRegion::irregularity && !e.body.closed && is_on_earth(facade) && is_sound(e.body))
+      meshes.push_back({e.id, e.kind, e.body.vertices, e.body.faces});
+  return meshes;
 }
 
 std::string solids_obj(const std::vector<FacadeSolid>& solids) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of a facade as closed solids: their outline swept out of the wall or into it. [C10]
+// Elements of a facade as closed solids [C10], its irregularities as meshes [C11].
 #pragma once
 #include <cstdint>
 #include <string>
@@ -17,11 +17,15 @@ struct FacadeSolid {
   std::vector<std::vector<std::uint32_t>> faces;
 };
 
-// One for each element with a depth and a simple ring, in their order. The outline is set on a plane parallel to the
+// One for each element with a depth and a simple ring, in their order: its body where it has a closed one, else its
+// outline swept out of the wall or into it. The outline is set on a plane parallel to the
 // wall at its mean distance from it; the other end lies a depth away, on the side that the ring is farther from: a
 // sill's ring is its front and ends at the wall, a window's lies in the wall and ends at the pane. Arcs are chords of
 // at most 5 degrees, corners nearer than 1 mm to the one before are left out.
 std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_unit = 1);
+
+// The triangles of irregularities, open towards the wall, in their order. They turn out of it.
+std::vector<FacadeSolid> facade_meshes(const Facade& facade);
 
 // As OBJ, an object an element ("element-3-window"), and as ASCII STL, a solid an element. Coordinates of the CRS to a
 // tenth of a millimetre.

@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "engine/facades/side_faces.h"
+#include "engine/facades/slices.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -16,7 +18,11 @@ constexpr double kBesideOpening = 0.25;               // metres between an openi
 constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
-constexpr std::array<const char*, 8> kNames{"window", "door", "sill", "lintel", "balcony", "band", "bulge", "stone"};
+constexpr double kSameThing = 0.8;                    // of an area, that what is found twice has in common
+constexpr double kStraight = 0.02;                    // metres: a side's ends before and behind, of one that leans not
+constexpr double kSamePatch = 0.5;                    // of a patch, that lies within an irregularity
+constexpr std::array<const char*, 11> kNames{"window", "door",  "sill",       "lintel", "balcony", "band",
+                                             "bulge",  "stone", "protrusion", "recess", "eaves"};
 
 bool is_opening(ThingKind kind) {
   return kind == ThingKind::window || kind == ThingKind::door;
@@ -96,6 +102,11 @@ ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   return ring;
 }
 
+double common_area(const Box2& a, const Box2& b) {
+  return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
+         std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
+}
+
 double both(double a, double b) {
   return std::sqrt(a * a + b * b);
 }
@@ -115,7 +126,8 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
     e.arcs = {arched.arc};
     sides = std::move(arched.sides);
   } else {
-    e.ring = ring_of(site, r.box(), e.opening ? 0 : r.depth);
+    const bool in_wall = e.opening || thing.kind >= ThingKind::protrusion;
+    e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
   }
   for (const Side side : sides) {
     const LocatedEdge& edge = r.side(side);
@@ -132,18 +144,62 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
+  if (!r.arc && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
   return e;
 }
 
 FacadeElement wall_of(const FacadeSite& site) {
   FacadeElement e;
   e.kind = "outline";
+  e.region = FacadeRegion::facade;
   e.ring = ring_of(site, {0, site.width, 0, site.height}, 0);
   e.width_m = site.width;
   e.height_m = site.height;
   e.width_error_m = e.height_error_m = site.step;
   for (const FacadePoint& p : site.points) e.points += std::abs(static_cast<double>(p.w)) <= site.epsilon;
   return e;
+}
+
+// A bulge or a hollow: its outline in the wall, its surface as a mesh [C11].
+FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
+  FacadeElement e;
+  e.kind = "bulge";
+  e.region = FacadeRegion::irregularity;
+  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const Place2& p : i.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.edges.push_back({DrawnStatus::seen, 0, 0, site.step, 0});
+    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+  }
+  e.width_m = box.width();
+  e.height_m = box.height();
+  e.depth_m = i.rise;
+  e.width_error_m = e.height_error_m = both(site.step, site.step);
+  e.depth_error_m = i.rise_error;
+  e.points = i.points;
+  for (const Vec3& p : i.vertices) e.body.vertices.push_back(place_of(site, p.x, p.y, p.z));
+  for (const auto& t : i.triangles) e.body.faces.push_back({t[0], t[1], t[2]});
+  return e;
+}
+
+// What is not a part of an irregularity: its patches of plane are no things of their own, and nothing else is in it.
+std::vector<Box2> boxes_of_elements(const std::vector<FacadeThing>& things) {
+  std::vector<Box2> boxes;
+  for (const FacadeThing& t : things)
+    if (t.kind != ThingKind::bulge) boxes.push_back(t.shape.box());
+  return boxes;
+}
+
+void drop_patches(std::vector<FacadeThing>& things, const std::vector<Irregularity>& irregular) {
+  std::erase_if(things, [&](const FacadeThing& t) {
+    const Box2 own = t.shape.box();
+    return t.kind == ThingKind::bulge && std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
+             Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+             for (const Place2& p : i.ring)
+               box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+             return common_area(box, own) >= kSamePatch * own.width() * own.height();
+           });
+  });
 }
 
 // The order in which elements are numbered.
@@ -183,6 +239,45 @@ void merge_bulges(std::vector<FacadeThing>& things) {
   }
 }
 
+// Sides that points of side faces tell are known better than those between points of the wall and what is behind. An
+// opening that nothing fills has no depth of its own: a niche has.
+void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
+  if (known.depth == 0) known.depth = found.depth, known.depth_error = found.depth_error, known.end = found.end;
+  for (const Side side : kSides)
+    if (found.side(side).by_face && !known.side(side).by_face && found.error(side) < known.error(side))
+      known.side(side) = found.side(side);
+}
+
+// What is large and not found yet, in place of what is only a part of it: the front of a bay.
+void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large, double wall_height) {
+  for (const FoundRectangle& r : large) {
+    const Box2 box = r.box();
+    const auto same_side = [&](const FacadeThing& t) {
+      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != ThingKind::stone;
+    };
+    const auto known = std::find_if(things.begin(), things.end(), [&](const FacadeThing& t) {
+      return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
+    });
+    if (known != things.end()) {
+      take_better_sides(known->shape, r);
+      continue;
+    }
+    std::erase_if(things, [&](const FacadeThing& t) {
+      const Box2 own = t.shape.box();
+      return same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
+    });
+    const bool above = (box.v0 + box.v1) / 2 > wall_height;
+    things.push_back({r,
+                      r.depth < 0 ? ThingKind::recess
+                      : above     ? ThingKind::eaves
+                                  : ThingKind::protrusion,
+                      0,
+                      0,
+                      0,
+                      {}});
+  }
+}
+
 std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params) {
   const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
   std::vector<FacadeThing> things;
@@ -191,7 +286,32 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
   for (const FoundRectangle& s : find_stones(samples)) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
   merge_bulges(things);
+  add_large_relief(things, find_large_relief(samples, params.large), samples.site().height);
   return things;
+}
+
+// Sides that do not lean end where the outline is drawn.
+Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
+  const auto side = [](double at, double from, double now) { return std::abs(at - from) < kStraight ? now : at; };
+  return {side(end.u0, measured.u0, drawn.u0), side(end.u1, measured.u1, drawn.u1), side(end.v0, measured.v0, drawn.v0),
+          side(end.v1, measured.v1, drawn.v1)};
+}
+
+// What a thing comes down to at its depth [C10], where its sides are seen to lean.
+void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
+  constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
+  for (FacadeThing& t : things) {
+    FoundRectangle& r = t.shape;
+    const Box2 box = r.box();
+    if (r.end) r.end = straightened(*r.end, box, box);
+    if (r.end || r.arc || t.kind == ThingKind::stone || r.depth == 0) continue;
+    const double about = 1.5 * SliceParams{}.spacing;
+    const std::optional<FacadeSlice> end =
+        end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));
+    if (!end) continue;
+    const SideFaces faces = side_faces(samples, box, end->extent.grown(samples.site().step / 2), r.depth);
+    r.end = straightened(faces.end, faces.outline, box);
+  }
 }
 
 }  // namespace
@@ -199,12 +319,15 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
 FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
   const RaySamples samples(site);
   std::vector<FacadeThing> things = things_of(samples, params);
+  const std::vector<Irregularity> irregular = find_irregularities(samples, boxes_of_elements(things), params.irregular);
+  drop_patches(things, irregular);
   group_things(things, params.regular);
   if (params.regularise) {
     regularise_things(things, params.regular);
     complete_things(things, params.regular);
     group_things(things, params.regular);
   }
+  find_ends(things, samples);
   std::sort(things.begin(), things.end(), comes_before);
 
   FoundFacade found;
@@ -221,6 +344,7 @@ FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
     f.elements.push_back(element_of(site, thing));
     for (const LocatedEdge& edge : thing.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
   }
+  for (const Irregularity& i : irregular) f.elements.push_back(irregularity_of(site, i));
   for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;
   return found;
 }

@@ -2,6 +2,8 @@
 // From a facade's points to its plan.
 #pragma once
 #include "engine/facades/facade_site.h"
+#include "engine/facades/irregularities.h"
+#include "engine/facades/large_relief.h"
 #include "engine/facades/openings.h"
 #include "engine/facades/regular_facade.h"
 #include "engine/facades/relief.h"
@@ -12,6 +14,8 @@ namespace ilot {
 struct FacadeParams {
   OpeningParams openings;
   ReliefParams relief;
+  LargeReliefParams large;
+  IrregularityParams irregular;
   RegularParams regular;
   bool regularise = true;
 };

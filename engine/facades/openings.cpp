@@ -21,6 +21,7 @@ constexpr double kMostBehind = 4;     // metres; rooms beyond panes
 constexpr double kDepthBin = 0.01;    // metres
 constexpr double kCoverShare = 0.25;  // of the widest spread
 constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
+constexpr double kCovered = 0.5;      // of the wall's density: a cell that has it is wall, whatever stands behind
 
 enum Cell : std::uint8_t {
   kUnknown,
@@ -61,9 +62,12 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
     if (!wall && w < 0) ++(w < -least_depth ? through : shallow)[at];
     if (w > site.epsilon) ++blocked[at];
   }
+  // Rays that are only taken to be square to the wall do not go through it where its points are: what lies behind is
+  // the other side of the house.
+  const double covered = samples.oblique() ? INFINITY : kCovered * cells.cell * cells.cell / (site.step * site.step);
   cells.what.assign(count, kUnknown);
   for (std::size_t i = 0; i < count; ++i) {
-    if (through[i] > solid[i])
+    if (through[i] > solid[i] && static_cast<double>(solid[i]) < covered)
       cells.what[i] = kThrough;
     else if (solid[i] > 0)
       cells.what[i] = kSolid;

@@ -30,6 +30,7 @@ struct FoundRectangle {
   std::uint32_t plane = 0;            // of what stands in front
   double fill = 1;                    // share of its cells that hold such
   std::optional<TopArc> arc;          // its top side then is the crown
+  std::optional<Box2> end;            // what it comes down to at its depth, where that is not its own rectangle
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double error(Side s) const { return sides[static_cast<std::size_t>(s)].error; }
   LocatedEdge& side(Side s) { return sides[static_cast<std::size_t>(s)]; }

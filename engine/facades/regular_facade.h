@@ -9,7 +9,19 @@
 
 namespace ilot {
 
-enum class ThingKind : std::uint8_t { window, door, sill, lintel, balcony, band, bulge, stone };
+enum class ThingKind : std::uint8_t {
+  window,
+  door,
+  sill,
+  lintel,
+  balcony,
+  band,
+  bulge,
+  stone,
+  protrusion,  // bays, oriels
+  recess,      // niches, cut corners
+  eaves,       // what stands out above the wall's top
+};
 
 struct FacadeThing {
   FoundRectangle shape;

@@ -21,6 +21,20 @@ struct FacadeArc {
   double radius_m = 0, from_deg = 0, to_deg = 0;  // in the facade's plane, from its right axis towards up
 };
 
+// What a part of a facade is for who builds on it [C9].
+enum class FacadeRegion : std::uint8_t {
+  facade,        // the wall itself: a polygon
+  element,       // windows, doors, sills, balconies: a polyhedron
+  irregularity,  // where the wall is not even: a mesh
+};
+
+// An element in space. Faces of a closed body turn outwards; those of a mesh are triangles that turn out of the wall.
+struct FacadeBody {
+  bool closed = false;
+  std::vector<Vec3> vertices;  // CRS
+  std::vector<std::vector<std::uint32_t>> faces;
+};
+
 // The edge from vertex i of the ring to the next one.
 struct FacadeEdge {
   DrawnStatus status = DrawnStatus::seen;
@@ -44,6 +58,8 @@ struct FacadeElement {
   double width_m = 0, height_m = 0, depth_m = 0;  // along right, up and out of the wall (recesses negative)
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
+  FacadeRegion region = FacadeRegion::element;
+  FacadeBody body;  // [C10, C11]; without vertices where its ring and its depth say all
 };
 
 struct Facade {

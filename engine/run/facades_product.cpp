@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/deliverables/facade_files.h"
+#include "engine/facades/facade_joints.h"
 #include "engine/facades/facade_model.h"
 #include "engine/facades/wall_groups.h"
 #include "engine/pass/pass.h"
@@ -40,7 +41,7 @@ FacadeParams facade_params(const FacadesSettings& s) {
   return p;
 }
 
-Vec3 middle_of(const std::vector<Segment>& segments) {
+Vec3 middle_of(std::span<const Segment> segments) {
   double points = 0;
   Vec3 sum;
   for (const Segment& s : segments) {
@@ -69,6 +70,52 @@ FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs
 // The column "colour", which images are painted with; false where no input has colours.
 bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
   return store.has(0, "colour") || colours_pass(store, inputs.readers, context);
+}
+
+// Walls too small for a facade of their own that none has as its relief: a low storey that stands back is one.
+std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
+                                   std::span<const Vec3> stations, WallParams params) {
+  constexpr double kLeast = 0.5;  // of a facade's width and height
+  std::vector<std::uint8_t> known(segments.size() + 1, 0);
+  for (const WallGroup& wall : walls) {
+    for (const std::uint32_t id : wall.segments) known[id] = 1;
+    for (const ParallelPlane& plane : wall.parallel) known[plane.id] = 1;
+  }
+  params.least_width *= kLeast, params.least_height *= kLeast, params.least_area *= kLeast * kLeast;
+  std::vector<WallGroup> small = find_walls(segments, stations, middle_of(segments), params);
+  std::erase_if(small, [&](const WallGroup& wall) {
+    return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
+  });
+  return small;
+}
+
+// A wall with nothing on it.
+Facade bare_facade(const WallGroup& wall, double metres_per_unit) {
+  Facade f;
+  f.origin = wall.axes.origin, f.right = wall.axes.right, f.up = wall.axes.up, f.out = wall.axes.out;
+  f.width_m = wall.width, f.height_m = wall.height;
+  FacadeElement e;
+  e.region = FacadeRegion::facade;
+  const Vec3 across = (wall.width / metres_per_unit) * f.right, up = (wall.height / metres_per_unit) * f.up;
+  e.ring = {f.origin, f.origin + across, f.origin + across + up, f.origin + up};
+  e.width_m = wall.width, e.height_m = wall.height;
+  e.width_error_m = e.height_error_m = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  e.depth_error_m = wall.epsilon;
+  e.points = wall.points;
+  f.elements = {e};
+  return f;
+}
+
+// What facades are to each other, and to walls that are none, once all are known.
+void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> small, double metres_per_unit) {
+  std::vector<Facade> facades;
+  for (FoundFacade& f : found) facades.push_back(std::move(f.facade));
+  for (const WallGroup& wall : small) facades.push_back(bare_facade(wall, metres_per_unit));
+  JointParams joints;
+  joints.metres_per_unit = metres_per_unit;
+  close_corners(facades, joints);
+  add_storey_steps(facades, joints);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
 }
 
 // One facade after the other: an image takes as much memory as the points it shows.
@@ -123,6 +170,9 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     found[i] = find_facade(site, facade_params(settings.facades));
     context.advance(tasks[i].points);
   });
+  join_facades(found,
+               small_walls(walls, planes.segments, stations, wall_params(settings.facades, context.metres_per_unit)),
+               context.metres_per_unit);
   FacadeCounts counts;
   for (FoundFacade& f : found) {
     f.facade.id = static_cast<std::uint32_t>(++counts.facades);

@@ -19,6 +19,8 @@ Facade a_facade() {
   window.width_error_m = 0.004;
   window.points = 512;
   FacadeElement sill{2, "sill", false, 0, 0, 0, DrawnStatus::seen, "", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {}, {}};
+  sill.region = FacadeRegion::irregularity;
+  sill.body = {false, {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, 1, 2}}};
   return {7, "EPSG:2154", {651000, 6861000, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, 12.5, 9, {window, sill}};
 }
 
@@ -54,6 +56,11 @@ TEST(FacadeJson, ReadsBackWhatItWrote) {
   EXPECT_EQ(window.edges[0].points, 40u);
   EXPECT_EQ(window.arcs.at(0).radius_m, 0.6);
   EXPECT_EQ(window.depth_m, -0.28);
+  EXPECT_EQ(window.region, FacadeRegion::element);
+  EXPECT_TRUE(window.body.vertices.empty());
+  EXPECT_EQ(read.elements[1].region, FacadeRegion::irregularity);
+  EXPECT_EQ(read.elements[1].body.faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}}));
+  EXPECT_EQ(read.elements[1].body.vertices.at(2).z, 1);
 }
 
 TEST(FacadeJson, RefusesWhatIsNoFacade) {
@@ -71,6 +78,11 @@ TEST(FacadeJson, RefusesWhatIsNoFacade) {
             "f.json.elements[0].row: needs a whole number below 2^32");
   EXPECT_EQ(fault_of(changed(good, "\"opening\": true", "\"opening\": 1")),
             "f.json.elements[0].opening: needs true or false");
+  EXPECT_EQ(fault_of(changed(good, "\"irregularity\"", "\"odd\"")),
+            "f.json.elements[1].region: 'odd' is no region: facade, element or irregularity");
+  std::string strange = good;
+  strange.replace(strange.rfind("2\n"), 1, "3");
+  EXPECT_EQ(fault_of(strange), "f.json.elements[1].body.faces[0]: names a vertex that is not there");
 }
 
 }  // namespace

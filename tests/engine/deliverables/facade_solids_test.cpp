@@ -45,6 +45,41 @@ TEST(FacadeSolids, SweepsOutAndIn) {
   EXPECT_NEAR(volume(solids[2]), 0.5 * (4 + 1.5708), 1e-2);
 }
 
+// A bay: 4 m at the wall, 2 m at its front.
+FacadeElement a_bay() {
+  FacadeElement bay = drawn("protrusion", wall_rectangle(0, 0, 4, 2));
+  bay.depth_m = 1;
+  bay.body.closed = true;
+  bay.body.vertices = {{0, 0, 0}, {4, 0, 0}, {4, 0, 2}, {0, 0, 2}, {1, -1, 0}, {3, -1, 0}, {3, -1, 2}, {1, -1, 2}};
+  bay.body.faces = {{4, 5, 6, 7}, {3, 2, 1, 0}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
+  return bay;
+}
+
+TEST(FacadeSolids, ABodyStandsForItself) {
+  FacadeElement flat = a_bay();
+  flat.body.vertices[5] = flat.body.vertices[4];  // no body after all: its outline is swept
+  const auto solids = facade_solids(facade_of({a_bay(), flat}));
+  ASSERT_EQ(solids.size(), 2u);
+  EXPECT_NEAR(volume(solids[0]), 6, 1e-9);
+  EXPECT_NEAR(volume(solids[1]), 8, 1e-9);
+}
+
+TEST(FacadeSolids, IrregularitiesAreMeshesAndNoSolids) {
+  FacadeElement bulge = drawn("bulge", wall_rectangle(0, 0, 1, 1));
+  bulge.region = FacadeRegion::irregularity;
+  bulge.depth_m = 0.04;
+  bulge.body.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, -0.04, 1}};
+  bulge.body.faces = {{0, 1, 2}};
+  const Facade facade = facade_of({bulge, a_bay()});
+  ASSERT_EQ(facade_solids(facade).size(), 1u);
+  EXPECT_EQ(facade_solids(facade)[0].element, 2u);
+  const auto meshes = facade_meshes(facade);
+  ASSERT_EQ(meshes.size(), 1u);
+  EXPECT_EQ(meshes[0].element, 1u);
+  EXPECT_EQ(meshes[0].faces.size(), 1u);
+  EXPECT_NE(solids_obj(meshes).find("o element-1-bulge\n"), std::string::npos);
+}
+
 TEST(FacadeSolids, AreValidByOurOwnRules) {
   const TemporaryFolder folder;
   Facade facade = a_facade();

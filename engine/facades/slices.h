@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// How deep an element goes and where it ends there: cuts through its points parallel to the wall [C10].
+#pragma once
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/facades/openings.h"
+
+namespace ilot {
+
+struct SliceParams {
+  double spacing = 0.02;   // metres between cuts
+  double within = 0.75;    // of the spacing: points so near to a cut are consistent with it, and with its neighbour
+  double reach_steps = 3;  // sampling steps: circumradius of the triangles that make up a cut's shape
+};
+
+struct FacadeSlice {
+  double w = 0;              // metres out of the wall
+  std::size_t points = 0;    // P', consistent with the cut
+  std::size_t boundary = 0;  // B, those of them on the boundary of their alpha shape
+  Box2 extent;               // of all but half a percent of them on each side
+  double ratio() const { return boundary == 0 ? 0 : static_cast<double>(points) / static_cast<double>(boundary); }
+};
+
+// Of the points that lie within the box along the wall, cuts from `from` on up to `to`, where any point lies, by w.
+// O(n log n).
+std::vector<FacadeSlice> slices_of(const RaySamples& samples, const Box2& box, double from, double to,
+                                   const SliceParams& params = {});
+
+// The cut with the largest T = |P'| / |B| [C10]: a sheet that fills the element has few points on its boundary. Of cuts
+// that come to half of that ratio and of those points the one nearest to the wall: curtains and rooms fill as well.
+// None of no cuts.
+std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices);
+
+}  // namespace ilot

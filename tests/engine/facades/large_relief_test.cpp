@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/large_relief.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sampled_site.h"
+
+namespace ilot {
+namespace {
+
+using test::SampledSite;
+
+// A bay of splayed sides: 4 m wide at the wall, 2 m at its front, 1 m out.
+SampledSite with_bay(double noise) {
+  SampledSite s(6, 4, 0.03, noise);
+  s.wall_around(1, 5, 1, 3);
+  s.sheet(2, 4, 1, 3, 1, 2);
+  s.face({1, 1, 0}, {1, 0, 1}, {0, 2, 0}, 3);
+  s.face({4, 1, 1}, {1, 0, -1}, {0, 2, 0}, 4);
+  for (const double v : {1.0, 3.0}) s.face({1, v, 0}, {4, 0, 0}, {0, 0, 0.5}, 5);
+  return s;
+}
+
+TEST(LargeRelief, ABayWithSplayedSidesIsMeasuredAtTheWallAndAtItsFront) {
+  for (const double noise : {0.0005, 0.005}) {
+    const SampledSite s = with_bay(noise);
+    const RaySamples samples(s.site);
+    const auto found = find_large_relief(samples);
+    ASSERT_EQ(found.size(), 1u) << noise;
+    const Box2 box = found[0].box();
+    EXPECT_NEAR(box.u0, 1, 0.01) << noise;
+    EXPECT_NEAR(box.u1, 5, 0.01) << noise;
+    EXPECT_NEAR(found[0].depth, 1, 0.005) << noise;
+    ASSERT_TRUE(found[0].end);
+    EXPECT_NEAR(found[0].end->u0, 2, 0.01) << noise;
+    EXPECT_NEAR(found[0].end->u1, 4, 0.01) << noise;
+  }
+}
+
+TEST(LargeRelief, ANicheGoesIntoTheWall) {
+  SampledSite s(6, 4, 0.03, 0.002);
+  s.wall_around(2, 3.5, 0, 2.4);
+  s.sheet(2, 3.5, 0, 2.4, -0.9, 2);
+  for (const double u : {2.0, 3.5}) s.face({u, 0, -0.9}, {0, 0, 0.9}, {0, 2.4, 0}, 3);
+  s.face({2, 2.4, -0.9}, {1.5, 0, 0}, {0, 0, 0.9}, 4);
+  const auto found = find_large_relief(RaySamples(s.site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].depth, -0.9, 0.005);
+  EXPECT_NEAR(found[0].box().u0, 2, 0.01);
+  EXPECT_NEAR(found[0].box().u1, 3.5, 0.01);
+  EXPECT_NEAR(found[0].box().v1, 2.4, 0.01);
+}
+
+// Foremost, but not built on: no side faces lead from the wall to it.
+TEST(LargeRelief, WhatStandsBeforeTheWallIsNoPartOfIt) {
+  SampledSite s(6, 4, 0.03, 0.002);
+  s.sheet(0, 6, 0, 4, 0, 1);
+  s.sheet(2, 4, 0, 1.5, 1.4, 2);
+  for (const double u : {2.0, 4.0}) s.face({u, 0, 1.4}, {0, 0, 0.9}, {0, 1.5, 0}, 3);
+  EXPECT_TRUE(find_large_relief(RaySamples(s.site)).empty());
+}
+
+// Beyond its end the wall does not go on: what is seen there is another part of the house.
+TEST(LargeRelief, NothingBeyondTheEndIsARecess) {
+  SampledSite s(6, 4, 0.03, 0.002);
+  s.sheet(0, 4.5, 0, 4, 0, 1);
+  s.sheet(4.5, 6, 0, 4, -1, 2);
+  EXPECT_TRUE(find_large_relief(RaySamples(s.site)).empty());
+}
+
+}  // namespace
+}  // namespace ilot

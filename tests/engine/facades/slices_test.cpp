@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/slices.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/sampled_site.h"
+
+namespace ilot {
+namespace {
+
+using test::SampledSite;
+
+// A window: reveals of 25 cm, the frame and its pane at the end, a room's back behind.
+TEST(Slices, TheRatioPeaksWhereASheetFillsTheOpening) {
+  SampledSite s(4, 4, 0.012, 0.001);
+  s.sheet(1, 2, 1, 2.5, -0.25, 2);
+  for (const double u : {1.0, 2.0}) s.face({u, 1, -0.25}, {0, 0, 0.25}, {0, 1.5, 0}, 3);
+  s.sheet(1, 2, 1, 2.5, -0.8, 4);
+  const RaySamples samples(s.site);
+  const auto slices = slices_of(samples, Box2{1, 2, 1, 2.5}.grown(0.05), -1, -0.01);
+  ASSERT_GT(slices.size(), 10u);
+  const auto end = end_slice(slices);
+  ASSERT_TRUE(end);
+  EXPECT_NEAR(end->w, -0.25, 0.011);
+  EXPECT_NEAR(end->extent.u0, 1, 0.015);
+  EXPECT_NEAR(end->extent.v1, 2.5, 0.015);
+  for (const FacadeSlice& cut : slices) {
+    EXPECT_LE(cut.boundary, cut.points);
+    if (std::abs(cut.w + 0.25) > 0.03 && std::abs(cut.w + 0.8) > 0.03) {
+      EXPECT_LT(cut.ratio(), 2.5) << cut.w;
+      EXPECT_LT(3 * cut.ratio(), end->ratio()) << cut.w;
+    }
+  }
+}
+
+TEST(Slices, NoPointsNoSlices) {
+  const SampledSite s(4, 4, 0.1, 0.001);
+  const RaySamples samples(s.site);
+  const auto slices = slices_of(samples, {1, 2, 1, 2}, -1, 1);
+  EXPECT_TRUE(slices.empty());
+  EXPECT_FALSE(end_slice(slices));
+}
+
+}  // namespace
+}  // namespace ilot
