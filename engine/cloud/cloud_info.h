@@ -40,6 +40,7 @@ struct Station {
   Vec3 position;
   double azimuth_step = 0, elevation_step = 0;  // radians between profiles and between their points; 0 = unknown
   Vec3 axis{0, 0, 1};                           // that it turned about, of unit length
+  std::uint16_t source_id = 0;                  // point_source_id of its points; 0 = not told
 };
 
 // One of several scans in a file; its rows follow those of the scan before it.

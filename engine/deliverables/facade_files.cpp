@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <optional>
 
 #include "engine/deliverables/drawing_pdf.h"
@@ -33,8 +34,9 @@ void write_sections(const std::filesystem::path& folder, const Facade& facade, c
   std::vector<SectionPoints> points;
   for (const NamedSection& section : params.sections)
     points.emplace_back(section.plane, params.section_half_m, cell, metres);
+  constexpr PointBox kEverywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   if (params.points)
-    params.points([&](std::span<const ImagePoint> given) {
+    params.points(kEverywhere, [&](std::span<const ImagePoint> given) {
       std::vector<Vec3> places;
       for (const ImagePoint& p : given) places.push_back(p.position);
       for (SectionPoints& near : points) near.add(places);

@@ -32,6 +32,10 @@ struct ParallelPlane {
   std::uint64_t points = 0;
 };
 
+// Numbers of stations, from 1 on, and what else may stand there.
+constexpr std::uint8_t kStationUnknown = 0;
+constexpr std::uint8_t kStationAside = 255;  // one that is not in front of the wall: its rays do not cross it
+
 struct FacadeSite {
   FacadeAxes axes;
   std::string crs;
@@ -44,6 +48,7 @@ struct FacadeSite {
   std::vector<ParallelPlane> parallel;  // by id
   std::vector<FacadePoint> points;      // of the wall and around it
   std::vector<FacadeStation> stations;  // in front of the wall
+  std::vector<std::uint8_t> from;       // per point the number of its station; empty: none is known
 };
 
 }  // namespace ilot

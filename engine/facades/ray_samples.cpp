@@ -67,11 +67,18 @@ void RaySamples::find_wall() {
 }
 
 void RaySamples::choose_stations() {
-  station_.assign(site_.points.size(), 0);
-  if (site_.stations.size() < 2) return;
+  const std::size_t points = site_.points.size();
+  const std::size_t stations = std::min<std::size_t>(site_.stations.size(), kStationAside - 1);
+  station_.assign(points, 0);
+  const bool told = site_.from.size() == points;
+  for (std::size_t i = 0; told && i < points; ++i)
+    if (site_.from[i] != kStationUnknown) station_[i] = static_cast<std::uint8_t>(site_.from[i] - 1);
+  if (stations < 2) return;
+  guessed_ = !told || std::find(site_.from.begin(), site_.from.end(), kStationUnknown) != site_.from.end();
+  if (!guessed_) return;
   const SolidCells solid(site_);
-  const std::size_t stations = std::min<std::size_t>(site_.stations.size(), 256);
-  for (std::size_t i = 0; i < site_.points.size(); ++i) {
+  for (std::size_t i = 0; i < points; ++i) {
+    if (told && site_.from[i] != kStationUnknown) continue;
     const FacadePoint& p = site_.points[i];
     const Vec3 place{p.u, p.v, p.w};
     double nearest = INFINITY;
@@ -86,11 +93,15 @@ void RaySamples::choose_stations() {
   }
 }
 
+const Vec3* RaySamples::eye_of(std::uint32_t point) const {
+  if (site_.stations.empty() || station_[point] == kStationAside - 1) return nullptr;
+  return &site_.stations[station_[point]].position;
+}
+
 Place2 RaySamples::crossing(std::uint32_t point, double depth) const {
   const FacadePoint& p = site_.points[point];
-  if (site_.stations.empty()) return {p.u, p.v};
-  const Vec3& eye = site_.stations[station_[point]].position;
-  return static_cast<double>(p.w) < eye.z ? crossing_from(eye, p, depth) : Place2{p.u, p.v};
+  const Vec3* eye = eye_of(point);
+  return eye != nullptr && static_cast<double>(p.w) < eye->z ? crossing_from(*eye, p, depth) : Place2{p.u, p.v};
 }
 
 Met RaySamples::met(std::uint32_t point, double depth, double epsilon) const {

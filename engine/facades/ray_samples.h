@@ -28,18 +28,23 @@ enum class Met : std::uint8_t {
   before,   // ends in front of it: what is there is not known
 };
 
-// The rays of a facade's points, sorted by place. A point's ray comes from the one station there is; of several from
-// the nearest whose ray does not go through the wall where it is seen to be solid. Without stations rays are taken to
-// be square to the wall: an opening then is seen only as far as what lies behind it. 6 bytes a point.
+// The rays of a facade's points, sorted by place. A point's ray comes from its own station where the site tells it, or
+// from the one station there is; of several from the nearest whose ray does not go through the wall where it is seen to
+// be solid. Without stations rays are taken to be square to the wall: an opening then is seen only as far as what lies
+// behind it. 6 bytes a point.
 class RaySamples {
  public:
   explicit RaySamples(const FacadeSite& site);
 
   const FacadeSite& site() const { return site_; }
   bool oblique() const { return !site_.stations.empty(); }
+  // Whether some point's station was guessed among several.
+  bool guessed() const { return guessed_; }
 
   // Where the point's ray crosses the plane w = depth.
   Place2 crossing(std::uint32_t point, double depth) const;
+  // Where it was seen from; nothing where its ray is taken to be square to the wall.
+  const Vec3* eye_of(std::uint32_t point) const;
   Met met(std::uint32_t point, double depth, double epsilon) const;
   // Within epsilon of the wall, or on a segment of it: real walls are not quite flat.
   bool on_wall(std::uint32_t point) const { return on_wall_[point] != 0; }
@@ -59,6 +64,7 @@ class RaySamples {
 
   const FacadeSite& site_;
   std::vector<std::uint8_t> station_, on_wall_;  // per point
+  bool guessed_ = false;
   std::int64_t columns_ = 0, rows_ = 0;
   double u0_ = 0, v0_ = 0;
   std::vector<std::uint32_t> first_, order_;

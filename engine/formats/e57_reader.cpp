@@ -92,7 +92,8 @@ AngularSteps steps_of(Pages& pages, const Scan& scan, Batch& batch) {
 
 // Where the scanner stood, the pose or the origin of spherical coordinates, and how it turned.
 void find_stations(Pages& pages, const std::vector<Scan>& scans, Batch& batch, CloudInfo& info) {
-  for (const Scan& scan : scans) {
+  for (std::size_t s = 0; s < scans.size(); ++s) {
+    const Scan& scan = scans[s];
     if (!scan.pose && (scan.cartesian() || !scan.spherical())) continue;
     const AngularSteps steps = steps_of(pages, scan, batch);
     Station station{scan.name, {}, steps.azimuth, steps.elevation};
@@ -101,6 +102,7 @@ void find_stations(Pages& pages, const std::vector<Scan>& scans, Batch& batch, C
       station.position = scan.pose->translation;
       station.axis = {r[0].z, r[1].z, r[2].z};
     }
+    if (s < UINT16_MAX) station.source_id = static_cast<std::uint16_t>(s + 1);  // as rows have it
     info.stations.push_back(station);
   }
 }

@@ -163,6 +163,8 @@ class PtxReader final : public PointReader {
       const std::string name = "scan " + std::to_string(info_.scans.size() + 1);
       info_.scans.push_back({name, block.points});
       info_.stations.push_back(station_of(*file_, block, name));
+      if (info_.scans.size() <= UINT16_MAX)  // as rows have it
+        info_.stations.back().source_id = static_cast<std::uint16_t>(info_.scans.size());
       info_.declared_points += block.declared;
       info_.points += block.points;
     }

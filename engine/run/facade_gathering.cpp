@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/segments/colours_pass.h"
+#include "engine/segments/stations_pass.h"
 #include "engine/store/view.h"
 
 namespace ilot {
@@ -28,6 +29,18 @@ IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
       }
   const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
   return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+}
+
+// The part of a box that another one in CRS units holds, and a step more.
+IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
+  const auto clamped = [&](double at, std::int64_t least, std::int64_t most) {
+    return static_cast<std::int64_t>(std::clamp(at / unit, static_cast<double>(least), static_cast<double>(most)));
+  };
+  const auto at = [&](Vec3 p) {
+    return Index3{clamped(p.x, box.min.x, box.max.x), clamped(p.y, box.min.y, box.max.y),
+                  clamped(p.z, box.min.z, box.max.z)};
+  };
+  return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
 
 // Lattice points in the axes of a wall: whole numbers are subtracted first, so that national grids cost no digits.
@@ -55,11 +68,11 @@ class IntoAxes {
 };
 
 // Calls visit(slice, first, tile, codes) for stretches of at most kBatch points, from `first` on in the slice's block,
-// in global order: those around the wall and others beside them.
+// in global order: those in the box and others beside it.
 template <class Visit>
-void for_each_batch(const FacadeWork& work, const WallGroup& wall, const Visit& visit) {
+void for_each_batch(const FacadeWork& work, const IndexBox& box, const Visit& visit) {
   std::vector<std::uint64_t> codes;
-  for (const Slice& s : plan_view(work.store, box_around(work, wall), {}).slices) {
+  for (const Slice& s : plan_view(work.store, box, {}).slices) {
     const ColumnReader reader(work.store.path(s.block, "codes"));
     const Tile tile = work.store.blocks()[s.block].node.tile;
     for (std::uint32_t done = 0; done < s.count; done += kBatch) {
@@ -70,28 +83,47 @@ void for_each_batch(const FacadeWork& work, const WallGroup& wall, const Visit& 
   }
 }
 
-void read_points(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const std::uint8_t> number_of,
+                 FacadeSite& site) {
   const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
-  for_each_batch(work, wall, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
+  const IndexBox box = box_around(work, wall);
+  const std::uint64_t most = plan_view(work.store, box, {}).size;  // pages that no point comes to cost nothing
+  site.points.reserve(most);
+  if (work.told) site.from.reserve(most);
+  for_each_batch(work, box, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
     const auto planes = work.store.read<std::uint32_t>(s.block, "plane", first, codes.size());
+    std::vector<StationNumber> stations;
+    if (work.told) stations = work.store.read<StationNumber>(s.block, "station", first, codes.size());
     for (std::size_t i = 0; i < codes.size(); ++i) {
       const Vec3 p = into.of(index_of({tile, codes[i]}));
       if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
           p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
         continue;
+      if (work.told) {
+        const std::uint8_t from = number_of[stations[i]];
+        if (from == kStationAside && p.z < -site.epsilon) continue;  // not seen through the wall
+        site.from.push_back(from);
+      }
       site.points.push_back(
           {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
     }
   });
 }
 
-void add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+// Returns the numbers that the run's stations have in the site.
+std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  std::vector<std::uint8_t> number_of(work.stations.size() + 1, kStationAside);
+  number_of[0] = kStationUnknown;
   for (std::size_t i = 0; i < work.stations.size(); ++i) {
     const Vec3 d = work.metres_per_unit * (work.stations[i] - wall.axes.origin);
     FacadeStation station = work.steps[i];
     station.position = {dot(d, wall.axes.right), dot(d, wall.axes.up), dot(d, wall.axes.out)};
-    if (station.position.z > work.before) site.stations.push_back(station);
+    if (!(station.position.z > work.before)) continue;
+    site.stations.push_back(station);
+    const bool numbered = site.stations.size() < kStationAside;
+    number_of[i + 1] = numbered ? static_cast<std::uint8_t>(site.stations.size()) : kStationUnknown;
   }
+  return number_of;
 }
 
 }  // namespace
@@ -113,17 +145,19 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   site.parallel = wall.parallel;
   std::sort(site.parallel.begin(), site.parallel.end(),
             [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
-  add_stations(work, wall, site);
-  read_points(work, wall, site);
+  const std::vector<std::uint8_t> number_of = add_stations(work, wall, site);
+  read_points(work, wall, number_of, site);
   return site;
 }
 
 PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
-  return [&work, &wall](const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [&work, around = box_around(work, wall)](const PointBox& asked,
+                                                  const std::function<void(std::span<const ImagePoint>)>& take) {
     const double unit = work.store.unit();
+    const IndexBox box = within(around, asked, unit);
     std::vector<ImagePoint> points;
     for_each_batch(
-        work, wall, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
+        work, box, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
           std::vector<StoredColour> colours(codes.size(), 0);
           if (work.store.has(s.block, "colour"))
             colours = work.store.read<StoredColour>(s.block, "colour", first, codes.size());

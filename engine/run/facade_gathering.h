@@ -17,6 +17,7 @@ struct FacadeWork {
   std::span<const std::uint32_t> final_id;        // per joined plane + 1
   std::span<const Vec3> stations;                 // CRS units
   std::span<const FacadeStation> steps;           // of these, their positions left out
+  bool told = false;                              // the store has the column "station" of these
   double beside = 0.5, before = 2.5, behind = 4;  // metres around the wall that points are taken from
   double metres_per_unit = 1;
 };
@@ -27,8 +28,8 @@ std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 // In global order, so that nothing depends on blocks.
 FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall);
 
-// The same points in CRS units, piece by piece and as often as they are asked for, in the colours of the column
-// "colour"; without it black. Refers to work and wall.
+// Those of the same points that lie in a box, in CRS units, piece by piece and as often as they are asked for, in the
+// colours of the column "colour"; without it black. Several threads at once. Refers to work.
 PointSource points_around(const FacadeWork& work, const WallGroup& wall);
 
 }  // namespace ilot

@@ -13,11 +13,16 @@
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
 #include "engine/segments/colours_pass.h"
+#include "engine/segments/stations_pass.h"
 
 namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 64;
+constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
+constexpr const char* kNoRowStations =
+    "facades: no input says which points are whose station's (point_source_id); it is guessed";
+constexpr const char* kUntold = "facades: {} of {} points do not say which station they are from; theirs are guessed";
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
 
@@ -63,8 +68,28 @@ FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs
   p.drawing.scale = settings.facades.scale;
   p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
   p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
+  p.image.tile = kImageTile;
   if (!coloured) p.image.shade = ImageShade::relief;
   return p;
+}
+
+// The column "station", where it matters and some input tells it.
+bool tell_stations(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
+                   RunRecord& record) {
+  const bool any = std::any_of(inputs.row_stations.begin(), inputs.row_stations.end(), [](const InputStations& input) {
+    return input.of_all != 0 || !input.of_source.empty();
+  });
+  if (!any) {
+    record.warnings.push_back(kNoRowStations);
+    return false;
+  }
+  const StationTally tally = stations_pass(store, inputs.readers, inputs.row_stations, context);
+  if (tally.untold > 0) {
+    const std::string warning = fmt::format(kUntold, grouped(tally.untold), grouped(tally.told + tally.untold));
+    progress.warn(warning);
+    record.warnings.push_back(warning);
+  }
+  return tally.told > 0;
 }
 
 // The column "colour", which images are painted with; false where no input has colours.
@@ -118,7 +143,7 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
   for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
 }
 
-// One facade after the other: an image takes as much memory as the points it shows.
+// One facade after the other, each in parallel: an image takes 64 MB at most.
 void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
                    const Settings& settings, FacadeFilesParams params, const std::filesystem::path& folder,
                    Progress& progress) {
@@ -153,6 +178,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
 
   FacadeWork work{store, planes.final_id, stations, steps};
+  work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
   work.metres_per_unit = context.metres_per_unit;
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;

@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 #include "engine/run/read_stations.h"
+#include "engine/run/row_stations.h"
 
 namespace ilot {
 namespace {
@@ -103,6 +104,8 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     for (const auto& reader : inputs.readers)
       inputs.stations.insert(inputs.stations.end(), reader->info().stations.begin(), reader->info().stations.end());
   }
+  inputs.row_stations = row_stations(inputs.readers, inputs.stations,
+                                     options.stations.empty() ? StationsFrom::inputs : StationsFrom::file);
   if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n would tell");
   record.unit_assumed = inputs.crs.unit_assumed;
   return inputs;

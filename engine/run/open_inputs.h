@@ -7,6 +7,7 @@
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
 #include "engine/run/options.h"
+#include "engine/segments/stations_pass.h"
 
 namespace ilot {
 
@@ -14,7 +15,8 @@ struct RunInputs {
   std::vector<std::unique_ptr<PointReader>> readers;  // by path
   Crs crs;                                            // of them all
   std::uint64_t points = 0;
-  std::vector<Station> stations;  // of the stations file, or else of the inputs
+  std::vector<Station> stations;            // of the stations file, or else of the inputs
+  std::vector<InputStations> row_stations;  // per reader: which of these its rows are from
 };
 
 // Opens every input and agrees on one CRS. Files that cannot be read are skipped and recorded (Error with --strict or

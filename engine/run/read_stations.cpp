@@ -13,9 +13,9 @@
 namespace ilot {
 namespace {
 
-constexpr std::array<std::string_view, 9> kNames{
-    "x", "y", "z", "azimuth_step_deg", "elevation_step_deg", "axis_x", "axis_y", "axis_z", "name"};
-constexpr std::size_t kName = 8, kMostStations = 100000;
+constexpr std::array<std::string_view, 10> kNames{
+    "x", "y", "z", "azimuth_step_deg", "elevation_step_deg", "axis_x", "axis_y", "axis_z", "name", "point_source_id"};
+constexpr std::size_t kName = 8, kSource = 9, kMostStations = 100000;
 constexpr double kRadians = 0.017453292519943295, kMostDegrees = 5;
 
 using Fields = std::vector<std::string_view>;
@@ -56,21 +56,37 @@ Order usual_order(std::size_t columns, const std::string& where) {
   return order;
 }
 
+// A whole number from 1 to 65535, else 0.
+std::uint16_t source_id(std::string_view text) {
+  double number = 0;
+  if (!parse_number(text, number) || !(number >= 1 && number <= 65535)) return 0;
+  const auto whole = static_cast<std::uint16_t>(number);
+  return static_cast<double>(whole) == number ? whole : std::uint16_t{0};
+}
+
 Station station_of(const Fields& fields, const Order& order, const std::string& where) {
   if (fields.size() != order.size())
     fault(where, "has " + std::to_string(fields.size()) + " fields, not " + std::to_string(order.size()));
   std::array<double, 8> v{0, 0, 0, 0, 0, 0, 0, 1};
-  bool steps = false;
+  bool steps = false, numbered = false;
   Station station;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (order[i] == kName) {
       station.name = fields[i];
       continue;
     }
+    if (order[i] == kSource) {
+      station.source_id = source_id(fields[i]);
+      numbered = true;
+      if (station.source_id == 0)
+        fault(where, "\"" + std::string(fields[i]) + "\" is no point_source_id, a whole number from 1 to 65535");
+      continue;
+    }
     if (!parse_number(fields[i], v[order[i]]) || !std::isfinite(v[order[i]]))
       fault(where, "\"" + std::string(fields[i]) + "\" is not a number");
     steps |= order[i] == 3;
   }
+  if (!numbered) station.source_id = source_id(station.name);
   if (steps && !(v[3] > 0 && v[3] <= kMostDegrees && v[4] > 0 && v[4] <= kMostDegrees))
     fault(where, "angular steps must lie above 0 and be 5 degrees at most");
   station.position = {v[0], v[1], v[2]};

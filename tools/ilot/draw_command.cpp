@@ -27,7 +27,7 @@ constexpr std::size_t kBatch = 1u << 16;  // points
 
 // The points of a cloud, each time anew; without colours their intensity as a grey.
 PointSource points_of(const std::string& cloud) {
-  return [cloud](const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [cloud](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
     const auto reader = open_cloud(cloud);
     const RecordLayout layout = reader->info().layout;
     const render::Colouring colour =

@@ -15,9 +15,19 @@ namespace ilot {
 namespace {
 
 PointSource source_of(const std::vector<ImagePoint>& points, std::size_t piece) {
-  return [&points, piece](const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [&points, piece](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
     for (std::size_t i = 0; i < points.size(); i += piece)
       take(std::span(points).subspan(i, std::min(piece, points.size() - i)));
+  };
+}
+
+// Gives what lies in the box that is asked for and nothing else.
+PointSource strict_source_of(const std::vector<ImagePoint>& points) {
+  return [&points](const PointBox& box, const std::function<void(std::span<const ImagePoint>)>& take) {
+    for (const ImagePoint& p : points)
+      if (p.position.x >= box.min.x && p.position.y >= box.min.y && p.position.z >= box.min.z &&
+          p.position.x <= box.max.x && p.position.y <= box.max.y && p.position.z <= box.max.z)
+        take(std::span(&p, 1));
   };
 }
 
@@ -63,6 +73,34 @@ TEST(FacadeImage, AnyOrderAndAnyPiecesGiveTheSameBytes) {
   std::reverse(points.begin(), points.end());
   const FacadeImage turned = facade_image(a_facade(), source_of(points, 13), params_of(0.03));
   EXPECT_EQ(once.rgba, turned.rgba);
+}
+
+// Gaps lie across the borders of tiles, and a tile is seen from its own points alone.
+TEST(FacadeImage, TilesAreInvisible) {
+  std::vector<ImagePoint> points = a_wall();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i].colour = {static_cast<std::uint8_t>(i * 7), static_cast<std::uint8_t>(i / 100), 33};
+    points[i].position.y = 0.0001 * static_cast<double>(i % 977);
+  }
+  std::erase_if(points, [](const ImagePoint& p) { return p.colour[0] % 5 < 2 || p.colour[1] / 4 % 6 == 0; });
+  Facade facade = a_facade();
+  facade.right = {0.8, 0.6, 0}, facade.out = {0.6, -0.8, 0};
+  for (ImagePoint& p : points)
+    p.position = p.position.x * facade.right + p.position.z * facade.up + (0.1 - p.position.y) * facade.out;
+  FacadeImageParams params = params_of(0);
+  params.fill_rounds = 2;
+  params.around_m = 0.1;
+  const FacadeImage whole = facade_image(facade, source_of(points, 1000), params);
+  EXPECT_GT(whole.filled, 100u);
+  for (const std::uint32_t tile : {1u, 7u, 64u, 1000u}) {
+    params.tile = tile;
+    const FacadeImage tiled = facade_image(facade, strict_source_of(points), params);
+    EXPECT_EQ(tiled.pixel_m, whole.pixel_m) << tile;
+    EXPECT_TRUE(tiled.rgba == whole.rgba) << tile;
+    EXPECT_EQ(tiled.points, whole.points) << tile;
+    EXPECT_EQ(tiled.filled, whole.filled) << tile;
+    EXPECT_EQ(tiled.empty, whole.empty) << tile;
+  }
 }
 
 TEST(FacadeImage, WhatStandsInFrontHidesTheWallAndWhatIsFarDoesNot) {

@@ -76,6 +76,23 @@ TEST(RaySamples, OfSeveralStationsOneThatCouldSeeThePoint) {
   }
 }
 
+// What the file says of a point's station outweighs what could be guessed.
+TEST(RaySamples, APointsOwnStation) {
+  FacadeSite site =
+      site_with({{3, 2, -1, 0}, {3, 2, -1, 0}, {3, 2, 0.5f, 0}, {3, 2, -1, 0}}, {{{1, 1, 9}, 0, 0}, {{5, 1, 3}, 0, 0}});
+  site.from = {1, 2, kStationAside, kStationUnknown};
+  const RaySamples samples(site);
+  EXPECT_NEAR(samples.crossing(0, 0).u, 3 - 2 * 0.1, 1e-6);
+  EXPECT_NEAR(samples.crossing(1, 0).u, 3 + 2 * 0.25, 1e-6);
+  EXPECT_EQ(samples.crossing(2, 0).u, 3);
+  EXPECT_EQ(samples.crossing(3, 0).u, samples.crossing(1, 0).u) << "the nearer one";
+  EXPECT_TRUE(samples.guessed());
+  site.from[3] = 1;
+  EXPECT_FALSE(RaySamples(site).guessed());
+  site.from.clear();
+  EXPECT_TRUE(RaySamples(site).guessed());
+}
+
 TEST(ArchedTop, RoundStaysRoundAndStraightStraight) {
   for (const bool round : {true, false}) {
     FacadeSite site = site_with({}, {{{1, 1.2, 8}, 0.002, 0.002}});

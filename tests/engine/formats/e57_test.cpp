@@ -136,6 +136,7 @@ TEST(E57, PosesTurnAndMovePointsAndNormals) {
   EXPECT_NEAR(load<float>(o.extra(1, "NormalX")), -1, 1e-6);
   ASSERT_EQ(o.reader->info().stations.size(), 1u);
   EXPECT_EQ(o.reader->info().stations[0].name, "s");
+  EXPECT_EQ(o.reader->info().stations[0].source_id, 1);
   EXPECT_EQ(o.reader->info().stations[0].position.y, 2000);
   EXPECT_TRUE(o.reader->info().warnings.empty());
 }

@@ -164,7 +164,9 @@ TEST(Ptx, RealFiles) {
   EXPECT_NEAR(o.point(0).x, 637012.24, 1e-6);
   o = open_file(folder / "multiple-and-transform.ptx");
   ASSERT_EQ(o.rows.valid.size(), 8u);
-  EXPECT_EQ(o.reader->info().stations.size(), 2u);
+  ASSERT_EQ(o.reader->info().stations.size(), 2u);
+  EXPECT_EQ(o.reader->info().stations[0].source_id, 1);
+  EXPECT_EQ(o.reader->info().stations[1].source_id, 2);
   for (std::size_t i = 0; i < 4; ++i) EXPECT_LT(norm(o.point(i) - o.point(i + 4)), 1e-6) << "both scans say the same";
   EXPECT_NEAR(o.point(4).z, 431.66, 1e-6);
   o = open_file(folder / "complex-transform.ptx");

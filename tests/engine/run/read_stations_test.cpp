@@ -63,6 +63,16 @@ TEST_F(ReadStations, AHeaderNamesTheColumns) {
   EXPECT_GT(s[0].elevation_step, s[0].azimuth_step);
 }
 
+TEST_F(ReadStations, NumbersOfTheirPoints) {
+  const auto named = read("name,x,y,z\n3,1,2,3\n3.5,1,2,3\n0,1,2,3\n65536,1,2,3\nsix,1,2,3\n65535,1,2,3\n");
+  const std::vector<std::uint16_t> expected{3, 0, 0, 0, 0, 65535};
+  for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(named.at(i).source_id, expected[i]) << named[i].name;
+  const auto told = read("name,x,y,z,point_source_id\n3,1,2,3,12\ncourt,1,2,3,7\n");
+  EXPECT_EQ(told.at(0).source_id, 12) << "the column comes before the name";
+  EXPECT_EQ(told.at(1).source_id, 7);
+  EXPECT_EQ(read("1 2 3\n").at(0).source_id, 0) << "station 1 is a name of ours";
+}
+
 TEST_F(ReadStations, FaultsSayWhere) {
   EXPECT_EQ(fault_of("1 2 3\n1 2\n"), ":2: has 2 fields, not 3");
   EXPECT_EQ(fault_of("1 2 3 4\n"), ":1: has 4 columns; x y z, two steps and an axis are 3, 5 or 8");
@@ -73,6 +83,8 @@ TEST_F(ReadStations, FaultsSayWhere) {
   EXPECT_EQ(fault_of("x,y\n"), ":1: the columns x, y and z are needed");
   EXPECT_EQ(fault_of("x,y,z,azimuth_step_deg\n"), ":1: azimuth_step_deg and elevation_step_deg go together");
   EXPECT_EQ(fault_of("1 2 3 0 0.1\n"), ":1: angular steps must lie above 0 and be 5 degrees at most");
+  EXPECT_EQ(fault_of("x,y,z,point_source_id\n1,2,3,0\n"),
+            ":2: \"0\" is no point_source_id, a whole number from 1 to 65535");
   EXPECT_EQ(fault_of("1 2 3 0.1 0.1 0 0 0\n"), ":1: the axis has no length");
   EXPECT_EQ(fault_of("# nobody\n"), ": holds no station");
 }
