@@ -41,16 +41,18 @@ PixelLabels groups_of(const TileGrid& grid) {
 std::vector<std::uint32_t> largest_zones(const StreetLayers& layers, const PixelLabels& groups, Height flat) {
   std::mutex mutex;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // zone, group
-  const ZoneSizes sizes = flat_zones_tiled(layers.grid, flat, Adjacency::eight, reader_of(layers, "filled"),
-                                           [&](std::size_t tile, const PixelLabels& labels) {
-                                             std::vector<std::uint32_t> here = labels.of;
-                                             std::sort(here.begin(), here.end());
-                                             here.erase(std::unique(here.begin(), here.end()), here.end());
-                                             layers.write("zones", tile, as_image(labels));
-                                             const std::lock_guard lock(mutex);
-                                             for (const std::uint32_t zone : here)
-                                               if (zone != 0) seen.emplace_back(zone, groups.of[tile]);
-                                           });
+  const ZoneSizes sizes =
+      flat_zones_tiled(layers.grid, flat, Adjacency::eight, reader_of(layers, "filled"),
+                       [&](std::size_t tile, const PixelLabels& labels) {
+                         std::vector<std::uint32_t> here;  // one a run of a row
+                         std::unique_copy(labels.of.begin(), labels.of.end(), std::back_inserter(here));
+                         std::sort(here.begin(), here.end());
+                         here.erase(std::unique(here.begin(), here.end()), here.end());
+                         layers.write("zones", tile, as_image(labels));
+                         const std::lock_guard lock(mutex);
+                         for (const std::uint32_t zone : here)
+                           if (zone != 0) seen.emplace_back(zone, groups.of[tile]);
+                       });
   std::sort(seen.begin(), seen.end());
   std::vector<std::uint32_t> largest(groups.count + 1, 0);
   for (const auto& [zone, group] : seen)
