@@ -35,21 +35,20 @@ void pack(std::span<const Height> row, std::vector<std::uint32_t>& words) {
   flush(row.size());
 }
 
-// The values [from, from + out.size()) of a row.
-void unpack(std::span<const std::uint32_t> words, std::uint32_t from, std::span<Height> out) {
-  const std::uint64_t end = from + out.size();
+// Puts the values [from, from + length) of a row behind those of `out`.
+void unpack(std::span<const std::uint32_t> words, std::uint64_t from, std::uint64_t length, std::vector<Height>& out) {
+  const std::uint64_t end = from + length;
   std::uint64_t at = 0;
   for (std::size_t w = 0; w < words.size() && at < end;) {
     const std::uint64_t n = words[w] >> 1;
     const bool run = (words[w] & 1) != 0;
-    const std::uint64_t first = std::max<std::uint64_t>(at, from), last = std::min(at + n, end);
+    const std::uint64_t first = std::max(at, from), last = std::min(at + n, end);
     if (first < last) {
-      if (run) {
-        std::fill(out.begin() + static_cast<std::ptrdiff_t>(first - from),
-                  out.begin() + static_cast<std::ptrdiff_t>(last - from), static_cast<Height>(words[w + 1]));
-      } else {
-        for (std::uint64_t i = first; i < last; ++i) out[i - from] = static_cast<Height>(words[w + 1 + i - at]);
-      }
+      const std::uint32_t* values = words.data() + w + 1;
+      if (run)
+        out.insert(out.end(), last - first, static_cast<Height>(*values));
+      else
+        out.insert(out.end(), values + (first - at), values + (last - at));
     }
     at += n;
     w += run ? 2 : 1 + n;
@@ -108,7 +107,8 @@ Image PackedLayers::read(const char* layer, std::size_t tile, const TileFrame& p
     assert(entry != tiles_.end());
     packed = entry->second;
   }
-  Image image = filled_image(part.width, part.height, 0);
+  Image image{part.width, part.height, {}};
+  image.values.reserve(std::size_t{part.width} * part.height);
   const std::uint32_t first = packed->rows[part.y], last = packed->rows[part.y + part.height];
   std::vector<std::uint32_t> loaded;
   if (packed->words.empty() && last > first) {
@@ -119,8 +119,7 @@ Image PackedLayers::read(const char* layer, std::size_t tile, const TileFrame& p
       loaded.empty() ? std::span(packed->words).subspan(first, last - first) : std::span<const std::uint32_t>(loaded);
   for (std::uint32_t y = 0; y < part.height; ++y) {
     const std::uint32_t from = packed->rows[part.y + y] - first, to = packed->rows[part.y + y + 1] - first;
-    unpack(words.subspan(from, to - from), part.x,
-           std::span(image.values).subspan(std::size_t{y} * part.width, part.width));
+    unpack(words.subspan(from, to - from), part.x, part.width, image.values);
   }
   return image;
 }

@@ -12,7 +12,6 @@
 #include "engine/run/street_labels.h"
 #include "engine/run/street_training.h"
 #include "engine/streets/tiled_artefacts.h"
-#include "engine/streets/tiled_ground.h"
 #include "engine/streets/whole_things.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -174,6 +173,21 @@ void choose_pixel(const StreetsSettings& settings, const FoundStreet& street, Ru
        fmt::format("half of the sampling step at {:.1f} points a square metre, in steps of 5 cm", street.density)});
 }
 
+// Says that ground may have been left out, as behind a bridge.
+void tell_of_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
+  if (ground.left_out.empty()) return;
+  double area = 0;
+  for (const double a : ground.left_out) area += a;
+  const std::string sentence = fmt::format(
+      "streets: {:.0f} m2 of ground are worked on; {} level {} of {:.0f} m2 in all, the largest of {:.0f} m2, {} left "
+      "out: nothing within the step of streets.flat joins {} to the ground, as when a bridge crosses the street (a "
+      "flat roof or a deck looks the same)",
+      ground.taken, ground.left_out.size(), ground.left_out.size() == 1 ? "area" : "areas", area,
+      ground.left_out.front(), ground.left_out.size() == 1 ? "is" : "are", ground.left_out.size() == 1 ? "it" : "them");
+  progress.warn(sentence);
+  record.warnings.push_back(sentence);
+}
+
 }  // namespace
 
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
@@ -184,7 +198,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   const RasterScale& scale = tiles.raster().scale;
   ArtefactParams artefacts;
   artefacts.least_height = settings.least_height;
-  find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
+  street.ground = find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   tiles.spread_level(artefacts.ring_reach);
   const ThingsParams params = things_params(settings, scale, tiles.mean_accumulation());
@@ -201,6 +215,7 @@ void make_streets(const Store& store, const Settings& settings, const std::files
   std::filesystem::create_directories(folder);
   const FoundStreet street = find_street(store, settings.streets, context);
   choose_pixel(settings.streets, street, record);
+  tell_of_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
   if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
   const std::vector<ThingClass> classes = classes_of(street.things, model);

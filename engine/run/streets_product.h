@@ -12,6 +12,7 @@
 #include "engine/settings/settings.h"
 #include "engine/streets/city_blocks.h"
 #include "engine/streets/thing_model.h"
+#include "engine/streets/tiled_ground.h"
 
 namespace ilot {
 
@@ -20,6 +21,7 @@ struct FoundStreet {
   std::unique_ptr<StreetTiles> tiles;  // all layers
   std::vector<Thing> things;           // by number in the layer "things", from 1
   std::vector<StreetStretch> stretches;
+  GroundZones ground;
   double density = 0;  // points a square metre: the median over those that hold any
 };
 

@@ -46,4 +46,10 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
+// As the model's text has it.
+std::string name_of(ThingKind kind);
+
+// The class with the greatest share, whatever its role.
+ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features);
+
 }  // namespace ilot

@@ -15,9 +15,17 @@ namespace {
 
 constexpr const char* kFirstLine = "ilot things 1";
 
-std::string name_of(PointLabel label) {
-  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+constexpr std::pair<ThingRole, const char*> kRoles[] = {{ThingRole::part, "part"}, {ThingRole::several, "several"}};
+
+}  // namespace
+
+std::string name_of(ThingKind kind) {
+  for (const auto& [role, name] : kRoles)
+    if (kind.role == role) return name;
+  return kind.label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(kind.label));
 }
+
+namespace {
 
 // Reads a model line by line: a word, then what belongs to it.
 class ModelReader {
@@ -92,9 +100,13 @@ class ModelReader {
     if (!(prior > 0)) fail("a class is never there");
     std::string name;
     words >> name;
-    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
-      if (name_of(static_cast<PointLabel>(value)) != name) continue;
-      model_.classes.push_back(static_cast<PointLabel>(value));
+    std::vector<ThingKind> kinds;
+    for (const auto& entry : kRoles) kinds.push_back({PointLabel::none, entry.first});
+    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value)
+      kinds.push_back({static_cast<PointLabel>(value)});
+    for (const ThingKind kind : kinds) {
+      if (name_of(kind) != name) continue;
+      model_.classes.push_back(kind);
       model_.prior.push_back(prior);
       return;
     }
@@ -131,40 +143,66 @@ double weight_against(const ThingModel& model, std::size_t vector, std::size_t a
   return model.weights[vector][b < a ? b : b - 1];
 }
 
-}  // namespace
+// Shares of all classes, which sum to 1; and the kernel to the nearest support vector.
+struct ClassShares {
+  std::vector<double> share;
+  double nearest = 0;
+};
 
-ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
+ClassShares shares_of(const ThingModel& model, const ThingFeatures& features) {
   const std::vector<double> row = standardised(model, features);
   const std::size_t k = model.classes.size();
   std::vector<double> decision(k * (k - 1) / 2, 0);
   for (std::size_t p = 0; p < decision.size(); ++p) decision[p] = -model.rho[p];
-  double nearest = 0;
+  ClassShares out{model.prior, 0};
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {
     const double kernel = radial(row, model.vectors[v], model.gamma);
-    nearest = std::max(nearest, kernel);
+    out.nearest = std::max(out.nearest, kernel);
     const std::size_t own = model.class_of_vector[v];
     for (std::size_t other = 0; other < k; ++other)
       if (other != own)
         decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
             weight_against(model, v, own, other) * kernel;
   }
-  std::vector<double> share = model.prior;
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
       const std::size_t p = pair_index(a, b, k);
       const double first = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
-      share[a] *= first;
-      share[b] *= 1 - first;
+      out.share[a] *= first;
+      out.share[b] *= 1 - first;
     }
   double sum = 0;
-  for (const double s : share) sum += s;
-  const auto best = static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin());
-  ThingClass out{model.classes[best], sum > 0 ? share[best] / sum : 1 / static_cast<double>(k), 1};
-  for (std::size_t c = 0; c < k; ++c)
-    if (model.classes[c] == PointLabel::none && sum > 0) out.whole = 1 - share[c] / sum;
+  for (const double s : out.share) sum += s;
+  for (double& s : out.share) s = sum > 0 ? s / sum : 1 / static_cast<double>(k);
+  return out;
+}
+
+}  // namespace
+
+ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features) {
+  const std::vector<double> share = shares_of(model, features).share;
+  return model.classes[static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin())];
+}
+
+ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
+  const auto [share, nearest] = shares_of(model, features);
+  ThingClass out{PointLabel::none, 0, 0, 0, 0};
+  double best = -1, any = 0;
+  for (std::size_t c = 0; c < share.size(); ++c) {
+    const auto [label, role] = model.classes[c];
+    out.part += role == ThingRole::part ? share[c] : 0;
+    out.several += role == ThingRole::several ? share[c] : 0;
+    if (role != ThingRole::whole) continue;
+    out.whole += share[c];
+    any += label < PointLabel::car ? share[c] : 0;
+    if (share[c] > best) best = share[c], out.label = label;
+  }
+  out.part += any, out.several += any;
+  out.probability = out.whole > 0 ? best / out.whole : 0;
   if (nearest >= model.unlike) return out;
-  out.whole = 0;
-  if (out.label >= PointLabel::car) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(k);
+  out.whole = out.part = out.several = 1;
+  if (out.label >= PointLabel::car)
+    out.label = PointLabel::other, out.probability = 1 / static_cast<double>(share.size());
   return out;
 }
 

@@ -12,11 +12,26 @@
 
 namespace ilot {
 
+// What a thing is of what stands there: parts are joined to wholes, and these to several in one.
+enum class ThingRole : std::uint8_t { whole, part, several };
+
+// What the machine tells apart: classes of what is whole, and the two other roles, which have no class.
+struct ThingKind {
+  PointLabel label = PointLabel::none;
+  ThingRole role = ThingRole::whole;
+  auto operator<=>(const ThingKind&) const = default;
+};
+
 // A thing whose class is known. `none`: a remnant that is no thing at all.
 struct ThingSample {
   ThingFeatures features{};
   PointLabel label = PointLabel::none;
   std::uint32_t group = 0;  // things of one group are never parted by a fold: the number of a block
+  ThingRole role = ThingRole::whole;
+
+  ThingKind kind() const {
+    return role == ThingRole::whole ? ThingKind{label, role} : ThingKind{PointLabel::none, role};
+  }
 };
 
 // Which features may be selected.
@@ -38,7 +53,7 @@ struct ThingModel {
   std::vector<double> mean, sd;       // of each, after signed_root
   double gamma = 1, cost = 1;
   double unlike = 0;  // what has a smaller kernel to every support vector is like nothing that was trained on
-  std::vector<PointLabel> classes;
+  std::vector<ThingKind> classes;
   std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
   std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
@@ -46,10 +61,12 @@ struct ThingModel {
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
 };
 
+// The likeliest class of what is whole, and how probable it is if the thing is whole; and how probable each role is.
+// Vegetation and what is no thing may be parted and joined at will: they count for every role.
 struct ThingClass {
   PointLabel label = PointLabel::other;
   double probability = 0;
-  double whole = 1;  // probability of being anything but `none`
+  double whole = 1, part = 0, several = 0;
 };
 
 // The features that the stepwise selection takes, in its order.
@@ -63,9 +80,8 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 // Error(usage).
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
-// The class with the greatest product of pairwise probabilities, which the products of all classes share out. Things
-// like nothing that the machine was trained on are not whole, and where they are called an object they are `other`, as
-// probable as any class.
+// The products of pairwise probabilities, shared out over all classes. Things like nothing that the machine was trained
+// on may have any role, and where they are called an object they are `other`, as probable as any class.
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
 
 // Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of

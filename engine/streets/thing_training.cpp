@@ -17,9 +17,9 @@ namespace {
 constexpr int kCosts[] = {0, 3, 6, 9};  // powers of two
 constexpr int kGammas[] = {-7, -5, -3, -1};
 
-std::vector<PointLabel> classes_of(std::span<const ThingSample> samples) {
-  std::vector<PointLabel> classes;
-  for (const ThingSample& s : samples) classes.push_back(s.label);
+std::vector<ThingKind> classes_of(std::span<const ThingSample> samples) {
+  std::vector<ThingKind> classes;
+  for (const ThingSample& s : samples) classes.push_back(s.kind());
   std::sort(classes.begin(), classes.end());
   classes.erase(std::unique(classes.begin(), classes.end()), classes.end());
   return classes;
@@ -28,11 +28,11 @@ std::vector<PointLabel> classes_of(std::span<const ThingSample> samples) {
 // At most so many of each class, evenly spread in their order; the others go to `rest`.
 std::vector<ThingSample> thinned(std::span<const ThingSample> samples, std::uint32_t most,
                                  std::vector<ThingSample>& rest) {
-  std::map<PointLabel, std::uint64_t> total, seen;
-  for (const ThingSample& s : samples) ++total[s.label];
+  std::map<ThingKind, std::uint64_t> total, seen;
+  for (const ThingSample& s : samples) ++total[s.kind()];
   std::vector<ThingSample> kept;
   for (const ThingSample& s : samples) {
-    const std::uint64_t n = total[s.label], i = seen[s.label]++;
+    const std::uint64_t n = total[s.kind()], i = seen[s.kind()]++;
     (n <= most || i * most / n != (i + 1) * most / n ? kept : rest).push_back(s);
   }
   return kept;
@@ -42,7 +42,7 @@ std::vector<ThingSample> thinned(std::span<const ThingSample> samples, std::uint
 std::vector<ThingSample> wrong_ones(const ThingModel& model, std::span<const ThingSample> samples) {
   std::vector<std::uint8_t> wrong(samples.size(), 0);
   parallel_for(samples.size(),
-               [&](std::size_t i) { wrong[i] = classify_thing(model, samples[i].features).label != samples[i].label; });
+               [&](std::size_t i) { wrong[i] = likeliest_kind(model, samples[i].features) != samples[i].kind(); });
   std::vector<ThingSample> out;
   for (std::size_t i = 0; i < samples.size(); ++i)
     if (wrong[i] != 0) out.push_back(samples[i]);
@@ -81,7 +81,7 @@ TrainingSet training_set(std::span<const ThingSample> samples, const ThingModel&
   for (const ThingSample& s : samples) {
     set.rows.push_back(standardised(model, s.features));
     set.classes.push_back(static_cast<std::uint32_t>(
-        std::lower_bound(model.classes.begin(), model.classes.end(), s.label) - model.classes.begin()));
+        std::lower_bound(model.classes.begin(), model.classes.end(), s.kind()) - model.classes.begin()));
   }
   set.folds = folds_of(samples, folds);
   return set;
@@ -137,13 +137,12 @@ void fit_probabilities(const TrainingSet& set, std::size_t even, const std::vect
 }
 
 void check(std::span<const ThingSample> samples) {
-  std::map<PointLabel, std::size_t> counts;
-  for (const ThingSample& s : samples) ++counts[s.label];
+  std::map<ThingKind, std::size_t> counts;
+  for (const ThingSample& s : samples) ++counts[s.kind()];
   if (counts.size() < 2) throw Error("training needs things of two classes at least", ExitCode::usage);
-  for (const auto& [label, count] : counts)
+  for (const auto& [kind, count] : counts)
     if (count < 2)
-      throw Error("training needs two things of each class at least; there is one of class " +
-                      (label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label))),
+      throw Error("training needs two things of each class at least; there is one of class " + name_of(kind),
                   ExitCode::usage);
 }
 
@@ -180,11 +179,13 @@ void finish(const TrainingSet& set, std::size_t even, const ThingTrainingParams&
 
 std::vector<std::size_t> selected_features(std::span<const ThingSample> samples, const ThingTrainingParams& params) {
   const std::size_t columns = params.features == FeatureSet::document ? kComponentFeatures : kThingFeatures;
+  const std::vector<ThingKind> kinds = classes_of(samples);
   std::vector<double> values;
   std::vector<std::uint32_t> classes;
   for (const ThingSample& s : samples) {
     for (std::size_t f = 0; f < columns; ++f) values.push_back(s.features[f]);
-    classes.push_back(static_cast<std::uint32_t>(s.label));
+    classes.push_back(
+        static_cast<std::uint32_t>(std::lower_bound(kinds.begin(), kinds.end(), s.kind()) - kinds.begin()));
   }
   std::vector<std::size_t> chosen;
   for (const SelectedFeature& f : select_features(values, classes, columns, params.max_p)) chosen.push_back(f.feature);
@@ -198,8 +199,8 @@ ThingModel train_things(std::span<const ThingSample> all, const ThingTrainingPar
   const std::size_t even = samples.size();
   ThingModel model;
   model.classes = classes_of(samples);
-  for (const PointLabel label : model.classes) {
-    const auto of_class = [label](const ThingSample& s) { return s.label == label; };
+  for (const ThingKind kind : model.classes) {
+    const auto of_class = [kind](const ThingSample& s) { return s.kind() == kind; };
     model.prior.push_back(static_cast<double>(std::count_if(all.begin(), all.end(), of_class)) /
                           static_cast<double>(std::count_if(samples.begin(), samples.end(), of_class)));
   }

@@ -14,6 +14,8 @@
 namespace ilot {
 namespace {
 
+constexpr std::uint64_t kComparable = 10;  // a zone so many times smaller than the ground is none
+
 Image as_image(const PixelLabels& labels) {
   Image image{labels.width, labels.height, std::vector<Height>(labels.of.size())};
   for (std::size_t i = 0; i < image.size(); ++i) image.values[i] = static_cast<Height>(labels.of[i]);
@@ -37,25 +39,42 @@ PixelLabels groups_of(const TileGrid& grid) {
   return flat_zones(tiles, 0, Adjacency::eight);
 }
 
+struct LargestZones {
+  std::vector<std::uint32_t> of_group;
+  std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least kComparable of the one taken
+};
+
 // Zones of the layer "filled" into "zones"; the largest of each group of tiles.
-std::vector<std::uint32_t> largest_zones(const StreetLayers& layers, const PixelLabels& groups, Height flat) {
+LargestZones largest_zones(const StreetLayers& layers, const PixelLabels& groups, Height flat) {
   std::mutex mutex;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> seen;  // zone, group
-  const ZoneSizes sizes = flat_zones_tiled(layers.grid, flat, Adjacency::eight, reader_of(layers, "filled"),
-                                           [&](std::size_t tile, const PixelLabels& labels) {
-                                             std::vector<std::uint32_t> here = labels.of;
-                                             std::sort(here.begin(), here.end());
-                                             here.erase(std::unique(here.begin(), here.end()), here.end());
-                                             layers.write("zones", tile, as_image(labels));
-                                             const std::lock_guard lock(mutex);
-                                             for (const std::uint32_t zone : here)
-                                               if (zone != 0) seen.emplace_back(zone, groups.of[tile]);
-                                           });
+  const ZoneSizes sizes =
+      flat_zones_tiled(layers.grid, flat, Adjacency::eight, reader_of(layers, "filled"),
+                       [&](std::size_t tile, const PixelLabels& labels) {
+                         std::vector<std::uint32_t> here;  // one a run of a row
+                         std::unique_copy(labels.of.begin(), labels.of.end(), std::back_inserter(here));
+                         std::sort(here.begin(), here.end());
+                         here.erase(std::unique(here.begin(), here.end()), here.end());
+                         layers.write("zones", tile, as_image(labels));
+                         const std::lock_guard lock(mutex);
+                         for (const std::uint32_t zone : here)
+                           if (zone != 0) seen.emplace_back(zone, groups.of[tile]);
+                       });
   std::sort(seen.begin(), seen.end());
-  std::vector<std::uint32_t> largest(groups.count + 1, 0);
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  LargestZones found{std::vector<std::uint32_t>(groups.count + 1, 0), {}, {}};
+  std::vector<std::uint32_t>& largest = found.of_group;
   for (const auto& [zone, group] : seen)
     if (largest[group] == 0 || sizes.pixels[zone] > sizes.pixels[largest[group]]) largest[group] = zone;
-  return largest;
+  for (const auto& [zone, group] : seen) {
+    const std::uint64_t pixels = sizes.pixels[zone], most = sizes.pixels[largest[group]];
+    if (zone == largest[group])
+      found.taken.push_back(pixels);
+    else if (pixels * kComparable >= most)
+      found.left_out.push_back(pixels);
+  }
+  std::sort(found.left_out.rbegin(), found.left_out.rend());
+  return found;
 }
 
 // What is not of the ground's zone, in parts that are joined from side to side, into "regions"; which of them are open.
@@ -90,7 +109,7 @@ std::vector<std::uint8_t> open_parts(const StreetLayers& layers, const PixelLabe
 
 }  // namespace
 
-void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
+GroundZones find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
   const Height flat = scale.units(params.flat);
   const ShortGapsParams gaps{scale.pixels(params.longest_gap), scale.units(params.gap_step)};
   for_each_tile(layers.grid,
@@ -107,7 +126,8 @@ void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, con
                      writer_of(layers, "closed"));
   fill_layer(layers, "closed", "filled");
   const PixelLabels groups = groups_of(layers.grid);
-  const std::vector<std::uint32_t> largest = largest_zones(layers, groups, flat);
+  const LargestZones zones = largest_zones(layers, groups, flat);
+  const std::vector<std::uint32_t>& largest = zones.of_group;
   const std::vector<std::uint8_t> open = open_parts(layers, groups, largest);
   for_each_tile(layers.grid, [&](std::size_t tile) {
     Image mask = layer_tile(layers, "regions", tile);
@@ -120,6 +140,13 @@ void find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, con
     layers.write("mask", tile, mask);
   });
   for (const char* layer : {"closed", "linked", "regions", "zones"}) layers.drop(layer);
+  const auto square_metres = [&](std::uint64_t pixels) {
+    return static_cast<double>(pixels) * scale.pixel * scale.pixel;
+  };
+  GroundZones out;
+  for (const std::uint64_t pixels : zones.taken) out.taken += square_metres(pixels);
+  for (const std::uint64_t pixels : zones.left_out) out.left_out.push_back(square_metres(pixels));
+  return out;
 }
 
 }  // namespace ilot

@@ -1,21 +1,40 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/streets/whole_things.h"
 
+#include <algorithm>
+#include <utility>
+
+#include "kernels/core/portable_math.h"
+
 namespace ilot {
 
+namespace {
+
+constexpr double kLeast = 1e-4;  // nothing is less probable
+
+double weight_of(double probability) {
+  return natural_log(std::max(kLeast, probability));
+}
+
+}  // namespace
+
 std::vector<std::uint8_t> whole_things(std::span<const Thing> things, std::span<const ThingClass> classes) {
-  std::vector<double> best(things.size(), 0);
-  std::vector<std::uint8_t> better(things.size(), 0), taken(things.size(), 0), inside(things.size(), 0);
+  // Of each thing the weight of all below it being parts, itself included; and the best that can be made of it.
+  std::vector<double> parts(things.size(), 0), best(things.size(), 0);
+  std::vector<std::uint8_t> better(things.size(), 1), taken(things.size(), 0), inside(things.size(), 0);
   for (std::size_t i = 0; i < things.size(); ++i) {  // parts come first
-    const Thing& t = things[i];
-    const double own = t.pixels * classes[i].whole;
-    const double parted = t.parts[0] == 0 ? 0 : best[t.parts[0] - 1] + best[t.parts[1] - 1];
-    better[i] = own >= parted;
-    best[i] = better[i] ? own : parted;
+    const auto [a, b] = std::pair{things[i].parts[0], things[i].parts[1]};
+    const double below = a == 0 ? 0 : parts[a - 1] + parts[b - 1];
+    parts[i] = weight_of(classes[i].part) + below;
+    best[i] = weight_of(classes[i].whole) + below;
+    if (a == 0) continue;
+    const double apart = weight_of(classes[i].several) + best[a - 1] + best[b - 1];
+    better[i] = best[i] >= apart;
+    best[i] = std::max(best[i], apart);
   }
   for (std::size_t i = things.size(); i-- > 0;) {
     const Thing& t = things[i];
-    taken[i] = inside[i] == 0 && (better[i] != 0 || t.parts[0] == 0);
+    taken[i] = inside[i] == 0 && better[i] != 0;
     if (t.parts[0] == 0) continue;
     for (const std::uint32_t part : t.parts) inside[part - 1] = inside[i] != 0 || taken[i] != 0;
   }

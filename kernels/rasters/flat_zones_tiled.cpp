@@ -25,13 +25,14 @@ TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, co
                  std::vector<std::uint64_t>(labels.count + 1, 0),
                  {},
                  {}};
-  std::size_t i = 0;
   for (std::uint32_t y = 0; y < frame.height; ++y) {
-    const std::uint64_t row = std::uint64_t{frame.y + y} * grid.width + frame.x;
-    for (std::uint32_t x = 0; x < frame.width; ++x, ++i) {
-      const std::uint32_t zone = labels.of[i];
-      told.first[zone] = std::min(told.first[zone], row + x);
-      ++told.size[zone];
+    const std::uint64_t first = std::uint64_t{frame.y + y} * grid.width + frame.x;
+    const std::uint32_t* row = labels.of.data() + std::size_t{y} * frame.width;
+    for (std::uint32_t x = 0; x < frame.width;) {
+      const std::uint32_t zone = row[x], from = x;
+      while (x < frame.width && row[x] == zone) ++x;
+      told.first[zone] = std::min(told.first[zone], first + from);
+      told.size[zone] += x - from;
     }
   }
   const Perimeter perimeter{frame.width, frame.height};

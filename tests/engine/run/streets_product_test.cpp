@@ -131,6 +131,12 @@ TEST(StreetsProduct, ABridgeOverTheStreet) {
   for (const Thing& t : street.things)
     if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
   EXPECT_EQ(boxes, 2u) << "those on the longer side of the bridge";
+  EXPECT_FALSE(street.ground.left_out.empty());
+  const TemporaryFolder folder;
+  const std::string told = run_cloud(folder, points, "out").record["warnings"].dump();
+  EXPECT_NE(told.find("as when a bridge crosses the street"), std::string::npos) << told;
+  const test::CloudStore open(street_points(0, 3));
+  EXPECT_TRUE(find_street(open.store(), {}, {}).ground.left_out.empty()) << "without the bridge";
 }
 
 // Clouds that hold no street: a clear end, nothing thrown.

@@ -67,6 +67,23 @@ TEST(ThingModel, TextAndBack) {
   }
 }
 
+TEST(ThingModel, RolesAreToldApart) {
+  auto samples = samples_of(30, 10);
+  for (ThingSample& s : samples) {  // the second class: parts; the third: several
+    if (s.label == PointLabel::lamppost) s.role = ThingRole::part;
+    if (s.label == PointLabel::pedestrian) s.role = ThingRole::several;
+  }
+  const ThingModel model = parse_thing_model(thing_model_text(train_things(samples)), "test");
+  for (const ThingSample& s : samples) {
+    const ThingClass c = classify_thing(model, s.features);
+    EXPECT_EQ(c.label, PointLabel::car);  // nothing else is whole
+    EXPECT_DOUBLE_EQ(c.probability, 1);
+    EXPECT_EQ(c.whole > 0.5, s.role == ThingRole::whole);
+    EXPECT_EQ(c.part > 0.5, s.role == ThingRole::part);
+    EXPECT_EQ(c.several > 0.5, s.role == ThingRole::several);
+  }
+}
+
 TEST(ThingModel, ThreadsDoNotShow) {
   const auto samples = samples_of(15, 6);
   std::string first;
@@ -116,7 +133,9 @@ TEST(ThingModel, TheDefaultHasItsRecipe) {
   const ThingModel& model = default_thing_model();
   EXPECT_FALSE(model.recipe.empty());
   for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
-    EXPECT_EQ(std::count(model.classes.begin(), model.classes.end(), label), 1);
+    EXPECT_EQ(std::count(model.classes.begin(), model.classes.end(), ThingKind{label}), 1);
+  for (const ThingRole role : {ThingRole::part, ThingRole::several})
+    EXPECT_EQ(std::count(model.classes.begin(), model.classes.end(), ThingKind{PointLabel::none, role}), 1);
 }
 
 }  // namespace
