@@ -9,7 +9,7 @@
 #include "engine/pass/pass.h"
 #include "engine/roofs/building_mask.h"
 #include "engine/roofs/ground_surface.h"
-#include "engine/store/view.h"
+#include "engine/store/stretches.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
@@ -89,19 +89,11 @@ class RoleFinder {
   // Calls visit(position, block, point) for all points in a box, a stretch at a time.
   template <class Visit>
   void for_each_point(const IndexBox& box, const Visit& visit) const {
-    constexpr std::uint32_t kBatch = 1 << 14;
-    for (const Slice& s : plan_view(store_, box, {}).slices) {
-      const Tile tile = store_.blocks()[s.block].node.tile;
-      for (std::uint32_t done = 0; done < s.count; done += kBatch) {
-        const std::uint32_t first = s.first + done, count = std::min(kBatch, s.count - done);
-        const auto codes = store_.read<std::uint64_t>(s.block, "codes", first, count);
-        const auto at = visit.stretch(s.block, first, count);
-        for (std::uint32_t i = 0; i < count; ++i) {
-          const Index3 p = index_of({tile, codes[i]});
-          if (box.contains(p)) visit.point(p, at, i);
-        }
-      }
-    }
+    for_each_stretch(store_, plan_view(store_, box, {}).slices, [&](const Stretch& s) {
+      const auto at = visit.stretch(s);
+      for (std::size_t i = 0; i < s.codes.size(); ++i)
+        if (const Index3 p = s.position(i); box.contains(p)) visit.point(p, at, i);
+    });
   }
 
   Image lowest(TileKey t) const {
@@ -109,8 +101,8 @@ class RoleFinder {
       const Raster& raster;
       TileKey tile;
       Image& image;
-      int stretch(std::uint32_t, std::uint32_t, std::uint32_t) const { return 0; }
-      void point(Index3 p, int, std::uint32_t) const {
+      int stretch(const Stretch&) const { return 0; }
+      void point(Index3 p, int, std::size_t) const {
         const std::int64_t x = raster.pixel(p.x) - tile.second * kTilePixels,
                            y = raster.pixel(p.y) - tile.first * kTilePixels;
         Height& v = image.values[static_cast<std::size_t>(y * kTilePixels + x)];
@@ -168,11 +160,10 @@ class RoleFinder {
       TileKey tile;
       const Image& ground;
       std::vector<HighPoints>& pixels;
-      Columns stretch(std::uint32_t block, std::uint32_t first, std::uint32_t count) const {
-        return {store.read<PackedNormal>(block, "normals", first, count),
-                store.read<std::uint8_t>(block, "echoes", first, count)};
+      Columns stretch(const Stretch& s) const {
+        return {s.read<PackedNormal>(store, "normals"), s.read<std::uint8_t>(store, "echoes")};
       }
-      void point(Index3 p, const Columns& columns, std::uint32_t i) const {
+      void point(Index3 p, const Columns& columns, std::size_t i) const {
         const std::int64_t x = raster.pixel(p.x) - tile.second * kTilePixels + kMaskHalo;
         const std::int64_t y = raster.pixel(p.y) - tile.first * kTilePixels + kMaskHalo;
         const auto at = static_cast<std::size_t>(y * kSide + x);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/store/view.h"
+#include "engine/store/stretches.h"
 
 namespace ilot {
 namespace {
@@ -47,29 +47,19 @@ struct Read {
 
 // The points in the box, z in metres of the CRS.
 Read read_points(const SiteWork& work, const IndexBox& box, Index3 anchor_mm) {
-  constexpr std::uint32_t kBatch = 1 << 14;
   const double step = work.store.unit() * work.metres_per_unit;
   const Axis x(anchor_mm.x, step), y(anchor_mm.y, step);
   Read read;
-  std::vector<std::uint64_t> codes;
-  std::vector<PointRole> roles;
-  for (const Slice& s : plan_view(work.store, box, {}).slices) {
-    const ColumnReader code_reader(work.store.path(s.block, "codes")), role_reader(work.store.path(s.block, "role"));
-    const Tile tile = work.store.blocks()[s.block].node.tile;
-    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
-      codes.resize(std::min(kBatch, s.count - done));
-      roles.resize(codes.size());
-      code_reader.read<std::uint64_t>(s.first + done, codes);
-      role_reader.read<PointRole>(s.first + done, roles);
-      for (std::uint32_t i = 0; i < codes.size(); ++i) {
-        const Index3 p = index_of({tile, codes[i]});
-        if (!box.contains(p)) continue;
-        read.around.points.push_back({x.metres(p.x), y.metres(p.y), static_cast<double>(p.z) * step});
-        read.around.roles.push_back(roles[i]);
-        read.places.push_back({s.block, s.first + done + i});
-      }
+  for_each_stretch(work.store, plan_view(work.store, box, {}).slices, [&](const Stretch& s) {
+    const auto roles = s.read<PointRole>(work.store, "role");
+    for (std::uint32_t i = 0; i < roles.size(); ++i) {
+      const Index3 p = s.position(i);
+      if (!box.contains(p)) continue;
+      read.around.points.push_back({x.metres(p.x), y.metres(p.y), static_cast<double>(p.z) * step});
+      read.around.roles.push_back(roles[i]);
+      read.places.push_back({s.block, s.first + i});
     }
-  }
+  });
   return read;
 }
 

@@ -8,7 +8,7 @@
 #include <map>
 
 #include "engine/pass/pass.h"
-#include "engine/store/view.h"
+#include "engine/store/stretches.h"
 
 namespace ilot {
 namespace {
@@ -29,12 +29,10 @@ std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
 // Calls take(point) for the points of the store in a box.
 template <class Take>
 void for_points_in(const Store& store, const IndexBox& box, const Take& take) {
-  for (const Slice& s : plan_view(store, box, {}).slices) {
-    const Tile tile = store.blocks()[s.block].node.tile;
-    const auto codes = store.read<std::uint64_t>(s.block, "codes", s.first, s.count);
-    for (const std::uint64_t code : codes)
-      if (const Index3 p = index_of({tile, code}); box.contains(p)) take(p);
-  }
+  for_each_stretch(store, plan_view(store, box, {}).slices, [&](const Stretch& s) {
+    for (std::size_t i = 0; i < s.codes.size(); ++i)
+      if (const Index3 p = s.position(i); box.contains(p)) take(p);
+  });
 }
 
 // Windows of a lattice of squares that may hold points: row, column.

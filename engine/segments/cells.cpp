@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/store/stretches.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/rng.h"
 
@@ -13,7 +14,6 @@ namespace {
 constexpr int kMarginShift = 4;  // margin = edge / 16
 
 constexpr std::size_t kPadding = 16;
-constexpr std::uint32_t kBatch = 1 << 14;
 
 void reserve(CellPoints& cp, std::size_t points) {
   for (auto* v : {&cp.x, &cp.y, &cp.z}) v->reserve(points + kPadding);
@@ -21,45 +21,17 @@ void reserve(CellPoints& cp, std::size_t points) {
   cp.core.reserve(points);
 }
 
-// Calls visit(position, code, slice, point of the block) for the points of the plan that lie in the box, in global
-// order.
-template <class Visit>
-void for_each_in(const Store& store, const View& plan, const IndexBox& box, const Visit& visit) {
-  std::vector<std::uint64_t> codes;
-  for (const Slice& s : plan.slices) {
-    const ColumnReader reader(store.path(s.block, "codes"));
-    const Tile tile = store.blocks()[s.block].node.tile;
-    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
-      codes.resize(std::min(kBatch, s.count - done));
-      reader.read<std::uint64_t>(s.first + done, codes);
-      for (std::uint32_t i = 0; i < codes.size(); ++i) {
-        const Index3 p = index_of({tile, codes[i]});
-        if (box.contains(p)) visit(p, codes[i], s, s.first + done + i);
-      }
+// How many points of the plan lie in the box around a cell but not in the cell.
+std::uint64_t count_margin(const Store& store, const View& plan, const IndexBox& around, const IndexBox& own) {
+  std::uint64_t count = 0;
+  for_each_stretch(store, plan.slices, [&](const Stretch& s) {
+    for (std::size_t i = 0; i < s.codes.size(); ++i) {
+      const Index3 p = s.position(i);
+      count += around.contains(p) && !own.contains(p);
     }
-  }
+  });
+  return count;
 }
-
-// A column at points that are asked for in rising order, read a batch at a time.
-template <class T>
-class Cursor {
- public:
-  Cursor(const Store& store, const char* column) : store_(store), column_(column) {}
-  const T& at(const Slice& slice, std::uint32_t point) {
-    if (slice.block != block_ || point < first_ || point >= first_ + batch_.size()) {
-      block_ = slice.block;
-      first_ = point;
-      batch_ = store_.read<T>(block_, column_, first_, std::min(kBatch, slice.first + slice.count - point));
-    }
-    return batch_[point - first_];
-  }
-
- private:
-  const Store& store_;
-  const char* column_;
-  std::uint32_t block_ = UINT32_MAX, first_ = 0;
-  std::vector<T> batch_;
-};
 
 int cell_level(double unit_metres) {
   int bits = 0;
@@ -174,26 +146,27 @@ CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& 
   const IndexBox own = cell.node.box(), around = own.grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
   std::uint64_t in_margin = plan.size - cell.points;  // at most
-  if (in_margin > kCellPoints) {
-    in_margin = 0;
-    for_each_in(store, plan, around,
-                [&](Index3 p, std::uint64_t, const Slice&, std::uint32_t) { in_margin += !own.contains(p); });
-  }
+  if (in_margin > kCellPoints) in_margin = count_margin(store, plan, around, own);
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;
   reserve(cp, std::min<std::uint64_t>(plan.size, cell.points + 2 * std::uint64_t{kCellPoints}));
-  Cursor<PackedNormal> normals(store, "normals");
-  Cursor<StoredColour> colours(store, "colour");
-  for_each_in(store, plan, around, [&](Index3 p, std::uint64_t code, const Slice& slice, std::uint32_t point) {
-    const bool core = own.contains(p);
-    if (!core && thin && mix64(code) > keep_below) return;
-    cp.x.push_back(static_cast<float>(p.x - plan.anchor.x));
-    cp.y.push_back(static_cast<float>(p.y - plan.anchor.y));
-    cp.z.push_back(static_cast<float>(p.z - plan.anchor.z));
-    cp.normals.push_back(normals.at(slice, point));
-    cp.core.push_back(core);
-    if (!palette.centre.empty()) cp.colour_class.push_back(palette.class_of(colours.at(slice, point)));
+  for_each_stretch(store, plan.slices, [&](const Stretch& s) {
+    const auto normals = s.read<PackedNormal>(store, "normals");
+    std::vector<StoredColour> colours;
+    if (!palette.centre.empty()) colours = s.read<StoredColour>(store, "colour");
+    for (std::size_t i = 0; i < s.codes.size(); ++i) {
+      const Index3 p = s.position(i);
+      if (!around.contains(p)) continue;
+      const bool core = own.contains(p);
+      if (!core && thin && mix64(s.codes[i]) > keep_below) continue;
+      cp.x.push_back(static_cast<float>(p.x - plan.anchor.x));
+      cp.y.push_back(static_cast<float>(p.y - plan.anchor.y));
+      cp.z.push_back(static_cast<float>(p.z - plan.anchor.z));
+      cp.normals.push_back(normals[i]);
+      cp.core.push_back(core);
+      if (!colours.empty()) cp.colour_class.push_back(palette.class_of(colours[i]));
+    }
   });
   cp.size = cp.core.size();
   for (auto* v : {&cp.x, &cp.y, &cp.z}) v->resize(cp.size + kPadding, 0.0f);

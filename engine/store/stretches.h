@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <algorithm>
+#include <span>
+#include <vector>
+
+#include "engine/store/view.h"
+
+namespace ilot {
+
+constexpr std::uint32_t kStretchPoints = 1 << 14;
+
+// Consecutive points of one block.
+struct Stretch {
+  std::uint32_t block = 0, first = 0;    // the first of them in the block
+  Tile tile;                             // with a code: where a point lies
+  std::span<const std::uint64_t> codes;  // valid during the visit
+
+  Index3 position(std::size_t i) const { return index_of({tile, codes[i]}); }
+
+  // Another column of the same points.
+  template <class T>
+  std::vector<T> read(const Store& store, std::string_view column) const {
+    return store.read<T>(block, column, first, static_cast<std::uint32_t>(codes.size()));
+  }
+};
+
+// Calls visit(stretch) for the slices' points in their order, at most kStretchPoints at a time: 128 KiB of memory
+// however many points there are. A view of a box holds points beside it too.
+template <class Visit>
+void for_each_stretch(const Store& store, std::span<const Slice> slices, const Visit& visit) {
+  std::vector<std::uint64_t> codes;
+  for (const Slice& s : slices) {
+    const ColumnReader reader(store.path(s.block, "codes"));
+    const Tile tile = store.blocks()[s.block].node.tile;
+    for (std::uint32_t done = 0; done < s.count; done += kStretchPoints) {
+      codes.resize(std::min(kStretchPoints, s.count - done));
+      reader.read<std::uint64_t>(s.first + done, codes);
+      visit(Stretch{s.block, s.first + done, tile, codes});
+    }
+  }
+}
+
+}  // namespace ilot
