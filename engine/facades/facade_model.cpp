@@ -259,7 +259,8 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
       return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
     });
     if (known != things.end()) {
-      take_better_sides(known->shape, r);
+      const Box2 own = known->shape.box();
+      if (common_area(box, own) >= kSameThing * own.width() * own.height()) take_better_sides(known->shape, r);
       continue;
     }
     // Openings within a recess stay: they go on from its back.
