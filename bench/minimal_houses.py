@@ -29,6 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COLOURS = {"protrusion": lambda r, g, b: g > r and g > b, "recess": lambda r, g, b: b < r and b < g and r > 0 and g > 0}
 MATERIALS = {"Convex": "protrusion", "Concave": "recess"}
 NOISE, WITHIN, SHARE, SHARED_FACE, RIGHT = 0.005, 0.03, 0.5, 0.05, 0.01  # metres, metres, shares, metres
+JUDGED = 4  # of so many points one is counted: this is Python
 
 
 def arguments():
@@ -210,8 +211,9 @@ def measure(options, variant, data, folder):
         place = pathlib.Path(options.keep) / f"{variant}-{number}" if options.keep else folder
         place.mkdir(parents=True, exist_ok=True)
         parts = labelled_parts(data / f"references/minimal_house_{number}.obj")
-        found = found_elements(run(options.ilot, points, place), points)
-        of_part, of_found, errors = judge(parts, points, found)
+        facades, judged = run(options.ilot, points, place), points[::JUDGED]
+        found = found_elements(facades, judged)
+        of_part, of_found, errors = judge(parts, judged, found)
         if options.list:
             show(number, parts, found, of_part, of_found)
         parts_found += of_part

@@ -87,7 +87,7 @@ void join_heights(std::vector<Facade>& facades, double reach, double metres) {
     for (std::size_t b = a + 1; b < corners.size(); ++b) {
       const Vec3 apart = metres * (*corners[b] - *corners[a]);
       constexpr double kOnLine = 0.02;  // metres: lines in which walls meet are upright to that
-      if (std::hypot(apart.x, apart.y) > kOnLine || std::abs(apart.z) > reach) continue;
+      if (apart.x * apart.x + apart.y * apart.y > kOnLine * kOnLine || std::abs(apart.z) > reach) continue;
       const Vec3 middle = 0.5 * (*corners[a] + *corners[b]);
       *corners[a] = *corners[b] = middle;
     }

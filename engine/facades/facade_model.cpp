@@ -259,12 +259,14 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
       return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
     });
     if (known != things.end()) {
-      take_better_sides(known->shape, r);
+      const Box2 own = known->shape.box();
+      if (common_area(box, own) >= kSameThing * own.width() * own.height()) take_better_sides(known->shape, r);
       continue;
     }
+    // Openings within a recess stay: they go on from its back.
     std::erase_if(things, [&](const FacadeThing& t) {
       const Box2 own = t.shape.box();
-      return same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
+      return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
     });
     const bool above = (box.v0 + box.v1) / 2 > wall_height;
     things.push_back({r,

@@ -309,6 +309,34 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
   return edge;
 }
 
+// Of a side face that nobody saw: the wall beside it lies in its shadow, so it ends where its end does.
+void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
+  const double at = side == Side::left ? end.u0 : side == Side::right ? end.u1 : side == Side::bottom ? end.v0 : end.v1;
+  const double shadow = std::abs(edge.at - at);
+  edge.error = std::max(step, shadow);
+  if (shadow > 3 * step) edge.status = DrawnStatus::occluded;
+  edge.at = edge.inner = at;
+}
+
+// The sides from their faces, and where those end at the thing's depth.
+Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, FoundRectangle& thing) {
+  const SideFaces faces = side_faces(samples, thing.box(), end, thing.depth);
+  Box2 at_end = faces.end;
+  const std::array<double, 4> at{faces.outline.v0, faces.outline.u1, faces.outline.v1, faces.outline.u0};
+  const std::array<double*, 4> ends{&at_end.v0, &at_end.u1, &at_end.v1, &at_end.u0};
+  for (std::size_t k = 0; k < kSides.size(); ++k) {
+    LocatedEdge& edge = thing.side(kSides[k]);
+    if (faces.points[k] > 0) {
+      edge = {at[k], faces.error[k]};
+      edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
+    } else if (stands_out) {
+      carry_end(edge, kSides[k], end, samples.site().step);
+      *ends[k] = edge.at;
+    }
+  }
+  return at_end;
+}
+
 // A cut corner goes as deep as its face has come at the wall's end.
 void reach_end(FoundRectangle& thing, Box2& end) {
   const auto reach = [&](Side leaning, Side open, double& end_of_leaning, double& end_of_open) {
@@ -346,15 +374,7 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
     if (std::abs(thing.depth) < params.least_depth) continue;
     for (const Side side : kSides)
       thing.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
-    const SideFaces faces = side_faces(samples, thing.box(), end, thing.depth);
-    const std::array<double, 4> at{faces.outline.v0, faces.outline.u1, faces.outline.v1, faces.outline.u0};
-    for (std::size_t k = 0; k < kSides.size(); ++k) {
-      if (faces.points[k] == 0) continue;
-      LocatedEdge& edge = thing.side(kSides[k]);
-      edge = {at[k], faces.error[k]};
-      edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
-    }
-    Box2 body_end = faces.end;
+    Box2 body_end = take_faces(samples, end, region.what == kBefore, thing);
     reach_end(thing, body_end);
     thing.end = body_end;
     found.push_back(thing);

@@ -18,10 +18,10 @@ constexpr double kLeastKnown = 0.2;   // of it, that something must be known of
 constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
 constexpr double kTail = 0.15;        // of its rows and columns that may end farther out
 constexpr double kMostBehind = 4;     // metres; rooms beyond panes
+constexpr double kMostSquare = 2.5;   // metres, of rays only taken to be square: beyond that is the house's other side
 constexpr double kDepthBin = 0.01;    // metres
 constexpr double kCoverShare = 0.25;  // of the widest spread
 constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
-constexpr double kCovered = 0.5;      // of the wall's density: a cell that has it is wall, whatever stands behind
 
 enum Cell : std::uint8_t {
   kUnknown,
@@ -51,7 +51,7 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
   std::vector<std::uint32_t> solid(count), through(count), shallow(count), blocked(count);
   for (std::uint32_t i = 0; i < site.points.size(); ++i) {
     const double w = site.points[i].w;
-    if (w < -kMostBehind) continue;
+    if (w < (samples.oblique() ? -kMostBehind : -kMostSquare)) continue;
     const Place2 p = samples.crossing(i, 0);
     if (p.u < 0 || p.v < 0) continue;
     const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
@@ -62,12 +62,9 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
     if (!wall && w < 0) ++(w < -least_depth ? through : shallow)[at];
     if (w > site.epsilon) ++blocked[at];
   }
-  // Rays that are only taken to be square to the wall do not go through it where its points are: what lies behind is
-  // the other side of the house.
-  const double covered = samples.oblique() ? INFINITY : kCovered * cells.cell * cells.cell / (site.step * site.step);
   cells.what.assign(count, kUnknown);
   for (std::size_t i = 0; i < count; ++i) {
-    if (through[i] > solid[i] && static_cast<double>(solid[i]) < covered)
+    if (through[i] > solid[i])
       cells.what[i] = kThrough;
     else if (solid[i] > 0)
       cells.what[i] = kSolid;

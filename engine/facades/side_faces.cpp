@@ -13,9 +13,10 @@ constexpr double kCorner = 0.1;             // of a side, left out at its ends
 constexpr double kBeside = 0.02;            // metres beside a face that its points are looked for
 constexpr double kLeans = 0.03;             // metres; ends nearer than that below each other are not inclined
 constexpr double kLeastSpread = 0.35;       // of the depth
+constexpr double kCrowded = 3;              // times as many points as if they were spread evenly
 constexpr double kUpright = 0.05;           // slopes below this are none
-constexpr std::size_t kLeastPoints = 12;
-constexpr double kEdge = 0.01;  // metres; narrower ends are edges
+constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of something else lie on any line
+constexpr double kEdge = 0.01;                                // metres; narrower ends are edges
 
 struct FacePoint {
   double t, w;  // across the side, growing outwards; out of the wall
@@ -56,7 +57,10 @@ FaceLine fit(const std::vector<FacePoint>& points) {
   const double spread = n * sww - sw * sw;
   line.slope = spread > 0 ? (n * swt - sw * st) / spread : 0;
   line.at = (st - line.slope * sw) / n;
-  for (const FacePoint& p : points) line.rms += std::pow(p.t - line.at - line.slope * p.w, 2);
+  for (const FacePoint& p : points) {
+    const double off = p.t - line.at - line.slope * p.w;
+    line.rms += off * off;
+  }
   line.rms = std::sqrt(line.rms / n);
   line.points = points.size();
   return line;
@@ -68,7 +72,8 @@ double spread_of(const std::vector<FacePoint>& points) {
   return high - low;
 }
 
-// The line, moved to where most points lie beside it: other faces of the element end near by.
+// The line, moved to where most points lie beside it, without points where there is no such crowd: other faces of the
+// element end near by, and a face that crosses has points everywhere.
 FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double search, double width) {
   std::vector<double> offs;
   for (const FacePoint& p : points)
@@ -79,7 +84,10 @@ FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double sea
     while (end < offs.size() && offs[end] - offs[i] <= width) ++end;
     if (end - i > most) best = i, most = end - i;
   }
-  if (most > 0) line.at += offs[best + most / 2];
+  const double even = static_cast<double>(offs.size()) * std::min(1.0, width / (2 * search));
+  if (static_cast<double>(most) < std::max(static_cast<double>(kLeastPoints), kCrowded * even)) return {};
+  line.at += offs[best + most / 2];
+  line.points = most;
   return line;
 }
 
@@ -87,6 +95,7 @@ FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double sea
 FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double depth, double search, double noise) {
   const double width = std::max(kBeside, 4 * noise);
   line = crowded(points, line, search, width);
+  if (line.points == 0) return {};
   double beside = width;
   for (int round = 0; round < 4; ++round) {
     std::vector<FacePoint> near;
@@ -118,7 +127,7 @@ SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2&
     FaceLine face = find_face(points, {t0, 0, 0, 0}, depth, search, noise);
     if (std::abs(t1 - t0) > std::max(kLeans, 2 * site.step)) {
       const FaceLine leaning = find_face(points, {t0, (t1 - t0) / depth, 0, 0}, depth, search, noise);
-      if (leaning.points > face.points) face = leaning;
+      if (leaning.points > std::max(2 * face.points, kLeastLeaning)) face = leaning;
     }
     if (face.points == 0) continue;
     const bool leans = std::abs(face.slope) > kUpright;

@@ -59,7 +59,7 @@ struct FacadeElement {
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
   FacadeRegion region = FacadeRegion::element;
-  FacadeBody body;  // [C10, C11]; without vertices where its ring and its depth say all
+  FacadeBody body{};  // [C10, C11]; without vertices where its ring and its depth say all
 };
 
 struct Facade {
