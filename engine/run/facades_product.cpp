@@ -11,6 +11,7 @@
 #include "engine/facades/wall_groups.h"
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
+#include "engine/run/facade_labels.h"
 #include "engine/segments/colours_pass.h"
 #include "engine/segments/stations_pass.h"
 
@@ -155,6 +156,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
   }
+  write_facade_labels(work, walls, found, context);
   if (!found.empty())
     write_facades(found, walls, work, settings,
                   files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
