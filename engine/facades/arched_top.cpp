@@ -124,7 +124,7 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
   for (const std::uint32_t i : samples.near(search.grown(std::abs(opening.depth)))) {
     const FacadePoint& p = site.points[i];
     const PlanePoint at{p.u, p.v};
-    if (p.w > front || p.w < back || at.y < first.centre.y + 0.1 * first.radius) continue;
+    if (p.w > front || p.w < back || samples.in_joint(i) || at.y < first.centre.y + 0.1 * first.radius) continue;
     if (at.x > search.u0 && at.x < search.u1 && std::abs(off(first, at)) < kBesideArc) soffit.push_back(at);
   }
   CircleFit fit = first;
