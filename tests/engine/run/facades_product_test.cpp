@@ -77,6 +77,7 @@ struct Outcome {
   std::vector<Facade> facades;
   std::set<std::string> files;  // of the facades
   std::vector<LabelledPoint> points;
+  std::string drawing;  // of the first facade, as SVG
 };
 
 Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
@@ -105,6 +106,11 @@ Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_st
   out.points = labelled_points(options.output / "points" / "wall.laz", heading);
   for (const auto& file : std::filesystem::directory_iterator(options.output / "facades")) {
     out.files.insert(file.path().filename());
+    if (file.path().filename() == "facade-001.svg") {
+      std::stringstream svg;
+      svg << std::ifstream(file.path()).rdbuf();
+      out.drawing = svg.str();
+    }
     if (file.path().extension() == ".json") out.facades.push_back(read_facade_json(file.path()));
   }
   return out;
@@ -163,6 +169,7 @@ TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
   EXPECT_GT(of_kind["outline"], 5000u);
   EXPECT_LE(wrong, out.points.size() / 1000);
   EXPECT_EQ(out.record["counts"]["points"]["read"], out.points.size());
+  EXPECT_NE(out.drawing.find("wall.las"), std::string::npos) << "the title block names its source";
 }
 
 TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
