@@ -19,12 +19,43 @@ constexpr double kAbove = 0.2;       // metres above the top that was found that
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
 constexpr double kMostGap = 0.06;    // metres; slices that know their top less well are left out
 constexpr double kRounder = 0.35;    // a circle must leave less than this share of what a level line leaves
+constexpr double kSurround = 0.15;   // metres before the wall, where surrounds end
 constexpr double kBesideArc = 0.03;  // metres beside the first arc that points of the soffit lie
 constexpr std::size_t kLeastSoffit = 60;
 
 struct Slice {
   std::vector<double> below, above;
 };
+
+// The wall, the back of a joint between its stones, or a surround that stands out of it and goes on where the soffit
+// ends: a ray that meets one of these does not go through. What stands farther out hides the opening as well as what is
+// above it.
+bool is_above(const RaySamples& samples, std::uint32_t point) {
+  if (samples.in_joint(point)) return true;
+  const Met met = samples.met(point, 0, samples.site().epsilon);
+  return met == Met::solid || (met == Met::before && static_cast<double>(samples.site().points[point].w) < kSurround);
+}
+
+bool is_below(const RaySamples& samples, std::uint32_t point) {
+  return !samples.in_joint(point) && samples.met(point, 0, samples.site().epsilon) == Met::through;
+}
+
+// Of a circle's upper half; NaN beside it.
+double height_at(const CircleFit& fit, double u) {
+  const double x = u - fit.centre.x;
+  return fit.centre.y + std::sqrt(fit.radius * fit.radius - x * x);
+}
+
+// Whether two circles lie together over the opening. Their radii tell little: those of flat arches differ by a sixth
+// for a centimetre at the crown.
+bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
+  constexpr double kEnd = 0.1;  // of the width
+  const auto near = [&](double share) {
+    const double u = opening.u0 + share * opening.width();
+    return std::abs(height_at(a, u) - height_at(b, u)) <= 2 * kBesideArc;
+  };
+  return near(kEnd) && near(0.5) && near(1 - kEnd);
+}
 
 std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRectangle& opening, const Box2& search) {
   const FacadeSite& site = samples.site();
@@ -34,9 +65,8 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
     const Place2 p = samples.crossing(i, 0);
     const double at = (p.u - search.u0 - margin) / width;
     if (at < 0 || at >= kSlices || p.v < search.v0 || p.v > search.v1) continue;
-    const Met met = samples.met(i, 0, site.epsilon);
-    if (met == Met::through) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
-    if (met == Met::solid) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
+    if (is_below(samples, i)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
+    if (is_above(samples, i)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
   }
   std::vector<PlanePoint> tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
@@ -61,9 +91,8 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
     if (y <= 0 || std::abs(r - first.radius) > kBeside) continue;
     const double at = (direction_degrees(x, y) - from) / width;
     if (at < 0 || at >= kSlices) continue;
-    const Met met = samples.met(i, 0, site.epsilon);
-    if (met == Met::through) sectors[static_cast<std::size_t>(at)].below.push_back(r);
-    if (met == Met::solid) sectors[static_cast<std::size_t>(at)].above.push_back(r);
+    if (is_below(samples, i)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
+    if (is_above(samples, i)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
   }
   std::vector<PlanePoint> tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
@@ -95,7 +124,7 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
   for (const std::uint32_t i : samples.near(search.grown(std::abs(opening.depth)))) {
     const FacadePoint& p = site.points[i];
     const PlanePoint at{p.u, p.v};
-    if (p.w > front || p.w < back || at.y < first.centre.y + 0.1 * first.radius) continue;
+    if (p.w > front || p.w < back || samples.in_joint(i) || at.y < first.centre.y + 0.1 * first.radius) continue;
     if (at.x > search.u0 && at.x < search.u1 && std::abs(off(first, at)) < kBesideArc) soffit.push_back(at);
   }
   CircleFit fit = first;
@@ -110,7 +139,7 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
       if (std::abs(offs[i] - middle) < beside) kept.push_back(soffit[i]);
     if (kept.size() < kLeastSoffit) return first;
     const CircleFit next = fit_circle(kept);
-    if (!next.found || std::abs(next.radius - first.radius) > 2 * kBesideArc) return first;
+    if (!next.found || !together(next, first, search)) return first;
     fit = next;
     beside = std::max(beside / 2, 4 * site.noise);
   }
@@ -139,7 +168,7 @@ std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRect
   for (int round = 0; round < 2; ++round) {
     const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
     const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);
-    if (next.found && std::abs(next.radius - fit.radius) < 0.2 * fit.radius) fit = next;
+    if (next.found && together(next, fit, search)) fit = next;
   }
   const CircleFit first = fit;
   fit = refined(samples, opening, search, first);

@@ -61,9 +61,16 @@ RaySamples::RaySamples(const FacadeSite& site) : site_(site) {
 
 void RaySamples::find_wall() {
   on_wall_.reserve(site_.points.size());
-  for (const FacadePoint& p : site_.points)
-    on_wall_.push_back(std::abs(static_cast<double>(p.w)) <= site_.epsilon ||
-                       std::binary_search(site_.wall.begin(), site_.wall.end(), p.plane));
+  std::vector<std::uint32_t> parallel;
+  for (const ParallelPlane& p : site_.parallel) parallel.push_back(p.id);
+  for (const FacadePoint& p : site_.points) {
+    const double w = p.w;
+    if (std::abs(w) <= site_.epsilon || std::binary_search(site_.wall.begin(), site_.wall.end(), p.plane))
+      on_wall_.push_back(kWall);
+    else
+      on_wall_.push_back(w < 0 && w > -kJoint && std::binary_search(parallel.begin(), parallel.end(), p.plane) ? kBack
+                                                                                                               : kNot);
+  }
 }
 
 void RaySamples::choose_stations() {
@@ -86,7 +93,7 @@ void RaySamples::choose_stations() {
       const Vec3& eye = site_.stations[s].position;
       const double far = norm(eye - place);
       if (!(far < nearest) || eye.z <= place.z) continue;
-      if (on_wall_[i] == 0 && place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
+      if (on_wall_[i] == kNot && place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
       nearest = far;
       station_[i] = static_cast<std::uint8_t>(s);
     }
@@ -105,7 +112,7 @@ Place2 RaySamples::crossing(std::uint32_t point, double depth) const {
 }
 
 Met RaySamples::met(std::uint32_t point, double depth, double epsilon) const {
-  if (depth == 0 && on_wall_[point] != 0) return Met::solid;
+  if (depth == 0 && on_wall_[point] == kWall) return Met::solid;
   const double off = static_cast<double>(site_.points[point].w) - depth;
   if (std::abs(off) <= epsilon) return Met::solid;
   return off < 0 ? Met::through : Met::before;

@@ -47,7 +47,9 @@ class RaySamples {
   const Vec3* eye_of(std::uint32_t point) const;
   Met met(std::uint32_t point, double depth, double epsilon) const;
   // Within epsilon of the wall, or on a segment of it: real walls are not quite flat.
-  bool on_wall(std::uint32_t point) const { return on_wall_[point] != 0; }
+  bool on_wall(std::uint32_t point) const { return on_wall_[point] == kWall; }
+  // On a segment along the wall and little behind it, as the backs of joints between stones are.
+  bool in_joint(std::uint32_t point) const { return on_wall_[point] == kBack; }
 
   // Points whose rays cross the wall in the box, and more around it: in a fixed order.
   std::vector<std::uint32_t> near(const Box2& box) const;
@@ -63,6 +65,7 @@ class RaySamples {
   void sort_into_bins();
 
   const FacadeSite& site_;
+  enum Part : std::uint8_t { kNot, kWall, kBack };
   std::vector<std::uint8_t> station_, on_wall_;  // per point
   bool guessed_ = false;
   std::int64_t columns_ = 0, rows_ = 0;

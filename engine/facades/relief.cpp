@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -21,6 +22,7 @@ struct Piece {
   double w = 0, rms = 0;
   Box2 box;
   std::vector<std::uint32_t> points;
+  double alone = INFINITY;  // metres around it where no other piece of its segment lies
 };
 
 double quantile(std::vector<double> values, double share) {
@@ -69,6 +71,79 @@ std::vector<Piece> pieces_of(const RaySamples& samples, std::span<const std::uin
     pieces.push_back(std::move(piece));
   }
   return pieces;
+}
+
+// A joint that goes through a piece from one side to the other: where its points cease, and most rays end behind.
+struct Joint {
+  double from = 0, to = 0;
+};
+
+// The widest strip across the piece, along u or along v, that has few points. Nothing without one.
+std::optional<Joint> empty_strip(const std::vector<double>& places, double low, double high, double step) {
+  constexpr double kFew = 0.2;  // of what lies in the median strip
+  const auto bins = static_cast<std::size_t>((high - low) / step);
+  if (bins < 4) return std::nullopt;
+  std::vector<std::size_t> counts(bins);
+  for (const double p : places) {
+    const double at = (p - low) / step;
+    if (at >= 0 && at < static_cast<double>(bins)) ++counts[static_cast<std::size_t>(at)];
+  }
+  std::vector<double> sorted(counts.begin(), counts.end());
+  const double few = kFew * quantile(std::move(sorted), 0.5);
+  std::size_t best = 0, best_end = 0;
+  for (std::size_t i = 1; i + 1 < bins; ++i) {
+    std::size_t end = i;
+    while (end + 1 < bins && static_cast<double>(counts[end]) < few) ++end;
+    if (end - i > best_end - best) best = i, best_end = end;
+    i = std::max(i, end);
+  }
+  if (best_end - best < 2) return std::nullopt;
+  return Joint{low + static_cast<double>(best) * step, low + static_cast<double>(best_end) * step};
+}
+
+bool seen_behind(const RaySamples& samples, const Box2& strip) {
+  double behind = 0, all = 0;
+  for (const std::uint32_t i : samples.near(strip)) {
+    if (!strip.holds(samples.crossing(i, 0))) continue;
+    ++all;
+    behind += static_cast<double>(samples.site().points[i].w) < -samples.site().epsilon;
+  }
+  return behind > 0.5 * all;
+}
+
+// A segment that goes on over joints falls into the stones between them: cut by rows first, then each row.
+void part_at_joints(const RaySamples& samples, Piece piece, std::vector<Piece>& parts) {
+  constexpr double kWidest = 0.06;  // metres, of a joint
+  constexpr double kInJoint = 0.8;  // of it: its rim is known to a bin
+  const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
+  for (const bool level : {true, false}) {
+    std::vector<double> places;
+    for (const std::uint32_t i : piece.points) {
+      const Place2 p = samples.crossing(i, piece.w);
+      places.push_back(level ? p.v : p.u);
+    }
+    const auto joint = level ? empty_strip(places, piece.box.v0, piece.box.v1, steps.v)
+                             : empty_strip(places, piece.box.u0, piece.box.u1, steps.u);
+    if (!joint || joint->to - joint->from > kWidest) continue;
+    Box2 strip = piece.box;
+    (level ? strip.v0 : strip.u0) = joint->from;
+    (level ? strip.v1 : strip.u1) = joint->to;
+    if (!seen_behind(samples, strip)) continue;
+    Piece low, high;
+    low.ids = high.ids = piece.ids;
+    low.alone = high.alone = std::min(piece.alone, kInJoint * (joint->to - joint->from));
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (places[i] < joint->from) low.points.push_back(piece.points[i]);
+      if (places[i] > joint->to) high.points.push_back(piece.points[i]);
+    }
+    for (Piece* part : {&low, &high}) {
+      if (part->points.size() < 3) continue;
+      measure(samples, *part);
+      part_at_joints(samples, std::move(*part), parts);
+    }
+    return;
+  }
+  parts.push_back(std::move(piece));
 }
 
 // Whether rays go through between two pieces that lie in line: then they end there.
@@ -129,7 +204,8 @@ FoundRectangle rectangle_of(const RaySamples& samples, const Piece& piece, doubl
   thing.points = piece.points.size();
   thing.plane = piece.ids[0];
   const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
-  const double reach = std::min(0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2));
+  const double reach =
+      std::min({0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2), piece.alone});
   const SideSearch search{piece.box, piece.w, epsilon, false, face_from, face_to, reach, piece.ids};
   for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
   return thing;
@@ -166,7 +242,9 @@ std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
   constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
   constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
   std::vector<FoundRectangle> found;
-  for (const Piece& piece : pieces_of(samples, samples.site().wall)) {
+  std::vector<Piece> parts;
+  for (Piece& piece : pieces_of(samples, samples.site().wall)) part_at_joints(samples, std::move(piece), parts);
+  for (const Piece& piece : parts) {
     if (!is_large(piece.box, kLeastSize)) continue;
     const double fill = fill_of(samples, piece);
     if (fill < kLeastFill) continue;

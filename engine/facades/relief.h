@@ -17,8 +17,8 @@ struct ReliefParams {
 // plane and in line, are joined where nothing was seen between them. By id of the first piece. O(n log n).
 std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params = {});
 
-// The stones of a wall that joints part into pieces: of the wall's segments those that fill their rectangle, where
-// there are at least four. Ordered as above.
+// The stones of a wall that joints part into pieces: of the wall's segments, cut at joints that go through them, those
+// that fill their rectangle, where there are at least four. Ordered as above.
 std::vector<FoundRectangle> find_stones(const RaySamples& samples);
 
 }  // namespace ilot

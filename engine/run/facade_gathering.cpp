@@ -15,22 +15,6 @@ constexpr std::uint32_t kBatch = 1 << 14;
 
 constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
 
-// Around the wall's slab, in lattice units.
-IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
-  const double units = 1 / work.metres_per_unit;
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const double u : {-work.beside, wall.width + work.beside})
-    for (const double v : {-work.beside, wall.height + work.beside})
-      for (const double w : {-work.behind, work.before}) {
-        const Vec3 p =
-            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      }
-  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
-  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
-}
-
 // The part of a box that another one in CRS units holds, and a step more.
 IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
   const auto clamped = [&](double at, std::int64_t least, std::int64_t most) {
@@ -42,30 +26,6 @@ IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
   };
   return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
-
-// Lattice points in the axes of a wall: whole numbers are subtracted first, so that national grids cost no digits.
-class IntoAxes {
- public:
-  IntoAxes(const FacadeAxes& axes, double unit, double metres_per_unit)
-      : axes_(axes),
-        anchor_{std::llround(axes.origin.x / unit), std::llround(axes.origin.y / unit),
-                std::llround(axes.origin.z / unit)},
-        metres_(unit * metres_per_unit) {
-    const auto rest = [&](std::int64_t whole, double at) { return static_cast<double>(whole) - at / unit; };
-    rest_ = {rest(anchor_.x, axes.origin.x), rest(anchor_.y, axes.origin.y), rest(anchor_.z, axes.origin.z)};
-  }
-  Vec3 of(Index3 p) const {
-    const Vec3 d{static_cast<double>(p.x - anchor_.x) + rest_.x, static_cast<double>(p.y - anchor_.y) + rest_.y,
-                 static_cast<double>(p.z - anchor_.z) + rest_.z};
-    return {dot(d, axes_.right) * metres_, dot(d, axes_.up) * metres_, dot(d, axes_.out) * metres_};
-  }
-
- private:
-  const FacadeAxes& axes_;
-  Index3 anchor_;
-  double metres_;
-  Vec3 rest_;
-};
 
 // Calls visit(slice, first, tile, codes) for stretches of at most kBatch points, from `first` on in the slice's block,
 // in global order: those in the box and others beside it.
@@ -85,7 +45,7 @@ void for_each_batch(const FacadeWork& work, const IndexBox& box, const Visit& vi
 
 void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const std::uint8_t> number_of,
                  FacadeSite& site) {
-  const IntoAxes into(wall.axes, work.store.unit(), work.metres_per_unit);
+  const LatticeAxes into(work, wall);
   const IndexBox box = box_around(work, wall);
   const std::uint64_t most = plan_view(work.store, box, {}).size;  // pages that no point comes to cost nothing
   site.points.reserve(most);
@@ -115,9 +75,8 @@ std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& 
   std::vector<std::uint8_t> number_of(work.stations.size() + 1, kStationAside);
   number_of[0] = kStationUnknown;
   for (std::size_t i = 0; i < work.stations.size(); ++i) {
-    const Vec3 d = work.metres_per_unit * (work.stations[i] - wall.axes.origin);
     FacadeStation station = work.steps[i];
-    station.position = {dot(d, wall.axes.right), dot(d, wall.axes.up), dot(d, wall.axes.out)};
+    station.position = LatticeAxes(work, wall).of_place(work.stations[i]);
     if (!(station.position.z > work.before)) continue;
     site.stations.push_back(station);
     const bool numbered = site.stations.size() < kStationAside;
@@ -127,6 +86,39 @@ std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& 
 }
 
 }  // namespace
+
+LatticeAxes::LatticeAxes(const FacadeWork& work, const WallGroup& wall)
+    : axes_(wall.axes), metres_per_unit_(work.metres_per_unit), metres_(work.store.unit() * work.metres_per_unit) {
+  const double unit = work.store.unit();
+  anchor_ = {std::llround(axes_.origin.x / unit), std::llround(axes_.origin.y / unit),
+             std::llround(axes_.origin.z / unit)};
+  const auto rest = [&](std::int64_t whole, double at) { return static_cast<double>(whole) - at / unit; };
+  rest_ = {rest(anchor_.x, axes_.origin.x), rest(anchor_.y, axes_.origin.y), rest(anchor_.z, axes_.origin.z)};
+}
+
+Vec3 LatticeAxes::of_place(Vec3 place) const {
+  const Vec3 d = metres_per_unit_ * (place - axes_.origin);
+  return {dot(d, axes_.right), dot(d, axes_.up), dot(d, axes_.out)};
+}
+
+double epsilon_of(const WallGroup& wall) {
+  return std::max(wall.epsilon, kEpsilons * wall.rms);
+}
+
+IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
+  const double units = 1 / work.metres_per_unit;
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const double u : {-work.beside, wall.width + work.beside})
+    for (const double v : {-work.beside, wall.height + work.beside})
+      for (const double w : {-work.behind, work.before}) {
+        const Vec3 p =
+            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
+  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+}
 
 std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall) {
   return plan_view(work.store, box_around(work, wall), {}).size;
@@ -139,7 +131,7 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   site.width = wall.width;
   site.height = wall.height;
   site.noise = wall.rms;
-  site.epsilon = std::max(wall.epsilon, kEpsilons * wall.rms);
+  site.epsilon = epsilon_of(wall);
   site.step = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
   site.wall = wall.segments;
   site.parallel = wall.parallel;

@@ -22,6 +22,31 @@ struct FacadeWork {
   double metres_per_unit = 1;
 };
 
+// Places in the axes of a wall, metres. Of lattice points whole numbers are subtracted first, so that national grids
+// cost no digits.
+class LatticeAxes {
+ public:
+  LatticeAxes(const FacadeWork& work, const WallGroup& wall);
+  Vec3 of(Index3 p) const {
+    const Vec3 d{static_cast<double>(p.x - anchor_.x) + rest_.x, static_cast<double>(p.y - anchor_.y) + rest_.y,
+                 static_cast<double>(p.z - anchor_.z) + rest_.z};
+    return {dot(d, axes_.right) * metres_, dot(d, axes_.up) * metres_, dot(d, axes_.out) * metres_};
+  }
+  Vec3 of_place(Vec3 place) const;  // CRS units
+
+ private:
+  FacadeAxes axes_;
+  double metres_per_unit_, metres_;
+  Index3 anchor_;
+  Vec3 rest_;
+};
+
+// Farthest that points of the wall lie from it, metres.
+double epsilon_of(const WallGroup& wall);
+
+// Around the wall's slab, in lattice units.
+IndexBox box_around(const FacadeWork& work, const WallGroup& wall);
+
 // Points that gathering the wall will read: what its memory goes by.
 std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 

@@ -4,14 +4,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "engine/cloud/record.h"
 #include "engine/deliverables/facade_files.h"
 #include "engine/facades/facade_joints.h"
 #include "engine/facades/facade_model.h"
 #include "engine/facades/wall_groups.h"
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
+#include "engine/run/facade_labels.h"
 #include "engine/segments/colours_pass.h"
 #include "engine/segments/stations_pass.h"
 
@@ -63,10 +66,38 @@ bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
   return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
 }
 
+// The day that a LAS file says it was made, "2024-03-01"; empty where it says none.
+std::string file_date(const CloudInfo& info) {
+  constexpr std::size_t kDayOfYear = 90, kYear = 92;
+  if (info.header.size() < kYear + 2) return {};
+  int day = load<std::uint16_t>(info.header.data() + kDayOfYear);
+  const int year = load<std::uint16_t>(info.header.data() + kYear);
+  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
+  const std::array<int, 12> lengths{31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
+  if (year < 1970 || year > 9999 || day < 1) return {};
+  for (int month = 1; month <= 12; day -= lengths[static_cast<std::size_t>(month++ - 1)])
+    if (day <= lengths[static_cast<std::size_t>(month - 1)]) return fmt::format("{}-{:02}-{:02}", year, month, day);
+  return {};
+}
+
+// For the title block: the inputs by name, and when their files were made.
+std::string source_of(const RunInputs& inputs) {
+  constexpr std::size_t kNamed = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(inputs.readers.size(), kNamed); ++i) {
+    const CloudInfo& info = inputs.readers[i]->info();
+    const std::string date = file_date(info);
+    text += (i == 0 ? "" : ", ") + info.path.filename().string() + (date.empty() ? "" : " (file of " + date + ")");
+  }
+  if (inputs.readers.size() > kNamed) text += fmt::format(" and {} more", inputs.readers.size() - kNamed);
+  return text;
+}
+
 FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs, bool coloured) {
   FacadeFilesParams p;
   p.drawing.scale = settings.facades.scale;
   p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
+  p.drawing.source = source_of(inputs);
   p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
   p.image.tile = kImageTile;
   if (!coloured) p.image.shade = ImageShade::relief;
@@ -205,6 +236,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
   }
+  write_facade_labels(work, walls, found, context);
   if (!found.empty())
     write_facades(found, walls, work, settings,
                   files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);

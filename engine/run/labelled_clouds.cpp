@@ -8,6 +8,7 @@
 #include "engine/error.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
+#include "engine/run/facade_labels.h"
 #include "engine/run/roof_labels.h"
 #include "engine/run/street_labels.h"
 #include "engine/version.h"
@@ -75,6 +76,7 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   store.write<InputOrder>(block, "row_order", orders);
   if (params.with_planes) sort_plane_rows(store, block, params, sorted);
   if (params.with_streets) sort_column<StreetLabel>(store, block, "street", "street_rows", sorted);
+  if (params.with_facades) sort_column<FacadeLabel>(store, block, "facade", "facade_rows", sorted);
   if (params.with_roofs) sort_column<RoofLabel>(store, block, "roof", "roof_rows", sorted);
 }
 
@@ -98,6 +100,7 @@ struct StretchLabels {
   std::vector<RowLabel> planes;
   std::vector<RoofLabel> roofs;
   std::vector<StreetLabel> streets;
+  std::vector<FacadeLabel> facades;
 };
 
 // What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
@@ -114,7 +117,8 @@ StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& b
                              std::size_t count, const LabelParams& params) {
   StretchLabels labels{std::vector<RowLabel>(params.with_planes ? count : 0),
                        std::vector<RoofLabel>(params.with_roofs ? count : 0),
-                       std::vector<StreetLabel>(params.with_streets ? count : 0)};
+                       std::vector<StreetLabel>(params.with_streets ? count : 0),
+                       std::vector<FacadeLabel>(params.with_facades ? count : 0)};
   const InputOrder end = first + count;
   std::vector<InputOrder> orders;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
@@ -130,6 +134,7 @@ StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& b
     if (params.with_planes) collect<RowLabel>(store, b, "rows", from, orders, first, labels.planes);
     if (params.with_roofs) collect<RoofLabel>(store, b, "roof_rows", from, orders, first, labels.roofs);
     if (params.with_streets) collect<StreetLabel>(store, b, "street_rows", from, orders, first, labels.streets);
+    if (params.with_facades) collect<FacadeLabel>(store, b, "facade_rows", from, orders, first, labels.facades);
   }
   return labels;
 }
@@ -149,7 +154,10 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   }
   if (params.with_roofs) add("unit_id", "building, 0 = none", FieldType::u32);
   if (params.with_streets) add("object_id", "on the street, 0 = none", FieldType::u32);
-  if (params.with_roofs || params.with_streets) add("label", "1 ground, 2 roof, 5 facade...", FieldType::u8);
+  if (params.with_facades) add("facade_id", "0 = none", FieldType::u16);
+  if (params.with_facades) add("element_id", "on its facade, 0 = none", FieldType::u32);
+  if (params.with_roofs || params.with_streets || params.with_facades)
+    add("label", "1 ground, 2 roof, 5 facade...", FieldType::u8);
   if (params.with_roofs) {
     if (params.with_planes) add("roof_plane_id", "roof face, 0 = none", FieldType::u32);
   }
@@ -184,12 +192,14 @@ struct RowOf {
   const RowLabel* plane = nullptr;
   const RoofLabel* roof = nullptr;
   const StreetLabel* street = nullptr;
+  const FacadeLabel* facade = nullptr;
 
-  // A building's word comes first, then the street's.
+  // A building's word comes first, then a facade's, then the street's.
   PointLabel label() const {
-    if (street == nullptr) return roof == nullptr ? PointLabel::none : roof->label;
-    if (roof == nullptr || (roof->unit == 0 && street->label != PointLabel::none)) return street->label;
-    return roof->label;
+    if (roof != nullptr && roof->unit != 0) return roof->label;
+    if (facade != nullptr && facade->facade != 0) return facade->label;
+    if (street != nullptr && street->label != PointLabel::none) return street->label;
+    return roof == nullptr ? PointLabel::none : roof->label;
   }
   bool says_anything() const {
     return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
@@ -209,7 +219,12 @@ void append_labels(const RowOf& row, double residual_m, const LabelParams& param
   }
   if (row.roof != nullptr) out.add<std::uint32_t>(row.roof->unit);
   if (row.street != nullptr) out.add<std::uint32_t>(row.street->object);
-  if (row.roof != nullptr || row.street != nullptr) out.add<std::uint8_t>(static_cast<std::uint8_t>(row.label()));
+  if (row.facade != nullptr) {
+    out.add<std::uint16_t>(row.facade->facade);
+    out.add<std::uint32_t>(row.facade->element);
+  }
+  if (row.roof != nullptr || row.street != nullptr || row.facade != nullptr)
+    out.add<std::uint8_t>(static_cast<std::uint8_t>(row.label()));
   if (row.roof != nullptr && row.plane != nullptr) out.add<std::uint32_t>(row.roof->plane);
   if (row.plane == nullptr || !params.write_normals) return;
   for (const std::int16_t n : {row.plane->normal.x, row.plane->normal.y, row.plane->normal.z})
@@ -243,9 +258,9 @@ class Labeller {
     for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
       std::copy_n(in.data() + i * in_length, in_length, row);
-      const RowOf say{params_.with_planes ? &labels.planes[i] : nullptr,
-                      params_.with_roofs ? &labels.roofs[i] : nullptr,
-                      params_.with_streets ? &labels.streets[i] : nullptr};
+      const RowOf say{
+          params_.with_planes ? &labels.planes[i] : nullptr, params_.with_roofs ? &labels.roofs[i] : nullptr,
+          params_.with_streets ? &labels.streets[i] : nullptr, params_.with_facades ? &labels.facades[i] : nullptr};
       const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
       const double distance = on_plane ? metres * residual(row, lattice, params_.planes[say.plane->plane - 1]) : 0;
       append_labels(say, distance, params_, row + in_length);
@@ -310,7 +325,10 @@ void rows_pass(const Store& store, const LabelParams& params, const PassContext&
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const char* last = params.with_roofs ? "roof_rows" : params.with_streets ? "street_rows" : "rows";
+    const char* last = params.with_roofs     ? "roof_rows"
+                       : params.with_facades ? "facade_rows"
+                       : params.with_streets ? "street_rows"
+                                             : "rows";
     if (!store.has(block, last)) sort_rows(store, block, params);
   });
 }

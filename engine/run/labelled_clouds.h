@@ -23,10 +23,11 @@ struct LabelParams {
   bool with_planes = true;                      // columns "plane" and "boundary"
   bool with_roofs = false;                      // column "roof"
   bool with_streets = false;                    // column "street"
+  bool with_facades = false;                    // column "facade"
   std::vector<std::uint32_t> final_shape = {};  // per joined shape + 1: the id that is written; empty = no "shape"
 };
 
-// Sorts the labels of each block by input order ("rows", "roof_rows", "street_rows"), so that a stretch of an input
+// Sorts the labels of each block by input order ("rows", "roof_rows"...), so that a stretch of an input
 // finds its own in a few reads.
 void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
 

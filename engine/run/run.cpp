@@ -197,6 +197,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
       record.shapes = planes.curved->size();
     }
     if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
+    labels.with_facades = facades;
     if (facades) {
       make_facades(index.store, planes, options.settings, inputs, context, out.staging() / "facades", progress, record);
       if (record.facades->facades == 0) skip_product("facades", kNoFacade, progress, record);

@@ -135,6 +135,39 @@ TEST(FacadeModel, JointsJoinNoOpenings) {
 }
 
 // Half as many rays: what is drawn stays within what it says of itself.
+// Four stones and their joint, seen from the right, a wall standing out of them at the left.
+FacadeSite four_stones(bool in_one_segment) {
+  ScannedWall wall;
+  wall.width = 1.235, wall.height = 0.835;
+  std::uint32_t plane = 1;
+  for (const double v : {0.0, 0.435})
+    for (const double u : {0.0, 0.635})
+      wall.sheets.push_back({2, 0, u, u + 0.6, v, v + 0.4, in_one_segment ? 1 : plane++});
+  wall.sheets.push_back({2, -0.02, 0, 1.235, 0, 0.835, 9});  // the back of the joint
+  for (const double u : {0.6, 0.635}) wall.sheets.push_back({0, u, 0, 0.835, -0.02, 0, 0});
+  for (const double v : {0.4, 0.435}) wall.sheets.push_back({1, v, 0, 1.235, -0.02, 0, 0});
+  wall.sheets.push_back({0, 0, 0, 0.835, 0, 0.9, 10});
+  FacadeSite site = test::scan_wall(wall, {5.7, 0.4, 6.1}, 0.0007, 999, 0.001);
+  site.wall = in_one_segment ? std::vector<std::uint32_t>{1} : std::vector<std::uint32_t>{1, 2, 3, 4};
+  site.parallel = {{9, 2000}};
+  return site;
+}
+
+// Though the joint's flank on the left of each right stone cannot be seen, and whatever the segments.
+TEST(FacadeModel, StonesAreRightToThreeMillimetres) {
+  for (const bool in_one_segment : {false, true}) {
+    const auto stones = of_kind(find_facade(four_stones(in_one_segment)).facade, "stone");
+    ASSERT_EQ(stones.size(), 4u) << in_one_segment;
+    for (const FacadeElement& s : stones) {
+      const double u = left(s) > 0.3 ? 0.635 : 0, v = bottom(s) > 0.2 ? 0.435 : 0;
+      EXPECT_NEAR(left(s), u, 0.003) << in_one_segment;
+      EXPECT_NEAR(right(s), u + 0.6, 0.003) << in_one_segment;
+      EXPECT_NEAR(bottom(s), v, 0.003) << in_one_segment;
+      EXPECT_NEAR(top(s), v + 0.4, 0.003) << in_one_segment;
+    }
+  }
+}
+
 TEST(FacadeModel, EdgesLieWithinTheirErrors) {
   for (const double step : {0.002, 0.004, 0.0055}) {
     const auto windows = of_kind(find_facade(scanned(windows_with_sills(), step)).facade, "window");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
@@ -38,11 +39,45 @@ std::vector<Index3> wall_points(double heading) {
   return points;
 }
 
+// What the labelled cloud says of a point, and where that is on the wall, metres.
+struct LabelledPoint {
+  double u = 0, v = 0, w = 0;
+  std::uint16_t facade = 0;
+  std::uint32_t element = 0;
+  std::uint8_t label = 0;
+};
+
+std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, double heading) {
+  const auto reader = open_cloud(cloud);
+  const RecordLayout& layout = reader->info().layout;
+  std::vector<std::byte> records(reader->info().points * layout.record_length);
+  std::vector<std::uint8_t> valid(reader->info().points);
+  reader->read(0, records, valid);
+  const auto offset = [&](const char* name) {
+    for (const ExtraField& field : layout.extra)
+      if (field.name == name) return field.offset;
+    ADD_FAILURE() << name;
+    return std::uint16_t{0};
+  };
+  const std::uint16_t facade = offset("facade_id"), element = offset("element_id"), label = offset("label");
+  const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
+  std::vector<LabelledPoint> points;
+  for (std::size_t i = 0; i < valid.size(); ++i) {
+    const std::byte* r = records.data() + i * layout.record_length;
+    const double x = load<std::int32_t>(r) * 0.001 - kEast, y = load<std::int32_t>(r + 4) * 0.001 - kNorth;
+    points.push_back({x * c + y * s, load<std::int32_t>(r + 8) * 0.001, x * s - y * c, load<std::uint16_t>(r + facade),
+                      load<std::uint32_t>(r + element), load<std::uint8_t>(r + label)});
+  }
+  return points;
+}
+
 struct Outcome {
   int code = 0;
   json record;
   std::vector<Facade> facades;
   std::set<std::string> files;  // of the facades
+  std::vector<LabelledPoint> points;
+  std::string drawing;  // of the first facade, as SVG
 };
 
 Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
@@ -68,8 +103,14 @@ Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_st
   std::stringstream text;
   text << std::ifstream(options.output / "run.json").rdbuf();
   out.record = json::parse(text.str());
+  out.points = labelled_points(options.output / "points" / "wall.laz", heading);
   for (const auto& file : std::filesystem::directory_iterator(options.output / "facades")) {
     out.files.insert(file.path().filename());
+    if (file.path().filename() == "facade-001.svg") {
+      std::stringstream svg;
+      svg << std::ifstream(file.path()).rdbuf();
+      out.drawing = svg.str();
+    }
     if (file.path().extension() == ".json") out.facades.push_back(read_facade_json(file.path()));
   }
   return out;
@@ -103,6 +144,32 @@ TEST(FacadesProduct, FromCloudToPlanHoweverTheWallStands) {
     for (const json& stage : out.record["stages"]) staged |= stage["name"] == "facades";
     EXPECT_TRUE(staged);
   }
+}
+
+TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
+  const Outcome out = run_wall(wall_points(33), 33, true);
+  ASSERT_EQ(out.facades.size(), 1u);
+  std::map<std::uint32_t, std::string> kinds;
+  for (const FacadeElement& e : out.facades[0].elements) kinds[e.id] = e.kind;
+  std::map<std::string, std::size_t> of_kind;
+  std::size_t wrong = 0;
+  for (const LabelledPoint& p : out.points) {
+    const bool over_window = (p.u > 1.01 && p.u < 2.09) || (p.u > 3.51 && p.u < 4.59);
+    const char* kind = nullptr;
+    if (p.w < -0.24) kind = "window";
+    if (p.w > 0.08 && p.v < 1.49) kind = "sill";
+    if (std::abs(p.w) < 0.004 && !over_window && p.v > 1.7 && p.v < 3.9 && p.u > 0.1 && p.u < 5.9) kind = "outline";
+    if (kind == nullptr) continue;
+    ++of_kind[kind];
+    const int label = kind == std::string("window") ? 6 : kind == std::string("sill") ? 8 : 5;
+    wrong += p.facade != 1 || p.label != label || kinds[p.element] != kind;
+  }
+  EXPECT_GT(of_kind["window"], 500u);
+  EXPECT_GT(of_kind["sill"], 100u);
+  EXPECT_GT(of_kind["outline"], 5000u);
+  EXPECT_LE(wrong, out.points.size() / 1000);
+  EXPECT_EQ(out.record["counts"]["points"]["read"], out.points.size());
+  EXPECT_NE(out.drawing.find("wall.las"), std::string::npos) << "the title block names its source";
 }
 
 TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
