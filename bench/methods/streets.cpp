@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // What stands on streets [B5-B7], found and classed, on scenes `street`, judged by their truth: how many objects are
 // found, which features tell them apart and in which order, and the confusion matrix of a cross-validation by block,
-// with the document's features and with ours. With --model the machine that is trained on all of it.
-// Usage: bench_streets STREET.laz... [--cache FOLDER] [--model FILE] [--only-model | --everything]
+// with the document's features and with ours. With --model the machine that is trained on all of it; --shipped judges
+// the default model, on streets that it has not seen.
+// Usage: bench_streets STREET.laz... [--cache FOLDER] [--model FILE] [--only-model | --everything | --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -115,6 +116,20 @@ void judge(const std::vector<Street>& streets, const char* title, const ThingTra
   print_intervals(shares);
 }
 
+// What a run with the default model gives.
+void judge_shipped(const std::vector<Street>& streets) {
+  fmt::print("\neverything found, the default model\n");
+  RunShares shares;
+  Confusion all;
+  for (const Street& street : streets) {
+    std::vector<ThingClass> given;
+    for (const ThingSample& s : street.samples) given.push_back(classify_thing(default_thing_model(), s.features));
+    judge_whole(street, given, all, shares);
+  }
+  print_confusion(all);
+  print_intervals(shares);
+}
+
 void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, const fs::path& path) {
   std::vector<std::vector<ThingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
@@ -152,7 +167,7 @@ Street street_of(const std::string& cloud, const fs::path& cache) {
 struct Arguments {
   std::vector<std::string> clouds;
   fs::path cache, model;
-  bool judge = true, four_classes = true;
+  bool judge = true, four_classes = true, shipped = false;
 };
 
 Arguments read_arguments(const std::vector<std::string>& words) {
@@ -164,6 +179,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.model = words[++i];
     else if (words[i] == "--only-model")
       a.judge = false;
+    else if (words[i] == "--shipped")
+      a.shipped = true, a.judge = false;
     else if (words[i] == "--everything")
       a.four_classes = false;
     else
@@ -176,6 +193,7 @@ Arguments read_arguments(const std::vector<std::string>& words) {
 void run(const Arguments& a) {
   std::vector<Street> streets;
   for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cache));
+  if (a.shipped) judge_shipped(streets);
   if (a.judge) {
     ThingTrainingParams document;
     document.features = FeatureSet::document;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/packed_layers.h"
 
+#include <malloc.h>
+
 #include <algorithm>
 #include <cassert>
 #include <memory>
@@ -66,6 +68,8 @@ PackedLayers::PackedLayers(std::filesystem::path folder, std::uint64_t budget_by
 PackedLayers::~PackedLayers() {
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
+  tiles_.clear();
+  malloc_trim(0);  // rows are small blocks that the allocator would keep, and --memory counts them
 }
 
 std::filesystem::path PackedLayers::path(const Key& key) const {

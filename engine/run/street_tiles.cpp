@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kShareOfLayers = 0.25;    // of the budget, for packed layers
-constexpr double kShareOfTiles = 0.5;      // for the work on tiles; the rest is what the allocator holds back
+constexpr double kShareOfLayers = 0.15;    // of the budget, for packed layers
+constexpr double kShareOfTiles = 0.35;     // for the work on tiles; the rest: zones, borders, things, the allocator's
 constexpr std::uint64_t kBytesDrawn = 16;  // per pixel of a tile that is drawn
 constexpr double kFinestPixel = 0.05;      // metres
 constexpr int kCoarsest = 20;              // times that

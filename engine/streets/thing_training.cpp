@@ -151,15 +151,21 @@ std::uint32_t usable_folds(const TrainingSet& set, std::uint32_t folds) {
 }
 
 // The kernel to the nearest support vector that is not the sample itself: what all but a hundredth of the even samples
-// have at least.
+// of each class have at least, so that a rare and scattered class is not the strange one.
 double least_likeness(const TrainingSet& set, std::size_t even, const ThingModel& model) {
   std::vector<double> nearest(even, 0);
   parallel_for(even, [&](std::size_t i) {
     for (const auto& vector : model.vectors)
       if (vector != set.rows[i]) nearest[i] = std::max(nearest[i], radial(set.rows[i], vector, model.gamma));
   });
-  std::sort(nearest.begin(), nearest.end());
-  return nearest[even / 100];
+  std::vector<std::vector<double>> of_class(model.classes.size());
+  for (std::size_t i = 0; i < even; ++i) of_class[set.classes[i]].push_back(nearest[i]);
+  double least = 1;
+  for (std::vector<double>& list : of_class) {
+    std::sort(list.begin(), list.end());
+    least = std::min(least, list[list.size() / 100]);
+  }
+  return least;
 }
 
 // Trains the model's machine, features, cost and gamma given, and fits its probabilities.

@@ -12,6 +12,21 @@ namespace {
 
 constexpr std::uint32_t kBytesPerPixel = 48;  // of a window: heights, zones, their padded copies, waves
 
+// Which pixels of a window lie in tiles that are present: 1 or 0, run by run.
+std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& window, std::uint32_t width,
+                                    std::uint32_t height) {
+  std::vector<std::uint8_t> inside(std::size_t{width} * height, 0);
+  const std::int64_t x1 = std::min<std::int64_t>(width, std::int64_t{grid.width} - window.x);
+  const std::int64_t y1 = std::min<std::int64_t>(height, std::int64_t{grid.height} - window.y);
+  for (std::int64_t y = std::max<std::int64_t>(0, -window.y); y < y1; ++y)
+    for (std::int64_t x = std::max<std::int64_t>(0, -window.x), end = 0; x < x1; x = end) {
+      end = std::min(x1, x + grid.side - (window.x + x) % grid.side);  // of the tile
+      if (grid.holds(window.x + x, window.y + y))
+        std::fill(inside.begin() + y * width + x, inside.begin() + y * width + end, std::uint8_t{1});
+    }
+  return inside;
+}
+
 LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, const Image& zones, std::uint32_t halo) {
   const TileFrame frame = tile_frame(grid, tile);
   LinkWindow window;
@@ -19,15 +34,10 @@ LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, cons
   window.x = std::int64_t{frame.x} - halo;
   window.y = std::int64_t{frame.y} - halo;
   window.whole_width = grid.width;
+  window.inside = inside_of(grid, window, heights.width, heights.height);
   window.zones.resize(zones.size());
-  window.inside.resize(zones.size());
-  std::size_t i = 0;
-  for (std::uint32_t y = 0; y < heights.height; ++y) {
-    for (std::uint32_t x = 0; x < heights.width; ++x, ++i) {
-      window.inside[i] = grid.holds(window.x + x, window.y + y);
-      window.zones[i] = zones.values[i] == kNoHeight ? 0 : static_cast<std::uint32_t>(zones.values[i]);
-    }
-  }
+  std::transform(zones.values.begin(), zones.values.end(), window.zones.begin(),
+                 [](Height zone) { return zone == kNoHeight ? 0u : static_cast<std::uint32_t>(zone); });
   window.heights = std::move(heights);
   return window;
 }

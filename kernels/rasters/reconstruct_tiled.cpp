@@ -12,6 +12,8 @@
 namespace ilot {
 namespace {
 
+constexpr std::uint32_t kBytesPerPixel = 64;  // of a tile that tells: marker, mask, the flood of its spills
+
 // What a tile tells of its border: heights of the mask, what the tile's own marker reaches, and the spills between.
 struct Border {
   std::vector<Height> mask, reached;
@@ -147,7 +149,7 @@ Image turned_over(Image image) {
 
 void settle_tiles(const TileGrid& grid, Adjacency adjacency, const ReadImages& read, const WriteTile& write) {
   std::vector<Border> borders(grid.count());
-  for_each_tile(grid, [&](std::size_t tile) { borders[tile] = told_by(read(tile), adjacency); });
+  for_each_tile(grid, [&](std::size_t tile) { borders[tile] = told_by(read(tile), adjacency); }, {kBytesPerPixel, 0});
   BorderGraph graph(grid, std::move(borders));
   graph.settle(adjacency);
   for_each_tile(grid, [&](std::size_t tile) {

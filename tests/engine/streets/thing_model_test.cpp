@@ -84,6 +84,32 @@ TEST(ThingModel, RolesAreToldApart) {
   }
 }
 
+// A rare class is as scattered as lampposts are; what is common is alike.
+TEST(ThingModel, WhatIsRareAndScatteredIsNotStrange) {
+  const auto drawn = [](std::uint64_t seed) {
+    Rng rng(seed, 2);
+    std::vector<ThingSample> samples;
+    for (std::uint32_t i = 0; i < 1200; ++i) {
+      const bool rare = i % 40 == 0;
+      ThingSample s;
+      s.features[static_cast<std::size_t>(ComponentFeature::mean_height)] =
+          rare ? 4 + 8 * rng.uniform() : 1 + 0.2 * rng.uniform();
+      s.features[static_cast<std::size_t>(ComponentFeature::area)] = rare ? 4 * rng.uniform() : 1 + 0.2 * rng.uniform();
+      s.label = rare ? PointLabel::lamppost : PointLabel::pedestrian;
+      s.group = i / 40;
+      samples.push_back(s);
+    }
+    return samples;
+  };
+  const ThingModel model = train_things(drawn(1));
+  std::size_t strange = 0;
+  for (const ThingSample& s : drawn(2)) {
+    if (s.label != PointLabel::lamppost) continue;
+    strange += classify_thing(model, s.features).label == PointLabel::other;
+  }
+  EXPECT_EQ(strange, 0u);
+}
+
 TEST(ThingModel, ThreadsDoNotShow) {
   const auto samples = samples_of(15, 6);
   std::string first;
