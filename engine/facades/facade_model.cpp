@@ -20,6 +20,7 @@ constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
 constexpr double kSameThing = 0.8;                    // of an area, that what is found twice has in common
 constexpr double kStraight = 0.02;                    // metres: a side's ends before and behind, of one that leans not
+constexpr double kMostOf = 0.5;                       // of a thing: what is no more than a part lends it no sides
 constexpr double kSamePatch = 0.5;                    // of a patch, that lies within an irregularity
 constexpr std::array<const char*, 11> kNames{"window", "door",  "sill",       "lintel", "balcony", "band",
                                              "bulge",  "stone", "protrusion", "recess", "eaves"};
@@ -260,7 +261,7 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
     });
     if (known != things.end()) {
       const Box2 own = known->shape.box();
-      if (common_area(box, own) >= kSameThing * own.width() * own.height()) take_better_sides(known->shape, r);
+      if (common_area(box, own) >= kMostOf * own.width() * own.height()) take_better_sides(known->shape, r);
       continue;
     }
     // Openings within a recess stay: they go on from its back.

@@ -329,7 +329,7 @@ Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, Fou
     if (faces.points[k] > 0) {
       edge = {at[k], faces.error[k]};
       edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
-    } else if (stands_out) {
+    } else if (stands_out && !(kSides[k] == Side::top && edge.at > samples.site().height)) {  // eaves slope
       carry_end(edge, kSides[k], end, samples.site().step);
       *ends[k] = edge.at;
     }

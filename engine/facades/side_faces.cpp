@@ -16,6 +16,7 @@ constexpr double kLeastSpread = 0.35;       // of the depth
 constexpr double kCrowded = 3;              // times as many points as if they were spread evenly
 constexpr double kUpright = 0.05;           // slopes below this are none
 constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of something else lie on any line
+constexpr double kExact = 0.001;                              // metres: clouds without noise are rounded all the same
 constexpr double kEdge = 0.01;                                // metres; narrower ends are edges
 
 struct FacePoint {
@@ -103,7 +104,7 @@ FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double d
       if (std::abs(p.t - line.at - line.slope * p.w) <= beside) near.push_back(p);
     if (near.size() < kLeastPoints || spread_of(near) < kLeastSpread * std::abs(depth)) return {};
     line = fit(near);
-    beside = std::max(3 * line.rms, 2 * noise);
+    beside = std::max({3 * line.rms, 2 * noise, kExact});
   }
   return line;
 }
