@@ -80,8 +80,7 @@ class LabelledFacade {
       if (part.opening || !part.holds({p.x, p.y}) || p.z > std::max(part.depth, 0.0) + epsilon_) continue;
       if (p.z > epsilon_ || part.depth <= epsilon_) return label(part);
     }
-    const bool on_wall = p.z <= epsilon_ && p.x >= 0 && p.x <= width_ && p.y >= 0 && p.y <= height_;
-    return on_wall ? FacadeLabel{outline_, static_cast<std::uint16_t>(id_), PointLabel::facade} : FacadeLabel{};
+    return p.z <= epsilon_ ? wall(p) : FacadeLabel{};
   }
 
  private:
@@ -136,9 +135,14 @@ class LabelledFacade {
     }
     for (const std::uint32_t i : bin(crossing))
       if (parts_[i].opening && parts_[i].holds(crossing)) return label(parts_[i]);
-    return {};
+    return p.z > -kJoint ? wall(p) : FacadeLabel{};
+  }
+  FacadeLabel wall(const Vec3& p) const {
+    const bool inside = p.x >= 0 && p.x <= width_ && p.y >= 0 && p.y <= height_;
+    return inside ? FacadeLabel{outline_, static_cast<std::uint16_t>(id_), PointLabel::facade} : FacadeLabel{};
   }
 
+  static constexpr double kJoint = 0.04;       // metres behind the wall, where joints of stone end
   static constexpr double kMostMargin = 0.02;  // metres
   LatticeAxes axes_;
   std::uint32_t id_, outline_ = 0;

@@ -20,9 +20,9 @@ struct FacadeLabel {
 
 // Writes the column "facade" of every block. A point is of the first facade (the largest) that says something of it:
 // within epsilon of a thing that stands before the wall, of the smallest of those; seen through the wall inside of an
-// opening, of that; on the wall of a stone that holds it, else of the outline. Rays come from a point's own station
-// where it is told or the only one, else straight at the wall. walls and found belong together; facades beyond 65,535
-// label nothing. Points that are not wanted stay without a label. O(points).
+// opening, of that; on the wall of a stone that holds it, else of the outline, as what lies in its joints. Rays come
+// from a point's own station where it is told or the only one, else straight at the wall. walls and found belong
+// together; facades beyond 65,535 label nothing. Points that are not wanted stay without a label. O(points).
 void write_facade_labels(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const FoundFacade> found,
                          const PassContext& context);
 
