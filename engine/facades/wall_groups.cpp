@@ -166,4 +166,36 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
   return walls;
 }
 
+std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
+                                   std::span<const Vec3> stations, Vec3 middle, WallParams params) {
+  constexpr double kLeast = 0.5;  // of a facade's width and height
+  std::vector<std::uint8_t> known(segments.size() + 1, 0);
+  for (const WallGroup& wall : walls) {
+    for (const std::uint32_t id : wall.segments) known[id] = 1;
+    for (const ParallelPlane& plane : wall.parallel) known[plane.id] = 1;
+  }
+  params.least_width *= kLeast, params.least_height *= kLeast, params.least_area *= kLeast * kLeast;
+  std::vector<WallGroup> small = find_walls(segments, stations, middle, params);
+  std::erase_if(small, [&](const WallGroup& wall) {
+    return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
+  });
+  return small;
+}
+
+Facade bare_facade(const WallGroup& wall, double metres_per_unit) {
+  Facade f;
+  f.origin = wall.axes.origin, f.right = wall.axes.right, f.up = wall.axes.up, f.out = wall.axes.out;
+  f.width_m = wall.width, f.height_m = wall.height;
+  FacadeElement e;
+  e.region = FacadeRegion::facade;
+  const Vec3 across = (wall.width / metres_per_unit) * f.right, up = (wall.height / metres_per_unit) * f.up;
+  e.ring = {f.origin, f.origin + across, f.origin + across + up, f.origin + up};
+  e.width_m = wall.width, e.height_m = wall.height;
+  e.width_error_m = e.height_error_m = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  e.depth_error_m = wall.epsilon;
+  e.points = wall.points;
+  f.elements = {e};
+  return f;
+}
+
 }  // namespace ilot

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/facades/facade_site.h"
+#include "engine/model/facade.h"
 #include "engine/model/segment.h"
 
 namespace ilot {
@@ -33,5 +34,13 @@ struct WallGroup {
 // out. O(segments^2) at worst.
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
                                   const WallParams& params);
+
+// Walls of at least half the width and height that are in none of `walls`, nor relief of one: a low storey that stands
+// back is one. Otherwise as find_walls.
+std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
+                                   std::span<const Vec3> stations, Vec3 middle, WallParams params);
+
+// The wall with nothing on it: its rectangle is its one element.
+Facade bare_facade(const WallGroup& wall, double metres_per_unit);
 
 }  // namespace ilot

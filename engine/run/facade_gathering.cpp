@@ -6,12 +6,10 @@
 
 #include "engine/segments/colours_pass.h"
 #include "engine/segments/stations_pass.h"
-#include "engine/store/view.h"
+#include "engine/store/stretches.h"
 
 namespace ilot {
 namespace {
-
-constexpr std::uint32_t kBatch = 1 << 14;
 
 constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
 
@@ -27,35 +25,20 @@ IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
   return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
 
-// Calls visit(slice, first, tile, codes) for stretches of at most kBatch points, from `first` on in the slice's block,
-// in global order: those in the box and others beside it.
-template <class Visit>
-void for_each_batch(const FacadeWork& work, const IndexBox& box, const Visit& visit) {
-  std::vector<std::uint64_t> codes;
-  for (const Slice& s : plan_view(work.store, box, {}).slices) {
-    const ColumnReader reader(work.store.path(s.block, "codes"));
-    const Tile tile = work.store.blocks()[s.block].node.tile;
-    for (std::uint32_t done = 0; done < s.count; done += kBatch) {
-      codes.resize(std::min(kBatch, s.count - done));
-      reader.read<std::uint64_t>(s.first + done, codes);
-      visit(s, s.first + done, tile, codes);
-    }
-  }
-}
-
 void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const std::uint8_t> number_of,
                  FacadeSite& site) {
   const LatticeAxes into(work, wall);
   const IndexBox box = box_around(work, wall);
-  const std::uint64_t most = plan_view(work.store, box, {}).size;  // pages that no point comes to cost nothing
+  const View plan = plan_view(work.store, box, {});
+  const std::uint64_t most = plan.size;  // pages that no point comes to cost nothing
   site.points.reserve(most);
   if (work.told) site.from.reserve(most);
-  for_each_batch(work, box, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
-    const auto planes = work.store.read<std::uint32_t>(s.block, "plane", first, codes.size());
+  for_each_stretch(work.store, plan.slices, [&](const Stretch& s) {
+    const auto planes = s.read<std::uint32_t>(work.store, "plane");
     std::vector<StationNumber> stations;
-    if (work.told) stations = work.store.read<StationNumber>(s.block, "station", first, codes.size());
-    for (std::size_t i = 0; i < codes.size(); ++i) {
-      const Vec3 p = into.of(index_of({tile, codes[i]}));
+    if (work.told) stations = s.read<StationNumber>(work.store, "station");
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const Vec3 p = into.of(s.position(i));
       if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
           p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
         continue;
@@ -148,21 +131,19 @@ PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
     const double unit = work.store.unit();
     const IndexBox box = within(around, asked, unit);
     std::vector<ImagePoint> points;
-    for_each_batch(
-        work, box, [&](const Slice& s, std::uint32_t first, Tile tile, std::span<const std::uint64_t> codes) {
-          std::vector<StoredColour> colours(codes.size(), 0);
-          if (work.store.has(s.block, "colour"))
-            colours = work.store.read<StoredColour>(s.block, "colour", first, codes.size());
-          points.clear();
-          for (std::size_t i = 0; i < codes.size(); ++i) {
-            const Index3 p = index_of({tile, codes[i]});
-            const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
-            points.push_back(
-                {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
-                 {channel(16), channel(8), channel(0)}});
-          }
-          take(points);
-        });
+    for_each_stretch(work.store, plan_view(work.store, box, {}).slices, [&](const Stretch& s) {
+      std::vector<StoredColour> colours(s.codes.size(), 0);
+      if (work.store.has(s.block, "colour")) colours = s.read<StoredColour>(work.store, "colour");
+      points.clear();
+      for (std::size_t i = 0; i < colours.size(); ++i) {
+        const Index3 p = s.position(i);
+        const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
+        points.push_back(
+            {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
+             {channel(16), channel(8), channel(0)}});
+      }
+      take(points);
+    });
   };
 }
 
