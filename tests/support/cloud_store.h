@@ -36,6 +36,20 @@ inline void write_cloud(const std::filesystem::path& path, const std::vector<Ind
   writer->finish();
 }
 
+// Files in a folder, opened in this order, and their store beside them.
+struct FilesStore {
+  FilesStore(const std::filesystem::path& folder, const std::vector<const char*>& names, std::uint64_t block_points) {
+    for (const char* name : names) inputs.push_back(open_cloud(folder / name));
+    IndexParams params;
+    params.unit = kUnit;
+    params.block_points = block_points;
+    params.run_points = 1000;
+    cloud = std::make_unique<Store>(build_index(inputs, params, folder / "store", {}).store);
+  }
+  std::vector<std::unique_ptr<PointReader>> inputs;
+  std::unique_ptr<Store> cloud;
+};
+
 struct StoreOptions {
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;

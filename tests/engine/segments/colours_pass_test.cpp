@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -52,25 +54,21 @@ struct Coloured {
     write_coloured(folder.path() / "a.las", all.first(half), 16);
     write_coloured(folder.path() / "b.las", all.subspan(half), 8);
     test::write_cloud(folder.path() / "c.las", {{100, 100, 5000}, {200, 100, 5000}});
-    for (const char* name : {"a.las", "b.las", "c.las"}) inputs.push_back(open_cloud(folder.path() / name));
-    if (backwards) std::reverse(inputs.begin(), inputs.end());
-    IndexParams params;
-    params.unit = test::kUnit;
-    params.block_points = block_points;
-    params.run_points = 1000;
-    cloud = std::make_unique<Store>(build_index(inputs, params, folder.path() / "store", {}).store);
+    std::vector names{"a.las", "b.las", "c.las"};
+    if (backwards) std::reverse(names.begin(), names.end());
+    files.emplace(folder.path(), names, block_points);
   }
+  const Store& cloud() const { return *files->cloud; }
   TemporaryFolder folder;
-  std::vector<std::unique_ptr<PointReader>> inputs;
-  std::unique_ptr<Store> cloud;
+  std::optional<test::FilesStore> files;
 };
 
 TEST(ColoursPass, EveryPointGetsItsOwnColourInEightBits) {
   const Coloured c(scattered(5000), 700);
-  ASSERT_GT(c.cloud->blocks().size(), 5u);
-  ASSERT_TRUE(colours_pass(*c.cloud, c.inputs, {}));
-  const auto where = test::positions(*c.cloud);
-  const auto colour = test::whole_column<StoredColour>(*c.cloud, "colour");
+  ASSERT_GT(c.cloud().blocks().size(), 5u);
+  ASSERT_TRUE(colours_pass(c.cloud(), c.files->inputs, {}));
+  const auto where = test::positions(c.cloud());
+  const auto colour = test::whole_column<StoredColour>(c.cloud(), "colour");
   std::size_t none = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     none += colour[i] == kNoColour;
@@ -90,9 +88,9 @@ TEST(ColoursPass, WithoutColoursThereIsNothing) {
 TEST(ColoursPass, ThePaletteDependsOnThePointsAlone) {
   const auto points = scattered(5000);
   const Coloured a(points, 700), b(points, 1 << 20, true);
-  ASSERT_TRUE(colours_pass(*a.cloud, a.inputs, {}));
-  ASSERT_TRUE(colours_pass(*b.cloud, b.inputs, {}));
-  const ColourPalette one = colour_palette(*a.cloud, 2, 0), other = colour_palette(*b.cloud, 2, 0);
+  ASSERT_TRUE(colours_pass(a.cloud(), a.files->inputs, {}));
+  ASSERT_TRUE(colours_pass(b.cloud(), b.files->inputs, {}));
+  const ColourPalette one = colour_palette(a.cloud(), 2, 0), other = colour_palette(b.cloud(), 2, 0);
   EXPECT_EQ(one.centre, other.centre);
   ASSERT_EQ(one.centre.size(), 2u);
   EXPECT_NE(one.class_of(0xd00000), one.class_of(0x0000d0));

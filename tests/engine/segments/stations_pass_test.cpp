@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -45,27 +47,22 @@ struct Scanned {
     write_sources(folder.path() / "b.laz", all.subspan(2000, 2000), 6);
     write_sources(folder.path() / "c.las", all.subspan(4000), 1);
     test::write_cloud(folder.path() / "d.las", {{100, 100, 5000}, {200, 100, 5000}});
-    for (const char* name : {"a.laz", "b.laz", "c.las", "d.las"}) inputs.push_back(open_cloud(folder.path() / name));
-    IndexParams params;
-    params.unit = test::kUnit;
-    params.block_points = block_points;
-    params.run_points = 1000;
-    cloud = std::make_unique<Store>(build_index(inputs, params, folder.path() / "store", {}).store);
+    files.emplace(folder.path(), std::vector{"a.laz", "b.laz", "c.las", "d.las"}, block_points);
   }
+  const Store& cloud() const { return *files->cloud; }
   TemporaryFolder folder;
-  std::vector<std::unique_ptr<PointReader>> inputs;
-  std::unique_ptr<Store> cloud;
+  std::optional<test::FilesStore> files;
 };
 
 TEST(StationsPass, EveryPointGetsItsStation) {
   const Scanned s(700);
-  ASSERT_GT(s.cloud->blocks().size(), 5u);
+  ASSERT_GT(s.cloud().blocks().size(), 5u);
   const InputStations by_source{0, {{1, 2}, {65535, 9}}}, all{4, {}}, none;
   // The second input says nothing of the source 700, the last one is one station's whatever its rows say.
-  const StationTally tally = stations_pass(*s.cloud, s.inputs, {by_source, by_source, none, all}, {});
-  const auto where = test::positions(*s.cloud);
-  const auto order = test::whole_column<InputOrder>(*s.cloud, "order");
-  const auto station = test::whole_column<StationNumber>(*s.cloud, "station");
+  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, {by_source, by_source, none, all}, {});
+  const auto where = test::positions(s.cloud());
+  const auto order = test::whole_column<InputOrder>(s.cloud(), "order");
+  const auto station = test::whole_column<StationNumber>(s.cloud(), "station");
   std::uint64_t told = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     const std::uint64_t file = file_of(order[i]);
@@ -80,21 +77,21 @@ TEST(StationsPass, EveryPointGetsItsStation) {
 TEST(StationsPass, BlocksAreInvisible) {
   const Scanned small(500), large(1 << 20);
   const std::vector<InputStations> told(4, InputStations{0, {{1, 1}, {700, 2}}});
-  stations_pass(*small.cloud, small.inputs, told, {});
-  stations_pass(*large.cloud, large.inputs, told, {});
-  EXPECT_EQ(test::whole_column<StationNumber>(*small.cloud, "station"),
-            test::whole_column<StationNumber>(*large.cloud, "station"));
+  stations_pass(small.cloud(), small.files->inputs, told, {});
+  stations_pass(large.cloud(), large.files->inputs, told, {});
+  EXPECT_EQ(test::whole_column<StationNumber>(small.cloud(), "station"),
+            test::whole_column<StationNumber>(large.cloud(), "station"));
 }
 
 TEST(StationsPass, OneStationAFileNeedsNoReading) {
   const Scanned s(700);
   std::vector<InputStations> told;
   for (StationNumber n = 1; n <= 4; ++n) told.push_back({n, {}});
-  const StationTally tally = stations_pass(*s.cloud, s.inputs, told, {});
+  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, told, {});
   EXPECT_EQ(tally.untold, 0u);
-  EXPECT_FALSE(std::filesystem::exists(s.cloud->folder() / "sources"));
-  const auto order = test::whole_column<InputOrder>(*s.cloud, "order");
-  const auto station = test::whole_column<StationNumber>(*s.cloud, "station");
+  EXPECT_FALSE(std::filesystem::exists(s.cloud().folder() / "sources"));
+  const auto order = test::whole_column<InputOrder>(s.cloud(), "order");
+  const auto station = test::whole_column<StationNumber>(s.cloud(), "station");
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(station[i], file_of(order[i]) + 1);
 }
 
