@@ -19,6 +19,8 @@ import subprocess
 import sys
 import tempfile
 
+from facade_frame import in_axes
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 REGION = {"bulge": "irregularity"}  # of a true element's kind; every other is an element
 NEAR, COVER, CORNER = 0.15, 0.5, 0.005
@@ -33,15 +35,6 @@ def arguments():
     parser.add_argument("--ilot", default=str(ROOT / "build/release/tools/ilot"), help="the program [build/release]")
     parser.add_argument("--list", action="store_true", help="what is wrong, one by one")
     return parser.parse_args()
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def in_axes(frame, place):
-    d = [a - b for a, b in zip(place, frame["origin"])]
-    return tuple(dot(d, frame[axis]) for axis in ("right", "up", "out"))
 
 
 def box_in(frame, ring):

@@ -25,6 +25,8 @@ import subprocess
 import sys
 import tempfile
 
+from facade_frame import in_axes
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COLOURS = {"protrusion": lambda r, g, b: g > r and g > b, "recess": lambda r, g, b: b < r and b < g and r > 0 and g > 0}
 MATERIALS = {"Convex": "protrusion", "Concave": "recess"}
@@ -124,15 +126,6 @@ def run(ilot, points, folder):
         file.writelines(f"{p[0]:.5f} {p[1]:.5f} {p[2]:.5f}\n" for p, _ in points)
     call([ilot, "run", cloud, "-o", folder / "out", "--overwrite", "--products", "facades", "-q"])
     return [json.loads(f.read_text()) for f in sorted((folder / "out/facades").glob("facade-*.json"))]
-
-
-def dot(a, b):
-    return sum(x * y for x, y in zip(a, b))
-
-
-def in_axes(frame, place):
-    d = [a - b for a, b in zip(place, frame["origin"])]
-    return tuple(dot(d, frame[axis]) for axis in ("right", "up", "out"))
 
 
 def found_elements(facades, points):

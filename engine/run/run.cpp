@@ -185,7 +185,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   labels.with_roofs = makes(options, "roofs");
   if (labels.with_planes) {
     Settings settings = options.settings;
-    if (!makes(options, "planes") && !settings.planes.curved) settings.planes.curved = false;  // walls are flat
+    if (!makes(options, "planes") && !settings.planes.curved) {
+      settings.planes.curved = false;
+      record.chosen.push_back({"planes.curved", std::string("false"), "shapes are looked for with the product planes"});
+    }
     PlanesResult planes = make_planes(index.store, inputs.readers, settings, context, progress, record);
     progress.begin_stage("boundaries", index.store.points());
     make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
