@@ -20,13 +20,6 @@ constexpr double kReachSteps = 2;         // beyond a side, where the points of 
 constexpr double kLeastRise = 0.3;        // of a plane over another that ends where it meets it
 constexpr double kBeyond = 0.01;          // metres past the corners, so that rounding leaves no gap
 
-double cross(FlatPoint a, FlatPoint b) {
-  return a.x * b.y - a.y * b.x;
-}
-double dot(FlatPoint a, FlatPoint b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 // Sides across `along` (u) and along it (v), each the low one first.
 struct Rectangle {
   FlatPoint along;

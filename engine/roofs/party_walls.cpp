@@ -25,13 +25,6 @@ constexpr std::size_t kMostTried = 16;
 constexpr double kBeyond = 0.05;  // metres that a cut goes on past the outline
 constexpr double kEmpty = -std::numeric_limits<double>::infinity();
 
-double dot(FlatPoint a, FlatPoint b) {
-  return a.x * b.x + a.y * b.y;
-}
-double cross(FlatPoint a, FlatPoint b) {
-  return a.x * b.y - a.y * b.x;
-}
-
 // Where an upright line of the frame could part the outline, and the clearness of that.
 struct Wall {
   FlatEdge cut;

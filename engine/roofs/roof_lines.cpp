@@ -34,13 +34,6 @@ struct Sighting {
   FlatPoint upper, lower;      // the points between which it was seen
 };
 
-double cross(FlatPoint a, FlatPoint b) {
-  return a.x * b.y - a.y * b.x;
-}
-double dot(FlatPoint a, FlatPoint b) {
-  return a.x * b.x + a.y * b.y;
-}
-
 Point2 millimetres(Vec3 p) {
   return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
 }

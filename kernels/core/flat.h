@@ -9,6 +9,22 @@ struct FlatPoint {
   double x = 0, y = 0;
 };
 
+inline FlatPoint operator+(FlatPoint a, FlatPoint b) {
+  return {a.x + b.x, a.y + b.y};
+}
+inline FlatPoint operator-(FlatPoint a, FlatPoint b) {
+  return {a.x - b.x, a.y - b.y};
+}
+inline FlatPoint operator*(double s, FlatPoint a) {
+  return {s * a.x, s * a.y};
+}
+inline double dot(FlatPoint a, FlatPoint b) {
+  return a.x * b.x + a.y * b.y;
+}
+inline double cross(FlatPoint a, FlatPoint b) {
+  return a.x * b.y - a.y * b.x;
+}
+
 struct FlatEdge {
   FlatPoint a, b;
 };

@@ -27,8 +27,4 @@ struct RegulariseParams {
 // boundary points, O(edges^2).
 std::vector<std::vector<Point2>> regularise(std::span<const std::vector<Point2>> rings, const RegulariseParams& params);
 
-// Whether the rings are one valid polygon: no two edges meet but neighbours in their common corner, the first ring runs
-// counter-clockwise and holds the others, which run clockwise beside each other. Exact. O(edges^2).
-bool is_simple(std::span<const std::vector<Point2>> rings);
-
 }  // namespace ilot

@@ -2,6 +2,7 @@
 #include "kernels/outlines/simple_ring.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace ilot {
@@ -9,7 +10,8 @@ namespace {
 
 struct RingEdge {
   Point2 a, b;  // left to right
-  std::uint32_t number;
+  std::uint32_t number, of;
+  std::size_t ring;
 };
 
 int turn(Point2 a, Point2 b, Point2 c) {
@@ -35,6 +37,40 @@ bool doubles_back(Point2 before, Point2 corner, Point2 after) {
   return (before < corner) == (after < corner);
 }
 
+bool are_neighbours(const RingEdge& e, const RingEdge& f) {
+  const std::uint32_t apart = (e.number + e.of - f.number) % e.of;
+  return e.ring == f.ring && (apart == 1 || apart == e.of - 1);
+}
+
+// False where the ring stands still or goes back over itself at a corner.
+bool add_edges(std::span<const Point2> ring, std::size_t number, std::vector<RingEdge>& edges) {
+  const auto n = static_cast<std::uint32_t>(ring.size());
+  for (std::uint32_t i = 0; i < n; ++i) {
+    const Point2 a = ring[i], b = ring[(i + 1) % n];
+    if (a == b || doubles_back(ring[(i + n - 1) % n], a, b)) return false;
+    edges.push_back({std::min(a, b), std::max(a, b), i, n, number});
+  }
+  return true;
+}
+
+bool none_meet(std::vector<RingEdge> edges) {
+  std::sort(edges.begin(), edges.end(), [](const RingEdge& e, const RingEdge& f) { return e.a < f.a; });
+  for (std::size_t i = 0; i < edges.size(); ++i)
+    for (std::size_t k = i + 1; k < edges.size() && edges[k].a.x <= edges[i].b.x; ++k)
+      if (!are_neighbours(edges[i], edges[k]) && edges_meet(edges[i], edges[k])) return false;
+  return true;
+}
+
+bool holds(std::span<const Point2> ring, Point2 p) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+    if (a.y > b.y) std::swap(a, b);
+    if (a.y <= p.y && p.y < b.y) inside ^= orient2d(a, b, p) > 0;
+  }
+  return inside;
+}
+
 }  // namespace
 
 __int128 doubled_area(std::span<const Point2> ring) {
@@ -44,21 +80,20 @@ __int128 doubled_area(std::span<const Point2> ring) {
 }
 
 bool is_simple_ring(std::span<const Point2> ring) {
-  const auto n = static_cast<std::uint32_t>(ring.size());
-  if (n < 3 || doubled_area(ring) == 0) return false;
   std::vector<RingEdge> edges;
-  for (std::uint32_t i = 0; i < n; ++i) {
-    const Point2 a = ring[i], b = ring[(i + 1) % n];
-    if (a == b || doubles_back(ring[(i + n - 1) % n], a, b)) return false;
-    edges.push_back({std::min(a, b), std::max(a, b), i});
+  return ring.size() >= 3 && doubled_area(ring) != 0 && add_edges(ring, 0, edges) && none_meet(std::move(edges));
+}
+
+bool is_simple_polygon(std::span<const std::vector<Point2>> rings) {
+  std::vector<RingEdge> edges;
+  for (std::size_t r = 0; r < rings.size(); ++r) {
+    const __int128 area = rings[r].size() < 3 ? 0 : doubled_area(rings[r]);
+    if (area == 0 || (area > 0) != (r == 0) || !add_edges(rings[r], r, edges)) return false;
   }
-  std::sort(edges.begin(), edges.end(), [](const RingEdge& e, const RingEdge& f) { return e.a < f.a; });
-  for (std::uint32_t i = 0; i < n; ++i) {
-    for (std::uint32_t k = i + 1; k < n && edges[k].a.x <= edges[i].b.x; ++k) {
-      const std::uint32_t apart = (edges[k].number + n - edges[i].number) % n;
-      if (apart != 1 && apart != n - 1 && edges_meet(edges[i], edges[k])) return false;
-    }
-  }
+  if (rings.empty() || !none_meet(std::move(edges))) return false;
+  for (std::size_t r = 1; r < rings.size(); ++r)
+    for (std::size_t other = 0; other < rings.size(); ++other)
+      if (other != r && holds(rings[other], rings[r][0]) != (other == 0)) return false;
   return true;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "kernels/core/rng.h"
+#include "kernels/outlines/simple_ring.h"
 
 namespace ilot {
 namespace {
@@ -133,7 +134,7 @@ TEST(Regularise, ACourtyardMovesIntoItself) {
   EXPECT_EQ(found[1].size(), 4u);
   EXPECT_LT(worst_corner(found[0], outer), 150);
   EXPECT_LT(worst_corner(found[1], yard), 150);
-  EXPECT_TRUE(is_simple(found));
+  EXPECT_TRUE(is_simple_polygon(found));
 }
 
 TEST(Regularise, MovesAlongWithItsRings) {
@@ -158,25 +159,11 @@ TEST(Regularise, WhateverComesInNeverCrossesItself) {
       ring.push_back({static_cast<std::int32_t>(std::lround(r * std::cos(a))),
                       static_cast<std::int32_t>(std::lround(r * std::sin(a)))});
     }
-    if (!is_simple(std::vector<Ring>{ring})) continue;
+    if (!is_simple_polygon(std::vector<Ring>{ring})) continue;
     const auto found = regularise(std::vector<Ring>{ring}, kParams);
     ASSERT_FALSE(found.empty());
-    EXPECT_TRUE(is_simple(found)) << n;
+    EXPECT_TRUE(is_simple_polygon(found)) << n;
   }
-}
-
-TEST(Regularise, SimpleIsWhatCrossesNowhere) {
-  const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
-  EXPECT_TRUE(is_simple(std::vector<Ring>{square}));
-  EXPECT_FALSE(is_simple(std::vector<Ring>{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}})) << "clockwise";
-  EXPECT_FALSE(is_simple(std::vector<Ring>{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}})) << "bow-tie";
-  EXPECT_FALSE(is_simple(std::vector<Ring>{{{0, 0}, {10, 0}, {10, 10}, {10, 5}, {10, 12}, {0, 10}}}))
-      << "back along itself";
-  EXPECT_FALSE(is_simple(std::vector<Ring>{{{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}})) << "touches itself";
-  EXPECT_TRUE(is_simple(std::vector<Ring>{square, {{2, 2}, {2, 4}, {4, 4}}}));
-  EXPECT_FALSE(is_simple(std::vector<Ring>{square, {{12, 2}, {12, 4}, {14, 4}}})) << "a hole outside";
-  EXPECT_FALSE(is_simple(std::vector<Ring>{square, {{2, 2}, {2, 6}, {6, 6}}, {{3, 4}, {3, 5}, {4, 5}}})) << "in a hole";
-  EXPECT_FALSE(is_simple(std::vector<Ring>{{{0, 0}, {1, 1}}}));
 }
 
 TEST(Regularise, DegenerateRingsGiveNothingOrThemselves) {
@@ -184,7 +171,7 @@ TEST(Regularise, DegenerateRingsGiveNothingOrThemselves) {
   EXPECT_TRUE(regularise(std::vector<Ring>{{{0, 0}, {5, 5}}}, kParams).empty());
   const auto sliver = regularise(std::vector<Ring>{{{0, 0}, {9000, 0}, {9000, 20}}}, kParams);
   ASSERT_EQ(sliver.size(), 1u);
-  EXPECT_TRUE(is_simple(sliver));
+  EXPECT_TRUE(is_simple_polygon(sliver));
 }
 
 }  // namespace

@@ -36,6 +36,24 @@ TEST(SimpleRing, TellsSimpleFromOthers) {
   EXPECT_FALSE(is_simple_ring({}));
 }
 
+TEST(SimpleRing, APolygonsRingsCrossNowhere) {
+  const Ring square{{0, 0}, {10, 0}, {10, 10}, {0, 10}};
+  EXPECT_TRUE(is_simple_polygon(std::vector<Ring>{square}));
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{{{0, 0}, {0, 10}, {10, 10}, {10, 0}}})) << "clockwise";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{{{0, 0}, {10, 10}, {10, 0}, {0, 10}}})) << "bow-tie";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{{{0, 0}, {10, 0}, {10, 10}, {10, 5}, {10, 12}, {0, 10}}}))
+      << "back along itself";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{{{0, 0}, {10, 0}, {10, 10}, {5, 0}, {0, 10}}})) << "touches itself";
+  EXPECT_TRUE(is_simple_polygon(std::vector<Ring>{square, {{2, 2}, {2, 4}, {4, 4}}}));
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{square, {{12, 2}, {12, 4}, {14, 4}}})) << "a hole outside";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{square, {{2, 2}, {2, 6}, {6, 6}}, {{3, 4}, {3, 5}, {4, 5}}}))
+      << "in a hole";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{square, {{0, 5}, {2, 6}, {2, 4}}})) << "a hole that touches";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{square, {{2, 2}, {4, 2}, {4, 4}}})) << "a hole that turns left";
+  EXPECT_FALSE(is_simple_polygon(std::vector<Ring>{{{0, 0}, {1, 1}}}));
+  EXPECT_FALSE(is_simple_polygon({}));
+}
+
 TEST(SimpleRing, MeasuresAreasAtTheLimit) {
   const std::int32_t m = kMaxPlaneCoordinate;
   EXPECT_TRUE(doubled_area(Ring{{-m, -m}, {m, -m}, {m, m}, {-m, m}}) == static_cast<__int128>(1) << 61);
