@@ -9,7 +9,7 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/reconstruct_tiled.h"
+#include "kernels/rasters/tiled_filling.h"
 
 namespace {
 
@@ -75,9 +75,14 @@ Image in_tiles(const Image& image) {
     });
     return part;
   };
-  fill_holes_tiled(grid, Adjacency::eight, read, [&](std::size_t tile, const Image& part) {
+  std::vector<Image> filled(grid.count());
+  TiledFilling filling(grid, Adjacency::eight);
+  for_each_tile(grid, [&](std::size_t tile) { filled[tile] = filling.fill(tile, read(tile)); });
+  filling.join();
+  for_each_tile(grid, [&](std::size_t tile) {
+    filling.raise(tile, filled[tile]);
     rows(tile, [&](std::size_t whole, std::size_t at, std::size_t n) {
-      std::copy_n(part.values.data() + at, n, out.values.data() + whole);
+      std::copy_n(filled[tile].values.data() + at, n, out.values.data() + whole);
     });
   });
   return out;

@@ -109,6 +109,16 @@ std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLaye
   return group + samples + "</g>\n";
 }
 
+std::string notes_of(std::span<const SvgNote> notes, const PaperPlace& at) {
+  if (notes.empty()) return "";
+  std::string group = "<g class=\"notes\" fill=\"none\" stroke=\"#000\" stroke-opacity=\"0\" stroke-width=\"1.2\">\n";
+  for (const SvgNote& note : notes)
+    group += fmt::format("<path class=\"note-{}\" d=\"{}\"><title>{}</title></path>\n", note.kind,
+                         path_of(DrawingLine{DrawingRole::detail, {note.from, note.to}, false}, at),
+                         escaped_markup(clean_text(note.text)));
+  return group + "</g>\n";
+}
+
 bool is_paper(DrawingRole role) {
   return role == DrawingRole::frame || role == DrawingRole::title;
 }
@@ -127,7 +137,7 @@ Drawing plan_of(const Drawing& drawing) {
 }  // namespace
 
 std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPart part,
-                        const std::optional<SvgUnderlay>& underlay) {
+                        const std::optional<SvgUnderlay>& underlay, std::span<const SvgNote> notes) {
   const Drawing drawing = part == SvgPart::plan ? plan_of(whole) : whole;
   const PaperPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string svg = fmt::format(
@@ -145,7 +155,7 @@ std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPa
     const auto role = static_cast<DrawingRole>(i);
     svg += group_of(role, drawing, layers, at);
   }
-  return svg + "</svg>\n";
+  return svg + notes_of(notes, at) + "</svg>\n";
 }
 
 void write_drawing_svg(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers) {

@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "engine/deliverables/drawing.h"
@@ -16,12 +17,20 @@ struct SvgUnderlay {
   DrawingBox place;
 };
 
+// A stretch of a line that has something to tell: a title to be read where the pointer is, in a group over everything.
+// It is not drawn but for a page that gives its class ("note-KIND") a stroke.
+struct SvgNote {
+  DrawingCorner from, to;
+  std::string kind, text;
+  int worth = 0;  // for who sorts them: later ones lie above
+};
+
 enum class SvgPart : std::uint8_t { sheet, plan };  // all of it, or without frame and title, cut to the rest
 
 // Pens are as wide on paper as their layers say, colours those on white paper; layers that are not shown have
 // display:none. Classes are names of roles ("role-opening"). The same drawing gives the same bytes.
 std::string drawing_svg(const Drawing& drawing, const DrawingLayers& layers, SvgPart part = SvgPart::sheet,
-                        const std::optional<SvgUnderlay>& underlay = {});
+                        const std::optional<SvgUnderlay>& underlay = {}, std::span<const SvgNote> notes = {});
 void write_drawing_svg(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers);
 
 }  // namespace ilot

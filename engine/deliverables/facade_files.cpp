@@ -87,7 +87,7 @@ void write_facade_files(const std::filesystem::path& folder, const Facade& facad
   }
   write_sections(folder, facade, params);
   const std::optional<SvgUnderlay> image = write_image(folder, facade, params);
-  if (params.page) params.page->add(facade, drawing, image);
+  if (params.page) params.page->add(facade, drawing, image, params.drawing.metres_per_unit);
 }
 
 }  // namespace ilot

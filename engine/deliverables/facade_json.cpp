@@ -24,12 +24,22 @@ Json json_of(Vec3 p) {
   return {p.x, p.y, p.z};
 }
 
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
 Json json_of(const FacadeEdge& e) {
   return {{"status", kStatus[static_cast<std::size_t>(e.status)]},
           {"points", e.points},
           {"rms_m", e.rms_m},
           {"error_m", e.error_m},
-          {"moved_m", e.moved_m}};
+          {"moved_m", e.moved_m},
+          {"occluded_share", json_of(e.occluded_share)},
+          {"covered_share", e.covered_share}};
+}
+
+Json json_of(const FacadeFace& f) {
+  return {{"name", f.name}, {"points", f.points}, {"rms_m", f.rms_m}, {"occluded_share", json_of(f.occluded_share)}};
 }
 
 Json json_of(const FacadeArc& a) {
@@ -71,6 +81,7 @@ Json json_of(const FacadeElement& e) {
   json["height_error_m"] = e.height_error_m;
   json["depth_error_m"] = e.depth_error_m;
   json["points"] = e.points;
+  json["faces"] = list_of(e.faces);
   json["body"] = json_of(e.body);
   return json;
 }
@@ -117,6 +128,12 @@ struct Reader {
       if (name == names[i]) return i;
     fail("'" + name + "' is no " + what);
   }
+  std::optional<double> share(const char* key) const {  // files written before there were any have none
+    if (!json.contains(key) || json.at(key).is_null()) return std::nullopt;
+    const double share = at(key).number();
+    if (share < 0 || share > 1) at(key).fail("needs a number from 0 to 1, or null");
+    return share;
+  }
   DrawnStatus status() const {
     return static_cast<DrawnStatus>(choice(kStatus, "status: seen, completed or occluded"));
   }
@@ -131,8 +148,17 @@ struct Reader {
 };
 
 FacadeEdge edge_of(const Reader& r) {
-  return {r.at("status").status(), r.at("points").count(), r.at("rms_m").number(), r.at("error_m").number(),
-          r.at("moved_m").number()};
+  return {r.at("status").status(),
+          r.at("points").count(),
+          r.at("rms_m").number(),
+          r.at("error_m").number(),
+          r.at("moved_m").number(),
+          r.share("occluded_share"),
+          r.share("covered_share").value_or(0)};
+}
+
+FacadeFace face_of(const Reader& r) {
+  return {r.at("name").text(), r.at("points").count(), r.at("rms_m").number(), r.share("occluded_share")};
 }
 
 FacadeArc arc_of(const Reader& r) {
@@ -177,6 +203,7 @@ FacadeElement element_of(const Reader& r) {
   e.height_error_m = r.at("height_error_m").number();
   e.depth_error_m = r.at("depth_error_m").number();
   e.points = r.at("points").count();
+  if (r.json.contains("faces")) e.faces = r.at("faces").list(face_of);
   if (r.json.contains("body")) e.body = body_of(r.at("body"));
   return e;
 }

@@ -85,8 +85,13 @@ double bulge_of(FlatPoint from, FlatPoint to, double radius, double angle_deg) {
 }
 
 FacadeEdge larger(const FacadeEdge& a, const FacadeEdge& b) {
-  return {a.status, a.points + b.points, std::max(a.rms_m, b.rms_m), std::max(a.error_m, b.error_m),
-          std::max(a.moved_m, b.moved_m)};
+  return {a.status,
+          a.points + b.points,
+          std::max(a.rms_m, b.rms_m),
+          std::max(a.error_m, b.error_m),
+          std::max(a.moved_m, b.moved_m),
+          std::max(a.occluded_share, b.occluded_share),
+          std::min(a.covered_share, b.covered_share)};
 }
 
 // Joins stretches of the ring that lie on the arc. False when none does.

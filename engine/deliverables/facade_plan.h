@@ -17,7 +17,7 @@ FlatPoint flat_place(const Facade& facade, Vec3 place, double metres_per_unit);
 // Corners nearer than 0.01 mm to the one before are left out.
 struct FlatElement {
   std::vector<DrawingCorner> corners;  // counter-clockwise
-  std::vector<FacadeEdge> edges;       // as many; of an arc the largest figures of its stretches
+  std::vector<FacadeEdge> edges;       // as many; of an arc the largest figures of its stretches, the least cover
   std::vector<DrawingArc> arcs;        // those that no stretch of the ring lies on
   DrawingBox box;
 };

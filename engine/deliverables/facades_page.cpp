@@ -7,6 +7,7 @@
 #include <array>
 
 #include "engine/deliverables/facade_drawing.h"
+#include "engine/deliverables/facade_evidence.h"
 #include "engine/deliverables/facade_files.h"
 #include "engine/markup.h"
 #include "engine/whole_file.h"
@@ -14,7 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostListed = 200;
+constexpr std::size_t kMostListed = 200, kMostEvidence = 1000;
 constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
 
 constexpr const char* kHead = R"(<!doctype html>
@@ -24,6 +25,8 @@ h1{font-size:1.4rem;margin:0 0 .3rem}h2{font-size:1.1rem;margin:2rem 0 .3rem}p{m
 figure{margin:.5rem 0}figure svg{width:100%;height:auto;max-height:90vh;border:1px solid #d5dae3}
 figure svg text{paint-order:stroke;stroke:#fff;stroke-width:.7px;stroke-linejoin:round}
 label{margin-right:.9rem;white-space:nowrap}
+.notes path:hover,.proof .notes path{stroke-opacity:.75}
+.notes .note-good{stroke:#1a8f3c}.notes .note-weak{stroke:#e08a00}.notes .note-none{stroke:#d3202b}
 table{border-collapse:collapse;margin:.6rem 0}td,th{padding:.15rem .7rem;text-align:left;border-bottom:1px solid #d5dae3}
 td.n,th.n{text-align:right}
 </style></head><body>
@@ -33,6 +36,7 @@ td.n,th.n{text-align:right}
 constexpr const char* kTail = R"(<script>
 document.querySelectorAll("figure input").forEach(function (box) {
   box.addEventListener("change", function () {
+    if (box.value === "proof") box.closest("figure").classList.toggle("proof", box.checked);
     box.closest("figure").querySelectorAll("." + box.value).forEach(function (part) {
       part.style.display = box.checked ? "inline" : "none";
     });
@@ -45,13 +49,14 @@ std::string name_of(DrawnStatus status) {
   return kStatus.at(static_cast<std::size_t>(status));
 }
 
-std::string switches(const Drawing& drawing, const DrawingLayers& layers, bool has_image) {
+std::string switches(const Drawing& drawing, const DrawingLayers& layers, bool has_image, bool has_proof) {
   std::string boxes;
   const auto box = [&](const std::string& value, const std::string& words, bool on) {
     boxes +=
         fmt::format("<label><input type=\"checkbox\" value=\"{}\"{}> {}</label>\n", value, on ? " checked" : "", words);
   };
   if (has_image) box("underlay", "image", true);
+  if (has_proof) box("proof", "proof", false);
   for (std::size_t i = 0; i < kDrawingRoles; ++i) {
     const auto role = static_cast<DrawingRole>(i);
     const auto is_of = [&](const auto& piece) { return piece.role == role; };
@@ -92,6 +97,24 @@ std::string doubtful_table(const Facade& facade) {
          rows + "</table>\n" + (listed < all ? fmt::format("<p>{} of {} are listed.</p>\n", listed, all) : "");
 }
 
+// What speaks for each edge and face.
+std::string evidence_table(const Facade& facade, const std::vector<FlatElement>& flat) {
+  std::string rows;
+  std::size_t listed = 0, all = 0;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const std::size_t here = add_evidence_rows(facade.elements[i], flat[i], kMostEvidence - listed, rows);
+    listed += std::min(here, kMostEvidence - listed);
+    all += here;
+  }
+  if (rows.empty()) return "";
+  return "<details><summary>What speaks for each edge and face</summary><table><tr><th class=\"n\">id</th><th>kind</th>"
+         "<th>edge</th><th>status</th><th class=\"n\">points</th><th class=\"n\">RMS, mm</th><th class=\"n\">within, "
+         "mm</th><th class=\"n\">covered, %</th><th class=\"n\">occluded, %</th></tr>\n" +
+         rows + "</table>\n" +
+         (listed < all ? fmt::format("<p>{} of {} are listed; all are in the JSON.</p>\n", listed, all) : "") +
+         "</details>\n";
+}
+
 std::string links(const Facade& facade) {
   const std::string name = facade_name(facade.id);
   std::string list;
@@ -102,26 +125,33 @@ std::string links(const Facade& facade) {
 
 }  // namespace
 
-void FacadesPage::add(const Facade& facade, const Drawing& drawing, const std::optional<SvgUnderlay>& image) {
+void FacadesPage::add(const Facade& facade, const Drawing& drawing, const std::optional<SvgUnderlay>& image,
+                      double metres_per_unit) {
   ++facades_;
+  std::vector<FlatElement> flat;
+  std::vector<SvgNote> notes;
   for (const FacadeElement& e : facade.elements) {
     ++elements_;
+    flat.push_back(flat_element(facade, e, metres_per_unit));
+    const std::vector<SvgNote> own = edge_notes(e, flat.back());
+    notes.insert(notes.end(), own.begin(), own.end());
     ++by_kind_[e.kind][e.status];
     edges_ += e.edges.size();
     completed_edges_ += edges_of(e, DrawnStatus::completed);
     occluded_edges_ += edges_of(e, DrawnStatus::occluded);
   }
+  std::stable_sort(notes.begin(), notes.end(), [](const SvgNote& a, const SvgNote& b) { return a.worth > b.worth; });
   const double error = edge_error_95(facade);
   body_ += fmt::format("<h2>Facade {}</h2>\n<p>{} x {} m, {} elements{}. {}</p>\n", facade.id,
                        decimal(facade.width_m, 2), decimal(facade.height_m, 2), facade.elements.size(),
                        error > 0 ? fmt::format(", 95 % of edges within {} mm", decimal(1000 * error, 1)) : "",
                        links(facade));
-  const std::string svg = drawing_svg(drawing, layers_, SvgPart::plan, image);
+  const std::string svg = drawing_svg(drawing, layers_, SvgPart::plan, image, notes);
   if (body_.size() + svg.size() <= most_bytes_) {
     ++drawn_;
-    body_ += "<figure>\n" + svg + switches(drawing, layers_, image.has_value()) + "</figure>\n";
+    body_ += "<figure>\n" + svg + switches(drawing, layers_, image.has_value(), !notes.empty()) + "</figure>\n";
   }
-  body_ += doubtful_table(facade);
+  body_ += doubtful_table(facade) + evidence_table(facade, flat);
 }
 
 void FacadesPage::finish() {

@@ -2,6 +2,7 @@
 // The plan of one facade: what is on it, where, and how sure that is.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,10 +39,20 @@ struct FacadeBody {
 // The edge from vertex i of the ring to the next one.
 struct FacadeEdge {
   DrawnStatus status = DrawnStatus::seen;
-  std::uint64_t points = 0;  // support
-  double rms_m = 0;          // of these points to the edge
-  double error_m = 0;        // bound on its place [C12]
-  double moved_m = 0;        // by regularisation, at most, at its ends [A9]
+  std::uint64_t points = 0;                   // support: points of the surfaces that meet in it, near it
+  double rms_m = 0;                           // of these points to those surfaces
+  double error_m = 0;                         // bound on its place [C12]
+  double moved_m = 0;                         // by regularisation, at most, at its ends [A9]
+  std::optional<double> occluded_share = {};  // of its length, that no station could see; none: no station is known
+  double covered_share = 0;                   // of its length, with points near
+};
+
+// A surface of an element, of all its flat pieces that look the same way.
+struct FacadeFace {
+  std::string name;                           // front, bottom, right, top, left
+  std::uint64_t points = 0;                   // support
+  double rms_m = 0;                           // of these points to it
+  std::optional<double> occluded_share = {};  // of its area
 };
 
 struct FacadeElement {
@@ -59,7 +70,8 @@ struct FacadeElement {
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
   FacadeRegion region = FacadeRegion::element;
-  FacadeBody body{};  // [C10, C11]; without vertices where its ring and its depth say all
+  FacadeBody body{};                // [C10, C11]; without vertices where its ring and its depth say all
+  std::vector<FacadeFace> faces{};  // what points and stations say for each
 };
 
 struct Facade {

@@ -82,6 +82,7 @@ void make_boundaries(const Store& store, PlanesResult& planes, const Settings& s
     Segment& segment = planes.segments[outline.plane_id - 1];
     segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
     file.add(segment, outline);
+    planes.outlines.add(outline, segment.area_m2);
     if (const auto asked = mapped.find(outline.plane_id); asked != mapped.end()) asked->second = outline;
   });
   file.finish();

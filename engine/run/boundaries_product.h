@@ -15,7 +15,7 @@ namespace ilot {
 std::vector<Scanner> scanners_of(const std::vector<Station>& stations, double unit);
 
 // Outlines of planes: planes.gpkg, the areas of the segments, the column "boundary"; density/ of the largest planes
-// where it is asked for. Adds what `auto` stood for to the record.
+// where it is asked for; outlines for those who hold some. Adds what `auto` stood for to the record.
 void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
                      const PassContext& context, const std::filesystem::path& folder, RunRecord& record);
 

@@ -15,6 +15,7 @@
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
 #include "engine/run/facade_labels.h"
+#include "engine/run/facade_proofs.h"
 #include "engine/segments/colours_pass.h"
 #include "engine/segments/stations_pass.h"
 
@@ -26,6 +27,8 @@ constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
 constexpr const char* kUntold = "facades: {} of {} points do not say which station they are from; theirs are guessed";
+constexpr const char* kOutlinesDropped =
+    "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
 
@@ -203,6 +206,9 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
   }
+  if (planes.outlines.dropped() > 0)
+    record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
+  prove_facades(work, walls, planes.outlines.outlines(), found, context);
   write_facade_labels(work, walls, found, context);
   if (!found.empty())
     write_facades(found, walls, work, settings,

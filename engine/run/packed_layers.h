@@ -7,12 +7,12 @@
 #include <mutex>
 #include <string>
 
-#include "kernels/rasters/tiles.h"
+#include "engine/run/packed_image.h"
 
 namespace ilot {
 
-// Images of tiles by layer, packed row by row (runs of equal values are one), in memory up to a budget and in files
-// beyond it. Called from several threads at once.
+// Images of tiles by layer, packed row by row, in memory up to a budget and in files beyond it. Called from several
+// threads at once.
 class PackedLayers {
  public:
   PackedLayers(std::filesystem::path folder, std::uint64_t budget_bytes);
@@ -21,21 +21,17 @@ class PackedLayers {
   PackedLayers& operator=(const PackedLayers&) = delete;
 
   void write(const char* layer, std::size_t tile, const Image& image);
-  Image read(const char* layer, std::size_t tile, const TileFrame& part) const;
+  void read(const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) const;
   void drop(const char* layer);
 
  private:
-  struct Packed {
-    std::vector<std::uint32_t> rows;   // where each row begins, and the end
-    std::vector<std::uint32_t> words;  // empty: in the file
-  };
   using Key = std::pair<std::string, std::size_t>;
   std::filesystem::path path(const Key& key) const;
 
   std::filesystem::path folder_;
   std::uint64_t budget_, held_ = 0;
   mutable std::mutex mutex_;
-  std::map<Key, std::shared_ptr<const Packed>> tiles_;
+  std::map<Key, std::shared_ptr<const PackedImage>> tiles_;  // without words: in the file
 };
 
 }  // namespace ilot

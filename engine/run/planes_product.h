@@ -5,6 +5,7 @@
 
 #include "engine/formats/reader.h"
 #include "engine/model/curved_segment.h"
+#include "engine/model/largest_outlines.h"
 #include "engine/model/segment.h"
 #include "engine/pass/context.h"
 #include "engine/report/progress.h"
@@ -23,6 +24,7 @@ struct PlanesResult {
   std::vector<std::vector<NeighbourRange>> ranges;   // per block
   std::optional<std::vector<CurvedSegment>> curved;  // by id; nullopt where no cell was searched for them
   std::vector<std::uint32_t> final_shape;            // per joined shape + 1; [0] = 0; empty unless they are asked for
+  LargestOutlines outlines;                          // by make_boundaries, as many as it holds
 };
 
 // Blocks to planes: colours where the inputs have them, normals, planes per cell, join over cells, labels. Adds its

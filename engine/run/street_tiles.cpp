@@ -9,6 +9,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/store/stretches.h"
+#include "kernels/rasters/nearest.h"
 
 namespace ilot {
 namespace {
@@ -20,7 +21,6 @@ constexpr double kShareOfTiles = 0.35;     // for the work on tiles; the rest: z
 constexpr std::uint64_t kBytesDrawn = 16;  // per pixel of a tile that is drawn
 constexpr double kFinestPixel = 0.05;      // metres
 constexpr int kCoarsest = 20;              // times that
-constexpr std::uint32_t kNone = 0xffffffffu;
 
 std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -55,35 +55,11 @@ std::int64_t whole_units(const Store& store, const PassContext& context, double 
   return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
 }
 
-// The level of each pixel of a window that has none, from the nearest that has one within so many steps from side to
-// side, of equally near ones the first, row by row.
+// The level of each pixel of a window that has none, from the nearest that has one within so many steps.
 void spread(Image& level, std::uint32_t reach) {
-  const auto w = std::int64_t{level.width}, h = std::int64_t{level.height};
-  std::vector<std::uint32_t> source(level.size(), kNone), wave, next;
-  for (std::uint32_t i = 0; i < level.size(); ++i)
-    if (level.values[i] != kNoHeight) source[i] = i, wave.push_back(i);
-  std::vector<std::uint32_t> step(level.size(), 0);
-  for (std::uint32_t d = 1; d <= reach && !wave.empty(); ++d) {
-    next.clear();
-    for (const std::uint32_t p : wave) {
-      const std::int64_t x = p % w, y = p / w;
-      const auto reach_pixel = [&](std::int64_t u, std::int64_t v) {
-        if (u < 0 || v < 0 || u >= w || v >= h) return;
-        const auto q = static_cast<std::uint32_t>(v * w + u);
-        if (source[q] == kNone) {
-          source[q] = source[p];
-          step[q] = d;
-          next.push_back(q);
-        } else if (step[q] == d) {
-          source[q] = std::min(source[q], source[p]);
-        }
-      };
-      reach_pixel(x, y - 1), reach_pixel(x - 1, y), reach_pixel(x + 1, y), reach_pixel(x, y + 1);
-    }
-    wave.swap(next);
-  }
-  for (std::uint32_t i = 0; i < level.size(); ++i)
-    if (source[i] != kNone) level.values[i] = level.values[source[i]];
+  const NearestPixels nearest = nearest_pixels(level, reach);
+  for (std::size_t i = 0; i < level.size(); ++i)
+    if (nearest.pixel[i] != kNoNearest) level.values[i] = level.values[nearest.pixel[i]];
 }
 
 }  // namespace
@@ -152,11 +128,12 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
   run(bytes, [&](std::size_t i) { draw(tiles[i], present); });
   raster_.grid.present = std::move(present);
   raster_.grid.run = run;
-  layers_ = {
-      raster_.grid,
-      [this](const char* layer, std::size_t tile, const TileFrame& part) { return packed_.read(layer, tile, part); },
-      [this](const char* layer, std::size_t tile, const Image& image) { packed_.write(layer, tile, image); },
-      [this](const char* layer) { packed_.drop(layer); }};
+  layers_ = {raster_.grid,
+             [this](const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) {
+               packed_.read(layer, tile, part, out);
+             },
+             [this](const char* layer, std::size_t tile, const Image& image) { packed_.write(layer, tile, image); },
+             [this](const char* layer) { packed_.drop(layer); }};
 }
 
 // take(pixel in the tile, z)

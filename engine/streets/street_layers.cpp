@@ -14,7 +14,9 @@ std::int64_t tile_index(std::int64_t pixel, std::uint32_t side) {
 
 Image layer_tile(const StreetLayers& layers, const char* layer, std::size_t tile) {
   const TileFrame frame = tile_frame(layers.grid, tile);
-  return layers.read(layer, tile, {0, 0, frame.width, frame.height});
+  Image out{frame.width, frame.height, std::vector<Height>(std::size_t{frame.width} * frame.height)};
+  layers.read(layer, tile, {0, 0, frame.width, frame.height}, {out.values.data(), frame.width});
+  return out;
 }
 
 Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
@@ -32,13 +34,10 @@ Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x
       const std::int64_t x0 = std::max<std::int64_t>(x, frame.x), y0 = std::max<std::int64_t>(y, frame.y);
       const std::int64_t x1 = std::min<std::int64_t>(x + width, frame.x + frame.width);
       const std::int64_t y1 = std::min<std::int64_t>(y + height, frame.y + frame.height);
-      const Image part =
-          layers.read(layer, tile,
-                      {static_cast<std::uint32_t>(x0 - frame.x), static_cast<std::uint32_t>(y0 - frame.y),
-                       static_cast<std::uint32_t>(x1 - x0), static_cast<std::uint32_t>(y1 - y0)});
-      for (std::int64_t v = y0; v < y1; ++v)
-        std::copy_n(part.values.begin() + (v - y0) * (x1 - x0), x1 - x0,
-                    out.values.begin() + (v - y) * std::int64_t{width} + x0 - x);
+      layers.read(layer, tile,
+                  {static_cast<std::uint32_t>(x0 - frame.x), static_cast<std::uint32_t>(y0 - frame.y),
+                   static_cast<std::uint32_t>(x1 - x0), static_cast<std::uint32_t>(y1 - y0)},
+                  {out.values.data() + (y0 - y) * std::int64_t{width} + (x0 - x), width});
     }
   }
   return out;

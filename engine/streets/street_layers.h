@@ -7,11 +7,18 @@
 
 namespace ilot {
 
+// Where a rectangle of pixels goes: rows `stride` apart.
+struct PixelRows {
+  Height* first = nullptr;
+  std::size_t stride = 0;
+};
+
 // Layers by name, kept by the caller; called from several threads at once, for different tiles when writing. All layers
 // are images of whole tiles; masks are 0 and 1, labels are numbers as heights.
 struct StreetLayers {
   TileGrid grid;
-  std::function<Image(const char* layer, std::size_t tile, const TileFrame& part)> read;  // part: within the tile
+  // part: within the tile
+  std::function<void(const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out)> read;
   std::function<void(const char* layer, std::size_t tile, const Image& image)> write;
   std::function<void(const char* layer)> drop;  // not while others read it
 };

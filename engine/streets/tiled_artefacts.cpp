@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/streets/tiled_artefacts.h"
 
-#include <atomic>
+#include <algorithm>
 
+#include "kernels/rasters/border_zones.h"
 #include "kernels/rasters/box_minimum.h"
-#include "kernels/rasters/flat_zones_tiled.h"
-#include "kernels/rasters/reconstruct_tiled.h"
+#include "kernels/rasters/reconstruct.h"
+#include "kernels/rasters/tiled_filling.h"
 
 namespace ilot {
 namespace {
@@ -44,61 +45,145 @@ Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach)
   return over;
 }
 
-// How much the filling raises each pixel of the ground; kNoHeight outside.
-Image depth_of(const StreetLayers& layers, std::size_t tile) {
-  Image depth = layer_tile(layers, "raised", tile);
-  const Image over = layer_tile(layers, "over", tile), mask = layer_tile(layers, "mask", tile);
-  for (std::size_t i = 0; i < depth.size(); ++i)
-    depth.values[i] = mask.values[i] == 1 ? depth.values[i] - over.values[i] : kNoHeight;
-  return depth;
-}
+// What the steps know of a tile beside its layers.
+struct TilePlateaus {
+  std::vector<std::uint32_t> on_border;  // of each plateau its number on the tile's border; 0 = not on it
+  std::vector<std::uint32_t> pixels;     // of each plateau
+};
 
-// Lets water out over every pixel of large low plateaus, and fills again.
-void drain(const StreetLayers& layers, Height least, Height most, std::uint32_t area) {
-  const auto low = [&](std::size_t tile) {
-    Image image = depth_of(layers, tile);
-    for (Height& v : image.values) v = v >= least && v <= most ? 0 : kNoHeight;
-    return image;
-  };
-  const ZoneSizes sizes =
-      flat_zones_tiled(layers.grid, 0, Adjacency::four, low, [&](std::size_t tile, const PixelLabels& labels) {
-        Image image{labels.width, labels.height, std::vector<Height>(labels.of.size())};
-        for (std::size_t i = 0; i < image.size(); ++i) image.values[i] = static_cast<Height>(labels.of[i]);
-        layers.write("regions", tile, image);
-      });
-  std::atomic<bool> any = false;
-  for_each_tile(layers.grid, [&](std::size_t tile) {
-    Image marker = layer_tile(layers, "raised", tile);
-    const Image over = layer_tile(layers, "over", tile), plateaus = layer_tile(layers, "regions", tile);
-    for (std::size_t i = 0; i < marker.size(); ++i) {
-      const auto plateau = static_cast<std::uint32_t>(plateaus.values[i]);
-      if (plateau == 0 || sizes.pixels[plateau] < area) continue;
-      marker.values[i] = over.values[i];
-      any = true;
+// Filling of the ground upside down, and draining of low plateaus.
+class Draining {
+ public:
+  Draining(const StreetLayers& layers, Height least, Height most, std::uint32_t area)
+      : layers_(layers),
+        least_(least),
+        most_(most),
+        area_(area),
+        filling_(layers.grid, Adjacency::eight),
+        borders_(layers.grid),
+        plateaus_(layers.grid.count()) {}
+
+  void fill(std::uint32_t reach) {
+    for_each_tile(layers_.grid,
+                  [&](std::size_t tile) {
+                    const Image over = over_of(layers_, tile, reach);
+                    layers_.write("over", tile, over);
+                    layers_.write("raised", tile, filling_.fill(tile, over));
+                  },
+                  {30, reach + 1});
+    filling_.join();
+    for_each_tile(layers_.grid, [&](std::size_t tile) {
+      Image raised = layer_tile(layers_, "raised", tile);
+      filling_.raise(tile, raised);
+      const Image low = low_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
+      const ZoneRuns plateaus = zone_runs(low, 0, Adjacency::four);
+      plateaus_[tile] = {borders_.tell(tile, plateaus, low), zone_pixels(plateaus)};
+      layers_.write("raised", tile, raised);
+    });
+    borders_.join(0, Adjacency::four);
+  }
+
+  // Lets water out over every pixel of large low plateaus.
+  void drain() {
+    const std::vector<std::uint64_t> joined = joined_sizes();
+    for_each_tile(layers_.grid, [&](std::size_t tile) {
+      const std::vector<std::uint8_t> large = large_ones(tile, joined);
+      if (std::find(large.begin(), large.end(), 1) == large.end()) return;
+      const Image over = layer_tile(layers_, "over", tile), raised = layer_tile(layers_, "raised", tile);
+      const Image drained = reconstruct_by_erosion(marker_of(raised, over, layer_tile(layers_, "mask", tile), large),
+                                                   over, Adjacency::eight);
+      filling_.tell_drained(tile, drained);
+      layers_.write("raised", tile, drained);
+    });
+    filling_.join_drained();
+  }
+
+  // Into "height": how much the filling raises each pixel of the ground; kNoHeight where that is little.
+  void measure() {
+    for_each_tile(layers_.grid, [&](std::size_t tile) {
+      const Image over = layer_tile(layers_, "over", tile), mask = layer_tile(layers_, "mask", tile);
+      Image height = layer_tile(layers_, "raised", tile);
+      filling_.lower(tile, over, height);
+      for (std::size_t i = 0; i < height.size(); ++i) {
+        const Height depth = depth_at(height, over, mask, i);
+        height.values[i] = depth < least_ ? kNoHeight : depth;
+      }
+      layers_.write("height", tile, height);
+    });
+  }
+
+ private:
+  // kNoHeight outside of the ground.
+  static Height depth_at(const Image& raised, const Image& over, const Image& mask, std::size_t i) {
+    return mask.values[i] == 1 ? raised.values[i] - over.values[i] : kNoHeight;
+  }
+
+  // 0 where the filling is of a plateau's depth, kNoHeight elsewhere.
+  Image low_of(const Image& raised, const Image& over, const Image& mask) const {
+    Image low{raised.width, raised.height, std::vector<Height>(raised.size())};
+    for (std::size_t i = 0; i < low.size(); ++i) {
+      const Height depth = depth_at(raised, over, mask, i);
+      low.values[i] = depth >= least_ && depth <= most_ ? 0 : kNoHeight;
     }
-    layers.write("marker", tile, marker);
-  });
-  if (any)
-    reconstruct_by_erosion_tiled(layers.grid, Adjacency::eight, reader_of(layers, "marker"), reader_of(layers, "over"),
-                                 writer_of(layers, "raised"));
-}
+    return low;
+  }
+
+  static std::vector<std::uint32_t> zone_pixels(const ZoneRuns& zones) {
+    std::vector<std::uint32_t> pixels(std::size_t{zones.count} + 1, 0);
+    for_each_run(zones, [&](std::uint32_t zone, std::uint32_t, PixelRun run) { pixels[zone] += run.to - run.from; });
+    return pixels;
+  }
+
+  std::vector<std::uint64_t> joined_sizes() const {
+    std::vector<std::uint64_t> sizes(borders_.count(), 0);
+    for (std::size_t t = 0; t < plateaus_.size(); ++t)
+      for (std::size_t z = 1; z < plateaus_[t].pixels.size(); ++z)
+        if (plateaus_[t].on_border[z] != 0)
+          sizes[borders_.number(t, plateaus_[t].on_border[z])] += plateaus_[t].pixels[z];
+    return sizes;
+  }
+
+  std::vector<std::uint8_t> large_ones(std::size_t tile, const std::vector<std::uint64_t>& joined) const {
+    const TilePlateaus& plateaus = plateaus_[tile];
+    std::vector<std::uint8_t> large(plateaus.pixels.size(), 0);
+    for (std::size_t z = 1; z < large.size(); ++z) {
+      const std::uint32_t on_border = plateaus.on_border[z];
+      large[z] = (on_border == 0 ? plateaus.pixels[z] : joined[borders_.number(tile, on_border)]) >= area_;
+    }
+    return large;
+  }
+
+  // The filling, as low as the ground itself on plateaus that are `large`.
+  Image marker_of(const Image& raised, const Image& over, const Image& mask,
+                  const std::vector<std::uint8_t>& large) const {
+    Image marker = raised;
+    for_each_run(zone_runs(low_of(raised, over, mask), 0, Adjacency::four),
+                 [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+                   if (large[zone] == 0) return;
+                   const auto row = static_cast<std::ptrdiff_t>(std::size_t{y} * marker.width);
+                   std::copy(over.values.begin() + row + run.from, over.values.begin() + row + run.to,
+                             marker.values.begin() + row + run.from);
+                 });
+    return marker;
+  }
+
+  const StreetLayers& layers_;
+  Height least_, most_;
+  std::uint32_t area_;
+  TiledFilling filling_;
+  BorderZones borders_;
+  std::vector<TilePlateaus> plateaus_;
+};
 
 }  // namespace
 
 void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params) {
-  const Height least = scale.units(params.least_height);
-  const std::uint32_t reach = scale.pixels(params.ring_reach);
-  for_each_tile(layers.grid, [&](std::size_t tile) { layers.write("over", tile, over_of(layers, tile, reach)); },
-                {24, reach + 1});
-  fill_holes_tiled(layers.grid, Adjacency::eight, reader_of(layers, "over"), writer_of(layers, "raised"));
-  drain(layers, least, scale.units(params.highest_kerb), scale.area(params.least_plateau));
-  for_each_tile(layers.grid, [&](std::size_t tile) {
-    Image height = depth_of(layers, tile);
-    for (Height& v : height.values)
-      if (v < least) v = kNoHeight;
-    layers.write("height", tile, height);
-  });
-  for (const char* layer : {"over", "raised", "regions", "marker"}) layers.drop(layer);
+  Draining draining(layers, scale.units(params.least_height), scale.units(params.highest_kerb),
+                    scale.area(params.least_plateau));
+  draining.fill(scale.pixels(params.ring_reach));
+  draining.drain();
+  draining.measure();
+  for (const char* layer : {"over", "raised"}) layers.drop(layer);
 }
 
 }  // namespace ilot

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/visibility/closest_point.h"
 
-#include <embree3/rtcore.h>
-
 #include <algorithm>
 #include <cmath>
-#include <string>
 
-#include "engine/error.h"
+#include "engine/visibility/embree_device.h"
 
 namespace ilot {
 namespace {
-
-// Share of the extent by which boxes and radii grow: some eight times the rounding of a float.
-constexpr double kSlack = 0x1p-20;
-
-// One device serves the whole process, as Embree advises; it lives until the end.
-RTCDevice device() {
-  static const RTCDevice shared = rtcNewDevice(nullptr);
-  if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
-  return shared;
-}
 
 struct Query {
   Vec3 p;  // relative to the anchor
@@ -68,7 +55,7 @@ struct ClosestPoint::State {
     SurfacePoint& best = query.best;
     if (d2 > best.squared_distance || (d2 == best.squared_distance && args->primID >= best.triangle)) return false;
     best = {args->primID, point, d2};
-    const float radius = above(std::sqrt(d2) * (1 + kSlack) + query.slack);
+    const float radius = above(std::sqrt(d2) * (1 + kEmbreeSlack) + query.slack);
     if (radius >= args->query->radius) return false;
     args->query->radius = radius;
     return true;
@@ -88,23 +75,8 @@ ClosestPoint::ClosestPoint(std::vector<Triangle3> triangles) : state_(std::make_
   }
   self.anchor = 0.5 * low + 0.5 * high;
   for (Triangle3& t : self.triangles) t = {t.a - self.anchor, t.b - self.anchor, t.c - self.anchor};
-  self.slack = kSlack * largest(high - low) + std::numeric_limits<float>::min();
-  self.scene = rtcNewScene(device());
-  rtcSetSceneFlags(self.scene, RTC_SCENE_FLAG_ROBUST);
-  RTCGeometry geometry = rtcNewGeometry(device(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(self.triangles.size()));
-  rtcSetGeometryUserData(geometry, &self);
-  rtcSetGeometryBoundsFunction(geometry, State::bounds, nullptr);
-  rtcSetGeometryPointQueryFunction(geometry, State::measure);
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometry(self.scene, geometry);
-  rtcReleaseGeometry(geometry);
-  rtcCommitScene(self.scene);
-  const RTCError error = rtcGetDeviceError(device());
-  if (error != RTC_ERROR_NONE)
-    throw Error("Embree could not build a scene of " + std::to_string(self.triangles.size()) +
-                " triangles (its error code " + std::to_string(static_cast<int>(error)) +
-                "); free memory and try again");
+  self.slack = kEmbreeSlack * largest(high - low) + std::numeric_limits<float>::min();
+  self.scene = embree_scene(self.triangles.size(), &self, {State::bounds, State::measure, nullptr});
 }
 
 ClosestPoint::~ClosestPoint() = default;
@@ -117,13 +89,13 @@ SurfacePoint ClosestPoint::nearest(Vec3 p, double reach) const {
   std::pair<const State*, Query> asked{&self, {}};
   Query& query = asked.second;
   query.p = p - self.anchor;
-  query.slack = self.slack + kSlack * largest(query.p);
+  query.slack = self.slack + kEmbreeSlack * largest(query.p);
   query.best.squared_distance = reach * reach;
   RTCPointQuery ball{};
   ball.x = static_cast<float>(query.p.x);
   ball.y = static_cast<float>(query.p.y);
   ball.z = static_cast<float>(query.p.z);
-  ball.radius = above(reach * (1 + kSlack) + query.slack);
+  ball.radius = above(reach * (1 + kEmbreeSlack) + query.slack);
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   rtcPointQuery(self.scene, &ball, &context, nullptr, &asked);

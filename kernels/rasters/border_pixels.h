@@ -30,6 +30,13 @@ class BorderPixels {
     return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), pixel) - first_.begin() - 1);
   }
 
+  // Whether pixel i of a tile's perimeter has a neighbour, of sides and corners, outside of the image.
+  bool ends_at(std::size_t tile, std::uint32_t i) const {
+    const TileFrame frame = tile_frame(grid_, tile);
+    const auto [x, y] = perimeter(tile).place(i);
+    return grid_.ends_at(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
+  }
+
   // Calls take(q) for the neighbours of a border pixel that lie in other tiles.
   template <typename Take>
   void for_beyond(std::uint32_t pixel, Adjacency adjacency, const Take& take) const {

@@ -1,18 +1,34 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <vector>
+
+#include "kernels/rasters/border_zones.h"
 #include "kernels/rasters/tiles.h"
 
 namespace ilot {
 
-// fill_missing of an image that is too large to hold, tile by tile: the values of the whole, whatever the tiles.
-// `around` is called three times for each tile (without a halo, then with one of a pixel, then without), `regions`
-// keeps the numbers of the missing regions of each tile in between and gives them back. Tiles in parallel. Memory as
-// flat_zones_tiled, and 4 bytes a region.
-struct RegionTiles {
-  WriteTile write;
-  ReadTile read;
+// fill_missing of an image that is too large to hold, tile by tile: the values of the whole, whatever the tiles. A tile
+// fills the regions that lie within it and tells of those that reach its border; joined, these are filled too. In
+// order: fill of all tiles, join, finish of all. Different tiles from several threads at once. Memory: for each thread
+// some 12 bytes a pixel of a tile; for all tiles 8 bytes a pixel of their borders.
+class TiledMissing {
+ public:
+  explicit TiledMissing(const TileGrid& grid);
+
+  // `around`: the tile and a pixel on all four sides, kNoHeight outside of the image. Gives the tile. O(n).
+  Image fill(std::size_t tile, const Image& around);
+  void join();
+  // From what `fill` gave to the values of the whole.
+  void finish(std::size_t tile, Image& image) const;
+
+ private:
+  void open_at_ends(std::size_t tile, const ZoneRuns& missing, std::vector<Height>& levels) const;
+
+  TileGrid grid_;
+  BorderPixels pixels_;
+  BorderZones borders_;
+  std::vector<std::vector<Height>> told_;  // by tile: of each region on its border the lowest height around it
+  std::vector<Height> levels_;             // of those joined
 };
-void fill_missing_tiled(const TileGrid& grid, const ReadAround& around, const RegionTiles& regions,
-                        const WriteTile& write);
 
 }  // namespace ilot

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "kernels/core/union_find.h"
+#include "kernels/rasters/zone_runs.h"
 
 namespace ilot {
 namespace {
@@ -16,17 +17,6 @@ bool near(Height a, Height b, Height lambda) {
   const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);
   return (a < b ? ub - ua : ua - ub) <= static_cast<std::uint32_t>(lambda);
 }
-
-// Pixels [from, to) of a row, each within lambda of the next.
-struct Run {
-  std::uint32_t from, to;
-};
-
-// Runs of all rows; those of row y from first[y] to first[y + 1].
-struct Runs {
-  std::vector<Run> all;
-  std::vector<std::uint32_t> first;
-};
 
 // breaks[x] = whether a run cannot go on from x - 1 to x; breaks[0] and breaks[width] = 1.
 void find_breaks(const Height* row, std::uint32_t width, Height lambda, std::uint8_t* __restrict breaks) {
@@ -49,41 +39,41 @@ std::uint32_t next_break(const std::uint8_t* breaks, std::uint32_t x) {
   return x;
 }
 
-Runs find_runs(const Image& image, Height lambda) {
-  Runs runs;
-  runs.first.push_back(0);
+ZoneRuns find_runs(const Image& image, Height lambda) {
+  ZoneRuns zones{image.width, image.height};
+  zones.first.push_back(0);
   std::vector<std::uint8_t> breaks(std::size_t{image.width} + 9, 0);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     const Height* row = image.values.data() + std::size_t{y} * image.width;
     find_breaks(row, image.width, lambda, breaks.data());
     for (std::uint32_t x = 0; x < image.width;) {
       const std::uint32_t to = next_break(breaks.data(), x + 1);
-      if (row[x] != kNoHeight) runs.all.push_back({x, to});
+      if (row[x] != kNoHeight) zones.runs.push_back({x, to});
       x = to;
     }
-    runs.first.push_back(static_cast<std::uint32_t>(runs.all.size()));
+    zones.first.push_back(static_cast<std::uint32_t>(zones.runs.size()));
   }
-  return runs;
+  return zones;
 }
 
 // Whether a pixel of run a has a neighbour within lambda in run b of the row above.
-bool touch(const Height* row, Run a, const Height* above, Run b, Height lambda, std::uint32_t reach) {
+bool touch(const Height* row, PixelRun a, const Height* above, PixelRun b, Height lambda, std::uint32_t reach) {
   for (std::uint32_t x = std::max(a.from, b.from - std::min(b.from, reach)); x < std::min(a.to, b.to + reach); ++x)
     for (std::uint32_t q = std::max(b.from, x - std::min(x, reach)); q < std::min(b.to, x + reach + 1); ++q)
       if (near(row[x], above[q], lambda)) return true;
   return false;
 }
 
-void join_rows(const Image& image, const Runs& runs, std::uint32_t y, Height lambda, std::uint32_t reach,
+void join_rows(const Image& image, const ZoneRuns& runs, std::uint32_t y, Height lambda, std::uint32_t reach,
                UnionFind& sets) {
   const Height* row = image.values.data() + std::size_t{y} * image.width;
   const Height* above = row - image.width;
   std::uint32_t first = runs.first[y - 1];
   for (std::uint32_t a = runs.first[y]; a < runs.first[y + 1]; ++a) {
-    const Run run = runs.all[a];
-    while (first < runs.first[y] && runs.all[first].to + reach <= run.from) ++first;
-    for (std::uint32_t b = first; b < runs.first[y] && runs.all[b].from < run.to + reach; ++b)
-      if (!sets.same(a, b) && touch(row, run, above, runs.all[b], lambda, reach)) sets.unite(a, b);
+    const PixelRun run = runs.runs[a];
+    while (first < runs.first[y] && runs.runs[first].to + reach <= run.from) ++first;
+    for (std::uint32_t b = first; b < runs.first[y] && runs.runs[b].from < run.to + reach; ++b)
+      if (!sets.same(a, b) && touch(row, run, above, runs.runs[b], lambda, reach)) sets.unite(a, b);
   }
 }
 
@@ -96,20 +86,43 @@ std::uint32_t number_zones(std::span<std::uint32_t> zone) {
 
 }  // namespace
 
-PixelLabels flat_zones(const Image& image, Height lambda, Adjacency adjacency) {
+ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency) {
   assert(lambda >= 0);
-  const Runs runs = find_runs(image, lambda);
-  std::vector<std::uint32_t> zone(runs.all.size());
-  UnionFind sets(zone);
+  ZoneRuns zones = find_runs(image, lambda);
+  zones.zone.resize(zones.runs.size());
+  UnionFind sets(zones.zone);
   const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
-  for (std::uint32_t y = 1; y < image.height; ++y) join_rows(image, runs, y, lambda, reach, sets);
-  PixelLabels labels{image.width, image.height, number_zones(zone), std::vector<std::uint32_t>(image.size(), 0)};
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    std::uint32_t* out = labels.of.data() + std::size_t{y} * image.width;
-    for (std::uint32_t r = runs.first[y]; r < runs.first[y + 1]; ++r)
-      std::fill(out + runs.all[r].from, out + runs.all[r].to, zone[r]);
-  }
+  for (std::uint32_t y = 1; y < image.height; ++y) join_rows(image, zones, y, lambda, reach, sets);
+  zones.count = number_zones(zones.zone);
+  return zones;
+}
+
+ZoneRuns missing_runs(const Image& image, Adjacency adjacency) {
+  Image absent{image.width, image.height, std::vector<Height>(image.size())};
+  for (std::size_t i = 0; i < image.size(); ++i) absent.values[i] = image.values[i] == kNoHeight ? 0 : kNoHeight;
+  return zone_runs(absent, 0, adjacency);
+}
+
+std::vector<std::uint8_t> zones_on_border(const ZoneRuns& zones) {
+  std::vector<std::uint8_t> on_border(std::size_t{zones.count} + 1, 0);
+  for_each_run(zones, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+    if (y == 0 || y + 1 == zones.height || run.from == 0 || run.to == zones.width) on_border[zone] = 1;
+  });
+  return on_border;
+}
+
+PixelLabels painted(const ZoneRuns& zones) {
+  const std::size_t width = zones.width;
+  PixelLabels labels{zones.width, zones.height, zones.count, std::vector<std::uint32_t>(width * zones.height, 0)};
+  for_each_run(zones, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+    std::uint32_t* row = labels.of.data() + y * width;
+    std::fill(row + run.from, row + run.to, zone);
+  });
   return labels;
+}
+
+PixelLabels flat_zones(const Image& image, Height lambda, Adjacency adjacency) {
+  return painted(zone_runs(image, lambda, adjacency));
 }
 
 std::vector<std::uint32_t> zone_sizes(const PixelLabels& labels) {

@@ -27,6 +27,23 @@ std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& wind
   return inside;
 }
 
+// Whether no two tiles in reach of this one touch with their corners alone: then, in tiles no smaller than links are
+// long, one of the two ways around a corner stays in the image.
+bool straight_around(const TileGrid& grid, std::size_t tile, std::uint32_t halo) {
+  if (std::find(grid.present.begin(), grid.present.end(), 0) == grid.present.end()) return true;
+  if (grid.side < halo) return false;
+  const TileFrame frame = tile_frame(grid, tile);
+  const auto holds = [&](std::int64_t dx, std::int64_t dy) {
+    return grid.holds(std::int64_t{frame.x} + dx * grid.side, std::int64_t{frame.y} + dy * grid.side);
+  };
+  for (std::int64_t y = -1; y < 1; ++y)
+    for (std::int64_t x = -1; x < 1; ++x) {
+      if (holds(x, y) == holds(x + 1, y + 1) && holds(x + 1, y) == holds(x, y + 1) && holds(x, y) != holds(x + 1, y))
+        return false;
+    }
+  return true;
+}
+
 LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, const Image& zones, std::uint32_t halo) {
   const TileFrame frame = tile_frame(grid, tile);
   LinkWindow window;
@@ -34,6 +51,7 @@ LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, cons
   window.x = std::int64_t{frame.x} - halo;
   window.y = std::int64_t{frame.y} - halo;
   window.whole_width = grid.width;
+  window.straight = straight_around(grid, tile, halo);
   window.inside = inside_of(grid, window, heights.width, heights.height);
   window.zones.resize(zones.size());
   std::transform(zones.values.begin(), zones.values.end(), window.zones.begin(),
@@ -62,13 +80,15 @@ std::vector<std::vector<LinkPixel>> drawn(const TileGrid& grid, std::vector<Regi
 
 }  // namespace
 
-void link_regions_tiled(const TileGrid& grid, const LinkRegionsParams& params, const ReadTile& read,
-                        const ReadAround& heights, const ReadAround& zones, const WriteTile& write) {
+std::vector<std::vector<LinkPixel>> links_tiled(const TileGrid& grid, const LinkRegionsParams& params,
+                                                const ReadAround& heights, const ReadAround& zones) {
   const std::uint32_t halo = link_halo(params);
   std::vector<std::vector<RegionLink>> found(grid.count());
   for_each_tile(grid,
                 [&](std::size_t tile) {
-                  found[tile] = links_in(window_of(grid, tile, heights(tile, halo), zones(tile, halo), halo), params);
+                  const Image around = zones(tile, halo);
+                  if (around.size() > 0)
+                    found[tile] = links_in(window_of(grid, tile, heights(tile, halo), around, halo), params);
                 },
                 {kBytesPerPixel, halo});
   std::vector<RegionLink> links;
@@ -76,17 +96,7 @@ void link_regions_tiled(const TileGrid& grid, const LinkRegionsParams& params, c
     std::move(list.begin(), list.end(), std::back_inserter(links));
     list = {};
   }
-  const std::vector<std::vector<LinkPixel>> pixels = drawn(grid, std::move(links));
-  for_each_tile(grid, [&](std::size_t tile) {
-    const TileFrame frame = tile_frame(grid, tile);
-    Image image = read(tile);
-    for (const LinkPixel& p : pixels[tile]) {
-      const std::uint64_t x = p.pixel % grid.width - frame.x, y = p.pixel / grid.width - frame.y;
-      Height& v = image.values[y * frame.width + x];
-      if (v == kNoHeight) v = p.height;
-    }
-    write(tile, image);
-  });
+  return drawn(grid, std::move(links));
 }
 
 }  // namespace ilot

@@ -39,10 +39,19 @@ struct SpillEdge {
   Height height;
 };
 
+// The height of an image on its perimeter, pixel by pixel.
+std::vector<Height> heights_on(const Perimeter& perimeter, const Image& image);
+
+struct BorderFlood {
+  Image level;                    // fill_holes with every pixel of the perimeter an outlet
+  std::vector<SpillEdge> spills;  // at most the perimeter's size - 1, the lowest first
+};
+
 // Spill heights between all pixels of the perimeter, within the image: the least, over all paths, of the highest pixel
-// on the path, is the highest edge on the path between the two in this tree. A flood from the whole perimeter, each
-// pixel a basin of its own, meets the passes from the lowest up: those that join two trees are kept (Barnes 2016 joins
-// tiles by the graph of all of them). At most size - 1 edges, the lowest first. O(n log(range)).
-std::vector<SpillEdge> spill_tree(const Image& image, Adjacency adjacency);
+// on the path, is the highest edge on the path between the two in a tree, the spills. A flood from the whole perimeter,
+// each pixel a basin of its own, meets the passes from the lowest up: those that join two trees are kept (Barnes 2016
+// joins tiles by the graph of all of them). What is joined to the perimeter over pixels without a height is under water
+// run by run. O(n log(range)).
+BorderFlood flood_from_border(const Image& image, Adjacency adjacency);
 
 }  // namespace ilot

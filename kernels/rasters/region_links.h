@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: the shortest links between regions, as seen through a window on an image.
+// Inside of the raster kernels and of streets: the shortest links between regions, as seen through a window on an
+// image.
 #pragma once
 #include <cstdint>
 #include <tuple>
@@ -14,6 +15,7 @@ struct LinkWindow {
   Image heights;                     // with the halo
   std::vector<std::uint32_t> zones;  // of the same pixels; 0 = none
   std::vector<std::uint8_t> inside;  // 1: belongs to the image
+  bool straight = true;  // a shortest way in the window between pixels of the image, as far as links go, stays in it
   std::uint32_t halo = 0;
   std::int64_t x = 0, y = 0;  // of the window's first pixel in the whole
   std::int64_t whole_width = 0;

@@ -14,15 +14,12 @@ class MemoryLayers {
  public:
   explicit MemoryLayers(const TileGrid& grid) {
     layers.grid = grid;
-    layers.read = [this](const char* layer, std::size_t tile, const TileFrame& part) {
+    layers.read = [this](const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) {
       const std::lock_guard lock(mutex_);
       const Image& whole = tiles_.at({layer, tile});
-      Image out = filled_image(part.width, part.height, 0);
       for (std::uint32_t y = 0; y < part.height; ++y)
         for (std::uint32_t x = 0; x < part.width; ++x)
-          out.values[std::size_t{y} * part.width + x] =
-              whole.values[std::size_t{part.y + y} * whole.width + part.x + x];
-      return out;
+          out.first[y * out.stride + x] = whole.values[std::size_t{part.y + y} * whole.width + part.x + x];
     };
     layers.write = [this](const char* layer, std::size_t tile, const Image& image) {
       const std::lock_guard lock(mutex_);

@@ -12,12 +12,13 @@ namespace {
 Facade a_facade() {
   FacadeElement window{1, "window", true, 1, 2, 3, DrawnStatus::completed, "hidden behind its sill", {}, {}, {}};
   window.ring = {{651000.1, 6861000, 1}, {651001.3, 6861000, 1}, {651001.3, 6861000, 2.2}};
-  window.edges = {{DrawnStatus::seen, 40, 0.002, 0.004, 0.01}, {}, {DrawnStatus::occluded, 0, 0, 0.1, 0}};
+  window.edges = {{DrawnStatus::seen, 40, 0.002, 0.004, 0.01, 0.125, 0.75}, {}, {DrawnStatus::occluded, 0, 0, 0.1, 0}};
   window.arcs = {{{651000.7, 6861000, 2}, 0.6, 0, 180}};
   window.width_m = 1.2;
   window.depth_m = -0.28;
   window.width_error_m = 0.004;
   window.points = 512;
+  window.faces = {{"front", 300, 0.003, 0.5}, {"left", 0, 0, {}}};
   FacadeElement sill{2, "sill", false, 0, 0, 0, DrawnStatus::seen, "", {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {}, {}};
   sill.region = FacadeRegion::irregularity;
   sill.body = {false, {{0, 0, 0}, {1, 0, 0}, {1, 0, 1}}, {{0, 1, 2}}};
@@ -54,6 +55,14 @@ TEST(FacadeJson, ReadsBackWhatItWrote) {
   EXPECT_EQ(window.ring[1].x, 651001.3);
   EXPECT_EQ(window.edges[2].status, DrawnStatus::occluded);
   EXPECT_EQ(window.edges[0].points, 40u);
+  EXPECT_EQ(window.edges[0].occluded_share, 0.125);
+  EXPECT_FALSE(window.edges[1].occluded_share);
+  EXPECT_EQ(window.edges[0].covered_share, 0.75);
+  ASSERT_EQ(window.faces.size(), 2u);
+  EXPECT_EQ(window.faces[0].name, "front");
+  EXPECT_EQ(window.faces[0].points, 300u);
+  EXPECT_EQ(window.faces[0].occluded_share, 0.5);
+  EXPECT_FALSE(window.faces[1].occluded_share);
   EXPECT_EQ(window.arcs.at(0).radius_m, 0.6);
   EXPECT_EQ(window.depth_m, -0.28);
   EXPECT_EQ(window.region, FacadeRegion::element);

@@ -28,7 +28,7 @@ Facade a_facade(std::uint32_t id) {
   FacadeElement hidden = drawn("window", wall_rectangle(1, 1, 2, 3), DrawnStatus::occluded);
   hidden.reason = "behind <a van>";
   FacadeElement partly = drawn("door", wall_rectangle(3, 0, 4, 3));
-  partly.edges.assign(4, {DrawnStatus::seen, 9, 0.001, 0.004, 0});
+  partly.edges.assign(4, {DrawnStatus::seen, 9, 0.001, 0.004, 0, {}, 1});
   partly.edges[0].status = DrawnStatus::completed;
   Facade facade = facade_of({hidden, partly, drawn("window", wall_rectangle(5, 1, 6, 3))});
   facade.id = id;
@@ -49,9 +49,16 @@ TEST(FacadesPage, CountsDrawsAndListsWhatIsDoubtful) {
   EXPECT_EQ(count(html, "<svg"), 2u);
   EXPECT_EQ(count(html, "<image class=\"underlay\" href=\"facade-001.png\""), 2u);
   EXPECT_EQ(count(html, "behind &lt;a van&gt;"), 2u);
-  EXPECT_EQ(count(html, "<td>seen</td>"), 2u);  // the doors; windows that are seen whole are not listed
-  EXPECT_EQ(count(html, "<td>occluded</td>"), 2u);
+  EXPECT_EQ(count(html, "<td>seen</td><td class=\"n\">4</td>"),
+            2u);  // the doors; windows that are seen whole are not listed
+  EXPECT_EQ(count(html, "<td>occluded</td><td class=\"n\">0</td>"), 2u);
   EXPECT_NE(html.find("href=\"facade-002.dxf\""), std::string::npos);
+  EXPECT_EQ(count(html, "<path class=\"note-weak\""), 2u);  // the doors' bottoms
+  EXPECT_EQ(count(html, "<path class=\"note-good\""), 6u);
+  EXPECT_EQ(count(html, "<title>2 door, left: 9 points, 1.0 mm RMS, along 100 % of it, within 4.0 mm, seen</title>"),
+            2u);
+  EXPECT_EQ(count(html, "value=\"proof\""), 2u);
+  EXPECT_EQ(count(html, "<td>bottom</td><td>completed</td><td class=\"n\">9</td>"), 2u);
 }
 
 TEST(FacadesPage, IsBounded) {

@@ -172,6 +172,58 @@ TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
   EXPECT_NE(out.drawing.find("wall.las"), std::string::npos) << "the title block names its source";
 }
 
+const FacadeElement& only(const Facade& facade, const std::string& kind) {
+  const auto at = std::find_if(facade.elements.begin(), facade.elements.end(),
+                               [&](const FacadeElement& e) { return e.kind == kind; });
+  EXPECT_NE(at, facade.elements.end()) << kind;
+  return *at;
+}
+
+TEST(FacadesProduct, EachEdgeSaysWhatSupportsIt) {
+  const Outcome out = run_wall(wall_points(33), 33, true);
+  ASSERT_EQ(out.facades.size(), 1u);
+  const FacadeElement &wall = only(out.facades[0], "outline"), &window = only(out.facades[0], "window"),
+                      &sill = only(out.facades[0], "sill");
+  ASSERT_EQ(wall.faces.size(), 1u);
+  EXPECT_GT(wall.faces[0].points, 50000u);
+  EXPECT_LT(wall.faces[0].rms_m, 0.003);  // noise of 2 mm
+  EXPECT_EQ(wall.edges.size(), 4u);
+  for (const FacadeEdge& e : wall.edges) EXPECT_GT(e.points, 100u);
+  // The station stands to the left and below: it sees the right reveal and the soffit, and the sill hides the bottom.
+  EXPECT_GT(window.edges[1].points, 200u);
+  EXPECT_LT(window.edges[1].rms_m, 0.004);
+  EXPECT_EQ(window.edges[1].occluded_share, 0);
+  EXPECT_GT(window.edges[0].occluded_share, 0.9);
+  std::map<std::string, FacadeFace> faces;
+  for (const FacadeFace& f : window.faces) faces[f.name] = f;
+  EXPECT_EQ(faces["left"].occluded_share, 1);
+  EXPECT_EQ(faces["left"].points, 0u);
+  EXPECT_LT(faces["right"].occluded_share, 0.1);
+  EXPECT_GT(faces["right"].points, 200u);
+  EXPECT_LT(faces["right"].rms_m, 0.004);
+  EXPECT_GT(faces["front"].points, 2000u);
+  for (const FacadeEdge& e : sill.edges) EXPECT_EQ(e.occluded_share, 0) << "its front is seen whole";
+}
+
+TEST(FacadesProduct, ABoardInTheStreetHidesAKnownPartOfAJamb) {
+  // 1.5 m before the wall it hides, of the left jamb of the second window, what lies below z = 2.35: half.
+  constexpr double kBoardTop = 1.2 + (2.35 - 1.2) * 5.5 / 7;
+  test::ScannedWall wall;
+  wall.wall({{2, 0, 1, 2.1, 1.5, 3.2}, {2, 0, 3.5, 4.6, 1.5, 3.2}});
+  wall.sheets.push_back({2, 1.5, 1.9, 2.6, 0.9, kBoardTop, 5});
+  std::vector<Index3> points;
+  for (const FacadePoint& p : test::scan_wall(wall, kEye, 0.0025).points)
+    points.push_back(
+        {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
+  const Outcome out = run_wall(points, 0, true);
+  ASSERT_EQ(out.facades.size(), 1u);
+  const auto windows = windows_of(out.facades[0]);
+  ASSERT_EQ(windows.size(), 2u);
+  EXPECT_NEAR(*windows[1].edges[3].occluded_share, 0.5, 0.03);
+  EXPECT_EQ(windows[1].edges[2].occluded_share, 0);
+  EXPECT_EQ(windows[0].edges[3].occluded_share, 0);
+}
+
 TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
   const auto points = wall_points(33);
   std::string hash;
@@ -208,6 +260,7 @@ TEST(FacadesProduct, WithoutStationsItWarns) {
   const Outcome out = run_wall(wall_points(0), 0, false);
   ASSERT_EQ(out.facades.size(), 1u);
   EXPECT_EQ(windows_of(out.facades[0]).size(), 2u);
+  for (const FacadeEdge& e : windows_of(out.facades[0])[0].edges) EXPECT_FALSE(e.occluded_share);
   ASSERT_FALSE(out.record["warnings"].empty());
   EXPECT_NE(out.record["warnings"].dump().find("station"), std::string::npos);
 }

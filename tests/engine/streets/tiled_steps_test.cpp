@@ -98,9 +98,17 @@ TEST(FillMissingTiled, TheValuesOfTheWholeForEveryTiling) {
     for (const std::uint32_t side : {1u, 2u, 5u, 8u, 40u}) {
       MemoryLayers memory({image.width, image.height, side});
       memory.put("image", image);
-      fill_missing_tiled(memory.layers.grid, around_reader_of(memory.layers, "image"),
-                         {writer_of(memory.layers, "regions"), reader_of(memory.layers, "regions")},
-                         writer_of(memory.layers, "filled"));
+      const StreetLayers& layers = memory.layers;
+      TiledMissing missing(layers.grid);
+      for_each_tile(layers.grid, [&](std::size_t tile) {
+        layers.write("filled", tile, missing.fill(tile, layer_around(layers, "image", tile, 1)));
+      });
+      missing.join();
+      for_each_tile(layers.grid, [&](std::size_t tile) {
+        Image filled = layer_tile(layers, "filled", tile);
+        missing.finish(tile, filled);
+        layers.write("filled", tile, filled);
+      });
       ASSERT_EQ(memory.whole("filled").values, want.values) << name << " side " << side;
     }
   }

@@ -29,9 +29,10 @@ Image linked_in_tiles(const Image& image, std::uint32_t side, const LinkRegionsP
   const PixelLabels labels = flat_zones(image, params.step, Adjacency::eight);
   Image zones{image.width, image.height, {}};
   for (const std::uint32_t label : labels.of) zones.values.push_back(static_cast<Height>(label));
-  Image out = filled_image(image.width, image.height, 0);
-  link_regions_tiled(grid, params, test::tiles_of(image, grid), around(image, grid), around(zones, grid),
-                     test::into(out, grid));
+  Image out = image;
+  for (const auto& pixels : links_tiled(grid, params, around(image, grid), around(zones, grid)))
+    for (const LinkPixel& p : pixels)
+      if (out.values[p.pixel] == kNoHeight) out.values[p.pixel] = p.height;
   return out;
 }
 
@@ -46,6 +47,38 @@ TEST(LinkRegionsTiled, TheLinksOfTheWholeForEveryTiling) {
     }
   }
   EXPECT_GT(drawn, 100u);
+}
+
+// Where tiles are absent, ways go around them; around two tiles that touch with their corners alone they do not go.
+TEST(LinkRegionsTiled, WaysGoAroundAbsentTiles) {
+  const LinkRegionsParams params{12, 9};
+  for (int present = 1; present < 512; ++present) {
+    TileGrid grid{33, 33, 11, {}};
+    for (int t = 0; t < 9; ++t) grid.present.push_back((present >> t & 1) != 0);
+    Image image = filled_image(33, 33, kNoHeight);
+    Rng rng(static_cast<std::uint64_t>(present), 3);
+    for (int i = 0; i < 60; ++i) image.values[rng.below(33 * 33)] = static_cast<Height>(rng.below(30));
+    LinkWindow whole{image, {}, {}};
+    for (std::uint32_t i = 0; i < image.size(); ++i) {
+      const bool inside = grid.holds(i % 33, i / 33);
+      if (!inside) image.values[i] = kNoHeight;
+      whole.inside.push_back(inside);
+    }
+    const PixelLabels zones = flat_zones(image, params.step, Adjacency::eight);
+    whole.heights = image;
+    whole.zones = zones.of;
+    whole.whole_width = 33;
+    whole.straight = false;
+    Image want = image, got = image, numbers = image;
+    for (const RegionLink& link : links_in(whole, params))
+      for (const LinkPixel& p : link.way)
+        if (want.values[p.pixel] == kNoHeight) want.values[p.pixel] = p.height;
+    for (std::size_t i = 0; i < image.size(); ++i) numbers.values[i] = static_cast<Height>(zones.of[i]);
+    for (const auto& pixels : links_tiled(grid, params, around(image, grid), around(numbers, grid)))
+      for (const LinkPixel& p : pixels)
+        if (got.values[p.pixel] == kNoHeight) got.values[p.pixel] = p.height;
+    ASSERT_EQ(got.values, want.values) << present;
+  }
 }
 
 // Islands in a wide empty sea, so that links are long and cross several tiles.

@@ -29,7 +29,7 @@ TEST(Perimeter, ListsEveryBorderPixelOnce) {
 
 // Oracle: for one pixel of the perimeter at a time, reconstruction from it alone; in the tree, relaxing its edges until
 // nothing changes.
-TEST(SpillTree, GivesTheSpillHeightBetweenAnyTwoPixels) {
+TEST(BorderFlood, GivesTheSpillHeightBetweenAnyTwoPixels) {
   for (const test::NamedImage& named : test::small_images()) {
     const auto& name = named.name;
     const Image& image = named.image;
@@ -40,8 +40,14 @@ TEST(SpillTree, GivesTheSpillHeightBetweenAnyTwoPixels) {
       return std::size_t{y} * image.width + x;
     };
     for (const Adjacency adjacency : test::kAdjacencies) {
-      const auto tree = spill_tree(image, adjacency);
+      const BorderFlood flood = flood_from_border(image, adjacency);
+      const auto& tree = flood.spills;
       EXPECT_EQ(tree.size() + 1, perimeter.size()) << name;
+      Image border = filled_image(image.width, image.height, kAboveAll);
+      for (std::uint32_t i = 0; i < perimeter.size(); ++i) border.values[at(i)] = image.values[at(i)];
+      EXPECT_EQ(flood.level.values, reconstruct_by_erosion(border, image, adjacency).values) << name;
+      EXPECT_TRUE(std::is_sorted(tree.begin(), tree.end(),
+                                 [](const SpillEdge& a, const SpillEdge& b) { return a.height < b.height; }));
       for (std::uint32_t from = 0; from < perimeter.size(); from += 3) {
         Image marker = filled_image(image.width, image.height, kAboveAll);
         marker.values[at(from)] = image.values[at(from)];
