@@ -158,6 +158,7 @@ void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& tru
   for (std::size_t i = 1; i < shares.points.size(); ++i) {
     const Thing& thing = found.things[i - 1];
     ThingSample sample{thing.features, PointLabel::none, 0};
+    sample.parts = {thing.parts[0], thing.parts[1]};
     sample.group = block_of(truth, raster.crs_x(thing.x), raster.crs_y(thing.y));
     street.object.push_back(0);
     street.overlaps.push_back(0);
@@ -252,6 +253,7 @@ Street load(const fs::path& path) {
     Thing& t = street.things.back();
     file >> street.object.back() >> street.overlaps.back() >> t.pixels >> t.parts[0] >> t.parts[1];
     for (double& f : s.features) file >> f;
+    s.parts = {t.parts[0], t.parts[1]};
     street.samples.push_back(s);
   }
   return street;

@@ -27,7 +27,10 @@ bool is_object(PointLabel label) {
 // Of each object that was found the thing that is most of it.
 std::vector<ThingSample> objects_of(const Street& street) {
   std::vector<ThingSample> out;
-  for (const auto& [object, i] : best_samples(street)) out.push_back(street.samples[i]);
+  for (const auto& [object, i] : best_samples(street)) {
+    out.push_back(street.samples[i]);
+    out.back().parts = {};
+  }
   return out;
 }
 
@@ -72,11 +75,14 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, C
 // Samples of all streets, their blocks told apart.
 std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets) {
   std::vector<ThingSample> all;
-  for (std::size_t s = 0; s < streets.size(); ++s)
+  for (std::size_t s = 0; s < streets.size(); ++s) {
+    const auto before = static_cast<std::uint32_t>(all.size());
     for (ThingSample sample : streets[s]) {
       sample.group += static_cast<std::uint32_t>(1000 * s);
+      for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
       all.push_back(sample);
     }
+  }
   return all;
 }
 

@@ -20,8 +20,16 @@ enum class ThingFeature : std::uint8_t {
   inner_pass,  // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
   outer_pass,  // the highest pass to another part of its component over the lower top; 0 without any
   facade_contact,  // of its pixels on its edge, those beside what is not ground
+  fill,            // area over that of the rectangle with the moments of its pixels
+  lesser_share,    // of a joined thing's area, that of its lesser part; 0 of one that was separated
+  top_step,        // metres between the tops of its two parts
+  mean_step,       // metres between their mean heights
+  joined_share,    // of the area of what joins it with another, its own; 1 where nothing does
+  rise,            // metres that its top is above that of the other
+  joined_fill,     // of what joins them
+  joined_length,
 };
-constexpr std::size_t kThingFeatures = kComponentFeatures + 8;
+constexpr std::size_t kThingFeatures = kComponentFeatures + 16;
 using ThingFeatures = std::array<double, kThingFeatures>;
 const char* thing_feature_name(std::size_t feature);
 
