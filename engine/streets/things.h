@@ -50,6 +50,7 @@ struct ThingsParams {
   double largest = 40;           // square metres; parts are joined to no larger things
   double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
   double low_height = 2;         // metres above the ground
+  double seen_within = 0.25;     // metres; what is farther from every point was filled in, and nothing stands there
   double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
 };
 
@@ -59,10 +60,12 @@ struct ThingsParams {
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
 // of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
 //
-// Ours: a watershed also parts what is one, as a bicycle from saddle to handlebar. Behind the parts as they were
-// separated come the things that join two of them or of those: in each component the two whose pass is highest beside
-// the lower top, again and again, then those that a gap of less than nearest_apart parts, up to `largest`. Components
-// are joined over such gaps too. Which of them are things, classes tell: whole_things.
+// Ours: heights that are no nearer to a point than seen_within are left out: links of the ground over shadows climb to
+// what stands at their ends, and would join it. A watershed also parts what is one, as a bicycle from saddle to
+// handlebar. Behind the parts as they were separated come the things that join two of them or of those: in each
+// component the two whose pass is highest beside the lower top, again and again, then those that a gap of less than
+// nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are things, classes
+// tell: whole_things.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot
