@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "bench/methods/cut_reader.h"
 #include "engine/evaluate/point_stream.h"
 #include "engine/pass/index.h"
 #include "engine/run/streets_product.h"
@@ -20,8 +21,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kHalf = 0.5;     // of an object: less is not it
-constexpr double kClearly = 0.2;  // by which one overlap is better than another
+constexpr std::uint32_t kTree = 7;  // true class
+constexpr double kHalf = 0.5;       // of an object: less is not it
+constexpr double kClearly = 0.2;    // by which one overlap is better than another
 
 struct TrueThing {
   std::string class_name, variant;
@@ -34,6 +36,7 @@ struct TrueThing {
 
 struct TrueStreet {
   std::map<std::uint32_t, TrueThing> objects;
+  CutPlane ground;                            // of the road
   std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides, along the street
 };
 
@@ -49,6 +52,13 @@ TrueStreet read_street(const fs::path& cloud) {
   TrueStreet street;
   for (const auto& o : root.at("objects"))
     street.objects[o.at("id")] = {o.at("class"), o.at("variant"), 0, !o.at("touches").empty()};
+  std::uint64_t most = 0;
+  for (const auto& p : root.at("planes")) {
+    if (p.at("class") != "ground" || p.at("points") <= most) continue;
+    most = p.at("points");
+    const auto& v = p.at("plane");
+    street.ground = {v[0], v[1], v[2], v[3]};
+  }
   for (const auto& b : root.at("blocks"))
     if (b.at("side") == "left") street.blocks.emplace_back(vec(b.at("from")), vec(b.at("to")));
   return street;
@@ -90,6 +100,27 @@ struct Shares {
   }
 };
 
+// Trunks of trees that stand free, once all above is cut off: objects that the truth does not number.
+class Trunks {
+ public:
+  // The number of the trunk that a point of a tree belongs to.
+  std::uint32_t at(double x, double y, TrueStreet& truth) {
+    std::size_t t = 0;
+    while (t < places_.size() && std::hypot(x - places_[t].first, y - places_[t].second) > kWidest) ++t;
+    const auto number = static_cast<std::uint32_t>(kFirst + t);
+    if (t == places_.size()) {
+      places_.emplace_back(x, y);
+      truth.objects[number] = {"other", "trunk", 0, false};
+    }
+    return number;
+  }
+
+ private:
+  static constexpr double kWidest = 1;        // metres
+  static constexpr std::size_t kFirst = 1e6;  // above all numbers of a truth
+  std::vector<std::pair<double, double>> places_;
+};
+
 // Level and things of the pixel of a point; few tiles are kept.
 class TileLook {
  public:
@@ -121,7 +152,7 @@ class TileLook {
 };
 
 // Reads all points: what stands in which thing, and how much of the ground is found.
-Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth, Street& street) {
+Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand, TrueStreet& truth, Street& street) {
   const CloudInfo& info = reader.info();
   const ExtraField kind = *find_integer_field(info.layout, "true_class");
   const ExtraField element = *find_integer_field(info.layout, "true_element");
@@ -130,13 +161,16 @@ Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth,
   const Height least = raster.scale.units(StreetsSettings{}.least_height);
   Shares shares(found.things.size());
   TileLook look(found);
+  Trunks trunks;
   for_each_record(reader, [&](const std::byte* record) {
     std::int32_t raw[3];
     std::memcpy(raw, record, sizeof raw);
     Index3 p;
     if (!lattice.map(raw[0], raw[1], raw[2], p)) return;
-    const auto object = static_cast<std::uint32_t>(integer_of(record, element));
+    auto object = static_cast<std::uint32_t>(integer_of(record, element));
     const auto true_class = static_cast<std::uint32_t>(integer_of(record, kind));
+    if (trunks_stand && true_class == kTree)
+      object = trunks.at(raw[0] * info.layout.scale[0], raw[1] * info.layout.scale[1], truth);
     const auto entry = truth.objects.find(object);
     if (entry != truth.objects.end()) ++entry->second.points;
     const TileLook::Seen seen = look.at(p);
@@ -158,12 +192,13 @@ void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& tru
   for (std::size_t i = 1; i < shares.points.size(); ++i) {
     const Thing& thing = found.things[i - 1];
     ThingSample sample{thing.features, PointLabel::none, 0};
+    sample.parts = {thing.parts[0], thing.parts[1]};
     sample.group = block_of(truth, raster.crs_x(thing.x), raster.crs_y(thing.y));
     street.object.push_back(0);
     street.overlaps.push_back(0);
     std::uint64_t most = 0;
     for (const auto& [true_class, count] : shares.of_class[i])
-      if (count > most) most = count, sample.label = true_class == 7 ? PointLabel::vegetation : PointLabel::none;
+      if (count > most) most = count, sample.label = true_class == kTree ? PointLabel::vegetation : PointLabel::none;
     for (const auto& [object, common] : shares.of_object[i]) {
       TrueThing& o = truth.objects.at(object);
       const double overlap = static_cast<double>(common) / static_cast<double>(o.points + shares.points[i] - common);
@@ -204,18 +239,18 @@ std::string name_of(PointLabel label) {
   return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
-Street study(const fs::path& cloud) {
+Street study(const fs::path& cloud, double cut) {
   TrueStreet truth = read_street(cloud);
   const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string());
   fs::remove_all(folder);
   fs::create_directories(folder);
   std::vector<std::unique_ptr<PointReader>> readers;
-  readers.push_back(open_cloud(cloud));
+  readers.push_back(cut > 0 ? cut_above(open_cloud(cloud), truth.ground, cut) : open_cloud(cloud));
   PassContext context;
   const IndexResult index = build_index(readers, {}, folder, context);
   const FoundStreet found = find_street(index.store, {}, context);
   Street street;
-  const Shares shares = compare(*readers[0], found, truth, street);
+  const Shares shares = compare(*readers[0], found, cut > 0, truth, street);
   for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
   add_samples(found, shares, truth, street);
   street.blocks = truth.blocks.size();
@@ -252,6 +287,7 @@ Street load(const fs::path& path) {
     Thing& t = street.things.back();
     file >> street.object.back() >> street.overlaps.back() >> t.pixels >> t.parts[0] >> t.parts[1];
     for (double& f : s.features) file >> f;
+    s.parts = {t.parts[0], t.parts[1]};
     street.samples.push_back(s);
   }
   return street;

@@ -28,8 +28,9 @@ PointLabel label_of(const std::string& name);
 std::string name_of(PointLabel label);
 
 // Finds a cloud's things as a run does and compares them with the truth beside it; prints the objects that no thing
-// overlaps by half. Throws where there is no truth.
-Street study(const std::filesystem::path& cloud);
+// overlaps by half. Throws where there is no truth. cut > 0: without what is higher above the road, metres; the trunks
+// of trees are objects then, of class other.
+Street study(const std::filesystem::path& cloud, double cut = 0);
 
 // A file of what was studied, and back.
 void save(const Street& street, const std::filesystem::path& path);

@@ -2,8 +2,10 @@
 // What stands on streets [B5-B7], found and classed, on scenes `street`, judged by their truth: how many objects are
 // found, which features tell them apart and in which order, and the confusion matrix of a cross-validation by block,
 // with the document's features and with ours. With --model the machine that is trained on all of it; --shipped judges
-// the default model, on streets that it has not seen.
-// Usage: bench_streets STREET.laz... [--cache FOLDER] [--model FILE] [--only-model | --everything | --shipped]
+// the default model, on streets that it has not seen. With --cut H each street stands for two, as it is and without
+// what is higher than H metres above the road: the machine learns from both, and each kind is judged by itself.
+// Usage: bench_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE] [--only-model | --everything |
+// --shipped]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +29,10 @@ bool is_object(PointLabel label) {
 // Of each object that was found the thing that is most of it.
 std::vector<ThingSample> objects_of(const Street& street) {
   std::vector<ThingSample> out;
-  for (const auto& [object, i] : best_samples(street)) out.push_back(street.samples[i]);
+  for (const auto& [object, i] : best_samples(street)) {
+    out.push_back(street.samples[i]);
+    out.back().parts = {};
+  }
   return out;
 }
 
@@ -69,14 +74,17 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, C
   shares["false"].push_back(percent(wrong, wrong + right));
 }
 
-// Samples of all streets, their blocks told apart.
-std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets) {
+// Samples of all streets, their blocks told apart; the lists repeat the streets after so many.
+std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets, std::size_t different) {
   std::vector<ThingSample> all;
-  for (std::size_t s = 0; s < streets.size(); ++s)
+  for (std::size_t s = 0; s < streets.size(); ++s) {
+    const auto before = static_cast<std::uint32_t>(all.size());
     for (ThingSample sample : streets[s]) {
-      sample.group += static_cast<std::uint32_t>(1000 * s);
+      sample.group += static_cast<std::uint32_t>(1000 * (s % different));
+      for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
       all.push_back(sample);
     }
+  }
   return all;
 }
 
@@ -86,22 +94,33 @@ Confusion confusion_of(const std::vector<ThingSample>& samples, const std::vecto
   return m;
 }
 
+// Prints the figures of streets of one kind and begins anew.
+void print_kind(Confusion& all, RunShares& shares, const char* kind) {
+  fmt::print("  streets {}:\n", kind);
+  print_confusion(all);
+  print_intervals(shares);
+  all.clear();
+  shares.clear();
+}
+
 // One cross-validation over the blocks of all streets: what the document does with 4 classes of what was found, or what
 // a run would give.
 enum class Judged : std::uint8_t { objects, everything };
 
-void judge(const std::vector<Street>& streets, const char* title, const ThingTrainingParams& params, Judged judged) {
+void judge(const std::vector<Street>& streets, std::size_t different, const char* title,
+           const ThingTrainingParams& params, Judged judged) {
   fmt::print("\n{}\n", title);
   std::vector<std::vector<ThingSample>> samples;
   for (const Street& street : streets)
     samples.push_back(judged == Judged::objects ? objects_of(street) : street.samples);
-  const std::vector<ThingSample> all_samples = pooled(samples);
+  const std::vector<ThingSample> all_samples = pooled(samples, different);
   print_ranking(all_samples, params);
   const std::vector<ThingClass> given = cross_validate(all_samples, params);
   RunShares shares;
   Confusion all;
   auto first = given.begin();
   for (std::size_t s = 0; s < streets.size(); ++s) {
+    if (s == different) print_kind(all, shares, "as they are");
     const std::vector<ThingClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
     first += static_cast<std::ptrdiff_t>(samples[s].size());
     if (judged == Judged::everything) {
@@ -112,33 +131,33 @@ void judge(const std::vector<Street>& streets, const char* title, const ThingTra
     note_shares(m, shares);
     add(m, all);
   }
-  print_confusion(all);
-  print_intervals(shares);
+  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }
 
 // What a run with the default model gives.
-void judge_shipped(const std::vector<Street>& streets) {
+void judge_shipped(const std::vector<Street>& streets, std::size_t different) {
   fmt::print("\neverything found, the default model\n");
   RunShares shares;
   Confusion all;
   for (const Street& street : streets) {
+    if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
     std::vector<ThingClass> given;
     for (const ThingSample& s : street.samples) given.push_back(classify_thing(default_thing_model(), s.features));
     judge_whole(street, given, all, shares);
   }
-  print_confusion(all);
-  print_intervals(shares);
+  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }
 
-void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, const fs::path& path) {
+void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
+                 const fs::path& path) {
   std::vector<std::vector<ThingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
-  const std::vector<ThingSample> samples = pooled(lists);
+  const std::vector<ThingSample> samples = pooled(lists, clouds.size());
   ThingTrainingParams params;
   ThingModel model = train_things(samples, params);
   std::string names;
   for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
-  model.recipe = "bench_streets" + names + " --model things.model\n" +
+  model.recipe = "bench_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") + " --model things.model\n" +
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
   write_whole_file(path, thing_model_text(model));
@@ -146,10 +165,11 @@ void write_model(const std::vector<Street>& streets, const std::vector<std::stri
              model.gamma);
 }
 
-Street street_of(const std::string& cloud, const fs::path& cache) {
-  fmt::print("{}\n", cloud);
-  const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + ".things");
-  Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud);
+Street street_of(const std::string& cloud, double cut, const fs::path& cache) {
+  const std::string kind = cut > 0 ? fmt::format(".cut{}", cut) : "";
+  fmt::print("{}{}\n", cloud, kind);
+  const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".things");
+  Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, cut);
   if (!kept.empty() && !fs::exists(kept)) save(street, kept);
   set_roles(street);
   std::map<std::string, std::uint64_t> counts;
@@ -167,6 +187,7 @@ Street street_of(const std::string& cloud, const fs::path& cache) {
 struct Arguments {
   std::vector<std::string> clouds;
   fs::path cache, model;
+  double cut = 0;
   bool judge = true, four_classes = true, shipped = false;
 };
 
@@ -177,6 +198,8 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.cache = words[++i];
     else if (words[i] == "--model" && i + 1 < words.size())
       a.model = words[++i];
+    else if (words[i] == "--cut" && i + 1 < words.size())
+      a.cut = std::stod(words[++i]);
     else if (words[i] == "--only-model")
       a.judge = false;
     else if (words[i] == "--shipped")
@@ -186,14 +209,19 @@ Arguments read_arguments(const std::vector<std::string>& words) {
     else
       a.clouds.push_back(words[i]);
   }
-  if (a.clouds.empty()) throw std::runtime_error("usage: bench_streets STREET.laz... [--cache FOLDER] [--model FILE]");
+  if (a.clouds.empty())
+    throw std::runtime_error("usage: bench_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE]");
   return a;
 }
 
 void run(const Arguments& a) {
   std::vector<Street> streets;
-  for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cache));
-  if (a.shipped) judge_shipped(streets);
+  for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, 0, a.cache));
+  const std::vector<Street> whole = streets;
+  if (a.cut > 0)
+    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cut, a.cache));
+  const std::size_t different = whole.size();
+  if (a.shipped) judge_shipped(streets, different);
   if (a.judge) {
     ThingTrainingParams document;
     document.features = FeatureSet::document;
@@ -201,12 +229,12 @@ void run(const Arguments& a) {
         "\ndocument: mean height, area, max accumulation, s.d. height, mode accumulation, s.d. accumulation;\n"
         "car 91.04, lamppost 100, pedestrian 96.97, other 62.50 %, total error 14.93 %\n");
     if (a.four_classes) {
-      judge(streets, "four classes of what was found, the document's features", document, Judged::objects);
-      judge(streets, "four classes of what was found, all features", {}, Judged::objects);
+      judge(whole, different, "four classes of what was found, the document's features", document, Judged::objects);
+      judge(whole, different, "four classes of what was found, all features", {}, Judged::objects);
     }
-    judge(streets, "everything found, all features", {}, Judged::everything);
+    judge(streets, different, "everything found, all features", {}, Judged::everything);
   }
-  if (!a.model.empty()) write_model(streets, a.clouds, a.model);
+  if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.model);
 }
 
 }  // namespace

@@ -28,12 +28,12 @@ void write_drawing(const std::filesystem::path& folder, const std::string& name,
 }
 
 void write_sections(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {
-  if (params.sections.empty()) return;
   const double metres = params.drawing.metres_per_unit, cell = kPointCellMm * params.drawing.scale / 1000;
+  const std::vector<NamedSection> sections = named_sections(facade, params.sections, metres);
+  if (sections.empty()) return;
   const std::vector<SectionFace> faces = facade_faces(facade, metres);
   std::vector<SectionPoints> points;
-  for (const NamedSection& section : params.sections)
-    points.emplace_back(section.plane, params.section_half_m, cell, metres);
+  for (const NamedSection& section : sections) points.emplace_back(section.plane, params.section_half_m, cell, metres);
   constexpr PointBox kEverywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   if (params.points)
     params.points(kEverywhere, [&](std::span<const ImagePoint> given) {
@@ -42,7 +42,7 @@ void write_sections(const std::filesystem::path& folder, const Facade& facade, c
       for (SectionPoints& near : points) near.add(places);
     });
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const NamedSection& section = params.sections[i];
+    const NamedSection& section = sections[i];
     const Drawing drawing =
         section_drawing(facade, section.plane, faces, points[i].places(), section.title, params.drawing);
     write_drawing(folder, facade_name(facade.id) + "-" + section.file, drawing, params.layers);
@@ -61,11 +61,6 @@ std::optional<SvgUnderlay> write_image(const std::filesystem::path& folder, cons
 }
 
 }  // namespace
-
-NamedSection named_level_section(const Facade& facade, double height) {
-  const std::string words = decimal(height, 2);
-  return {"section-level-" + words, "Section at " + words, level_section(facade, height)};
-}
 
 std::string facade_name(std::uint32_t id) {
   return fmt::format("facade-{:03}", id);

@@ -10,23 +10,15 @@
 #include "engine/deliverables/facade_image.h"
 #include "engine/deliverables/facade_section.h"
 #include "engine/deliverables/facades_page.h"
+#include "engine/deliverables/named_sections.h"
 #include "engine/model/facade.h"
 
 namespace ilot {
 
-// A cut and what to call it: "section-level-4.50" is a part of a file's name, "Section at 4.50" of the title block.
-struct NamedSection {
-  std::string file, title;
-  SectionPlane plane;
-};
-
-// The section at a height, as sections are named.
-NamedSection named_level_section(const Facade& facade, double height);
-
 struct FacadeFilesParams {
   FacadeDrawingParams drawing;
   DrawingLayers layers = preset_layers("ilot");
-  std::vector<NamedSection> sections;
+  SectionRequests sections;
   double section_half_m = 0.01;  // points so far from a cut are drawn with it
   PointSource points;            // of the facade; without them no image and no points in sections
   FacadeImageParams image;

@@ -100,6 +100,7 @@ void SectionPoints::add(std::span<const Vec3> points) {
   for (const Vec3& p : points) {
     const Vec3 away = p - plane_.origin;
     if (!(std::abs(metres_ * dot(away, normal)) <= half_)) continue;
+    if (!(dot(away, plane_.u) >= plane_.from && dot(away, plane_.u) <= plane_.to)) continue;
     const double x = metres_ * dot(away, plane_.u) / cell_, y = metres_ * dot(away, plane_.v) / cell_;
     if (!(std::abs(x) < 1e9 && std::abs(y) < 1e9)) continue;
     cells_.emplace_back(static_cast<std::int64_t>(std::floor(y)), static_cast<std::int64_t>(std::floor(x)));

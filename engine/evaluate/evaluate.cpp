@@ -31,7 +31,10 @@ LabelCounts count_all(const ResultFiles& files, const Truth& truth, const Evalua
   std::unordered_set<std::uint32_t> objects;
   for (const TrueObject& object : truth.objects) objects.insert(object.id);
   LabelCounts counts;
-  for (const fs::path& cloud : files.clouds) count_labels(cloud, params.found_field, objects, counts);
+  const bool in_words = !files.facades.empty() && !truth.elements.empty();
+  const FacadeWords words = in_words ? facade_words(truth) : FacadeWords{};
+  for (const fs::path& cloud : files.clouds)
+    count_labels(cloud, params.found_field, objects, in_words ? &words : nullptr, counts);
   return counts;
 }
 
@@ -48,7 +51,10 @@ ClassNames class_names(const LabelCounts& counts, const Truth& truth) {
 void judge_classes(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!counts.has_true_class) return;
   const ClassNames names = class_names(counts, truth);
-  if (counts.any_label) {
+  if (counts.any_label && !counts.facade_labels.sorted().empty()) {
+    evaluation.class_source = ClassSource::facade_labels;
+    evaluation.confusion = confusion_of_labels(counts.facade_labels.sorted(), point_label_names(), point_label_names());
+  } else if (counts.any_label) {
     evaluation.class_source = ClassSource::labels;
     evaluation.confusion = confusion_of_labels(counts.class_labels.sorted(), names, point_label_names());
   } else if (counts.has_planes) {

@@ -27,7 +27,7 @@ struct EvaluateParams {
 };
 
 // How the classes of the confusion matrix came about.
-enum class ClassSource : std::uint8_t { labels, segments };
+enum class ClassSource : std::uint8_t { labels, facade_labels, segments };
 
 struct PlaneEvaluation {
   PlaneMatching matching;

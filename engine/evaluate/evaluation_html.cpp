@@ -175,10 +175,7 @@ std::string boundary_html(const Evaluation& e) {
 std::string evaluation_html(const Evaluation& e) {
   std::string html = "<section class=\"ilot-evaluation\">\n" + std::string(kStyle) + "<h2>Against the truth</h2>\n";
   html += fmt::format("<p>{} against {}, {} points</p>\n", escaped_markup(e.result), escaped_markup(e.truth), e.points);
-  if (e.confusion)
-    html += confusion_html(*e.confusion, e.class_source == ClassSource::labels
-                                             ? "Classes, points by label"
-                                             : "Classes, points by the class their segment speaks for");
+  if (e.confusion) html += confusion_html(*e.confusion, "Classes, points " + words_for(e.class_source));
   if (e.planes) html += planes_html(*e.planes);
   if (e.boundary) html += boundary_html(e);
   if (e.control_points) html += control_points_html(*e.control_points);

@@ -118,7 +118,9 @@ std::string evaluation_json(const Evaluation& e) {
   Json json{{"result", e.result}, {"truth", e.truth}};
   if (e.confusion) {
     json["confusion"] = json_of(*e.confusion);
-    json["confusion"]["from"] = e.class_source == ClassSource::labels ? "labels" : "segments";
+    json["confusion"]["from"] = e.class_source == ClassSource::segments ? "segments"
+                                : e.class_source == ClassSource::labels ? "labels"
+                                                                        : "facade labels";
   }
   if (e.planes) {
     json["planes"] = json_of(*e.planes);

@@ -17,6 +17,9 @@ std::string evaluation_json(const Evaluation& evaluation);
 // outside. For a page of its own it needs nothing more than a title around it.
 std::string evaluation_html(const Evaluation& evaluation);
 
+// "by label": how points came to their classes.
+std::string words_for(ClassSource source);
+
 // The found plane with the greatest share of foreign points, or nullptr; and how many have more than a hundredth.
 struct ForeignPoints {
   const FoundPlane* worst = nullptr;

@@ -153,12 +153,21 @@ std::string objects_text(const ObjectResult& o) {
 
 }  // namespace
 
+std::string words_for(ClassSource source) {
+  switch (source) {
+    case ClassSource::labels:
+      return "by label";
+    case ClassSource::facade_labels:
+      return "by label, in the words of facades";
+    case ClassSource::segments:
+      break;
+  }
+  return "by the class their segment speaks for";
+}
+
 std::string evaluation_text(const Evaluation& e) {
   std::vector<std::string> parts;
-  if (e.confusion)
-    parts.push_back(confusion_text(*e.confusion, e.class_source == ClassSource::labels
-                                                     ? "classes, points by label"
-                                                     : "classes, points by the class their segment speaks for"));
+  if (e.confusion) parts.push_back(confusion_text(*e.confusion, "classes, points " + words_for(e.class_source)));
   if (e.planes) parts.push_back(planes_text(*e.planes));
   if (e.boundary) parts.push_back(boundary_text(e));
   if (e.control_points) parts.push_back(control_points_text(*e.control_points));

@@ -25,10 +25,17 @@ std::uint32_t segment_of(std::uint32_t plane, std::uint32_t shape) {
   return plane != 0 || shape == 0 ? plane : kShape | shape;
 }
 
+// A facade's run says nothing of what is no facade.
+void add_in_words(const FacadeWords& words, std::uint32_t kind, std::uint32_t element, std::uint32_t label,
+                  LabelCounts& counts) {
+  constexpr auto kOther = static_cast<std::uint32_t>(PointLabel::other);
+  counts.facade_labels.add(static_cast<std::uint32_t>(words.of(kind, element)), label == 0 ? kOther : label);
+}
+
 }  // namespace
 
 void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
-                  const std::unordered_set<std::uint32_t>& objects, LabelCounts& counts) {
+                  const std::unordered_set<std::uint32_t>& objects, const FacadeWords* words, LabelCounts& counts) {
   const std::unique_ptr<PointReader> reader = open_cloud(cloud);
   reader->limit_to(kFieldExtra);
   const RecordLayout& layout = reader->info().layout;
@@ -57,6 +64,7 @@ void count_labels(const std::filesystem::path& cloud, const std::string& found_f
     if (label) {
       counts.class_labels.add(kind, label.of(record));
       counts.any_label |= label.of(record) != 0;
+      if (words) add_in_words(*words, kind, true_element.of(record), label.of(record), counts);
     }
     if (!object) return;
     const std::uint32_t element = true_element.of(record);

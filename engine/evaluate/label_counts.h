@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/evaluate/facade_words.h"
 #include "engine/evaluate/plane_matching.h"
 
 namespace ilot {
@@ -15,6 +16,7 @@ struct LabelCounts {
   LabelPairs planes;                                          // true_plane, found plane or shape
   LabelPairs class_segments;                                  // true_class, the same
   LabelPairs class_labels;                                    // true_class, label
+  LabelPairs facade_labels;                                   // the truth in a facade's words, label; 0 of it is other
   LabelPairs objects;                                         // true_element where it is an object, else 0; object_id
   LabelPairs object_labels;                                   // object_id, label
   std::unordered_map<std::uint32_t, std::uint32_t> class_of;  // of true planes, by their first point
@@ -27,8 +29,8 @@ struct LabelCounts {
 };
 
 // Adds one cloud to the counts. Fields that it has not are passed over. `objects`: the ids among true_element that are
-// objects. Error when the cloud cannot be read.
+// objects; `words`: of facades, where there are any. Error when the cloud cannot be read.
 void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
-                  const std::unordered_set<std::uint32_t>& objects, LabelCounts& counts);
+                  const std::unordered_set<std::uint32_t>& objects, const FacadeWords* words, LabelCounts& counts);
 
 }  // namespace ilot

@@ -88,6 +88,22 @@ TruePlane plane_of(const Node& node) {
   return plane;
 }
 
+TrueElement element_of(const Node& node) {
+  TrueElement e;
+  const auto number = [&](const char* key) { return node.has(key) ? node.at(key).number() : 0.0; };
+  const auto id = [&](const char* key) { return node.has(key) ? node.at(key).id() : 0u; };
+  e.id = node.at("id").id();
+  if (node.has("kind")) e.kind = node.at("kind").text();
+  e.facade = id("facade");
+  e.row = id("row");
+  e.column = id("column");
+  if (node.has("ring")) e.ring = node.at("ring").ring();
+  e.width_m = number("width_m");
+  e.height_m = number("height_m");
+  e.depth_m = number("depth_m");
+  return e;
+}
+
 std::map<std::uint32_t, std::string> classes_of(const Node& node) {
   std::map<std::uint32_t, std::string> classes;
   if (!node.json.is_object()) node.fail("needs an object");
@@ -120,9 +136,10 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   const Node root{json, name};
   if (!json.is_object()) root.fail("needs a JSON object");
   Truth truth;
-  bool has_planes = false;
+  bool has_planes = false, has_elements = false;
   if (root.has("classes")) truth.classes = classes_of(root.at("classes"));
   read_list(root, "planes", truth.planes, has_planes, plane_of);
+  read_list(root, "elements", truth.elements, has_elements, element_of);
   read_list(root, "openings", truth.openings, truth.has_openings, [](const Node& n) {
     return TrueOpening{n.at("id").id(), n.has("facade") ? n.at("facade").id() : 0, n.at("ring").ring()};
   });

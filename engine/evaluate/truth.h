@@ -34,6 +34,15 @@ struct TrueOpening {
   Ring3 ring;
 };
 
+// What is on a facade. Files by hand may lack all but the number and the kind.
+struct TrueElement {
+  std::uint32_t id = 0, facade = 0;  // id as in true_element; facade 0 = of none
+  std::string kind;
+  std::uint32_t row = 0, column = 0;
+  Ring3 ring;
+  double width_m = 0, height_m = 0, depth_m = 0;
+};
+
 struct TrueControlPoint {
   std::string group;
   std::uint32_t element = 0;
@@ -49,6 +58,7 @@ struct TrueObject {
 struct Truth {
   std::map<std::uint32_t, std::string> classes;  // names of true_class; 0 is never judged
   std::vector<TruePlane> planes;
+  std::vector<TrueElement> elements;
   std::vector<TrueOpening> openings;
   std::vector<TrueControlPoint> control_points;
   std::vector<TrueObject> objects;

@@ -4,14 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "engine/cloud/record.h"
 #include "engine/deliverables/facade_files.h"
 #include "engine/facades/facade_joints.h"
 #include "engine/facades/facade_model.h"
 #include "engine/facades/wall_groups.h"
+#include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
 #include "engine/run/facade_gathering.h"
 #include "engine/run/facade_labels.h"
@@ -69,20 +68,6 @@ bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
   return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
 }
 
-// The day that a LAS file says it was made, "2024-03-01"; empty where it says none.
-std::string file_date(const CloudInfo& info) {
-  constexpr std::size_t kDayOfYear = 90, kYear = 92;
-  if (info.header.size() < kYear + 2) return {};
-  int day = load<std::uint16_t>(info.header.data() + kDayOfYear);
-  const int year = load<std::uint16_t>(info.header.data() + kYear);
-  const bool leap = (year % 4 == 0 && year % 100 != 0) || year % 400 == 0;
-  const std::array<int, 12> lengths{31, leap ? 29 : 28, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31};
-  if (year < 1970 || year > 9999 || day < 1) return {};
-  for (int month = 1; month <= 12; day -= lengths[static_cast<std::size_t>(month++ - 1)])
-    if (day <= lengths[static_cast<std::size_t>(month - 1)]) return fmt::format("{}-{:02}-{:02}", year, month, day);
-  return {};
-}
-
 // For the title block: the inputs by name, and when their files were made.
 std::string source_of(const RunInputs& inputs) {
   constexpr std::size_t kNamed = 2;
@@ -103,6 +88,7 @@ FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs
   p.drawing.source = source_of(inputs);
   p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
   p.image.tile = kImageTile;
+  p.sections = {settings.facades.sections, settings.facades.upright_sections, settings.facades.section_lines};
   if (!coloured) p.image.shade = ImageShade::relief;
   return p;
 }
@@ -145,16 +131,12 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
 
 // One facade after the other, each in parallel: an image takes 64 MB at most.
 void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
-                   const Settings& settings, FacadeFilesParams params, const std::filesystem::path& folder,
-                   Progress& progress) {
+                   FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
   FacadesPage page(folder / "facades.html", params.layers);
   params.page = &page;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Facade& facade = found[i].facade;
     params.points = points_around(work, walls[i]);
-    params.sections.clear();
-    for (const double height : settings.facades.sections)
-      params.sections.push_back(named_level_section(facade, height));
     write_facade_files(folder, facade, params);
     progress.unit_done(facade_name(facade.id), 0, i + 1, found.size());
   }
@@ -211,8 +193,8 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   prove_facades(work, walls, planes.outlines.outlines(), found, context);
   write_facade_labels(work, walls, found, context);
   if (!found.empty())
-    write_facades(found, walls, work, settings,
-                  files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
+    write_facades(found, walls, work, files_params(settings, inputs, colours_of_points(store, inputs, context)), folder,
+                  progress);
   record.facades = counts;
   progress.end_stage();
 }

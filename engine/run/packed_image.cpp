@@ -10,9 +10,11 @@ namespace {
 
 constexpr std::size_t kEight = 8;  // values looked at together
 constexpr std::uint16_t kPackedNone = 0xffff, kPackedAbove = 0xfffe;
+constexpr std::uint32_t kCodesTaken = 2;  // by these two
+constexpr Height kMiddle = 0x7fff;        // of the codes
 
 // A word 2 n + 1 and a value: n times the value; a word 2 n: n values follow. The codes of values: two bytes above
-// `base`, or four as they are.
+// `base`, or four as they are. put: whether all values have a code.
 struct Narrow {
   static constexpr std::size_t kWords = 1;
   Height base;
@@ -25,8 +27,15 @@ struct Narrow {
     const auto v = static_cast<Height>(static_cast<std::uint32_t>(base) + code);
     return code == kPackedNone ? kNoHeight : code == kPackedAbove ? kAboveAll : v;
   }
-  void put(const Height* __restrict values, std::size_t n, std::uint16_t* __restrict words) const {
-    for (std::size_t i = 0; i < n; ++i) words[i] = code(values[i]);
+  bool put(const Height* __restrict values, std::size_t n, std::uint16_t* __restrict words) const {
+    std::uint32_t beyond = 0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const std::uint32_t above = static_cast<std::uint32_t>(values[i]) - static_cast<std::uint32_t>(base);
+      const bool end = (values[i] == kNoHeight) | (values[i] == kAboveAll);
+      beyond |= end ? 0 : above >> 16 | (above + kCodesTaken) >> 16;
+      words[i] = code(values[i]);
+    }
+    return beyond == 0;
   }
   void get(const std::uint16_t* __restrict words, std::size_t n, Height* __restrict out) const {
     for (std::size_t i = 0; i < n; ++i) out[i] = value(words[i]);
@@ -36,17 +45,18 @@ struct Narrow {
 struct Wide {
   static constexpr std::size_t kWords = 2;
 
-  static void put(const Height* values, std::size_t n, std::uint16_t* words) {
+  static bool put(const Height* values, std::size_t n, std::uint16_t* words) {
     std::memcpy(words, values, n * sizeof(Height));
+    return true;
   }
   static void get(const std::uint16_t* words, std::size_t n, Height* out) {
     std::memcpy(out, words, n * sizeof(Height));
   }
 };
 
-bool all_equal(const Height* v) {
+bool all_equal_to(Height value, const Height* v) {
   Height differ = 0;
-  for (std::size_t i = 0; i < kEight; ++i) differ |= v[i] ^ v[0];
+  for (std::size_t i = 0; i < kEight; ++i) differ |= v[i] ^ value;
   return differ == 0;
 }
 
@@ -56,34 +66,35 @@ class RowPacker {
   RowPacker(const Code& code, std::span<const Height> row, std::vector<std::uint16_t>& words)
       : code_(code), row_(row), words_(words) {}
 
-  // A run is found by the eight values that it must hold from a multiple of eight on.
-  void pack() {
+  // A run is found by the eight values that it must hold from a multiple of eight on. False: a value has no code.
+  bool pack() {
     std::size_t literal = 0;  // first value that is not yet written
+    bool all = true;
     for (std::size_t i = 0; i + kEight <= row_.size();) {
-      if (!all_equal(row_.data() + i)) {
+      const Height value = row_[i];
+      if (row_[i + 1] != value || !all_equal_to(value, row_.data() + i)) {
         i += kEight;
         continue;
       }
       std::size_t from = i, to = i + kEight;
-      while (from > literal && row_[from - 1] == row_[i]) --from;
-      while (to < row_.size() && row_[to] == row_[i]) ++to;
-      put_values(literal, from);
-      put(2 * (to - from) + 1, from, 1);
+      while (from > literal && row_[from - 1] == value) --from;
+      while (to + kEight <= row_.size() && all_equal_to(value, row_.data() + to)) to += kEight;
+      while (to < row_.size() && row_[to] == value) ++to;
+      all &= put_values(literal, from) && put(2 * (to - from) + 1, from, 1);
       literal = to;
       i = (to + kEight - 1) / kEight * kEight;
     }
-    put_values(literal, row_.size());
+    return put_values(literal, row_.size()) && all;
   }
 
  private:
-  void put_values(std::size_t from, std::size_t to) {
-    if (from < to) put(2 * (to - from), from, to - from);
-  }
-  void put(std::size_t head, std::size_t from, std::size_t n) {
+  bool put_values(std::size_t from, std::size_t to) { return from == to || put(2 * (to - from), from, to - from); }
+
+  bool put(std::size_t head, std::size_t from, std::size_t n) {
     const std::size_t at = words_.size();
     words_.resize(at + 1 + n * Code::kWords);
     words_[at] = static_cast<std::uint16_t>(head);
-    code_.put(row_.data() + from, n, words_.data() + at + 1);
+    return code_.put(row_.data() + from, n, words_.data() + at + 1);
   }
 
   const Code& code_;
@@ -117,29 +128,40 @@ void unpack_row(const Code& code, std::span<const std::uint16_t> words, std::siz
   }
 }
 
-// The least and the greatest of the heights; above all and none where there is none.
-struct Range {
-  Height low = kAboveAll, high = kNoHeight;
-};
-
-Range range_of(const Image& image) {
-  Range range;
-  for (const Height v : image.values) {
-    range.low = std::min(range.low, v == kNoHeight ? kAboveAll : v);
-    range.high = std::max(range.high, v == kAboveAll ? kNoHeight : v);
-  }
-  return range;
+Height lowest(const Image& image) {
+  Height low = kAboveAll;
+  for (const Height v : image.values) low = std::min(low, v == kNoHeight ? kAboveAll : v);
+  return low;
 }
 
+// False: a value has no code.
 template <class Code>
-void pack_rows(const Code& code, const Image& image, PackedImage& packed) {
+bool pack_rows(const Code& code, const Image& image, PackedImage& packed) {
+  packed.rows.clear();
+  packed.words.clear();
   packed.rows.reserve(image.height + 1);
+  packed.words.reserve(image.size() / 2);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     packed.rows.push_back(static_cast<std::uint32_t>(packed.words.size()));
     const auto row = std::span(image.values).subspan(std::size_t{y} * image.width, image.width);
-    RowPacker<Code>(code, row, packed.words).pack();
+    if (!RowPacker<Code>(code, row, packed.words).pack()) return false;
   }
   packed.rows.push_back(static_cast<std::uint32_t>(packed.words.size()));
+  return true;
+}
+
+// Values around the first height, those from the least on, or all.
+void pack_somehow(const Image& image, PackedImage& packed) {
+  for (const Height v : image.values) {
+    if (v == kNoHeight || v == kAboveAll) continue;
+    packed.base = v - kMiddle;
+    break;
+  }
+  if (pack_rows(Narrow{packed.base}, image, packed)) return;
+  packed.base = lowest(image);
+  if (pack_rows(Narrow{packed.base}, image, packed)) return;
+  packed.wide = true;
+  pack_rows(Wide{}, image, packed);
 }
 
 template <class Code>
@@ -156,11 +178,8 @@ void unpack_rows(const Code& code, const PackedImage& packed, std::span<const st
 
 PackedImage packed_image(const Image& image) {
   assert(image.width < (1u << 15));
-  const Range range = range_of(image);
   PackedImage packed;
-  packed.base = range.low == kAboveAll ? 0 : range.low;
-  packed.wide = range.high > range.low && std::int64_t{range.high} - range.low >= kPackedAbove;
-  packed.wide ? pack_rows(Wide{}, image, packed) : pack_rows(Narrow{packed.base}, image, packed);
+  pack_somehow(image, packed);
   packed.words.shrink_to_fit();
   return packed;
 }

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/deliverables/named_sections.h"
 #include "engine/deliverables/planes_csv.h"
 #include "engine/deliverables/planes_neighbours_csv.h"
 #include "engine/deliverables/shapes_csv.h"
@@ -157,8 +158,9 @@ void make_roles(const Store& store, const Settings& settings, const PassContext&
            " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
 }
 
-// What only the inputs can tell about the settings.
-void check_stations(const RunOptions& options, const RunInputs& inputs) {
+// What only the inputs can tell about the settings, and lists whose numbers belong together.
+void check_settings(const RunOptions& options, const RunInputs& inputs) {
+  check_section_lines(options.settings.facades.section_lines);
   const bool known = !scanners_of(inputs.stations, 1).empty();
   if (options.settings.boundaries.step == StepSource::stations && !known)
     throw Error("boundaries.step = stations: no station with its angular steps is known; give --stations",
@@ -264,7 +266,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
   RunRecord record;
   const double start = now();
   const RunInputs inputs = open_inputs(options, progress, record);
-  check_stations(options, inputs);
+  check_settings(options, inputs);
   const std::vector<PlannedSite> sites = options.footprints.empty()
                                              ? std::vector<PlannedSite>{}
                                              : plan_footprints(options.footprints, inputs.crs, progress, record);

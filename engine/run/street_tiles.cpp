@@ -185,20 +185,12 @@ void StreetTiles::spread_level(double reach) const {
   const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
   for_each_tile(raster_.grid,
                 [&](std::size_t tile) {
-                  Image level = layer_around(layers_, "filled", tile, halo);
-                  const Image mask = layer_around(layers_, "mask", tile, halo),
-                              height = layer_around(layers_, "height", tile, halo);
-                  for (std::size_t i = 0; i < level.size(); ++i) {
-                    if (mask.values[i] != 1) {
-                      level.values[i] = kNoHeight;
-                    } else if (height.values[i] != kNoHeight) {
-                      level.values[i] -= height.values[i];
-                    }
-                  }
+                  Image level = layer_around(layers_, "bare", tile, halo);
                   spread(level, halo - 1);
                   layers_.write("level", tile, without_halo(level, halo));
                 },
                 {28, halo});
+  layers_.drop("bare");
 }
 
 void StreetTiles::count_above(double least_height, double low_height) const {

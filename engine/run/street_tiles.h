@@ -46,7 +46,7 @@ class StreetTiles {
   double mean_accumulation() const;
 
   // "level": height of the ground in each pixel: below what stands on it, and within `reach` metres around it that of
-  // the nearest of its pixels; kNoHeight beyond. Of "filled", "mask" and "height".
+  // the nearest of its pixels; kNoHeight beyond. Of "bare", which is dropped.
   void spread_level(double reach) const;
 
   // "above": points at least so many metres above the level, "low": those lower than low_height.

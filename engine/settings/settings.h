@@ -166,6 +166,8 @@ struct FacadesSettings {
   double scale = 50;                         // of drawings, 1 : scale
   LayerNames layers = LayerNames::ilot;      // of drawings
   std::vector<double> sections;              // heights, CRS units, that facades are also cut at
+  std::vector<double> upright_sections;      // metres from the left end of each, upright cuts
+  std::vector<double> section_lines;         // x0, y0, x1, y1 of each, CRS units, upright cuts
 };
 
 struct ClassesSettings {

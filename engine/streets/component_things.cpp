@@ -5,6 +5,7 @@
 
 #include "engine/streets/part_joins.h"
 #include "engine/streets/thing_description.h"
+#include "engine/streets/thing_relations.h"
 #include "kernels/rasters/gradient.h"
 
 namespace ilot {
@@ -79,6 +80,7 @@ ComponentThings things_of_component(const Patch& patch, std::uint32_t component,
     for (std::size_t i = 0; i < who.size(); ++i) out.things[who[i] - 1] = described[i];
   }
   set_passes(joins, parts, out.things);
+  relate_things(out.things);
   return out;
 }
 

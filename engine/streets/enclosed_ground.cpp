@@ -18,10 +18,13 @@ class Enclosing {
   // The ground of a tile, and what it encloses within it.
   void find(std::size_t tile, std::uint32_t ground) {
     const std::vector<std::uint32_t> numbers = zones_.numbers_of(tile);
-    Image outside = layer_tile(layers_, zones_layer_, tile);
-    for (Height& v : outside.values) v = v > 0 && numbers[static_cast<std::size_t>(v)] == ground ? kNoHeight : 0;
-    const ZoneRuns parts = zone_runs(outside, 0, Adjacency::four);
-    const std::vector<std::uint32_t> on_border = borders_.tell(tile, parts, outside);
+    const Image labels = layer_tile(layers_, zones_layer_, tile);
+    std::vector<std::uint8_t> is_outside(numbers.size()), outside(labels.size());
+    for (std::size_t z = 0; z < numbers.size(); ++z) is_outside[z] = z == 0 || numbers[z] != ground;
+    for (std::size_t i = 0; i < outside.size(); ++i)
+      outside[i] = is_outside[static_cast<std::size_t>(labels.values[i])];
+    const ZoneRuns parts = flagged_runs(labels.width, labels.height, outside, Adjacency::four);
+    const std::vector<std::uint32_t> on_border = borders_.tell(tile, parts);
     open_[tile].assign(*std::max_element(on_border.begin(), on_border.end()) + std::size_t{1}, 0);
     open_at_ends(tile, parts, on_border);
     const Image filled = layer_tile(layers_, "filled", tile);
@@ -48,9 +51,11 @@ class Enclosing {
   // The parts that are left are those on the border, in the order in which they were told.
   void decide(std::size_t tile) const {
     if (open_[tile].size() < 2) return;
-    Image mask = layer_tile(layers_, "mask", tile), left = mask;
-    for (Height& v : left.values) v = v >= kUndecided ? 0 : kNoHeight;
-    for_each_run(zone_runs(left, 0, Adjacency::four), [&](std::uint32_t part, std::uint32_t y, PixelRun run) {
+    Image mask = layer_tile(layers_, "mask", tile);
+    std::vector<std::uint8_t> left(mask.size());
+    for (std::size_t i = 0; i < left.size(); ++i) left[i] = mask.values[i] >= kUndecided;
+    const ZoneRuns parts = flagged_runs(mask.width, mask.height, left, Adjacency::four);
+    for_each_run(parts, [&](std::uint32_t part, std::uint32_t y, PixelRun run) {
       const bool enclosed = joined_open_[borders_.number(tile, part)] == 0;
       const std::size_t row = std::size_t{y} * mask.width;
       for (std::size_t i = row + run.from; i < row + run.to; ++i)

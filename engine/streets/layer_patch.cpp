@@ -20,7 +20,7 @@ Patch load_patch(const StreetLayers& layers, const PixelRect& r) {
   const auto read = [&](const char* layer) {
     return layer_window(layers, layer, r.x0 - 1, r.y0 - 1, r.width() + 2, r.height() + 2);
   };
-  return {r.x0 - 1,     r.y0 - 1,      read("height"), read("range"),     read("accumulation"),
+  return {r.x0 - 1,     r.y0 - 1,      read("standing"), read("range"),     read("accumulation"),
           read("mask"), read("above"), read("low"),    read("components")};
 }
 

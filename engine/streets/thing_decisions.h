@@ -49,6 +49,9 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
 // As the model's text has it.
 std::string name_of(ThingKind kind);
 
+// Logarithms of the shares of each state, before they are weighed.
+std::array<double, kThingStates> role_logs(const ThingModel& model, const ThingFeatures& features);
+
 // The class with the greatest share, whatever its role.
 ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features);
 

@@ -87,19 +87,29 @@ Machine train_on(const TrainingSet& set, const KernelTable& kernels, std::vector
   return m;
 }
 
-std::vector<std::vector<double>> held_out(const TrainingSet& set, const KernelTable& kernels, double cost,
-                                          std::uint32_t folds, std::size_t class_count) {
-  std::vector<std::vector<double>> out(set.size());
+std::vector<Machine> fold_machines(const TrainingSet& set, const KernelTable& kernels, double cost, std::uint32_t folds,
+                                   std::size_t class_count) {
+  std::vector<Machine> machines(folds);
   for (std::uint32_t fold = 0; fold < folds; ++fold) {
     std::vector<std::size_t> rest;
     for (std::size_t i = 0; i < set.size(); ++i)
       if (set.folds[i] != fold) rest.push_back(i);
     if (rest.empty() || rest.size() == set.size()) continue;
-    const Machine machine = train_on(set, kernels, rest, cost, class_count);
-    for (std::size_t i = 0; i < set.size(); ++i)
-      if (set.folds[i] == fold) out[i] = decisions(machine, kernels, i, class_count);
+    machines[fold] = train_on(set, kernels, rest, cost, class_count);
   }
-  for (auto& d : out) d.resize(class_count * (class_count - 1) / 2, 0);
+  return machines;
+}
+
+std::vector<std::vector<double>> held_out(const TrainingSet& set, const KernelTable& kernels,
+                                          const std::vector<Machine>& machines, std::size_t class_count) {
+  std::vector<std::vector<double>> out(set.size());
+  for (std::size_t i = 0; i < set.size(); ++i) {
+    const Machine& machine = machines[set.folds[i]];
+    if (machine.model != nullptr)
+      out[i] = decisions(machine, kernels, i, class_count);
+    else
+      out[i].resize(class_count * (class_count - 1) / 2, 0);
+  }
   return out;
 }
 

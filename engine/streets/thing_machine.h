@@ -45,12 +45,17 @@ struct Machine {
 Machine train_on(const TrainingSet& set, const KernelTable& kernels, std::vector<std::size_t> samples, double cost,
                  std::size_t class_count);
 
+// Of each fold the machine that has not seen it; none where all samples or no others are of it.
+std::vector<Machine> fold_machines(const TrainingSet& set, const KernelTable& kernels, double cost, std::uint32_t folds,
+                                   std::size_t class_count);
+
 // Decisions for every sample by the machine that has not seen its fold: by pairs of the whole's classes, 0 for pairs
 // that it does not know.
-std::vector<std::vector<double>> held_out(const TrainingSet& set, const KernelTable& kernels, double cost,
-                                          std::uint32_t folds, std::size_t class_count);
+std::vector<std::vector<double>> held_out(const TrainingSet& set, const KernelTable& kernels,
+                                          const std::vector<Machine>& machines, std::size_t class_count);
 
-// The machine in the order of the model's classes: libsvm has them in the order in which they first came.
+// The machine in the order of the model's classes: libsvm has them in the order in which they first came. The machine
+// must know all of them.
 void take_over(const Machine& machine, const TrainingSet& set, ThingModel& model);
 
 }  // namespace ilot

@@ -8,12 +8,14 @@
 #include <sstream>
 
 #include "engine/error.h"
+#include "engine/streets/pair_coupling.h"
 #include "engine/streets/thing_decisions.h"
 
 namespace ilot {
 namespace {
 
 constexpr const char* kFirstLine = "ilot things 1";
+constexpr double kLeastShare = 1e-4;  // nothing is less probable
 
 constexpr std::pair<ThingRole, const char*> kRoles[] = {{ThingRole::part, "part"}, {ThingRole::several, "several"}};
 
@@ -69,6 +71,12 @@ class ModelReader {
     if (word == "pair") {
       const auto v = numbers(words, 3);
       model_.rho.push_back(v[0]), model_.slope.push_back(v[1]), model_.offset.push_back(v[2]);
+      return;
+    }
+    if (word == "roles") {
+      const auto v = numbers(words, 2 * kThingStates);
+      std::copy_n(v.begin(), kThingStates, model_.roles.power.begin());
+      std::copy_n(v.begin() + kThingStates, kThingStates, model_.roles.bias.begin());
       return;
     }
     if (word != "vector") fail("'" + word + "' is not known");
@@ -154,7 +162,7 @@ ClassShares shares_of(const ThingModel& model, const ThingFeatures& features) {
   const std::size_t k = model.classes.size();
   std::vector<double> decision(k * (k - 1) / 2, 0);
   for (std::size_t p = 0; p < decision.size(); ++p) decision[p] = -model.rho[p];
-  ClassShares out{model.prior, 0};
+  ClassShares out;
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {
     const double kernel = radial(row, model.vectors[v], model.gamma);
     out.nearest = std::max(out.nearest, kernel);
@@ -164,20 +172,46 @@ ClassShares shares_of(const ThingModel& model, const ThingFeatures& features) {
         decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
             weight_against(model, v, own, other) * kernel;
   }
-  for (std::size_t a = 0; a < k; ++a)
-    for (std::size_t b = a + 1; b < k; ++b) {
-      const std::size_t p = pair_index(a, b, k);
-      const double first = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
-      out.share[a] *= first;
-      out.share[b] *= 1 - first;
-    }
+  for (std::size_t p = 0; p < decision.size(); ++p)
+    decision[p] = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
+  out.share = coupled_pairs(decision, k);
   double sum = 0;
-  for (const double s : out.share) sum += s;
-  for (double& s : out.share) s = sum > 0 ? s / sum : 1 / static_cast<double>(k);
+  for (std::size_t c = 0; c < k; ++c) sum += out.share[c] *= model.prior[c];
+  for (double& s : out.share) s /= sum;
+  return out;
+}
+
+// The shares of what a thing is, if it is whole, and of its roles.
+struct StateShares {
+  std::array<double, kThingStates> of_state{};
+  PointLabel object = PointLabel::other, rest = PointLabel::none;
+  double object_share = 0, rest_share = 0;
+};
+
+StateShares states_of(const ThingModel& model, const std::vector<double>& share) {
+  StateShares out;
+  auto& [object, rest, part, several] = out.of_state;
+  for (std::size_t c = 0; c < share.size(); ++c) {
+    const auto [label, role] = model.classes[c];
+    if (role == ThingRole::part) part += share[c];
+    if (role == ThingRole::several) several += share[c];
+    if (role != ThingRole::whole) continue;
+    const bool is_object = label >= PointLabel::car;
+    (is_object ? object : rest) += share[c];
+    double& best = is_object ? out.object_share : out.rest_share;
+    if (share[c] > best) best = share[c], (is_object ? out.object : out.rest) = label;
+  }
+  part += rest, several += rest;
   return out;
 }
 
 }  // namespace
+
+std::array<double, kThingStates> role_logs(const ThingModel& model, const ThingFeatures& features) {
+  std::array<double, kThingStates> out = states_of(model, shares_of(model, features).share).of_state;
+  for (double& v : out) v = natural_log(std::max(kLeastShare, v));
+  return out;
+}
 
 ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features) {
   const std::vector<double> share = shares_of(model, features).share;
@@ -186,23 +220,19 @@ ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features)
 
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
   const auto [share, nearest] = shares_of(model, features);
-  ThingClass out{PointLabel::none, 0, 0, 0, 0};
-  double best = -1, any = 0;
-  for (std::size_t c = 0; c < share.size(); ++c) {
-    const auto [label, role] = model.classes[c];
-    out.part += role == ThingRole::part ? share[c] : 0;
-    out.several += role == ThingRole::several ? share[c] : 0;
-    if (role != ThingRole::whole) continue;
-    out.whole += share[c];
-    any += label < PointLabel::car ? share[c] : 0;
-    if (share[c] > best) best = share[c], out.label = label;
-  }
-  out.part += any, out.several += any;
-  out.probability = out.whole > 0 ? best / out.whole : 0;
+  const StateShares states = states_of(model, share);
+  std::array<double, kThingStates> weight;
+  for (std::size_t s = 0; s < kThingStates; ++s)
+    weight[s] = natural_exp(model.roles.power[s] * natural_log(std::max(kLeastShare, states.of_state[s])) +
+                            model.roles.bias[s]);
+  const auto [object, rest, part, several] = weight;
+  const bool is_object = states.object_share > 0 && object >= rest;
+  const double all = states.of_state[0] + states.of_state[1];
+  ThingClass out{is_object ? states.object : states.rest, 0, std::max(object, rest), part, several};
+  out.probability = all > 0 ? (is_object ? states.object_share : states.rest_share) / all : 0;
   if (nearest >= model.unlike) return out;
   out.whole = out.part = out.several = 1;
-  if (out.label >= PointLabel::car)
-    out.label = PointLabel::other, out.probability = 1 / static_cast<double>(share.size());
+  if (is_object) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(share.size());
   return out;
 }
 
@@ -218,6 +248,10 @@ std::string thing_model_text(const ThingModel& model) {
   text += fmt::format("kernel {:.9g} {:.9g} {:.9g}\n", model.cost, model.gamma, model.unlike);
   for (std::size_t p = 0; p < model.rho.size(); ++p)
     text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
+  text += "roles";
+  for (const auto& list : {model.roles.power, model.roles.bias})
+    for (const double v : list) text += fmt::format(" {:.9g}", v);
+  text += "\n";
   for (std::size_t v = 0; v < model.vectors.size(); ++v) {
     text += fmt::format("vector {}", model.class_of_vector[v]);
     for (const double w : model.weights[v]) text += fmt::format(" {:.7g}", w);

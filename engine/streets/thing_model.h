@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What things are, by a support vector machine [B7]. Training and use are plain arithmetic: the same on every machine.
 #pragma once
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -22,12 +23,22 @@ struct ThingKind {
   auto operator<=>(const ThingKind&) const = default;
 };
 
+// What a thing is in a cut through a tree of joins: whole and an object, whole and none (or vegetation), below, above.
+enum class ThingState : std::uint8_t { object, rest, part, several };
+constexpr std::size_t kThingStates = 4;
+
+// How much the states count where all things of a tree are weighed together: exp(bias) p^power.
+struct RoleWeights {
+  std::array<double, kThingStates> power{1, 1, 1, 1}, bias{};
+};
+
 // A thing whose class is known. `none`: a remnant that is no thing at all.
 struct ThingSample {
   ThingFeatures features{};
   PointLabel label = PointLabel::none;
   std::uint32_t group = 0;  // things of one group are never parted by a fold: the number of a block
   ThingRole role = ThingRole::whole;
+  std::array<std::uint32_t, 2> parts{};  // places in the list of samples, from 1, of those it joins; 0: none
 
   ThingKind kind() const {
     return role == ThingRole::whole ? ThingKind{label, role} : ThingKind{PointLabel::none, role};
@@ -59,10 +70,12 @@ struct ThingModel {
   std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
   std::vector<std::uint32_t> class_of_vector;  // index into classes, rising
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
+  RoleWeights roles;
 };
 
-// The likeliest class of what is whole, and how probable it is if the thing is whole; and how probable each role is.
-// Vegetation and what is no thing may be parted and joined at will: they count for every role.
+// What a thing is if it is whole, and how probable that is then; and how much speaks for each role: how probable it is,
+// weighed by the model's RoleWeights. Vegetation and what is no thing may be parted and joined at will: they count for
+// every role.
 struct ThingClass {
   PointLabel label = PointLabel::other;
   double probability = 0;
@@ -76,12 +89,15 @@ std::vector<std::size_t> selected_features(std::span<const ThingSample> samples,
 // (ties: the lower cost, then the lower gamma) and fits the probabilities to the decisions of the cross-validation
 // (Platt 1999 as Lin, Lin and Weng 2007 do it). Where samples were left out because a class has many, those that the
 // machine gets wrong (at most a third as many) join the others, and it is trained once more; probabilities stay those
-// of the even choice, times how many samples each class really had. At least two classes with two samples each, else
-// Error(usage).
+// of the even choice, times how many samples each class really had. Where samples are joined from others, the roles'
+// weights are learnt from what machines that have not seen them say of all of them (role_weights.h). At least two
+// classes with two samples each, else Error(usage).
 ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainingParams& params = {});
 
-// The products of pairwise probabilities, shared out over all classes. Things like nothing that the machine was trained
-// on may have any role, and where they are called an object they are `other`, as probable as any class.
+// Pairwise probabilities coupled as Wu, Lin and Weng (2004) do it in their second method, times how common the classes
+// are. Called an object where its weight is greater than that of being none, then by the most probable class. Things
+// like nothing that the machine was trained on may have any role, and where they are called an object they are `other`,
+// as probable as any class.
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
 
 // Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of

@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/streets/pair_sigmoid.h"
+#include "engine/streets/role_weights.h"
 #include "engine/streets/thing_decisions.h"
 #include "engine/streets/thing_machine.h"
 #include "engine/streets/thing_model.h"
@@ -16,6 +17,7 @@ namespace {
 
 constexpr int kCosts[] = {0, 3, 6, 9};  // powers of two
 constexpr int kGammas[] = {-7, -5, -3, -1};
+constexpr double kRounding = 1e-3;  // of a kernel, by the few digits of vectors in a model's text
 
 std::vector<ThingKind> classes_of(std::span<const ThingSample> samples) {
   std::vector<ThingKind> classes;
@@ -50,16 +52,23 @@ std::vector<ThingSample> wrong_ones(const ThingModel& model, std::span<const Thi
 }
 
 // Groups in their order, dealt out one by one; single samples where there are fewer groups than folds.
-std::vector<std::uint32_t> folds_of(std::span<const ThingSample> samples, std::uint32_t folds) {
-  std::map<std::uint32_t, std::uint32_t> groups;
-  for (const ThingSample& s : samples) groups.emplace(s.group, 0);
-  std::uint32_t next = 0;
-  for (auto& entry : groups) entry.second = next++ % folds;
-  std::vector<std::uint32_t> out;
-  for (std::size_t i = 0; i < samples.size(); ++i)
-    out.push_back(groups.size() >= folds ? groups[samples[i].group] : static_cast<std::uint32_t>(i % folds));
-  return out;
-}
+class Folds {
+ public:
+  Folds(std::span<const ThingSample> samples, std::uint32_t folds) : folds_(folds) {
+    for (const ThingSample& s : samples) of_group_.emplace(s.group, 0);
+    std::uint32_t next = 0;
+    for (auto& entry : of_group_) entry.second = next++ % folds;
+  }
+  bool by_group() const { return of_group_.size() >= folds_; }
+  std::uint32_t of(const ThingSample& s, std::size_t place) const {
+    return by_group() ? of_group_.at(s.group) : static_cast<std::uint32_t>(place % folds_);
+  }
+  std::uint32_t count() const { return folds_; }
+
+ private:
+  std::uint32_t folds_;
+  std::map<std::uint32_t, std::uint32_t> of_group_;
+};
 
 void standardise(std::span<const ThingSample> samples, ThingModel& model) {
   const auto n = static_cast<double>(samples.size());
@@ -76,14 +85,14 @@ void standardise(std::span<const ThingSample> samples, ThingModel& model) {
   }
 }
 
-TrainingSet training_set(std::span<const ThingSample> samples, const ThingModel& model, std::uint32_t folds) {
+TrainingSet training_set(std::span<const ThingSample> samples, const ThingModel& model, const Folds& folds) {
   TrainingSet set;
   for (const ThingSample& s : samples) {
     set.rows.push_back(standardised(model, s.features));
     set.classes.push_back(static_cast<std::uint32_t>(
         std::lower_bound(model.classes.begin(), model.classes.end(), s.kind()) - model.classes.begin()));
+    set.folds.push_back(folds.of(s, set.folds.size()));
   }
-  set.folds = folds_of(samples, folds);
   return set;
 }
 
@@ -107,8 +116,10 @@ GridBest search_grid(const TrainingSet& set, std::uint32_t folds, std::size_t cl
   std::vector<std::vector<double>> hits(std::size(kGammas), std::vector<double>(std::size(kCosts), 0));
   parallel_for(std::size(kGammas), [&](std::size_t g) {
     const KernelTable kernels(set, std::ldexp(1.0, kGammas[g]));
-    for (std::size_t c = 0; c < std::size(kCosts); ++c)
-      hits[g][c] = balanced_hits(set, held_out(set, kernels, std::ldexp(1.0, kCosts[c]), folds, classes), classes);
+    for (std::size_t c = 0; c < std::size(kCosts); ++c) {
+      const auto machines = fold_machines(set, kernels, std::ldexp(1.0, kCosts[c]), folds, classes);
+      hits[g][c] = balanced_hits(set, held_out(set, kernels, machines, classes), classes);
+    }
   });
   GridBest best;
   for (std::size_t c = 0; c < std::size(kCosts); ++c)
@@ -146,10 +157,6 @@ void check(std::span<const ThingSample> samples) {
                   ExitCode::usage);
 }
 
-std::uint32_t usable_folds(const TrainingSet& set, std::uint32_t folds) {
-  return std::max(2u, std::min<std::uint32_t>(folds, static_cast<std::uint32_t>(set.size())));
-}
-
 // The kernel to the nearest support vector that is not the sample itself: what all but a hundredth of the even samples
 // of each class have at least, so that a rare and scattered class is not the strange one.
 double least_likeness(const TrainingSet& set, std::size_t even, const ThingModel& model) {
@@ -165,20 +172,74 @@ double least_likeness(const TrainingSet& set, std::size_t even, const ThingModel
     std::sort(list.begin(), list.end());
     least = std::min(least, list[list.size() / 100]);
   }
-  return least;
+  return least * (1 - kRounding);
 }
 
-// Trains the model's machine, features, cost and gamma given, and fits its probabilities.
-void finish(const TrainingSet& set, std::size_t even, const ThingTrainingParams& params, ThingModel& model) {
+// Trains the model's machine, features, cost and gamma given, and fits its probabilities. Of each fold the model that
+// has not seen it; without vectors where there is none that knows all classes.
+std::vector<ThingModel> finish(const TrainingSet& set, std::size_t even, const Folds& folds, ThingModel& model) {
   model.vectors.clear(), model.weights.clear(), model.class_of_vector.clear();
   model.slope.clear(), model.offset.clear();
   const std::size_t k = model.classes.size();
   const KernelTable kernels(set, model.gamma);
-  fit_probabilities(set, even, held_out(set, kernels, model.cost, usable_folds(set, params.folds), k), model);
+  const std::vector<Machine> machines = fold_machines(set, kernels, model.cost, folds.count(), k);
+  fit_probabilities(set, even, held_out(set, kernels, machines, k), model);
+  std::vector<ThingModel> unseen(folds.count(), model);
+  for (std::size_t f = 0; f < unseen.size(); ++f)
+    if (machines[f].model != nullptr && machines[f].model->nr_class == static_cast<int>(k))
+      take_over(machines[f], set, unseen[f]);
   std::vector<std::size_t> everything(set.size());
   for (std::size_t i = 0; i < everything.size(); ++i) everything[i] = i;
   take_over(train_on(set, kernels, everything, model.cost, k), set, model);
   model.unlike = least_likeness(set, even, model);
+  return unseen;
+}
+
+// The states that a sample may have in a true cut. What is no thing may be parted and joined at will.
+RoleSample role_sample(const ThingSample& s) {
+  RoleSample out;
+  const bool object = s.label >= PointLabel::car;
+  switch (s.role) {
+    case ThingRole::whole:
+      out.may = {object, !object, 1, 1};
+      break;
+    case ThingRole::part:
+      out.may = {0, 0, 1, 0};
+      break;
+    case ThingRole::several:
+      out.may = {0, 0, 0, 1};
+      break;
+  }
+  std::copy(s.parts.begin(), s.parts.end(), out.parts);
+  return out;
+}
+
+// Learns how much the roles count, from what the models that have not seen the samples say of them.
+RoleWeights roles_of(std::span<const ThingSample> all, const Folds& folds, const std::vector<ThingModel>& unseen) {
+  const bool joined = std::any_of(all.begin(), all.end(), [](const ThingSample& s) { return s.parts[0] != 0; });
+  const bool known = std::none_of(unseen.begin(), unseen.end(), [](const ThingModel& m) { return m.vectors.empty(); });
+  if (!joined || !known || !folds.by_group()) return {};
+  std::vector<RoleSample> things(all.size());
+  parallel_for(all.size(), [&](std::size_t i) {
+    things[i] = role_sample(all[i]);
+    things[i].log = role_logs(unseen[folds.of(all[i], i)], all[i].features);
+  });
+  return learn_role_weights(things);
+}
+
+// Those of one fold or of all others, with their parts among them; what has lost a part joins none.
+std::vector<ThingSample> without_fold(std::span<const ThingSample> samples, const Folds& folds, std::uint32_t fold) {
+  std::vector<ThingSample> rest;
+  std::vector<std::uint32_t> place(samples.size() + 1, 0);
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (folds.of(samples[i], i) == fold) continue;
+    rest.push_back(samples[i]);
+    place[i + 1] = static_cast<std::uint32_t>(rest.size());
+    auto& [a, b] = rest.back().parts;
+    a = place[a], b = place[b];
+    if (a == 0 || b == 0) a = b = 0;
+  }
+  return rest;
 }
 
 }  // namespace
@@ -213,31 +274,31 @@ ThingModel train_things(std::span<const ThingSample> all, const ThingTrainingPar
   model.features = selected_features(samples, params);
   if (model.features.empty()) throw Error("training: no feature tells the classes apart", ExitCode::usage);
   standardise(samples, model);
-  const TrainingSet first = training_set(samples, model, params.folds);
-  const TrainingSet few = training_set(thinned(samples, params.most_in_grid, ignored), model, params.folds);
-  const GridBest best = search_grid(few, usable_folds(few, params.folds), model.classes.size());
+  const Folds folds(all, std::clamp<std::uint32_t>(static_cast<std::uint32_t>(samples.size()), 2u, params.folds));
+  const TrainingSet few = training_set(thinned(samples, params.most_in_grid, ignored), model, folds);
+  const GridBest best = search_grid(few, folds.count(), model.classes.size());
   model.cost = best.cost;
   model.gamma = best.gamma;
-  finish(first, even, params, model);
+  std::vector<ThingModel> unseen = finish(training_set(samples, model, folds), even, folds, model);
   const std::vector<ThingSample> wrong = thinned(wrong_ones(model, rest), params.most_of_class / 3, ignored);
-  if (wrong.empty()) return model;
-  samples.insert(samples.end(), wrong.begin(), wrong.end());
-  finish(training_set(samples, model, params.folds), even, params, model);
+  if (!wrong.empty()) {
+    samples.insert(samples.end(), wrong.begin(), wrong.end());
+    unseen = finish(training_set(samples, model, folds), even, folds, model);
+  }
+  model.roles = roles_of(all, folds, unseen);
   return model;
 }
 
 std::vector<ThingClass> cross_validate(std::span<const ThingSample> samples, const ThingTrainingParams& params,
                                        std::uint32_t folds) {
-  const std::vector<std::uint32_t> fold_of = folds_of(samples, folds);
+  const Folds dealt(samples, folds);
   std::vector<ThingClass> out(samples.size(), {PointLabel::none, 0, 0});
   for (std::uint32_t fold = 0; fold < folds; ++fold) {
-    std::vector<ThingSample> rest;
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      if (fold_of[i] != fold) rest.push_back(samples[i]);
+    const std::vector<ThingSample> rest = without_fold(samples, dealt, fold);
     if (rest.size() == samples.size()) continue;
     const ThingModel model = train_things(rest, params);
     for (std::size_t i = 0; i < samples.size(); ++i)
-      if (fold_of[i] == fold) out[i] = classify_thing(model, samples[i].features);
+      if (dealt.of(samples[i], i) == fold) out[i] = classify_thing(model, samples[i].features);
   }
   return out;
 }

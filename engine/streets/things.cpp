@@ -18,6 +18,21 @@ PixelRect rect_of(const TileFrame& f) {
   return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
 }
 
+// The layer "standing": heights of what points were seen on, or near.
+void find_standing(const StreetLayers& layers, std::uint32_t reach) {
+  for_each_tile(layers.grid,
+                [&](std::size_t tile) {
+                  Image seen = layer_around(layers, "accumulation", tile, reach),
+                        height = layer_tile(layers, "height", tile);
+                  for (Height& v : seen.values) v = v > 0 ? 0 : kNoHeight;
+                  seen = without_halo(box_minimum(seen, reach), reach);
+                  for (std::size_t i = 0; i < height.size(); ++i)
+                    if (seen.values[i] == kNoHeight) height.values[i] = kNoHeight;
+                  layers.write("standing", tile, height);
+                },
+                {24, reach});
+}
+
 struct Components {
   std::vector<std::uint64_t> pixels;
   std::vector<PixelRect> boxes;
@@ -34,13 +49,13 @@ Components find_components(const StreetLayers& layers, std::uint32_t reach) {
   };
   std::vector<Seen> seen;
   const auto standing = [&](std::size_t tile) {
-    Image image = layer_around(layers, "height", tile, reach);
+    Image image = layer_around(layers, "standing", tile, reach);
     for (Height& v : image.values) v = v == kNoHeight ? kNoHeight : 0;
     return without_halo(box_minimum(image, reach), reach);
   };
   const auto write = [&](std::size_t tile, const PixelLabels& labels) {
     const TileFrame frame = tile_frame(layers.grid, tile);
-    const Image height = layer_tile(layers, "height", tile);
+    const Image height = layer_tile(layers, "standing", tile);
     std::vector<Seen> runs;  // one a run of a row
     Image image{labels.width, labels.height, std::vector<Height>(labels.of.size(), 0)};
     for (std::uint32_t y = 0; y < labels.height; ++y) {
@@ -205,14 +220,19 @@ class ThingFinder {
 }  // namespace
 
 const char* thing_feature_name(std::size_t feature) {
-  static constexpr const char* kOwn[] = {"low share", "ground share", "roughness",  "length",
-                                         "width",     "inner pass",   "outer pass", "facade contact"};
+  static constexpr const char* kOwn[] = {"low share",    "ground share", "roughness",   "length",
+                                         "width",        "inner pass",   "outer pass",  "facade contact",
+                                         "fill",         "lesser share", "top step",    "mean step",
+                                         "joined share", "rise",         "joined fill", "joined length"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }
 
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params) {
-  return ThingFinder(layers, scale, params).find();
+  find_standing(layers, scale.pixels(params.seen_within));
+  std::vector<Thing> things = ThingFinder(layers, scale, params).find();
+  layers.drop("standing");
+  return things;
 }
 
 }  // namespace ilot

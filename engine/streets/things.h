@@ -20,8 +20,16 @@ enum class ThingFeature : std::uint8_t {
   inner_pass,  // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
   outer_pass,  // the highest pass to another part of its component over the lower top; 0 without any
   facade_contact,  // of its pixels on its edge, those beside what is not ground
+  fill,            // area over that of the rectangle with the moments of its pixels
+  lesser_share,    // of a joined thing's area, that of its lesser part; 0 of one that was separated
+  top_step,        // metres between the tops of its two parts
+  mean_step,       // metres between their mean heights
+  joined_share,    // of the area of what joins it with another, its own; 1 where nothing does
+  rise,            // metres that its top is above that of the other
+  joined_fill,     // of what joins them
+  joined_length,
 };
-constexpr std::size_t kThingFeatures = kComponentFeatures + 8;
+constexpr std::size_t kThingFeatures = kComponentFeatures + 16;
 using ThingFeatures = std::array<double, kThingFeatures>;
 const char* thing_feature_name(std::size_t feature);
 
@@ -42,6 +50,7 @@ struct ThingsParams {
   double largest = 40;           // square metres; parts are joined to no larger things
   double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
   double low_height = 2;         // metres above the ground
+  double seen_within = 0.25;     // metres; what is farther from every point was filled in, and nothing stands there
   double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
 };
 
@@ -51,10 +60,12 @@ struct ThingsParams {
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
 // of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
 //
-// Ours: a watershed also parts what is one, as a bicycle from saddle to handlebar. Behind the parts as they were
-// separated come the things that join two of them or of those: in each component the two whose pass is highest beside
-// the lower top, again and again, then those that a gap of less than nearest_apart parts, up to `largest`. Components
-// are joined over such gaps too. Which of them are things, classes tell: whole_things.
+// Ours: heights that are no nearer to a point than seen_within are left out: links of the ground over shadows climb to
+// what stands at their ends, and would join it. A watershed also parts what is one, as a bicycle from saddle to
+// handlebar. Behind the parts as they were separated come the things that join two of them or of those: in each
+// component the two whose pass is highest beside the lower top, again and again, then those that a gap of less than
+// nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are things, classes
+// tell: whole_things.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot

@@ -30,7 +30,7 @@ bool touches(const Image& inside, std::size_t p) {
 // Upside down, with the ring at the local ground height; outside of it kNoHeight.
 Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach) {
   const std::uint32_t halo = reach + 1;
-  const Image inside = inside_around(layers, tile, halo), around = box_minimum(inside, reach);
+  const Image inside = inside_around(layers, tile, halo), around = box_minimum_within(inside, reach);
   Image over = without_halo(inside, halo);
   for (std::uint32_t y = 0; y < over.height; ++y) {
     for (std::uint32_t x = 0; x < over.width; ++x) {
@@ -39,7 +39,7 @@ Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach)
       if (inside.values[p] != kNoHeight)
         v = -inside.values[p];
       else if (touches(inside, p))
-        v = -around.values[p];
+        v = -around.values[std::size_t{y + 1} * around.width + x + 1];
     }
   }
   return over;
@@ -75,9 +75,9 @@ class Draining {
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image raised = layer_tile(layers_, "raised", tile);
       filling_.raise(tile, raised);
-      const Image low = low_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
-      const ZoneRuns plateaus = zone_runs(low, 0, Adjacency::four);
-      plateaus_[tile] = {borders_.tell(tile, plateaus, low), zone_pixels(plateaus)};
+      const ZoneRuns plateaus =
+          plateaus_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
+      plateaus_[tile] = {borders_.tell(tile, plateaus), zone_pixels(plateaus)};
       layers_.write("raised", tile, raised);
     });
     borders_.join(0, Adjacency::four);
@@ -98,17 +98,20 @@ class Draining {
     filling_.join_drained();
   }
 
-  // Into "height": how much the filling raises each pixel of the ground; kNoHeight where that is little.
+  // Into "height": how much the filling raises each pixel of the ground; kNoHeight where that is little. Into "bare":
+  // the ground without what stands there; kNoHeight outside of it.
   void measure() {
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       const Image over = layer_tile(layers_, "over", tile), mask = layer_tile(layers_, "mask", tile);
-      Image height = layer_tile(layers_, "raised", tile);
+      Image height = layer_tile(layers_, "raised", tile), bare = layer_tile(layers_, "filled", tile);
       filling_.lower(tile, over, height);
       for (std::size_t i = 0; i < height.size(); ++i) {
         const Height depth = depth_at(height, over, mask, i);
+        bare.values[i] = mask.values[i] == 1 ? bare.values[i] - (depth < least_ ? 0 : depth) : kNoHeight;
         height.values[i] = depth < least_ ? kNoHeight : depth;
       }
       layers_.write("height", tile, height);
+      layers_.write("bare", tile, bare);
     });
   }
 
@@ -118,14 +121,14 @@ class Draining {
     return mask.values[i] == 1 ? raised.values[i] - over.values[i] : kNoHeight;
   }
 
-  // 0 where the filling is of a plateau's depth, kNoHeight elsewhere.
-  Image low_of(const Image& raised, const Image& over, const Image& mask) const {
-    Image low{raised.width, raised.height, std::vector<Height>(raised.size())};
+  // Where the filling is of a plateau's depth.
+  ZoneRuns plateaus_of(const Image& raised, const Image& over, const Image& mask) const {
+    std::vector<std::uint8_t> low(raised.size());
     for (std::size_t i = 0; i < low.size(); ++i) {
       const Height depth = depth_at(raised, over, mask, i);
-      low.values[i] = depth >= least_ && depth <= most_ ? 0 : kNoHeight;
+      low[i] = (depth >= least_) & (depth <= most_);
     }
-    return low;
+    return flagged_runs(raised.width, raised.height, low, Adjacency::four);
   }
 
   static std::vector<std::uint32_t> zone_pixels(const ZoneRuns& zones) {
@@ -157,13 +160,12 @@ class Draining {
   Image marker_of(const Image& raised, const Image& over, const Image& mask,
                   const std::vector<std::uint8_t>& large) const {
     Image marker = raised;
-    for_each_run(zone_runs(low_of(raised, over, mask), 0, Adjacency::four),
-                 [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
-                   if (large[zone] == 0) return;
-                   const auto row = static_cast<std::ptrdiff_t>(std::size_t{y} * marker.width);
-                   std::copy(over.values.begin() + row + run.from, over.values.begin() + row + run.to,
-                             marker.values.begin() + row + run.from);
-                 });
+    for_each_run(plateaus_of(raised, over, mask), [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+      if (large[zone] == 0) return;
+      const auto row = static_cast<std::ptrdiff_t>(std::size_t{y} * marker.width);
+      std::copy(over.values.begin() + row + run.from, over.values.begin() + row + run.to,
+                marker.values.begin() + row + run.from);
+    });
     return marker;
   }
 

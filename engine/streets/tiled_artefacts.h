@@ -6,7 +6,8 @@
 namespace ilot {
 
 // find_artefacts of a street that is too large to hold: from the layers "filled" and "mask" to "height" (above the
-// ground around; kNoHeight where nothing stands), pixel by pixel what find_artefacts makes of the whole.
+// ground around; kNoHeight where nothing stands), pixel by pixel what find_artefacts makes of the whole, and "bare":
+// the ground below it, kNoHeight outside of the mask.
 void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
 
 }  // namespace ilot

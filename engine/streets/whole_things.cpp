@@ -10,7 +10,7 @@ namespace ilot {
 
 namespace {
 
-constexpr double kLeast = 1e-4;  // nothing is less probable
+constexpr double kLeast = 1e-30;  // no weight is less
 
 double weight_of(double probability) {
   return natural_log(std::max(kLeast, probability));

@@ -29,6 +29,18 @@ std::vector<FlatPoint> crossings_of(const SectionFace& face, const SectionPlane&
   return crossings;
 }
 
+// The part of a stretch between two places along x; false when there is none.
+bool keep_between(double from, double to, FlatEdge& e) {
+  if (std::max(e.a.x, e.b.x) < from || std::min(e.a.x, e.b.x) > to) return false;
+  const FlatPoint a = e.a, b = e.b;
+  const auto at = [&](double x) { return FlatPoint{x, a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y)}; };
+  for (FlatPoint* end : {&e.a, &e.b}) {
+    if (end->x < from) *end = at(from);
+    if (end->x > to) *end = at(to);
+  }
+  return true;
+}
+
 // An end of a stretch: its place and which it is.
 struct End {
   FlatPoint place;
@@ -88,7 +100,8 @@ std::vector<FlatEdge> cut_faces(std::span<const SectionFace> faces, const Sectio
     std::sort(crossings.begin(), crossings.end(), [&](FlatPoint a, FlatPoint b) {
       return by_x ? a.x < b.x || (a.x == b.x && a.y < b.y) : a.y < b.y || (a.y == b.y && a.x < b.x);
     });
-    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) edges.push_back({crossings[i], crossings[i + 1]});
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2)
+      if (FlatEdge e{crossings[i], crossings[i + 1]}; keep_between(plane.from, plane.to, e)) edges.push_back(e);
   }
   return edges;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Flat faces cut by a plane.
 #pragma once
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -14,9 +15,11 @@ struct SectionFace {
   std::vector<std::vector<Vec3>> rings;
 };
 
-// A plane and its axes, of unit length and at right angles: u to the right of the drawing, v up.
+// A plane and its axes, of unit length and at right angles: u to the right of the drawing, v up. What lies beyond an
+// end along u is not cut.
 struct SectionPlane {
   Vec3 origin, u{1, 0, 0}, v{0, 1, 0};
+  double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
 };
 
 // Where the plane passes through the faces, in its axes: stretches inside each face (even-odd rule), face by face,

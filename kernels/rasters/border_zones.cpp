@@ -10,10 +10,18 @@ namespace ilot {
 BorderZones::BorderZones(const TileGrid& grid) : pixels_(grid), told_(grid.count()), first_(grid.count() + 1, 0) {}
 
 std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& zones, const Image& image) {
+  return tell(tile, zones, heights_on(pixels_.perimeter(tile), image));
+}
+
+std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& zones) {
+  return tell(tile, zones, std::vector<Height>(pixels_.perimeter(tile).size(), 0));
+}
+
+std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights) {
   const Perimeter perimeter = pixels_.perimeter(tile);
   const std::vector<std::uint8_t> on_border = zones_on_border(zones);
   std::vector<std::uint32_t> number(on_border.size(), 0);
-  Told told{heights_on(perimeter, image), std::vector<std::uint32_t>(perimeter.size(), 0), 0};
+  Told told{std::move(heights), std::vector<std::uint32_t>(perimeter.size(), 0), 0};
   for (std::size_t z = 1; z < number.size(); ++z)
     if (on_border[z] != 0) number[z] = ++told.count;
   for_each_run(zones, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {

@@ -14,8 +14,10 @@ class BorderZones {
   explicit BorderZones(const TileGrid& grid);
 
   // Of each zone of a tile (by its number there; [0] = 0) its number among those on the tile's border, from 1; 0 = not
-  // on it. `image`: what the zones are of, for the step over the border. Different tiles from several threads at once.
+  // on it. `image`: what the zones are of, for the step over the border; without it zones that touch are joined.
+  // Different tiles from several threads at once.
   std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, const Image& image);
+  std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones);
 
   // Joins all that was told: neighbours of two tiles that differ by at most lambda. Memory: 8 bytes a pixel of all
   // borders, 4 a zone on one.
@@ -28,6 +30,8 @@ class BorderZones {
   std::uint32_t count() const { return count_; }
 
  private:
+  std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
+
   struct Told {
     std::vector<Height> heights;       // of the perimeter
     std::vector<std::uint32_t> zones;  // of the perimeter, numbers on the border; 0 = none

@@ -2,6 +2,8 @@
 #include "kernels/rasters/box_minimum.h"
 
 #include <algorithm>
+#include <cassert>
+#include <span>
 
 namespace ilot {
 namespace {
@@ -35,38 +37,65 @@ Height or_missing(Height v) {
   return v == kAboveAll ? kNoHeight : v;
 }
 
-void lower_rows(Image& image, std::size_t reach) {
-  std::vector<Height> line, scratch;
-  for (std::uint32_t y = 0; y < image.height; ++y) {
-    Height* row = image.values.data() + std::size_t{y} * image.width;
-    line.assign(image.width + 2 * reach, kAboveAll);
-    std::transform(row, row + image.width, line.data() + reach, or_highest);
-    lower_to_windows(line, scratch, 1, 2 * reach + 1);
-    std::copy_n(line.data(), image.width, row);
-  }
+bool none_in(std::span<const Height> values) {
+  Height least = kAboveAll;
+  for (const Height v : values) least = std::min(least, v);
+  return least == kAboveAll;
 }
 
-void lower_columns(Image& image, std::size_t reach) {
+// Each row without the reach at its two ends; kAboveAll where there is nothing.
+Image lowered_rows(const Image& image, std::size_t reach) {
+  const std::size_t width = image.width - 2 * reach;
+  Image out = filled_image(static_cast<std::uint32_t>(width), image.height, kAboveAll);
+  std::vector<Height> line, scratch;
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    const Height* row = image.values.data() + std::size_t{y} * image.width;
+    line.resize(image.width);
+    std::transform(row, row + image.width, line.data(), or_highest);
+    if (none_in(line)) continue;
+    lower_to_windows(line, scratch, 1, 2 * reach + 1);
+    std::copy_n(line.data(), width, out.values.data() + y * width);
+  }
+  return out;
+}
+
+Image lowered_columns(const Image& image, std::size_t reach) {
+  const std::size_t height = image.height - 2 * reach;
+  Image out = filled_image(image.width, static_cast<std::uint32_t>(height), kNoHeight);
   std::vector<Height> strip, scratch;
   for (std::uint32_t x = 0; x < image.width; x += kStrip) {
     const std::size_t width = std::min(kStrip, image.width - x);
-    strip.assign((image.height + 2 * reach) * width, kAboveAll);
-    Height* column = image.values.data() + x;
+    strip.resize(image.height * width);
     for (std::size_t y = 0; y < image.height; ++y)
-      std::copy_n(column + y * image.width, width, strip.data() + (y + reach) * width);
+      std::copy_n(image.values.data() + y * image.width + x, width, strip.data() + y * width);
+    if (none_in(strip)) continue;
     lower_to_windows(strip, scratch, width, 2 * reach + 1);
-    for (std::size_t y = 0; y < image.height; ++y)
-      std::transform(strip.data() + y * width, strip.data() + (y + 1) * width, column + y * image.width, or_missing);
+    for (std::size_t y = 0; y < height; ++y)
+      std::transform(strip.data() + y * width, strip.data() + (y + 1) * width, out.values.data() + y * image.width + x,
+                     or_missing);
   }
+  return out;
+}
+
+Image with_margin(const Image& image, std::uint32_t margin) {
+  Image out = filled_image(image.width + 2 * margin, image.height + 2 * margin, kNoHeight);
+  for (std::uint32_t y = 0; y < image.height; ++y)
+    std::copy_n(image.values.data() + std::size_t{y} * image.width, image.width,
+                out.values.data() + std::size_t{y + margin} * out.width + margin);
+  return out;
 }
 
 }  // namespace
 
+Image box_minimum_within(const Image& image, std::uint32_t reach) {
+  assert(image.width > 2 * reach && image.height > 2 * reach);
+  return lowered_columns(lowered_rows(image, reach), reach);
+}
+
 Image box_minimum(const Image& image, std::uint32_t reach) {
-  Image out = image;
-  lower_rows(out, std::min(reach, image.width));
-  lower_columns(out, std::min(reach, image.height));
-  return out;
+  if (image.size() == 0) return image;
+  return box_minimum_within(with_margin(image, std::min(reach, std::max(image.width, image.height))),
+                            std::min(reach, std::max(image.width, image.height)));
 }
 
 }  // namespace ilot

@@ -9,4 +9,8 @@ namespace ilot {
 // at a time: a fifth of what running minima of blocks (van Herk 1992) took at a reach of 100.
 Image box_minimum(const Image& image, std::uint32_t reach);
 
+// Of the pixels alone whose square lies in the image: smaller by `reach` on all four sides. More than 2 reach both
+// ways.
+Image box_minimum_within(const Image& image, std::uint32_t reach);
+
 }  // namespace ilot

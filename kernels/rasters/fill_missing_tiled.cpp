@@ -71,7 +71,7 @@ Image TiledMissing::fill(std::size_t tile, const Image& around) {
   const ZoneRuns missing = missing_runs(image, Adjacency::eight);
   std::vector<Height> levels = levels_around(missing, around);
   open_at_ends(tile, missing, levels);
-  const std::vector<std::uint32_t> on_border = borders_.tell(tile, missing, image);
+  const std::vector<std::uint32_t> on_border = borders_.tell(tile, missing);
   std::vector<Height>& told = told_[tile];
   for (std::size_t z = 1; z < on_border.size(); ++z)
     if (on_border[z] != 0) told.push_back(levels[z]);

@@ -77,6 +77,35 @@ void join_rows(const Image& image, const ZoneRuns& runs, std::uint32_t y, Height
   }
 }
 
+// Runs of flagged pixels.
+ZoneRuns find_flagged(std::uint32_t width, std::uint32_t height, const std::uint8_t* flags) {
+  ZoneRuns zones{width, height};
+  zones.first.push_back(0);
+  std::vector<std::uint8_t> breaks(std::size_t{width} + 9, 0);
+  for (std::uint32_t y = 0; y < height; ++y) {
+    const std::uint8_t* row = flags + std::size_t{y} * width;
+    for (std::uint32_t x = 1; x < width; ++x) breaks[x] = (row[x] != 0) != (row[x - 1] != 0);
+    breaks[0] = breaks[width] = 1;
+    for (std::uint32_t x = 0; x < width;) {
+      const std::uint32_t to = next_break(breaks.data(), x + 1);
+      if (row[x] != 0) zones.runs.push_back({x, to});
+      x = to;
+    }
+    zones.first.push_back(static_cast<std::uint32_t>(zones.runs.size()));
+  }
+  return zones;
+}
+
+// Runs of two rows that touch are of one region.
+void join_flagged(const ZoneRuns& runs, std::uint32_t y, std::uint32_t reach, UnionFind& sets) {
+  std::uint32_t b = runs.first[y - 1];
+  for (std::uint32_t a = runs.first[y]; a < runs.first[y + 1]; ++a) {
+    const PixelRun run = runs.runs[a];
+    while (b < runs.first[y] && runs.runs[b].to + reach <= run.from) ++b;
+    for (std::uint32_t c = b; c < runs.first[y] && runs.runs[c].from < run.to + reach; ++c) sets.unite(a, c);
+  }
+}
+
 // A root is the first run of its set, so numbers rise with first pixels, and a parent is numbered before its child.
 std::uint32_t number_zones(std::span<std::uint32_t> zone) {
   std::uint32_t count = 0;
@@ -97,10 +126,22 @@ ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency) {
   return zones;
 }
 
+ZoneRuns flagged_runs(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> flags,
+                      Adjacency adjacency) {
+  assert(flags.size() == std::size_t{width} * height);
+  ZoneRuns zones = find_flagged(width, height, flags.data());
+  zones.zone.resize(zones.runs.size());
+  UnionFind sets(zones.zone);
+  const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
+  for (std::uint32_t y = 1; y < height; ++y) join_flagged(zones, y, reach, sets);
+  zones.count = number_zones(zones.zone);
+  return zones;
+}
+
 ZoneRuns missing_runs(const Image& image, Adjacency adjacency) {
-  Image absent{image.width, image.height, std::vector<Height>(image.size())};
-  for (std::size_t i = 0; i < image.size(); ++i) absent.values[i] = image.values[i] == kNoHeight ? 0 : kNoHeight;
-  return zone_runs(absent, 0, adjacency);
+  std::vector<std::uint8_t> missing(image.size());
+  for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = image.values[i] == kNoHeight;
+  return flagged_runs(image.width, image.height, missing, adjacency);
 }
 
 std::vector<std::uint8_t> zones_on_border(const ZoneRuns& zones) {

@@ -5,11 +5,13 @@
 
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/border_pixels.h"
-#include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/tiles.h"
+#include "kernels/rasters/zone_runs.h"
 
 namespace ilot {
 namespace {
+
+constexpr std::size_t kPixelsOfRun = 128;  // of a tile whose runs are kept, at least, for each of them
 
 // What a tile tells: of each of its zones the first pixel in the whole and its size, [0] = pixels without one; and the
 // heights and zones of its border.
@@ -19,28 +21,22 @@ struct TileZones {
   std::vector<std::uint32_t> zones;
 };
 
-TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, const PixelLabels& labels) {
+TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, const ZoneRuns& runs) {
   const TileFrame frame = tile_frame(grid, tile);
-  TileZones told{std::vector<std::uint64_t>(labels.count + 1, UINT64_MAX),
-                 std::vector<std::uint64_t>(labels.count + 1, 0),
-                 {},
-                 {}};
-  for (std::uint32_t y = 0; y < frame.height; ++y) {
-    const std::uint64_t first = std::uint64_t{frame.y + y} * grid.width + frame.x;
-    const std::uint32_t* row = labels.of.data() + std::size_t{y} * frame.width;
-    for (std::uint32_t x = 0; x < frame.width;) {
-      const std::uint32_t zone = row[x], from = x;
-      while (x < frame.width && row[x] == zone) ++x;
-      told.first[zone] = std::min(told.first[zone], first + from);
-      told.size[zone] += x - from;
-    }
-  }
   const Perimeter perimeter{frame.width, frame.height};
-  for (std::uint32_t p = 0; p < perimeter.size(); ++p) {
-    const auto [x, y] = perimeter.place(p);
-    told.heights.push_back(image.values[std::size_t{y} * frame.width + x]);
-    told.zones.push_back(labels.of[std::size_t{y} * frame.width + x]);
-  }
+  TileZones told{std::vector<std::uint64_t>(runs.count + 1, UINT64_MAX), std::vector<std::uint64_t>(runs.count + 1, 0),
+                 heights_on(perimeter, image), std::vector<std::uint32_t>(perimeter.size(), 0)};
+  told.size[0] = image.size();
+  for_each_run(runs, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+    const std::uint64_t first = std::uint64_t{frame.y + y} * grid.width + frame.x + run.from;
+    told.first[zone] = std::min(told.first[zone], first);
+    told.size[zone] += run.to - run.from;
+    told.size[0] -= run.to - run.from;
+    if (y == 0 || y + 1 == frame.height)
+      for (std::uint32_t x = run.from; x < run.to; ++x) told.zones[perimeter.index(x, y)] = zone;
+    if (run.from == 0) told.zones[perimeter.index(0, y)] = zone;
+    if (run.to == frame.width) told.zones[perimeter.index(frame.width - 1, y)] = zone;
+  });
   return told;
 }
 
@@ -104,9 +100,12 @@ ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Heig
 ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
                            const WriteLabels& write) {
   std::vector<TileZones> told(grid.count());
+  std::vector<ZoneRuns> kept(grid.count());
   for_each_tile(grid, [&](std::size_t tile) {
     const Image image = read(tile);
-    told[tile] = told_by(grid, tile, image, flat_zones(image, lambda, adjacency));
+    ZoneRuns runs = zone_runs(image, lambda, adjacency);
+    told[tile] = told_by(grid, tile, image, runs);
+    if (runs.runs.size() * kPixelsOfRun <= image.size()) kept[tile] = std::move(runs);
   });
   const ZoneList list = numbered(grid, told, lambda, adjacency);
   ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
@@ -117,11 +116,10 @@ ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjace
       sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
   }
   for_each_tile(grid, [&](std::size_t tile) {
-    PixelLabels labels = flat_zones(read(tile), lambda, adjacency);
-    for (std::uint32_t& label : labels.of)
-      if (label != 0) label = list.number[list.first[tile] + label - 1];
-    labels.count = list.count;
-    write(tile, labels);
+    ZoneRuns runs = kept[tile].height > 0 ? std::move(kept[tile]) : zone_runs(read(tile), lambda, adjacency);
+    for (std::uint32_t& zone : runs.zone) zone = list.number[list.first[tile] + zone - 1];
+    runs.count = list.count;
+    write(tile, painted(runs));
   });
   return sizes;
 }

@@ -16,9 +16,10 @@ struct ZoneSizes {
 };
 
 // flat_zones of an image that is too large to hold, tile by tile: the labels of the whole, whatever the tiles, numbered
-// by first pixel in the whole. Zones of tiles are joined across their borders by union-find. `read` is called twice for
-// each tile, `write` once, all of them before it; tiles in parallel. Memory: for each thread some 16 bytes a pixel of a
-// tile; for all tiles 16 bytes a zone of a tile and 8 a pixel of their borders. Fewer than 2^32 zones of tiles.
+// by first pixel in the whole. Zones of tiles are joined across their borders by union-find. `read` is called once or
+// twice for each tile, `write` once, the first of all before it; tiles in parallel. Memory: for each thread some 16
+// bytes a pixel of a tile; for all tiles 16 bytes a zone of a tile, 8 a pixel of their borders, and a tenth of a byte a
+// pixel at most. Fewer than 2^32 zones of tiles.
 ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
                            const WriteLabels& write);
 

@@ -2,6 +2,7 @@
 // Inside of the raster kernels: flat zones as runs of rows, before they are painted.
 #pragma once
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "kernels/rasters/image.h"
@@ -24,7 +25,11 @@ struct ZoneRuns {
 // What flat_zones labels: two pixels are in one run when they are neighbours within lambda.
 ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency);
 
-// The regions of pixels without a height, joined across sides, or corners too.
+// The regions of pixels that are flagged (not 0), row by row, joined across sides, or corners too.
+ZoneRuns flagged_runs(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> flags,
+                      Adjacency adjacency);
+
+// The regions of pixels without a height.
 ZoneRuns missing_runs(const Image& image, Adjacency adjacency);
 
 // Which zones have a pixel on the border of the image; [0] unused.

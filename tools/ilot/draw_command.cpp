@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "engine/deliverables/facade_json.h"
 #include "engine/error.h"
 #include "engine/evaluate/point_stream.h"
+#include "engine/evaluate/truth_facades.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/render/colours.h"
@@ -19,8 +21,8 @@ struct DrawArguments {
   std::vector<std::string> inputs;
   std::string output, layers = "ilot";
   FacadeDrawingParams drawing;
-  std::vector<double> sections;
-  std::string cloud;
+  SectionRequests sections;
+  std::string cloud, frame;
 };
 
 constexpr std::size_t kBatch = 1u << 16;  // points
@@ -43,19 +45,33 @@ PointSource points_of(const std::string& cloud) {
   };
 }
 
+// Of a run, or of a scene's truth; then, with a frame, the facade of the truth that lies where that one does.
+std::vector<Facade> facades_in(const std::string& input, const std::string& frame) {
+  if (!input.ends_with(".truth.json")) return {read_facade_json(input)};
+  std::vector<Facade> facades = true_facades(read_truth(input));
+  if (facades.empty()) throw Error(input + ": names no elements of facades on a true plane");
+  if (frame.empty()) return facades;
+  std::optional<Facade> same = truth_in_frame_of(facades, read_facade_json(frame));
+  if (!same) throw Error(input + ": no facade of it lies where that of " + frame + " does");
+  return {std::move(*same)};
+}
+
 int draw_command(const DrawArguments& given) {
   if (given.inputs.empty()) throw Error("draw: no FACADE.json given (ilot draw --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("draw: -o FOLDER is needed", ExitCode::usage);
   FacadeFilesParams params;
   params.layers = read_layers(given.layers);
   params.drawing = given.drawing;
+  params.sections = given.sections;
+  check_section_lines(given.sections.lines);
   std::vector<Facade> facades;
   std::set<std::uint32_t> numbers;
-  for (const std::string& input : given.inputs) {
-    facades.push_back(read_facade_json(input));
-    if (!numbers.insert(facades.back().id).second)
-      throw Error(input + ": facade " + std::to_string(facades.back().id) + " is given twice", ExitCode::usage);
-  }
+  for (const std::string& input : given.inputs)
+    for (Facade& facade : facades_in(input, given.frame)) {
+      if (!numbers.insert(facade.id).second)
+        throw Error(input + ": facade " + std::to_string(facade.id) + " is given twice", ExitCode::usage);
+      facades.push_back(std::move(facade));
+    }
   std::error_code failed;
   std::filesystem::create_directories(given.output, failed);
   if (failed) throw Error(given.output + ": " + failed.message());
@@ -63,8 +79,6 @@ int draw_command(const DrawArguments& given) {
   params.page = &page;
   if (!given.cloud.empty()) params.points = points_of(given.cloud);
   for (const Facade& facade : facades) {
-    params.sections.clear();
-    for (const double height : given.sections) params.sections.push_back(named_level_section(facade, height));
     write_facade_files(given.output, facade, params);
   }
   page.finish();
@@ -76,7 +90,8 @@ int draw_command(const DrawArguments& given) {
 void add_draw_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("draw", "Draws facades anew: another scale, another office's layers");
   auto given = std::make_shared<DrawArguments>();
-  command->add_option("FACADE", given->inputs, "facades/facade-NNN.json of a run")->option_text("...");
+  command->add_option("FACADE", given->inputs, "facades/facade-NNN.json of a run, or SCENE.truth.json")
+      ->option_text("...");
   command->add_option("-o,--output", given->output, "folder for all files of the facades and facades.html")
       ->option_text("FOLDER");
   command->add_option("--layers", given->layers, "ilot, aia, iso13567 or a mapping file [ilot]")->option_text("NAME");
@@ -91,10 +106,21 @@ void add_draw_command(CLI::App& app, Action& action) {
   command->add_option("--heights", given->drawing.heights, "what heights refer to [not told]")->option_text("TEXT");
   command->add_option("--date", given->drawing.data_date, "of the scan [not told]")->option_text("TEXT");
   command->add_option("--source", given->drawing.source, "of the points [not told]")->option_text("TEXT");
-  command->add_option("--section", given->sections, "also cut at this height of the CRS, several times [none]")
+  command->add_option("--section", given->sections.levels, "also cut at this height of the CRS, several times [none]")
       ->option_text("Z")
       ->check(CLI::Range(-1e6, 1e6));
+  command
+      ->add_option("--section-at", given->sections.uprights,
+                   "also cut upright at this x of the drawing, several times [none]")
+      ->option_text("X")
+      ->check(CLI::Range(-1e4, 1e4));
+  command->add_option("--section-line", given->sections.lines, "also cut upright along this line, several times [none]")
+      ->option_text("X0,Y0,X1,Y1")
+      ->delimiter(',');
   command->add_option("--cloud", given->cloud, "points for orthoimages and sections [none]")->option_text("FILE");
+  command
+      ->add_option("--frame", given->frame, "draw the truth's facade that lies where this one does, in its axes [none]")
+      ->option_text("FACADE.json");
   command->footer("Example: ilot draw out/facades/facade-001.json -o sheets --layers aia --scale 100");
   command->callback([given, &action] { action = [given] { return draw_command(*given); }; });
 }

@@ -46,7 +46,7 @@ TEST(FacadeFiles, WritesWhatThereIs) {
   FacadeFilesParams params;
   FacadesPage page(whole.path() / "facades.html", params.layers);
   params.page = &page;
-  params.sections.push_back(named_level_section(a_facade(), 2));
+  params.sections.levels = {2};
   params.points = [](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
     const std::vector<ImagePoint> points{{{1.5, 0.1, 2}, {1, 2, 3}}};
     take(points);

@@ -22,6 +22,8 @@ TEST(Truth, ReadsWhatIsThere) {
       R"({"scan":{},"classes":{"0":"mixed","3":"wall"},
       "planes":[{"id":7,"class":"wall","plane":[0,2,0,-8],"points":5,"polygons":[{"building":4,
         "ring":[[0,4,0],[1,4,0],[1,4,1]],"holes":[[[0,4,0],[1,4,0],[1,4,1]]]}]},{"id":8,"plane":[0,0,1,0]}],
+      "elements":[{"id":3,"kind":"window","facade":2,"row":1,"column":4,"depth_m":-0.2,
+        "ring":[[0,4,0],[1,4,0],[1,4,1]]},{"id":5}],
       "openings":[{"id":1,"facade":2,"ring":[[0,4,0],[1,4,0],[1,4,1]]}],
       "control_points":[{"group":"window_top","element":3,"position":[1,2,3]}],
       "objects":[{"id":9,"class":"car","points":77}],"buildings":[{"id":4}],"blocks":[1,2],"unknown":null})",
@@ -32,6 +34,13 @@ TEST(Truth, ReadsWhatIsThere) {
   EXPECT_EQ(t.planes[0].plane.d, -4);
   EXPECT_EQ(t.planes[0].polygons.at(0).building, 4u);
   EXPECT_EQ(t.planes[0].polygons.at(0).holes.size(), 1u);
+  ASSERT_EQ(t.elements.size(), 2u);
+  EXPECT_EQ(t.elements[0].kind, "window");
+  EXPECT_EQ(t.elements[0].facade, 2u);
+  EXPECT_EQ(t.elements[0].column, 4u);
+  EXPECT_EQ(t.elements[0].depth_m, -0.2);
+  EXPECT_EQ(t.elements[0].ring.size(), 3u);
+  EXPECT_TRUE(t.elements[1].ring.empty());
   EXPECT_EQ(t.openings.at(0).facade, 2u);
   EXPECT_EQ(t.control_points.at(0).position.z, 3);
   EXPECT_EQ(t.objects.at(0).points, 77u);

@@ -239,7 +239,11 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
 }
 
 TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
-  const Outcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) { o.settings.facades.sections = {2.5}; });
+  const Outcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) {
+    o.settings.facades.sections = {2.5};
+    o.settings.facades.upright_sections = {1.5, 99};  // there is no wall at 99 m
+    o.settings.facades.section_lines = {kEast + 4, kNorth - 3, kEast + 4, kNorth + 3, 0, 0, 9, 9};
+  });
   const std::set<std::string> wanted{"facade-001.csv",
                                      "facade-001.dxf",
                                      "facade-001.json",
@@ -252,6 +256,12 @@ TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
                                      "facade-001-section-level-2.50.dxf",
                                      "facade-001-section-level-2.50.pdf",
                                      "facade-001-section-level-2.50.svg",
+                                     "facade-001-section-line-1.dxf",
+                                     "facade-001-section-line-1.pdf",
+                                     "facade-001-section-line-1.svg",
+                                     "facade-001-section-x-1.50.dxf",
+                                     "facade-001-section-x-1.50.pdf",
+                                     "facade-001-section-x-1.50.svg",
                                      "facades.html"};
   EXPECT_EQ(out.files, wanted);
 }

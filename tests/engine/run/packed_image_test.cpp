@@ -45,6 +45,12 @@ TEST(PackedImage, EndsOfTheTwoByteRange) {
     image.values[6] = kNoHeight;
     image.values[7] = kAboveAll;
     expect_back(image);
+    for (const Height around : {0x7ffd, 0x7ffe, 0x7fff, 0x8000, 0x8001}) {
+      image.values[0] = image.values[8] = high;
+      image.values[2] = high - around;
+      image.values[4] = high + around;
+      expect_back(image);
+    }
   }
 }
 

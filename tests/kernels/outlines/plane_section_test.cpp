@@ -38,6 +38,29 @@ TEST(PlaneSection, LeavesHolesOut) {
   EXPECT_TRUE(cut_faces({}, at_height(2)).empty());
 }
 
+TEST(PlaneSection, WhatLiesBeyondItsEndsIsNotCut) {
+  const std::vector<SectionFace> faces{wall()};
+  SectionPlane plane = at_height(2);
+  plane.from = 1;
+  plane.to = 7.5;
+  const std::vector<FlatEdge> cut = cut_faces(faces, plane);
+  ASSERT_EQ(cut.size(), 2u);
+  EXPECT_DOUBLE_EQ(cut[0].a.x, 1);
+  EXPECT_DOUBLE_EQ(cut[0].b.x, 4);
+  EXPECT_DOUBLE_EQ(cut[1].b.x, 7.5);
+  plane.from = 10.5;
+  plane.to = 12;
+  EXPECT_TRUE(cut_faces(faces, plane).empty());
+  SectionPlane steep{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // along y: the wall is cut at y = 0 alone
+  const std::vector<SectionFace> slope{{{{-1, 0, 0}, {1, 0, 0}, {1, 4, 2}, {-1, 4, 2}}}};
+  steep.from = 1;
+  steep.to = 3;
+  const std::vector<FlatEdge> sloped = cut_faces(slope, steep);
+  ASSERT_EQ(sloped.size(), 1u);
+  EXPECT_DOUBLE_EQ(std::min(sloped[0].a.y, sloped[0].b.y), 0.5);
+  EXPECT_DOUBLE_EQ(std::max(sloped[0].a.y, sloped[0].b.y), 1.5);
+}
+
 TEST(PlaneSection, CornersInThePlaneAreCrossedAnEvenNumberOfTimes) {
   const std::vector<SectionFace> faces{wall()};
   EXPECT_DOUBLE_EQ(length(cut_faces(faces, at_height(1))), 10);  // its corners count as above the plane
