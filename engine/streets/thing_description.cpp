@@ -15,7 +15,7 @@ constexpr Height kModeMetres100 = 5;  // bins of the mode of heights, centimetre
 struct Tally {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // pixels
   double low = 0, low_x = 0, low_y = 0;                // points, and where they are
-  double above = 0, points = 0, slope = 0, edge = 0, contact = 0;
+  double above = 0, points = 0, slope = 0;
   Height ground = kAboveAll;
 };
 
@@ -68,13 +68,6 @@ class Describer {
       t.slope += slope_.values[i];
       if (patch_.range.values[i] != kNoHeight)
         t.ground = std::min(t.ground, patch_.range.values[i] - patch_.height.values[i]);
-      bool edge = false, contact = false;
-      for (const std::size_t q : {i - w, i - 1, i + 1, i + w}) {
-        edge |= labels.of[q] != labels.of[i];
-        contact |= patch_.mask.values[q] != 1;
-      }
-      t.edge += edge;
-      t.contact += contact;
     }
     return tallies;
   }
@@ -106,7 +99,6 @@ class Describer {
     set(ThingFeature::roughness, t.slope / n * scale_.unit);
     set(ThingFeature::length, out.length);
     set(ThingFeature::width, out.width);
-    set(ThingFeature::facade_contact, t.edge > 0 ? t.contact / t.edge : 0);
     return out;
   }
 

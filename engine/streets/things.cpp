@@ -220,10 +220,9 @@ class ThingFinder {
 }  // namespace
 
 const char* thing_feature_name(std::size_t feature) {
-  static constexpr const char* kOwn[] = {"low share",    "ground share", "roughness",   "length",
-                                         "width",        "inner pass",   "outer pass",  "facade contact",
-                                         "fill",         "lesser share", "top step",    "mean step",
-                                         "joined share", "rise",         "joined fill", "joined length"};
+  static constexpr const char* kOwn[] = {"low share",  "ground share", "roughness", "length",       "width",
+                                         "inner pass", "outer pass",   "fill",      "lesser share", "top step",
+                                         "mean step",  "joined share", "rise",      "joined fill",  "joined length"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

@@ -17,19 +17,18 @@ enum class ThingFeature : std::uint8_t {
   roughness,                       // metres; mean of the highest less the lowest of a pixel and its neighbours
   length,                          // metres; of the rectangle with the moments of its pixels
   width,
-  inner_pass,  // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
-  outer_pass,  // the highest pass to another part of its component over the lower top; 0 without any
-  facade_contact,  // of its pixels on its edge, those beside what is not ground
-  fill,            // area over that of the rectangle with the moments of its pixels
-  lesser_share,    // of a joined thing's area, that of its lesser part; 0 of one that was separated
-  top_step,        // metres between the tops of its two parts
-  mean_step,       // metres between their mean heights
-  joined_share,    // of the area of what joins it with another, its own; 1 where nothing does
-  rise,            // metres that its top is above that of the other
-  joined_fill,     // of what joins them
+  inner_pass,    // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
+  outer_pass,    // the highest pass to another part of its component over the lower top; 0 without any
+  fill,          // area over that of the rectangle with the moments of its pixels
+  lesser_share,  // of a joined thing's area, that of its lesser part; 0 of one that was separated
+  top_step,      // metres between the tops of its two parts
+  mean_step,     // metres between their mean heights
+  joined_share,  // of the area of what joins it with another, its own; 1 where nothing does
+  rise,          // metres that its top is above that of the other
+  joined_fill,   // of what joins them
   joined_length,
 };
-constexpr std::size_t kThingFeatures = kComponentFeatures + 16;
+constexpr std::size_t kThingFeatures = kComponentFeatures + 15;
 using ThingFeatures = std::array<double, kThingFeatures>;
 const char* thing_feature_name(std::size_t feature);
 
@@ -54,7 +53,7 @@ struct ThingsParams {
   double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
 };
 
-// Things that touch told apart [B5] and described [B6]: from the layers "height", "range", "accumulation", "mask",
+// Things that touch told apart [B5] and described [B6]: from the layers "height", "range", "accumulation",
 // "above" (points above the ground) and "low" (those lower than low_height) to the layer "things": numbers from 1 in
 // the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area

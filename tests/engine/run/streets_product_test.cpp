@@ -202,7 +202,7 @@ const std::vector<Stand>& stands() {
   return list;
 }
 
-// Labels without a class: it is said, and nothing is called that.
+// Labels without a class, and one outside the cloud: it is said, and nothing is called that.
 TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   std::vector<Index3> points = street_points(1, 0);
   std::string features;
@@ -214,11 +214,14 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   for (const Stand& s : stands())
     features += (features.empty() ? "" : ",") + place(700000 + 0.001 * static_cast<double>(s.x + s.length / 2),
                                                       660000 + 0.001 * static_cast<double>(s.y + s.width / 2), s.name);
+  features += "," + place(900000, 660001, "car");
   const TemporaryFolder folder;
   const auto train = folder.put("labels.geojson", collection(features));
   const Outcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
   ASSERT_FALSE(out.record["warnings"].empty());
   EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
+      << out.record["warnings"].dump();
+  EXPECT_NE(out.record["warnings"].dump().find("1 of its 10 places are on nothing"), std::string::npos)
       << out.record["warnings"].dump();
   EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "things.model"), 0u);
 }

@@ -19,7 +19,7 @@ void stand(Image& image, const test::PixelBox& box, Height value) {
 std::vector<Thing> things_of(const Image& height, const Image& points, std::uint32_t side) {
   MemoryLayers memory({height.width, height.height, side});
   memory.put("height", height);
-  for (const char* layer : {"range", "mask"}) memory.put(layer, filled_image(height.width, height.height, 1));
+  memory.put("range", filled_image(height.width, height.height, 1));
   for (const char* layer : {"accumulation", "above", "low"}) memory.put(layer, points);
   return find_things(memory.layers, {});
 }
