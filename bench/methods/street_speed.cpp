@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each step of streets takes, from blocks on disk to labels on disk: processor time, nanoseconds for each pixel of
-// the tiles that hold points, and points a second of processor time in all. Defaults of all settings.
-// Usage: bench_street_speed CLOUD WORK [THREADS]
+// the tiles that hold points, the peak of memory so far, and points a second of processor time in all. Defaults of all
+// settings. MEBIBYTES [1024]: what passes may hold.
+// Usage: bench_street_speed CLOUD WORK [THREADS [MEBIBYTES]]
 #include <fmt/format.h>
 #include <sys/resource.h>
 
@@ -29,9 +30,15 @@ double processor_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
+double peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
 struct Step {
   const char* name;
-  double seconds;
+  double seconds, mebibytes;
 };
 
 class Clock {
@@ -40,13 +47,14 @@ class Clock {
   void time(const char* name, const Work& work) {
     const double before = processor_seconds();
     work();
-    steps_.push_back({name, processor_seconds() - before});
+    steps_.push_back({name, processor_seconds() - before, peak_mebibytes()});
   }
   void print(std::uint64_t points, double pixels) const {
     double all = 0;
     for (const Step& s : steps_) all += s.seconds;
-    fmt::print("{:<22}{:>10}{:>12}\n", "step", "seconds", "ns a pixel");
-    for (const Step& s : steps_) fmt::print("{:<22}{:>10.3f}{:>12.1f}\n", s.name, s.seconds, 1e9 * s.seconds / pixels);
+    fmt::print("{:<22}{:>10}{:>12}{:>12}\n", "step", "seconds", "ns a pixel", "peak, MiB");
+    for (const Step& s : steps_)
+      fmt::print("{:<22}{:>10.3f}{:>12.1f}{:>12.0f}\n", s.name, s.seconds, 1e9 * s.seconds / pixels, s.mebibytes);
     fmt::print("{:<22}{:>10.3f}{:>12.1f}\n", "blocks to labels", all, 1e9 * all / pixels);
     fmt::print("{:.1f} M pixels, {:.2f} M points, {:.2f} M points a second of processor time\n", pixels / 1e6,
                static_cast<double>(points) / 1e6, static_cast<double>(points) / 1e6 / all);
@@ -70,8 +78,9 @@ ThingLabels labels_of(const FoundStreet& street) {
   return labels;
 }
 
-void measure(const std::filesystem::path& cloud, const std::filesystem::path& work) {
-  const PassContext context;
+void measure(const std::filesystem::path& cloud, const std::filesystem::path& work, std::uint64_t budget_bytes) {
+  PassContext context;
+  context.budget_bytes = budget_bytes;
   std::vector<std::unique_ptr<PointReader>> readers;
   readers.push_back(open_cloud(cloud));
   const IndexResult index = build_index(readers, {}, work, context);
@@ -107,9 +116,10 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
 
 int main(int argc, char** argv) {
   if (argc < 3) {
-    fmt::print(stderr, "usage: bench_street_speed CLOUD WORK [THREADS]\n");
+    fmt::print(stderr, "usage: bench_street_speed CLOUD WORK [THREADS [MEBIBYTES]]\n");
     return 2;
   }
-  with_threads(argc > 3 ? std::atoi(argv[3]) : 1, [&] { measure(argv[1], argv[2]); });
+  const int threads = argc > 3 ? std::atoi(argv[3]) : 1, mebibytes = argc > 4 ? std::atoi(argv[4]) : 1024;
+  with_threads(threads, [&] { measure(argv[1], argv[2], std::uint64_t(mebibytes) << 20); });
   return 0;
 }

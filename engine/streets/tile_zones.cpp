@@ -8,9 +8,13 @@ namespace {
 
 constexpr std::uint64_t kComparable = 10;  // a zone so many times smaller than the ground is none
 
-Image as_image(const PixelLabels& labels) {
-  Image image{labels.width, labels.height, std::vector<Height>(labels.of.size())};
-  for (std::size_t i = 0; i < image.size(); ++i) image.values[i] = static_cast<Height>(labels.of[i]);
+// Labels as heights, 0 = none.
+Image painted_image(const ZoneRuns& zones) {
+  Image image = filled_image(zones.width, zones.height, 0);
+  for_each_run(zones, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+    const auto row = image.values.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * zones.width);
+    std::fill(row + run.from, row + run.to, static_cast<Height>(zone));
+  });
   return image;
 }
 
@@ -31,7 +35,7 @@ void TileZones::find(std::size_t tile, const Image& image, Height lambda) {
     z.on_border = on_border[zone];
   });
   zones_[tile] = std::move(zones);
-  layers_.write(layer_, tile, as_image(painted(runs)));
+  layers_.write(layer_, tile, painted_image(runs));
 }
 
 void TileZones::join(Height lambda) {
