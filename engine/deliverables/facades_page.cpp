@@ -74,6 +74,20 @@ std::size_t edges_of(const FacadeElement& e, DrawnStatus status) {
       std::count_if(e.edges.begin(), e.edges.end(), [&](const FacadeEdge& edge) { return edge.status == status; }));
 }
 
+// Edges that nothing but their status speaks for, where points were held against them.
+std::string doubtful_edges(const Facade& facade) {
+  std::size_t doubtful = 0;
+  bool held = false;
+  for (const FacadeElement& e : facade.elements)
+    for (const FacadeEdge& edge : e.edges) {
+      doubtful += belief_in(edge) != Belief::good;
+      held |= edge.points > 0 && edge.covered_share > 0;
+    }
+  return held && doubtful > 0
+             ? fmt::format(" Of {} edges half has no points, or no station saw it: see proof.", doubtful)
+             : std::string();
+}
+
 // What a surveyor has to look at: elements that are not seen whole.
 std::string doubtful_table(const Facade& facade) {
   std::string rows;
@@ -90,7 +104,7 @@ std::string doubtful_table(const Facade& facade) {
         e.id, escaped_markup(clean_text(e.kind)), e.row, e.column, name_of(e.status), e.edges.size(), completed,
         occluded, escaped_markup(clean_text(e.reason)));
   }
-  if (rows.empty()) return "<p>Everything drawn was seen.</p>\n";
+  if (rows.empty()) return "<p>Everything drawn was seen." + doubtful_edges(facade) + "</p>\n";
   return "<table><tr><th class=\"n\">id</th><th>kind</th><th class=\"n\">row</th><th class=\"n\">column</th><th>status"
          "</th><th class=\"n\">edges</th><th class=\"n\">completed</th><th "
          "class=\"n\">occluded</th><th>reason</th></tr>\n" +

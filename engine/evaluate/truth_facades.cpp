@@ -5,6 +5,9 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/core/portable_math.h"
+#include "kernels/outlines/circle_fit.h"
+
 namespace ilot {
 namespace {
 
@@ -36,6 +39,36 @@ const TruePlane* wall_of(const Truth& truth, const std::vector<const TrueElement
   return best;
 }
 
+// The longest run of corners on one circle, where a ring has one of many: an arch, which the truth has as chords.
+std::optional<FacadeArc> arc_of(const Ring3& ring, const Facade& facade) {
+  constexpr std::size_t kLeast = 6;   // corners: fewer are no arch
+  constexpr double kOnCircle = 5e-4;  // CRS units: chords are written to a tenth of a millimetre
+  const std::size_t n = ring.size();
+  std::vector<PlanePoint> corners;
+  for (const Vec3& p : ring)
+    corners.push_back({dot(p - facade.origin, facade.right), dot(p - facade.origin, facade.up)});
+  std::size_t longest = kLeast - 1;
+  std::optional<FacadeArc> arc;
+  for (std::size_t first = 0; first < n; ++first) {
+    std::vector<PlanePoint> run{corners[first], corners[(first + 1) % n]};
+    CircleFit circle;
+    for (std::size_t k = 2; k < n; ++k) {
+      run.push_back(corners[(first + k) % n]);
+      const CircleFit wider = fit_circle(run);
+      if (!wider.found || wider.rms > kOnCircle) break;
+      circle = wider;
+      if (run.size() <= longest) continue;
+      longest = run.size();
+      const auto direction = [&](PlanePoint p) {
+        return direction_degrees(p.x - circle.centre.x, p.y - circle.centre.y);
+      };
+      arc = {facade.origin + circle.centre.x * facade.right + circle.centre.y * facade.up, circle.radius,
+             direction(run.front()), direction(run.back())};
+    }
+  }
+  return arc;
+}
+
 FacadeElement element_of(const TrueElement& given, const Facade& facade) {
   FacadeElement e;
   e.id = static_cast<std::uint32_t>(facade.elements.size() + 1);
@@ -44,6 +77,7 @@ FacadeElement element_of(const TrueElement& given, const Facade& facade) {
   e.row = given.row;
   e.column = given.column;
   e.ring = given.ring;
+  if (const std::optional<FacadeArc> arc = arc_of(given.ring, facade)) e.arcs = {*arc};
   e.width_m = given.width_m;
   e.height_m = given.height_m;
   e.depth_m = given.depth_m;

@@ -12,10 +12,10 @@ namespace ilot {
 
 // Places in the public header block, in bytes.
 namespace las {
-constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kSystem = 26, kSoftware = 58, kDayOfYear = 90, kYear = 92, kHeaderSize = 94,
-                      kPointOffset = 96, kVlrCount = 100, kFormat = 104, kRecordLength = 105, kLegacyCount = 107,
-                      kLegacyReturns = 111, kScale = 131, kOffset = 155, kBounds = 179, kWaveform = 227,
-                      kEvlrOffset = 235, kEvlrCount = 243, kCount = 247, kReturns = 255;
+constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kSystem = 26, kSoftware = 58, kDayOfYear = 90,
+                      kYear = 92, kHeaderSize = 94, kPointOffset = 96, kVlrCount = 100, kFormat = 104,
+                      kRecordLength = 105, kLegacyCount = 107, kLegacyReturns = 111, kScale = 131, kOffset = 155,
+                      kBounds = 179, kWaveform = 227, kEvlrOffset = 235, kEvlrCount = 243, kCount = 247, kReturns = 255;
 constexpr std::size_t kVlrHeader = 54, kEvlrHeader = 60, kLargestVlr = 65535;
 constexpr std::uint16_t kWktBit = 16, kWaveformInternalBit = 2;
 // Size of the header block that a minor version needs.

@@ -61,6 +61,21 @@ TEST(FacadesPage, CountsDrawsAndListsWhatIsDoubtful) {
   EXPECT_EQ(count(html, "<td>bottom</td><td>completed</td><td class=\"n\">9</td>"), 2u);
 }
 
+TEST(FacadesPage, TellsOfEdgesThatWereSeenAndHaveNoPoints) {
+  const TemporaryFolder folder;
+  FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"));
+  FacadeElement window = drawn("window", wall_rectangle(1, 1, 2, 3));
+  window.edges.assign(4, {DrawnStatus::seen, 9, 0.001, 0.004, 0, {}, 1});
+  page.add(facade_of({window}), facade_drawing(facade_of({window})), {});
+  window.edges[2] = {DrawnStatus::seen, 0, 0, 0.004, 0, {}, 0};
+  window.edges[3].covered_share = 0.4;
+  page.add(facade_of({window}), facade_drawing(facade_of({window})), {});
+  page.finish();
+  const std::string html = text_of(folder.path() / "facades.html");
+  EXPECT_NE(html.find("<p>Everything drawn was seen.</p>"), std::string::npos);
+  EXPECT_EQ(count(html, "Of 2 edges half has no points"), 1u);
+}
+
 TEST(FacadesPage, IsBounded) {
   const TemporaryFolder folder;
   FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"), 20000);

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/support/facades.h"
 
 namespace ilot {
@@ -42,6 +44,24 @@ TEST(TruthFacades, AreTheWallsThatOpeningsLieOn) {
   EXPECT_FALSE(f.elements[2].opening);
   EXPECT_EQ(facades[1].id, 2u);
   EXPECT_NEAR(facades[1].origin.y, 20, 1e-12);
+}
+
+TEST(TruthFacades, ChordsOfAnArchGetTheirArc) {
+  Truth truth = a_truth();
+  Ring3 arch{{4, 8, 1}, {6, 8, 1}};
+  for (int i = 0; i <= 12; ++i) {
+    const double angle = i * 3.14159265358979 / 12;
+    arch.push_back({5 + std::cos(angle), 8, 3 + std::sin(angle)});
+  }
+  truth.elements[0].ring = arch;
+  const FacadeElement window = true_facades(truth)[0].elements[1];
+  ASSERT_EQ(window.arcs.size(), 1u);
+  EXPECT_NEAR(window.arcs[0].centre.x, 5, 1e-6);
+  EXPECT_NEAR(window.arcs[0].centre.z, 3, 1e-6);
+  EXPECT_NEAR(window.arcs[0].radius_m, 1, 1e-6);
+  EXPECT_NEAR(window.arcs[0].from_deg, 0, 1e-6);
+  EXPECT_NEAR(window.arcs[0].to_deg, 180, 1e-6);
+  EXPECT_TRUE(true_facades(truth)[0].elements[2].arcs.empty()) << "a rectangle";
 }
 
 TEST(TruthFacades, AFacadeWithoutAPlaneIsLeftOut) {

@@ -52,7 +52,7 @@ TEST(PlaneSection, WhatLiesBeyondItsEndsIsNotCut) {
   plane.to = 12;
   EXPECT_TRUE(cut_faces(faces, plane).empty());
   SectionPlane steep{{0, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // along y: the wall is cut at y = 0 alone
-  const std::vector<SectionFace> slope{{{{-1, 0, 0}, {1, 0, 0}, {1, 4, 2}, {-1, 4, 2}}}};
+  const std::vector<SectionFace> slope{SectionFace{{{{-1, 0, 0}, {1, 0, 0}, {1, 4, 2}, {-1, 4, 2}}}}};
   steep.from = 1;
   steep.to = 3;
   const std::vector<FlatEdge> sloped = cut_faces(slope, steep);
