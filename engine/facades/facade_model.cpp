@@ -141,8 +141,8 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   e.width_m = r.box().width();
   e.height_m = r.box().height();
   e.depth_m = r.depth;
-  e.width_error_m = both(r.error(Side::left), r.error(Side::right));
-  e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
+  e.width_error_m = std::min(r.width_error, both(r.error(Side::left), r.error(Side::right)));
+  e.height_error_m = std::min(r.height_error, both(r.error(Side::bottom), r.error(Side::top)));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
   if (!r.arc && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
