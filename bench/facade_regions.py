@@ -169,8 +169,10 @@ def main():
         within = sum(e <= s for e, s in values)
         quantile = sorted(e for e, _ in values)[int(0.95 * (len(values) - 1))]
         stated = sorted(s for _, s in values)[len(values) // 2]
+        share = sorted(e / s for e, s in values)[int(0.95 * (len(values) - 1))]
         print(f"{key}: {len(values)} elements, within stated {100 * within / len(values):.1f} %, error p95 "
-              f"{1000 * quantile:.1f} mm, stated median {1000 * stated:.1f} mm")
+              f"{1000 * quantile:.1f} mm, stated median {1000 * stated:.1f} mm, stated over error, one by one, p95 "
+              f"{1 / share:.2f}")
     print("ends of walls closed: %d of %d" % corners_closed(facades))
     if options.exact:
         number = next(int(k) for k, name in truth["classes"].items() if name == "bulge")

@@ -18,6 +18,7 @@ constexpr double kBesideOpening = 0.25;               // metres between an openi
 constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
+constexpr double kParapet = 1.5, kRail = 0.05;        // metres: balconies are lower, nothing thinner is built of stone
 constexpr double kSameThing = 0.8;                    // of an area, that what is found twice has in common
 constexpr double kStraight = 0.02;                    // metres: a side's ends before and behind, of one that leans not
 constexpr double kMostOf = 0.5;                       // of a thing: what is no more than a part lends it no sides
@@ -141,8 +142,8 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   e.width_m = r.box().width();
   e.height_m = r.box().height();
   e.depth_m = r.depth;
-  e.width_error_m = both(r.error(Side::left), r.error(Side::right));
-  e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
+  e.width_error_m = std::min(r.width_error, both(r.error(Side::left), r.error(Side::right)));
+  e.height_error_m = std::min(r.height_error, both(r.error(Side::bottom), r.error(Side::top)));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
   if (!r.arc && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
@@ -249,6 +250,22 @@ void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
       known.side(side) = found.side(side);
 }
 
+// What stands out above the wall is eaves; a balcony is long, no storey high and stands out as far as one can stand on.
+ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
+  const Box2 box = r.box();
+  if (r.depth < 0) return ThingKind::recess;
+  if ((box.v0 + box.v1) / 2 > wall_height) return ThingKind::eaves;
+  const bool flat = box.width() > kLongerThanHigh * box.height() && box.height() < kParapet;
+  return flat && r.depth > kBalcony ? ThingKind::balcony : ThingKind::protrusion;
+}
+
+// Rails and bars before windows and along balconies.
+bool is_rail(const FacadeThing& t) {
+  const Box2 box = t.shape.box();
+  const bool unnamed = t.kind == ThingKind::bulge || t.kind == ThingKind::balcony;
+  return unnamed && std::min(box.width(), box.height()) < kRail;
+}
+
 // What is large and not found yet, in place of what is only a part of it: the front of a bay.
 void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large, double wall_height) {
   for (const FoundRectangle& r : large) {
@@ -269,15 +286,7 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
       const Box2 own = t.shape.box();
       return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
     });
-    const bool above = (box.v0 + box.v1) / 2 > wall_height;
-    things.push_back({r,
-                      r.depth < 0 ? ThingKind::recess
-                      : above     ? ThingKind::eaves
-                                  : ThingKind::protrusion,
-                      0,
-                      0,
-                      0,
-                      {}});
+    things.push_back({r, kind_of_large(r, wall_height), 0, 0, 0, {}});
   }
 }
 
@@ -289,6 +298,7 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
   for (const FoundRectangle& s : find_stones(samples)) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
   merge_bulges(things);
+  std::erase_if(things, is_rail);
   add_large_relief(things, find_large_relief(samples, params.large), samples.site().height);
   return things;
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "engine/facades/face_crowd.h"
 #include "kernels/outlines/edge_split.h"
 
 namespace ilot {
@@ -20,10 +21,7 @@ constexpr double kCornerDeep = 0.1;    // metres before a thing that points of w
 constexpr double kCornerReach = 0.02;  // metres beside its last points
 constexpr double kSlotSteps = 2;       // steps along a side that one scan line ends in, at least
 constexpr double kTailOfEnds = 0.05;   // of scan lines that end at one place or the other by chance
-constexpr std::size_t kLeastFacePoints = 12;
 constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
-constexpr double kLeastSpread = 0.35;  // share of the face's depth, and of the side's length, that points cover
-constexpr double kSteepest = 0.1;      // of a side face against the wall's normal
 
 bool along_u(Side side) {
   return side == Side::left || side == Side::right;
@@ -32,16 +30,15 @@ double outwards(Side side) {
   return side == Side::right || side == Side::top ? 1 : -1;
 }
 
-struct FacePoint {
-  double t, w, s;  // across the side, out of the wall, along the side
-};
-
 // What is around one side, t growing outwards.
 struct SideSamples {
   std::vector<double> inside, outside;
   std::vector<double> along;  // the side, of those inside
   std::vector<FacePoint> face, corner;
-  std::size_t hidden = 0;  // rays that end before the plane, beyond the side
+  std::vector<FacePoint> rim;  // echoes that a thing's edge parted, where their rays cross its plane
+  std::size_t hidden = 0;      // rays that end before the plane, beyond the side
+  std::size_t deep = 0;        // rays beside a thing that go far behind the wall
+  double lean = 1;             // tangent of the angle that rays to the face make with the plane's normal, at least 1
 };
 
 struct SideSpan {
@@ -62,6 +59,33 @@ bool turns_to(const Vec3* eye, Side side, double t, bool looks_outwards) {
   return looks_outwards ? beyond > 0 : beyond < 0;
 }
 
+// How far in a ray came beside a thing, from its plane to where it ended, to the thing's foot or past its ends: all
+// that way is outside. A ray that met the side face crosses the plane beyond the edge, by as much as it is oblique.
+double innermost(const RaySamples& rays, std::uint32_t point, const SideSearch& q, Side side, const SideSpan& span) {
+  const auto across = [&](Place2 p) { return outwards(side) * (along_u(side) ? p.u : p.v); };
+  const auto along = [&](Place2 p) { return along_u(side) ? p.v : p.u; };
+  const Place2 at = rays.crossing(point, q.depth);
+  const double w = rays.site().points[point].w, t = across(at), s = along(at);
+  if (w >= q.depth || q.face_from >= q.depth) return t;
+  const Place2 end = rays.crossing(point, std::max(w, q.face_from));
+  const double way = along(end) - s, left = (way > 0 ? span.s1 : span.s0) - s;
+  const double share = std::abs(way) > std::abs(left) ? left / way : 1;
+  return std::min(t, t + share * (across(end) - t));
+}
+
+// Whether a point behind a thing's plane is no surface: on no segment, and beyond a side that its station sees nothing
+// of. A beam that the edge parts comes back from between the thing and what is behind it.
+bool hangs(const RaySamples& rays, std::uint32_t point, const SideSearch& q, Side side, double at_plane) {
+  if (q.hole || !rays.oblique() || rays.site().points[point].plane != 0) return false;
+  return !turns_to(rays.eye_of(point), side, at_plane, true);
+}
+
+// How much the noise along a ray moves a point along the plane, against how much it moves one out of it.
+double lean_of(const Vec3* eye, Side side, double t, double w) {
+  if (eye == nullptr || eye->z <= w) return 1;
+  return std::max(1.0, std::abs(outwards(side) * (along_u(side) ? eye->x : eye->y) - t) / (eye->z - w));
+}
+
 SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
   const bool u = along_u(side);
   const double sign = outwards(side);
@@ -71,22 +95,28 @@ SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, c
   for (const std::uint32_t i : rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)))) {
     const FacadePoint& p = rays.site().points[i];
     const Place2 at = rays.crossing(i, q.depth);
-    const double t = sign * (u ? at.u : at.v), s = u ? at.v : at.u;
+    const double at_plane = sign * (u ? at.u : at.v), s = u ? at.v : at.u;
     const double w = p.w;
     const bool at_face = w > q.face_from && w<q.face_to, at_corner = w> corner_from && w < corner_to;
     if (at_face || at_corner) {
       const double pt = sign * static_cast<double>(u ? p.u : p.v), ps = u ? p.v : p.u;
       if (std::abs(pt - span.t) <= reach && ps >= span.s0 && ps <= span.s1 &&
-          turns_to(rays.eye_of(i), side, pt, at_face && !q.hole))
+          turns_to(rays.eye_of(i), side, pt, at_face && !q.hole)) {
         (at_face ? out.face : out.corner).push_back({pt, w, ps});
+        if (at_face && !q.hole) out.lean = std::max(out.lean, lean_of(rays.eye_of(i), side, pt, w));
+      }
     }
-    if (std::abs(t - span.t) > reach || s < span.s0 || s > span.s1) continue;
+    if (s < span.s0 || s > span.s1) continue;
+    const double t = q.hole ? at_plane : innermost(rays, i, q, side, span);
+    if (std::abs(t - span.t) > reach) continue;
+    if (at_face && hangs(rays, i, q, side, at_plane)) out.rim.push_back({at_plane, w, s});
     const Met met = rays.met(i, q.depth, q.epsilon);
     const bool foreign = p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane);
     if (!q.hole && met == Met::solid && foreign) continue;
     if (met == Met::solid) (q.hole ? out.outside : out.inside).push_back(t);
     if (met == Met::solid && !q.hole) out.along.push_back(s);
     out.hidden += met == Met::before && t > span.t;
+    out.deep += !q.hole && met == Met::through && w < -q.face_from;
     if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);
   }
   return out;
@@ -98,59 +128,9 @@ double quantile(std::vector<double>& values, double share) {
   return *at;
 }
 
-double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
-  std::vector<double> values;
-  for (std::size_t i = first; i < last; ++i) values.push_back(points[i].*field);
-  const double high = quantile(values, 0.95);
-  return high - quantile(values, 0.05);
-}
-
-struct FaceLine {
-  double at = 0, rms = 0;
-  std::size_t points = 0;
-};
-
-// t = at + slope (w - depth) by least squares.
-FaceLine fit_face(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double depth) {
-  double n = 0, sw = 0, st = 0, sww = 0, swt = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const double w = points[i].w - depth;
-    n += 1, sw += w, st += points[i].t, sww += w * w, swt += w * points[i].t;
-  }
-  const double slope = std::clamp((n * swt - sw * st) / (n * sww - sw * sw), -kSteepest, kSteepest);
-  const double at = (st - slope * sw) / n;
-  double squares = 0;
-  for (std::size_t i = first; i < last; ++i) {
-    const double off = points[i].t - at - slope * (points[i].w - depth);
-    squares += off * off;
-  }
-  return {at, std::sqrt(squares / n), last - first};
-}
-
-// Where points of a side face may lie, and how deep they should go and how far along.
-struct FaceSearch {
-  double low, high, width;  // of t; of the crowd
-  double deep, along;
-};
-
-// The side face: the narrowest crowd of points within [low, high] that goes deep and along.
-FaceLine find_face(std::vector<FacePoint> points, const FaceSearch& f, double depth) {
-  std::erase_if(points, [&](const FacePoint& p) { return p.t < f.low || p.t > f.high; });
-  std::sort(points.begin(), points.end(), [](const FacePoint& a, const FacePoint& b) { return a.t < b.t; });
-  std::size_t best = 0, best_end = 0, end = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    while (end < points.size() && points[end].t - points[i].t <= f.width) ++end;
-    if (end - i > best_end - best) best = i, best_end = end;
-  }
-  if (best_end - best < kLeastFacePoints) return {};
-  if (spread(points, best, best_end, &FacePoint::w) < kLeastSpread * f.deep) return {};
-  if (spread(points, best, best_end, &FacePoint::s) < kLeastSpread * f.along) return {};
-  return fit_face(points, best, best_end, depth);
-}
-
 void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.at = face.at;
-  edge.error = noise / 2 + 2 * face.rms / std::sqrt(static_cast<double>(face.points));
+  edge.error = noise / 2 + 2 * face.rms * face.shaky;
   edge.rms = face.rms;
   edge.points = face.points;
   edge.status = DrawnStatus::seen;
@@ -160,8 +140,8 @@ void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
 // A thing ends where a face stands out of it: their planes meet there, whatever points near the corner were taken for.
 void use_corner(const std::vector<FacePoint>& corner, double about, double beside, const SideSearch& q,
                 const SideSpan& span, double noise, LocatedEdge& edge) {
-  const FaceLine face =
-      find_face(corner, {about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0}, q.depth);
+  const FaceSearch f{about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0};
+  const FaceLine face = find_face(crowd_of(corner, f), f, q.depth);
   if (face.points > 0) use_face(face, noise, edge);
 }
 
@@ -232,9 +212,16 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   }
   edge.inner = sign * (split.at - split.half_gap);
   const double beside = split.half_gap + kBesideGap;
-  const FaceLine face = find_face(
-      std::move(around.face),
-      {split.at - beside, split.at + beside, kFaceWidths * noise, q.face_to - q.face_from, span.s1 - span.s0}, q.depth);
+  const FaceSearch f{split.at - beside, split.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
+                     span.s1 - span.s0};
+  FaceLine face = find_face(crowd_of(around.face, f), f, q.depth);
+  if (face.points == 0 && !q.hole && samples.oblique()) {
+    // Before a hole a parted beam's echo hangs anywhere; before the wall as far on this side of the edge as on that.
+    if (2 * around.deep < around.outside.size())
+      for (const FacePoint& p : around.rim)
+        if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);
+    face = find_touches(crowd_of(std::move(around.face), f), f, noise);
+  }
   edge.at = t;
   if (face.points > 0)
     use_face(face, noise, edge);

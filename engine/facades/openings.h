@@ -2,6 +2,7 @@
 // Windows and doors: where rays go through the wall.
 #pragma once
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -26,11 +27,13 @@ struct TopArc {
 struct FoundRectangle {
   std::array<LocatedEdge, 4> sides;   // as kSides
   double depth = 0, depth_error = 0;  // w of what fills it; negative behind the wall
-  std::uint64_t points = 0;           // rays through it, or points on it
-  std::uint32_t plane = 0;            // of what stands in front
-  double fill = 1;                    // share of its cells that hold such
-  std::optional<TopArc> arc;          // its top side then is the crown
-  std::optional<Box2> end;            // what it comes down to at its depth, where that is not its own rectangle
+  double width_error = INFINITY;      // where a family tells the size; else its sides' errors do
+  double height_error = INFINITY;
+  std::uint64_t points = 0;   // rays through it, or points on it
+  std::uint32_t plane = 0;    // of what stands in front
+  double fill = 1;            // share of its cells that hold such
+  std::optional<TopArc> arc;  // its top side then is the crown
+  std::optional<Box2> end;    // what it comes down to at its depth, where that is not its own rectangle
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double error(Side s) const { return sides[static_cast<std::size_t>(s)].error; }
   LocatedEdge& side(Side s) { return sides[static_cast<std::size_t>(s)]; }

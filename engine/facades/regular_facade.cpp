@@ -72,6 +72,22 @@ void align(const Members& members, Side side) {
   }
 }
 
+// How far the size of a member may be off that its family tells: no less than that of the one known best, what all
+// members have in common is in it, and by how much they differ beyond what their own errors (as two deviations)
+// explain.
+double family_error(const Members& members, Side low, Side high, const Bounded& common) {
+  double best = INFINITY, squares = 0, explained = 0, count = 0;
+  for (const FacadeThing* t : members) {
+    if (!seen_across(*t, low, high)) continue;
+    const double ea = t->shape.error(low), eb = t->shape.error(high);
+    const double off = t->shape.at(high) - t->shape.at(low) - common.value;
+    if (std::abs(off) > ea + eb) continue;
+    best = std::min(best, std::sqrt(ea * ea + eb * eb));
+    squares += off * off, explained += (ea * ea + eb * eb) / 4, count += 1;
+  }
+  return std::max(best, common.error) + 2 * std::sqrt(std::max(0.0, squares - explained) / std::max(1.0, count));
+}
+
 // The same distance between two sides of all members; each side gives way by its share of their errors.
 void equalise(const Members& members, Side low, Side high) {
   std::vector<Bounded> bounds;
@@ -80,6 +96,7 @@ void equalise(const Members& members, Side low, Side high) {
       bounds.push_back({t->shape.at(high) - t->shape.at(low), t->shape.error(high) + t->shape.error(low)});
   if (bounds.size() < 2) return;
   const Bounded common = agreement(bounds);
+  const double size_error = family_error(members, low, high, common);
   for (FacadeThing* t : members) {
     LocatedEdge &a = t->shape.side(low), &b = t->shape.side(high);
     const double missing = common.value - (b.at - a.at), both = a.error + b.error;
@@ -87,6 +104,7 @@ void equalise(const Members& members, Side low, Side high) {
     const double share = a.error / both;
     move_to(a, a.at - missing * share);
     move_to(b, b.at + missing * (1 - share));
+    (low == Side::left ? t->shape.width_error : t->shape.height_error) = size_error;
     const double ea = a.error, eb = b.error;
     a.error = std::min(ea, eb + common.error);
     b.error = std::min(eb, ea + common.error);
@@ -108,6 +126,7 @@ bool complete_from_sill(FacadeThing& t, const std::vector<FacadeThing>& things) 
     bottom.at = top;
     bottom.error = sill.shape.error(Side::top);
     bottom.status = DrawnStatus::completed;
+    t.shape.height_error = INFINITY;
     t.reason = "its bottom is hidden; it is the top of what stands before it, carried to the wall";
     return true;
   }

@@ -134,6 +134,36 @@ TEST(FacadeModel, JointsJoinNoOpenings) {
   }
 }
 
+// A long low thing that one can stand on is a balcony, a high one a part of the house.
+TEST(FacadeModel, BalconiesAndBays) {
+  ScannedWall wall;
+  wall.wall({});
+  wall.block(0.5, 3.9, 2.2, 3.3, 0.8, 9);  // on no segment that lies along the wall
+  wall.block(4.6, 5.6, 0.6, 3.4, 0.5, 10);
+  wall.block(0.6, 3.6, 0.8, 0.84, 0.07, 2);
+  FacadeSite site = test::scan_wall(wall, {2.6, 1.6, 7}, 0.0025);
+  site.parallel.push_back({2, 100});
+  const Facade facade = find_facade(site).facade;
+  const auto balconies = of_kind(facade, "balcony"), bays = of_kind(facade, "protrusion");
+  ASSERT_EQ(balconies.size(), 1u);
+  EXPECT_NEAR(balconies[0].width_m, 3.4, 0.03);
+  EXPECT_NEAR(balconies[0].depth_m, 0.8, 0.01);
+  ASSERT_EQ(bays.size(), 1u);
+  EXPECT_NEAR(bays[0].height_m, 2.8, 0.03);
+}
+
+// A rail before the wall is not drawn, a bulge as long is.
+TEST(FacadeModel, RailsAreNotDrawn) {
+  for (const double height : {0.04, 0.3}) {
+    ScannedWall wall;
+    wall.wall({});
+    wall.block(0.6, 1.8, 0.8, 0.8 + height, 0.07, 2);
+    FacadeSite site = test::scan_wall(wall, {2.6, 1.6, 7}, 0.0025);
+    site.parallel.push_back({2, 100});
+    EXPECT_EQ(of_kind(find_facade(site).facade, "bulge").size(), height > 0.1 ? 1u : 0u);
+  }
+}
+
 // Half as many rays: what is drawn stays within what it says of itself.
 // Four stones and their joint, seen from the right, a wall standing out of them at the left.
 FacadeSite four_stones(bool in_one_segment) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "kernels/core/rng.h"
 
@@ -59,6 +60,23 @@ TEST(RegularFacade, EdgesMoveNoFartherThanTheirErrorAndNearerToTheTruth) {
     }
   }
   EXPECT_LT(off_after, 0.5 * off_before);
+}
+
+// A family's size is known as well as that of its best member; where members differ by more than they may be off, less.
+TEST(RegularFacade, AFamilyTellsHowWellItsSizeIsKnown) {
+  std::vector<FacadeThing> things = grid(0.004, 0.008);
+  for (const Side side : kSides) things[7].shape.side(side).error = 0.002;
+  regularise_things(things);
+  for (const FacadeThing& t : things) {
+    for (const double error : {t.shape.width_error, t.shape.height_error}) {
+      EXPECT_GE(error, std::sqrt(2.0) * 0.002 - 1e-12);
+      EXPECT_LE(error, 2 * 0.002 + 1e-12);  // both sides to the same side
+    }
+  }
+  std::vector<FacadeThing> uneven;
+  for (int i = 0; i < 6; ++i) uneven.push_back(thing(3.0 * i, 3.0 * i + 1 + 0.01 * (i % 2), 0, 1.5, 0.006));
+  regularise_things(uneven);
+  for (const FacadeThing& t : uneven) EXPECT_GT(t.shape.width_error, 0.009);
 }
 
 TEST(RegularFacade, WhatIsSurelyDifferentStaysSo) {
