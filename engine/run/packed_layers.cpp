@@ -51,7 +51,7 @@ void PackedLayers::write(const char* layer, std::size_t tile, const Image& image
   entry = nullptr;
   lock.unlock();
   write_column<std::uint16_t>(path(key), packed->words);
-  packed->words = {};
+  std::vector<std::uint16_t>().swap(packed->words);  // "= {}" would keep the memory
   lock.lock();
   tiles_[key] = std::move(packed);
 }

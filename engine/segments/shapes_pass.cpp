@@ -144,7 +144,7 @@ class Joiner {
     first.epsilon = std::max(first.epsilon, second.epsilon);
     first.points += second.points;
     first.samples.insert(first.samples.end(), second.samples.begin(), second.samples.end());
-    second.samples = {};
+    decltype(second.samples)().swap(second.samples);
   }
 
   std::vector<Part> parts_;

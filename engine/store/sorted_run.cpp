@@ -47,7 +47,7 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) 
     for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points[i].key);
     file.append<KeyValue>(points);
     written += n;
-    points = {};
+    std::vector<KeyValue>().swap(points);
   }
   file.commit();
 }

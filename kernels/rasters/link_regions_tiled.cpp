@@ -94,7 +94,7 @@ std::vector<std::vector<LinkPixel>> links_tiled(const TileGrid& grid, const Link
   std::vector<RegionLink> links;
   for (auto& list : found) {
     std::move(list.begin(), list.end(), std::back_inserter(links));
-    list = {};
+    std::vector<RegionLink>().swap(list);
   }
   return drawn(grid, std::move(links));
 }

@@ -126,7 +126,7 @@ void TiledFilling::link_spills() {
       links_[at[a]++] = {b, e.height};
       links_[at[b]++] = {a, e.height};
     }
-    spills_[t] = {};
+    std::vector<SpillEdge>().swap(spills_[t]);
   }
 }
 
