@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+// What was found on a facade as elements of its plan, in the CRS.
+#pragma once
+#include "engine/facades/irregularities.h"
+#include "engine/facades/regular_facade.h"
+#include "engine/model/facade.h"
+
+namespace ilot {
+
+// An opening, or what stands out or lies back: its ring with an edge a side (under an arc with one a chord of 5 degrees
+// at most), its sizes and their errors, its body where its end is known.
+FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing);
+
+// The wall's own outline.
+FacadeElement wall_of(const FacadeSite& site);
+
+// A bulge or a hollow: its outline in the wall, its surface as a mesh [C11].
+FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);
+
+}  // namespace ilot

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/thing_kinds.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres above the foot of the wall; least
+constexpr double kDoorLine = 0.25;                    // metres between the tops of doors in one row
+constexpr double kBesideOpening = 0.25;               // metres between an opening and its sill or lintel
+constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
+constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
+constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
+constexpr double kParapet = 1.5, kRail = 0.05;        // metres: balconies are lower, nothing thinner is built of stone
+
+bool is_door(const FoundRectangle& r) {
+  const Box2 box = r.box();
+  return box.v0 < kDoorSill && box.height() > kDoorHeight;
+}
+
+}  // namespace
+
+ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings) {
+  if (is_door(r)) return ThingKind::door;
+  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < kDoorHeight) return ThingKind::window;
+  const bool in_line = std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
+    return is_door(o) && std::abs(o.at(Side::top) - r.at(Side::top)) < kDoorLine;
+  });
+  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < kDoorSill ? ThingKind::door : ThingKind::window;
+}
+
+ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width) {
+  const Box2 box = r.box();
+  const bool flat = box.width() > kLongerThanHigh * box.height();
+  if (flat && box.width() > kBandShare * wall_width) return r.depth > kBalcony ? ThingKind::balcony : ThingKind::band;
+  for (const FoundRectangle& o : openings) {
+    const Box2 hole = o.box();
+    const double common = std::min(hole.u1, box.u1) - std::max(hole.u0, box.u0);
+    if (!flat || r.depth > kBalcony || common < kUnder * hole.width() || box.width() > 2 * hole.width()) continue;
+    if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return ThingKind::sill;
+    if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return ThingKind::lintel;
+  }
+  return r.depth > kBalcony ? ThingKind::balcony : ThingKind::bulge;
+}
+
+ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
+  const Box2 box = r.box();
+  if (r.depth < 0) return ThingKind::recess;
+  if ((box.v0 + box.v1) / 2 > wall_height) return ThingKind::eaves;
+  const bool flat = box.width() > kLongerThanHigh * box.height() && box.height() < kParapet;
+  return flat && r.depth > kBalcony ? ThingKind::balcony : ThingKind::protrusion;
+}
+
+bool is_rail(const FacadeThing& t) {
+  const Box2 box = t.shape.box();
+  const bool unnamed = t.kind == ThingKind::bulge || t.kind == ThingKind::balcony;
+  return unnamed && std::min(box.width(), box.height()) < kRail;
+}
+
+}  // namespace ilot

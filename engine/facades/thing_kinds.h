@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a thing on a facade is called, by its shape and by what is beside it.
+#pragma once
+#include <vector>
+
+#include "engine/facades/regular_facade.h"
+
+namespace ilot {
+
+inline bool is_opening(ThingKind kind) {
+  return kind == ThingKind::window || kind == ThingKind::door;
+}
+
+// A door goes down to the foot of the wall; where its lower part is hidden, its top is in line with other doors'.
+ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings);
+
+// Long ones across the wall are bands or balconies, those just below and above an opening its sill and its lintel.
+ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width);
+
+// What stands out above the wall is eaves; a balcony is long, no storey high and stands out as far as one can stand on.
+ThingKind kind_of_large(const FoundRectangle& r, double wall_height);
+
+// Rails and bars before windows and along balconies.
+bool is_rail(const FacadeThing& t);
+
+}  // namespace ilot

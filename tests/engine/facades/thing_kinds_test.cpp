@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/thing_kinds.h"
+
+#include <gtest/gtest.h>
+
+namespace ilot {
+namespace {
+
+constexpr double kWall = 20;  // metres wide
+
+FoundRectangle rectangle(const Box2& box, double depth) {
+  FoundRectangle r;
+  r.side(Side::left).at = box.u0;
+  r.side(Side::right).at = box.u1;
+  r.side(Side::bottom).at = box.v0;
+  r.side(Side::top).at = box.v1;
+  r.depth = depth;
+  return r;
+}
+
+TEST(ThingKinds, ADoorGoesDownToTheFootOfTheWall) {
+  const FoundRectangle door = rectangle({1, 2, 0.1, 2.3}, -0.2), window = rectangle({3, 4, 1, 2.3}, -0.2),
+                       hatch = rectangle({5, 6, 0.1, 0.9}, -0.2);
+  const std::vector<FoundRectangle> all{door, window, hatch};
+  EXPECT_EQ(kind_of_opening(door, all), ThingKind::door);
+  EXPECT_EQ(kind_of_opening(window, all), ThingKind::window);
+  EXPECT_EQ(kind_of_opening(hatch, all), ThingKind::window) << "too low for a door";
+}
+
+TEST(ThingKinds, OfAHiddenFootTheTopsOfDoorsTell) {
+  const FoundRectangle door = rectangle({1, 2, 0.1, 2.3}, -0.2);
+  FoundRectangle hidden = rectangle({3, 4, 1.2, 2.35}, -0.2);
+  hidden.side(Side::bottom).status = DrawnStatus::occluded;
+  hidden.side(Side::bottom).error = 1.1;
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::door);
+  EXPECT_EQ(kind_of_opening(hidden, {hidden}), ThingKind::window) << "no door beside it";
+  hidden.side(Side::top).at = 2.7;
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::window) << "its top is not in line";
+  hidden.side(Side::top).at = 2.35;
+  hidden.side(Side::bottom).error = 0.2;
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::window) << "its foot is known to be too high";
+}
+
+TEST(ThingKinds, ReliefIsNamedByWhatIsBesideIt) {
+  const std::vector<FoundRectangle> openings{rectangle({5, 6, 1, 2.5}, -0.2)};
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.08), openings, kWall), ThingKind::sill);
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 2.5, 2.7}, 0.05), openings, kWall), ThingKind::lintel);
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.2, 0.3}, 0.08), openings, kWall), ThingKind::bulge)
+      << "too far below";
+  EXPECT_EQ(kind_of_relief(rectangle({5.5, 6.1, 0.9, 1}, 0.08), openings, kWall), ThingKind::bulge) << "half as wide";
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.6), openings, kWall), ThingKind::balcony) << "far out";
+  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.05), openings, kWall), ThingKind::band);
+  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.6), openings, kWall), ThingKind::balcony);
+}
+
+TEST(ThingKinds, WhatIsLargeIsNamedBySizeAndPlace) {
+  constexpr double kHeight = 9;
+  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, -0.5), kHeight), ThingKind::recess);
+  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, 0.8), kHeight), ThingKind::protrusion) << "a bay";
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.8), kHeight), ThingKind::balcony);
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.2), kHeight), ThingKind::protrusion) << "nobody stands on it";
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 5}, 0.8), kHeight), ThingKind::protrusion) << "a storey high";
+  EXPECT_EQ(kind_of_large(rectangle({0, 20, 8.9, 9.4}, 0.5), kHeight), ThingKind::eaves);
+}
+
+TEST(ThingKinds, RailsAreThinAndHaveNoOtherName) {
+  FacadeThing rail{rectangle({2, 8, 4, 4.03}, 0.7), ThingKind::balcony, 0, 0, 0, {}};
+  EXPECT_TRUE(is_rail(rail));
+  rail.kind = ThingKind::band;
+  EXPECT_FALSE(is_rail(rail));
+  rail.kind = ThingKind::bulge;
+  rail.shape = rectangle({2, 2.03, 1, 4}, 0.1);
+  EXPECT_TRUE(is_rail(rail)) << "an upright bar";
+  rail.shape = rectangle({2, 2.06, 1, 4}, 0.1);
+  EXPECT_FALSE(is_rail(rail));
+}
+
+}  // namespace
+}  // namespace ilot
