@@ -38,13 +38,9 @@ struct ClosestPoint::State {
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
     const auto& [a, b, c] = self.triangles[args->primID];
-    RTCBounds& out = *args->bounds_o;
-    out.lower_x = static_cast<float>(std::min({a.x, b.x, c.x}) - self.slack);
-    out.lower_y = static_cast<float>(std::min({a.y, b.y, c.y}) - self.slack);
-    out.lower_z = static_cast<float>(std::min({a.z, b.z, c.z}) - self.slack);
-    out.upper_x = static_cast<float>(std::max({a.x, b.x, c.x}) + self.slack);
-    out.upper_y = static_cast<float>(std::max({a.y, b.y, c.y}) + self.slack);
-    out.upper_z = static_cast<float>(std::max({a.z, b.z, c.z}) + self.slack);
+    *args->bounds_o =
+        embree_bounds({std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::min({a.z, b.z, c.z})},
+                      {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y}), std::max({a.z, b.z, c.z})}, self.slack);
   }
 
   static bool measure(RTCPointQueryFunctionArguments* args) {

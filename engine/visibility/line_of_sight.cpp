@@ -111,13 +111,7 @@ struct LineOfSight::State {
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
     const Box3& box = self.faces[args->primID].box;
-    RTCBounds& out = *args->bounds_o;
-    out.lower_x = static_cast<float>(box.min.x - self.slack);
-    out.lower_y = static_cast<float>(box.min.y - self.slack);
-    out.lower_z = static_cast<float>(box.min.z - self.slack);
-    out.upper_x = static_cast<float>(box.max.x + self.slack);
-    out.upper_y = static_cast<float>(box.max.y + self.slack);
-    out.upper_z = static_cast<float>(box.max.z + self.slack);
+    *args->bounds_o = embree_bounds(box.min, box.max, self.slack);
   }
 
   static void occluded(const RTCOccludedFunctionNArguments* args) {
