@@ -12,37 +12,37 @@ const [input, output] = process.argv.slice(2);
 const bytes = readFileSync(input);
 const lib = await createLazPerf();
 
-function decode(sink) {
+// The records of all points; without `keep` they are decoded and dropped. Also how many there are.
+function decode(keep) {
   const file = lib._malloc(bytes.length);
   lib.HEAPU8.set(bytes, file);
   const reader = new lib.LASZip();
   reader.open(file, bytes.length);
   const count = reader.getCount(), length = reader.getPointLength();
+  const records = keep ? Buffer.alloc(count * length) : undefined;
   const point = lib._malloc(length);
   for (let i = 0; i < count; ++i) {
     reader.getPoint(point);
-    sink?.set(lib.HEAPU8.subarray(point, point + length), i * length);
+    records?.set(lib.HEAPU8.subarray(point, point + length), i * length);
   }
   reader.delete();
   lib._free(point);
   lib._free(file);
-  return [count, length];
+  return {count, records};
 }
 
 try {
-  const [count, length] = decode(undefined);
   if (output === '--time') {
+    const {count} = decode(false);
     let best = Infinity;
     for (let round = 0; round < 5; ++round) {
       const start = process.hrtime.bigint();
-      decode(undefined);
+      decode(false);
       best = Math.min(best, Number(process.hrtime.bigint() - start) / 1e9);
     }
     console.log(Math.round(count / best));
   } else {
-    const records = Buffer.alloc(count * length);
-    decode(records);
-    writeFileSync(output, records);
+    writeFileSync(output, decode(true).records);
   }
 } catch (error) {
   console.error(`laz-perf: ${error?.message ?? error}`);

@@ -94,7 +94,7 @@ class Synthetic(Determinism):
                 self.assertGreater(told[0]["counts"]["planes"], 3)
 
     def test_same_all_ways(self):
-        self.same_all_ways(self.district(300000))
+        self.same_all_ways(self.district(150000))
 
     def test_any_files(self):
         self.same_in_any_files(self.district(100000))
@@ -122,7 +122,7 @@ class Synthetic(Determinism):
         self.assertTrue(self.labelled(out, "a").labels() == self.labelled(out, "b").labels(), "equal points, equal labels")
 
     def test_density_that_changes_from_cell_to_cell(self):
-        cloud = Las.read(self.district(300000))
+        cloud = Las.read(self.district(150000))
         shift = [round(o / s) for o, s in zip(cloud.offset, cloud.scale)]
         kept = [record for i, (record, (x, y, _)) in enumerate(zip(cloud.records(), cloud.raw()))
                 if ((x + shift[0] >> 15) + (y + shift[1] >> 15)) % 2 == 0 or i % 9 == 0]

@@ -139,7 +139,7 @@ class Synthetic(Invariants):
         self.check_rotations(self.district(200000), 0.05, 0.01)
 
     def test_bounds(self):
-        self.check_bounds(self.district(1000000), 0.4, 4)
+        self.check_bounds(self.district(500000), 0.4, 4)
 
     def test_bounds_label_nothing_outside(self):
         path = self.district(300000)

@@ -70,10 +70,10 @@ class Resume(RunTest):
 
 class Synthetic(Resume):
     def test_killed_at_random_moments(self):
-        self.check_kills(self.district(150000), 6, 11, *SLOW)
+        self.check_kills(self.district(100000), 6, 11, *SLOW)
 
     def test_killed_while_making_roofs(self):
-        path = self.district(100000)
+        path = self.district(60000)
         self.check_kills(path, 4, 3, *SLOW, "--products", "roofs")
         self.check_kills(path, 2, 4, *SLOW, "--products", "roofs", "--set", "roofs.trust_classes=false")
 
@@ -83,7 +83,7 @@ class Synthetic(Resume):
         self.assertFalse((self.folder / "store").exists())
 
     def test_killed_in_every_stage(self):
-        path = self.district(100000)
+        path = self.district(80000)
         _, expected = self.work(path, *SLOW)
         for stage in ("index", "normals", "planes", "join", "label", "write"):
             with self.subTest(stage):
@@ -126,7 +126,7 @@ class Synthetic(Resume):
         self.assertEqual(told["result_hash"], self.work(path)[1]["result_hash"])
 
     def test_interrupted(self):
-        path = self.district(150000)
+        path = self.district(80000)
         _, expected = self.work(path, *SLOW)
         for stage in ("index", "normals", "planes", "label"):
             for how in (signal.SIGINT, signal.SIGTERM):
