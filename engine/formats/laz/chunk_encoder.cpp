@@ -72,7 +72,8 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
   }
 
  private:
-  // Streams in which nothing changes are dropped in the end: their symbols need not be coded.
+  // Streams in which nothing changes are dropped in the end: their symbols need not be coded. Not so one of colours,
+  // whose symbols also tell what is no grey.
   void mark_constants(std::span<const std::byte> records) {
     changed_.assign(record_length_, std::byte{0});
     for (std::size_t at = record_length_; at < records.size(); at += record_length_)
@@ -87,7 +88,6 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
     mark(kLayerFlags, offsetof(Point14, flags), 1);
     mark(kLayerIntensity, offsetof(Point14, intensity), 2);
     mark(kLayerUser, offsetof(Point14, user), 1);
-    if (plan.rgb) mark(plan.rgb_layer, plan.rgb, 6);
     if (plan.nir) mark(plan.nir_layer, plan.nir, 2);
     for (std::uint32_t i = 0; i < plan.extra_count; ++i) mark(plan.extra_layer + i, plan.extra + i, 1);
   }
