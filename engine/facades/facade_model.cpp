@@ -2,12 +2,15 @@
 #include "engine/facades/facade_model.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
 
 #include "engine/facades/facade_elements.h"
 #include "engine/facades/side_faces.h"
 #include "engine/facades/slices.h"
 #include "engine/facades/thing_kinds.h"
+#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -113,15 +116,19 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
 }
 
 std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params) {
-  const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
+  std::vector<FoundRectangle> openings, relief, stones, large;
+  const std::array<std::function<void()>, 4> searches{
+      [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
+      [&] { stones = find_stones(samples); }, [&] { openings = find_openings(samples, params.openings); }};
+  parallel_for(searches.size(), [&](std::size_t i) { searches[i](); });
   std::vector<FacadeThing> things;
   for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
-  for (const FoundRectangle& r : find_relief(samples, params.relief))
+  for (const FoundRectangle& r : relief)
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
-  for (const FoundRectangle& s : find_stones(samples)) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
+  for (const FoundRectangle& s : stones) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
   merge_bulges(things);
   std::erase_if(things, is_rail);
-  add_large_relief(things, find_large_relief(samples, params.large), samples.site().height);
+  add_large_relief(things, large, samples.site().height);
   return things;
 }
 
@@ -135,18 +142,18 @@ Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
 // What a thing comes down to at its depth [C10], where its sides are seen to lean.
 void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
   constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
-  for (FacadeThing& t : things) {
-    FoundRectangle& r = t.shape;
+  parallel_for(things.size(), [&](std::size_t i) {
+    FoundRectangle& r = things[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
-    if (r.end || r.arc || t.kind == ThingKind::stone || r.depth == 0) continue;
+    if (r.end || r.arc || things[i].kind == ThingKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
     const std::optional<FacadeSlice> end =
         end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));
-    if (!end) continue;
+    if (!end) return;
     const SideFaces faces = side_faces(samples, box, end->extent.grown(samples.site().step / 2), r.depth);
     r.end = straightened(faces.end, faces.outline, box);
-  }
+  });
 }
 
 }  // namespace

@@ -222,7 +222,8 @@ double filling_depth(const RaySamples& samples, const std::vector<std::uint32_t>
 }
 
 void set_depth(const RaySamples& samples, const Box2& box, double least_depth, FoundRectangle& opening) {
-  std::vector<std::uint32_t> points = samples.near(box);
+  const NearPoints near = samples.near(box);
+  std::vector<std::uint32_t> points(near.begin(), near.end());
   std::erase_if(points, [&](std::uint32_t i) {
     return -static_cast<double>(samples.site().points[i].w) < least_depth || !box.holds(samples.crossing(i, 0));
   });

@@ -138,16 +138,11 @@ void RaySamples::sort_into_bins() {
   for (std::uint32_t i = 0; i < count; ++i) order_[next[bin_of(crossing(i, 0))]++] = i;
 }
 
-std::vector<std::uint32_t> RaySamples::near(const Box2& box) const {
+NearPoints RaySamples::near(const Box2& box) const {
   const std::size_t low = bin_of({box.u0, box.v0}), high = bin_of({box.u1, box.v1});
-  const std::size_t columns = static_cast<std::size_t>(columns_);
-  std::vector<std::uint32_t> points;
-  for (std::size_t row = low / columns; row <= high / columns; ++row)
-    for (std::size_t column = low % columns; column <= high % columns; ++column) {
-      const std::size_t bin = row * columns + column;
-      points.insert(points.end(), order_.begin() + first_[bin], order_.begin() + first_[bin + 1]);
-    }
-  return points;
+  const auto columns = static_cast<std::size_t>(columns_);
+  return {order_.data(), first_.data() + low, high / columns - low / columns + 1, high % columns - low % columns + 1,
+          columns};
 }
 
 Place2 RaySamples::step_at(Place2 place) const {

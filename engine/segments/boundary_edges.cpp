@@ -247,7 +247,6 @@ class Thresholds {
       s.position = s.position - anchor;
       stations_.push_back(s);
     }
-    if (params.threshold == 0) cells_ = place_cells(places.order);
   }
 
   void find(const std::vector<std::uint32_t>& wanted, std::vector<float>& reach) const {
@@ -278,7 +277,7 @@ class Thresholds {
     std::int64_t farthest = 1;
     for (const std::uint32_t i : queries) farthest = std::max(farthest, places_.farthest[i]);
     std::vector<std::int64_t> squared(queries.size());
-    kth_distances(cells_, queries, kNeighbours, farthest, squared);
+    kth_distances(place_cells(places_.order), queries, kNeighbours, farthest, squared);
     for (std::size_t q = 0; q < queries.size(); ++q)
       reach[queries[q]] = static_cast<float>(params_.gamma * measured_step(squared[q], places_.farthest[queries[q]]));
   }
@@ -288,7 +287,6 @@ class Thresholds {
   const JoinedPlane& joined_;
   PlaneFrame frame_;
   std::vector<Scanner> stations_;  // relative to the plane's anchor
-  PlaceCells cells_;
 };
 
 template <class Wanted>

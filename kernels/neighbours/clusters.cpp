@@ -61,27 +61,34 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   const auto cell = [&](std::int32_t v, std::int32_t from) {
     return static_cast<std::uint64_t>((static_cast<double>(v) - from + 0.5) * per_unit) + kBorder;
   };
-  std::vector<KeyValue> keys(indices.size()), scratch(indices.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) {
+  // Points that follow each other mostly lie in one cell: runs of them are sorted, by their first point.
+  std::vector<KeyValue> runs;
+  std::vector<std::uint32_t> length(indices.size(), 0);  // by first point
+  for (std::uint32_t i = 0; i < indices.size(); ++i) {
     const IntPoint q = point_at(p, indices[i]);
-    keys[i] = {pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z)), i};
+    const std::uint64_t key = pack(cell(q.x, low.x), cell(q.y, low.y), cell(q.z, low.z));
+    if (runs.empty() || runs.back().key != key) runs.push_back({key, i});
+    ++length[runs.back().value];
   }
-  sort_pairs(keys, scratch);
+  std::vector<KeyValue> scratch(runs.size());
+  sort_pairs(runs, scratch);
   Binned binned;
-  for (auto* v : {&binned.members, &binned.x, &binned.begin}) v->reserve(keys.size() + 1);
-  for (std::uint32_t i = 0; i < keys.size(); ++i) {
-    const std::uint64_t key = keys[i].key, row = key >> kCellBits;
+  binned.members.reserve(indices.size());
+  for (auto* v : {&binned.x, &binned.begin}) v->reserve(runs.size() + 1);
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::uint64_t key = runs[i].key, row = key >> kCellBits;
     const bool new_row = binned.rows.empty() || binned.rows.back().key != row;
     const auto bin = static_cast<std::uint32_t>(binned.x.size());
     if (new_row) binned.rows.push_back({row, bin, bin});
-    if (new_row || key != keys[i - 1].key) {
+    if (new_row || key != runs[i - 1].key) {
       binned.x.push_back(static_cast<std::uint32_t>(key & ((1u << kCellBits) - 1)));
-      binned.begin.push_back(i);
+      binned.begin.push_back(static_cast<std::uint32_t>(binned.members.size()));
       ++binned.rows.back().end;
     }
-    binned.members.push_back(static_cast<std::uint32_t>(keys[i].value));
+    const auto first = static_cast<std::uint32_t>(runs[i].value);
+    for (std::uint32_t k = 0; k < length[first]; ++k) binned.members.push_back(first + k);
   }
-  binned.begin.push_back(static_cast<std::uint32_t>(keys.size()));
+  binned.begin.push_back(static_cast<std::uint32_t>(binned.members.size()));
   return binned;
 }
 
@@ -102,26 +109,30 @@ bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std:
   return false;
 }
 
-// Rows ahead of a row in key order that its points can reach, and how many cells along x.
-struct Ahead {
-  std::uint64_t delta;  // of the keys
-  std::uint32_t reach;
+constexpr int kMostAway = 2;  // cells between points in reach of each other, along any axis
+
+// Rows with one z that a row's points can reach, itself and those behind it in key order.
+struct RowsAhead {
+  std::uint64_t first = 0;  // what is added to the row's key for the first of them
+  std::vector<int> along;   // of each y from there: cells along x; below 0: none
 };
 
 // Up to `most` cells away along any axis; the row itself first.
-std::vector<Ahead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
+std::vector<RowsAhead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
   const auto gap2 = [&](int d) {
     const std::int64_t gap = d == 0 ? 0 : (std::abs(d) - 1) * edge + 1;
     return gap * gap;
   };
-  std::vector<Ahead> ahead;
-  for (int dz = 0; dz <= most; ++dz)
-    for (int dy = dz == 0 ? 0 : -most; dy <= most; ++dy) {
-      int reach = most;
-      while (reach >= 0 && gap2(reach) + gap2(dy) + gap2(dz) > radius * radius) --reach;
-      const std::int64_t delta = std::int64_t{dz} * (1 << kCellBits) + dy;
-      if (reach >= 0) ahead.push_back({static_cast<std::uint64_t>(delta), static_cast<std::uint32_t>(reach)});
+  std::vector<RowsAhead> ahead;
+  for (int dz = 0; dz <= most; ++dz) {
+    const int first = dz == 0 ? 0 : -most;
+    ahead.push_back({static_cast<std::uint64_t>(std::int64_t{dz} * (1 << kCellBits) + first), {}});
+    for (int dy = first; dy <= most; ++dy) {
+      int along = most;
+      while (along >= 0 && gap2(along) + gap2(dy) + gap2(dz) > radius * radius) --along;
+      ahead.back().along.push_back(along);
     }
+  }
   return ahead;
 }
 
@@ -157,16 +168,19 @@ class Joiner {
   }
 
   // Joins the segments of two rows (or of one) that are at most `along` cells apart along x and have points in reach.
-  void join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along, UnionFind sets) const {
-    std::uint32_t first = s.begin[other];
+  // Returns how many sets fewer there are.
+  std::uint32_t join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along,
+                          UnionFind sets) const {
+    std::uint32_t first = s.begin[other], joins = 0;
     for (std::uint32_t i = s.begin[row]; i < s.begin[row + 1]; ++i) {
       const Segment& a = s.all[i];
       while (first < s.begin[other + 1] && s.all[first].last_x + along < a.first_x) ++first;
       for (std::uint32_t k = row == other ? i + 1 : first; k < s.begin[other + 1]; ++k) {
         if (s.all[k].first_x > a.last_x + along) break;
-        if (!sets.same(i, k) && meet(a, s.all[k], along)) sets.unite(i, k);
+        if (!sets.same(i, k) && meet(a, s.all[k], along)) joins += sets.unite(i, k);
       }
     }
+    return joins;
   }
 
  private:
@@ -193,17 +207,18 @@ class Joiner {
   std::int64_t radius2_;
 };
 
-// Neighbouring rows first: they join most, and what is one set already needs no measuring. Rows ascend, so the row that
-// is some way ahead only moves ahead.
+// Rows ascend, so the first row that is some way ahead only moves ahead. `count`: of sets; one is enough.
 void join_ahead(const Joiner& joiner, const Segments& segments, const std::vector<Row>& rows,
-                const std::vector<Ahead>& ahead, UnionFind sets) {
-  std::vector<std::size_t> at(ahead.size(), 0);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
+                const std::vector<RowsAhead>& ahead, UnionFind sets, std::size_t& count) {
+  std::array<std::size_t, kMostAway + 1> at{};
+  for (std::size_t i = 0; i < rows.size() && count > 1; ++i) {
     for (std::size_t r = 0; r < ahead.size(); ++r) {
-      std::size_t& j = at[r];
-      const std::uint64_t wanted = rows[i].key + ahead[r].delta;
-      while (j < rows.size() && rows[j].key < wanted) ++j;
-      if (j < rows.size() && rows[j].key == wanted) joiner.join_rows(segments, i, j, ahead[r].reach, sets);
+      std::size_t& first = at[r];
+      const std::uint64_t wanted = rows[i].key + ahead[r].first;
+      while (first < rows.size() && rows[first].key < wanted) ++first;
+      for (std::size_t j = first; j < rows.size() && rows[j].key - wanted < ahead[r].along.size(); ++j)
+        if (const int along = ahead[r].along[rows[j].key - wanted]; along >= 0)
+          count -= joiner.join_rows(segments, i, j, static_cast<std::uint32_t>(along), sets);
     }
   }
 }
@@ -247,7 +262,10 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   const Segments segments = joiner.segments();
   std::vector<std::uint32_t> parents(segments.all.size());
   UnionFind sets(parents);
-  for (const int most : {1, 2}) join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets);
+  std::size_t count = segments.all.size();
+  // Neighbouring rows first: they join most, and what is one set already needs no measuring.
+  for (const int most : {1, kMostAway})
+    join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets, count);
 
   std::vector<std::uint32_t> root_of(indices.size());
   for (std::uint32_t s = 0; s < segments.all.size(); ++s) {

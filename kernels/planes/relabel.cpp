@@ -174,35 +174,107 @@ std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const Relabel
   return best;
 }
 
-}  // namespace
+// Which runs of consecutive points the neighbours of a run's points lie in. Points lie along a space-filling curve:
+// most runs lie within one surface, with all that is around them, and nothing happens there.
+class RunNeighbours {
+ public:
+  static constexpr std::uint32_t kRun = 32;
 
-std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
-                         PlaneSegments& segments) {
+  RunNeighbours(std::size_t points, const NeighbourLists& neighbours) : runs_((points + kRun - 1) / kRun), first_{0} {
+    std::vector<std::uint32_t> met_by(runs_, kNoNeighbour);
+    for (std::uint32_t run = 0; run < runs_; ++run) {
+      met_by[run] = run;
+      const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(points, std::size_t{run} * kRun + kRun));
+      for (std::uint32_t i = run * kRun; i < end; ++i)
+        for (const std::uint32_t j : neighbours.of(i)) {
+          if (j == kNoNeighbour || met_by[j / kRun] == run) continue;
+          met_by[j / kRun] = run;
+          others_.push_back(j / kRun);
+        }
+      first_.push_back(others_.size());
+    }
+  }
+
+  std::size_t count() const { return runs_; }
+  // Other runs, in no order.
+  std::span<const std::uint32_t> around(std::size_t run) const {
+    return std::span(others_).subspan(first_[run], first_[run + 1] - first_[run]);
+  }
+
+ private:
+  std::size_t runs_;
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> others_;
+};
+
+// Runs of points that all have one label, as all their neighbours have.
+std::vector<std::uint8_t> quiet_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label) {
+  constexpr std::uint32_t kMixed = 0xffffffffu;
+  std::vector<std::uint32_t> only(runs.count());
+  for (std::size_t r = 0; r < only.size(); ++r) {
+    const auto part = label.subspan(r * RunNeighbours::kRun);
+    const auto own = part.first(std::min<std::size_t>(part.size(), RunNeighbours::kRun));
+    only[r] = std::all_of(own.begin(), own.end(), [&](std::uint32_t l) { return l == own[0]; }) ? own[0] : kMixed;
+  }
+  std::vector<std::uint8_t> quiet(only.size());
+  for (std::size_t r = 0; r < only.size(); ++r) {
+    const auto around = runs.around(r);
+    quiet[r] = only[r] != kMixed &&
+               std::all_of(around.begin(), around.end(), [&](std::uint32_t o) { return only[o] == only[r]; });
+  }
+  return quiet;
+}
+
+// Runs without a point of the set, and without one around them.
+std::vector<std::uint8_t> untouched_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set) {
+  std::vector<std::uint8_t> in_set(runs.count(), 0), quiet(runs.count());
+  for (const std::uint32_t i : set) in_set[i / RunNeighbours::kRun] = 1;
+  for (std::size_t r = 0; r < quiet.size(); ++r) {
+    const auto around = runs.around(r);
+    quiet[r] = !in_set[r] && std::none_of(around.begin(), around.end(), [&](std::uint32_t o) { return in_set[o]; });
+  }
+  return quiet;
+}
+
+std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,
+                         const RelabelParams& params, PlaneSegments& segments) {
   const Neighbourhood around(points, neighbours, params.max_gap);
   std::size_t moves = 0;
   struct Move {
     std::uint32_t point, label;
   };
   std::vector<Move> round;
-  std::vector<std::uint8_t> moved(points.size, 0);  // in the round before; without such a neighbour none moves
+  std::vector<std::uint32_t> moved;  // points, in the round before; without such a neighbour none moves
+  std::vector<std::uint8_t> in_moved(points.size, 0);
   std::vector<std::uint32_t> size(segments.planes.size() + 1, 0);  // before the first round
   for (const std::uint32_t l : segments.label) ++size[l];
   for (int r = 0; r < params.max_rounds; ++r) {
     round.clear();
+    const std::vector<std::uint8_t> quiet = r == 0 ? quiet_runs(runs, segments.label) : untouched_runs(runs, moved);
     for (std::uint32_t i = 0; i < points.size; ++i) {
-      if (segments.label[i] == 0 || (r > 0 && !around.any_in(i, moved))) continue;
+      if (quiet[i / RunNeighbours::kRun]) continue;
+      if (segments.label[i] == 0 || (r > 0 && !around.any_in(i, in_moved))) continue;
       const std::uint32_t label = parted(around, i, params, segments, size);
       if (label != segments.label[i]) round.push_back({i, label});
     }
-    std::fill(moved.begin(), moved.end(), 0);
+    for (const std::uint32_t i : moved) in_moved[i] = 0;
+    moved.clear();
     for (const Move& m : round) {
       segments.label[m.point] = m.label;
-      moved[m.point] = 1;
+      in_moved[m.point] = 1;
+      moved.push_back(m.point);
     }
     moves += round.size();
     if (round.empty()) break;
   }
   return moves;
+}
+
+}  // namespace
+
+std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                         PlaneSegments& segments) {
+  return part_borders(points, neighbours, RunNeighbours(points.size, neighbours), params, segments);
 }
 
 namespace {
@@ -230,11 +302,12 @@ void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegment
 
 void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                    std::uint32_t min_points, PlaneSegments& segments) {
+  const RunNeighbours runs(points.size, neighbours);
   std::vector<std::uint32_t> before;
   for (int round = 0; round < params.max_rounds && before != segments.label; ++round) {
     before = segments.label;
     adopt_strays(points, neighbours, params, segments);
-    part_borders(points, neighbours, params, segments);
+    part_borders(points, neighbours, runs, params, segments);
     refit(points, params.epsilon, min_points, segments);
   }
 }

@@ -59,6 +59,16 @@ void build_balls(ShapeIndex& s) {
   }
 }
 
+// No shape comes near a leaf without points any more, nor to a ball without balls.
+void empty_ball(ShapeIndex& index, std::size_t ball) {
+  for (std::vector<float>& level : index.balls) {
+    float* radii = level.data() + ball / 8 * 32 + 24;
+    radii[ball % 8] = kHole;
+    if (std::any_of(radii, radii + 8, [](float r) { return r == r; })) return;
+    ball /= 8;
+  }
+}
+
 // From the whole box down to cells that hold a few points on average.
 void choose_levels(ShapeIndex& s) {
   const std::uint64_t differing = s.size > 0 ? s.code.front() ^ s.code[s.size - 1] : 0;
@@ -86,8 +96,9 @@ ShapeIndex::Range ShapeIndex::cell_around(std::size_t i, int level) const {
   return {static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - first)};
 }
 
-ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen) {
+ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen, std::uint64_t epoch) {
   ShapeIndex s;
+  s.epoch = epoch;
   const Points& p = points.points;
   std::vector<std::uint32_t> kept;
   Box box;
@@ -101,6 +112,7 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   const std::size_t leaves = (s.size + ShapeIndex::kLeaf - 1) / ShapeIndex::kLeaf;
   for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz}) v->assign(leaves * ShapeIndex::kLeaf, kHole);
   s.in_leaf.assign(leaves, 0);
+  s.changed.assign(leaves, epoch);
   if (kept.empty()) return s;
   s.centre = 0.5 * (box.min + box.max);
   s.reach = 0.5 * norm(box.max - box.min);
@@ -134,10 +146,13 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
 }
 
 void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions) {
+  ++index.epoch;
   for (const std::uint32_t i : positions) {
     assert(!index.is_hole(i));
     index.x[i] = kHole;
-    --index.in_leaf[i / ShapeIndex::kLeaf];
+    const std::size_t leaf = i / ShapeIndex::kLeaf;
+    index.changed[leaf] = index.epoch;
+    if (--index.in_leaf[leaf] == 0) empty_ball(index, leaf);
   }
   index.left -= positions.size();
 }

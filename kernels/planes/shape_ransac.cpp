@@ -36,6 +36,10 @@ struct Extent {
     min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
     max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
   }
+  ShapeBox grown(std::int64_t margin) const {
+    const auto m = static_cast<double>(margin);
+    return {{min.x - m, min.y - m, min.z - m}, {max.x + m, max.y + m, max.z + m}};
+  }
   bool holds(Vec3 p, double m) const {
     return p.x >= min.x - m && p.x <= max.x + m && p.y >= min.y - m && p.y <= max.y + m && p.z >= min.z - m &&
            p.z <= max.z + m;
@@ -148,12 +152,12 @@ class Search {
   }
 
   // ---- choice -------------------------------------------------------------------------------------------------------
-  bool exact(const ShapePool::Candidate& c) const { return c.counted == epoch_; }
+  bool exact(const ShapePool::Candidate& c) const { return c.counted == sample().epoch; }
 
   void count_top(ShapePool& pool) {
     ShapePool::Candidate c = pool.pop();
-    c.bound = score_shape(sample(), c.shape, score_params());
-    c.counted = epoch_;
+    c.bound = recount_shape(sample(), c.shape, score_params(), {c.bound, c.counted}, least_count());
+    c.counted = sample().epoch;
     if (c.bound >= least_count()) pool.push(std::move(c));
   }
 
@@ -200,10 +204,7 @@ class Search {
       if (!fit.valid || !allowed(fit.shape)) break;
       Extent around;
       for (const std::uint32_t i : part.members) around.add(all_.position(i));
-      Indices next = points_on_shape(all_, fit.shape, score_params());
-      std::erase_if(next, [&](std::uint32_t i) {
-        return !around.holds(all_.position(i), static_cast<double>(params_.connectivity));
-      });
+      Indices next = points_on_shape(all_, fit.shape, score_params(), around.grown(params_.connectivity));
       if (next.size() < params_.min_points) break;
       part.shape = fit.shape;
       const bool settled = next == part.members;
@@ -282,7 +283,6 @@ class Search {
       take_out(sample_, in_sample);
     }
     take_out(all_, members);
-    ++epoch_;
     if (all_.left < all_.size / 2) compact();
     if (stride_for(all_.left) != static_cast<std::size_t>(share_)) {
       build_sample();
@@ -294,7 +294,7 @@ class Search {
     Indices left;
     for (std::size_t i = 0; i < all_.size; ++i)
       if (!all_.is_hole(i)) left.push_back(all_.index[i]);
-    all_ = build_shape_index(points_, left);
+    all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
   }
 
   // Bounds on one sample say nothing about another.
@@ -317,7 +317,7 @@ class Search {
   double max_radius_ = 0;
   Rng rng_{0};
   std::array<ShapePool, kShapeKinds> pools_;
-  std::uint64_t epoch_ = 1, draw_count_ = 0;
+  std::uint64_t draw_count_ = 0;
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a shape, per point of that shape
   ShapeSegments result_;

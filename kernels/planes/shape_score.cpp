@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/planes/shape_score.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 #include "kernels/simd/dispatch.h"
 
@@ -12,7 +14,9 @@ struct Request {
   simd::ShapeArgs args{};
   std::array<float, 9> shape{};
   std::vector<const float*> balls;
-  std::vector<std::uint32_t> leaves;
+  std::unique_ptr<std::uint32_t[]> leaves;
+
+  std::span<const std::uint32_t> met() const { return {leaves.get(), args.leaf_count}; }
 };
 
 // A shape in float32, its origin moved near the points where that does not change it, and what rounding may add to a
@@ -27,7 +31,7 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
              static_cast<float>(s.radius), static_cast<float>(s.sine),   static_cast<float>(s.cosine)};
   const double longest = norm(index.centre) + index.reach + norm(index.centre - origin) + s.radius;
   for (const auto& level : index.balls) r.balls.push_back(level.data());
-  r.leaves.resize(index.in_leaf.size() + 8);
+  r.leaves = std::make_unique_for_overwrite<std::uint32_t[]>(index.in_leaf.size() + 8);
   r.args = {index.x.data(),
             index.y.data(),
             index.z.data(),
@@ -41,10 +45,50 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
             static_cast<float>(params.epsilon),
             static_cast<float>(params.min_cos),
             static_cast<float>(longest * 0x1p-19),
-            r.leaves.data(),
+            r.leaves.get(),
             0,
             nullptr};
   if (index.size > 0) r.args.leaf_count = simd::table().shape_leaves(r.args);
+}
+
+bool may_hold(const ShapeBox& box, const ShapeIndex& index, std::uint32_t leaf) {
+  const float* ball = index.balls[0].data() + leaf / 8 * 32 + leaf % 8;
+  const double x = ball[0], y = ball[8], z = ball[16], radius = ball[24];
+  return x + radius >= box.min.x && x - radius <= box.max.x && y + radius >= box.min.y && y - radius <= box.max.y &&
+         z + radius >= box.min.z && z - radius <= box.max.z;
+}
+
+bool holds(const ShapeBox& box, Vec3 p) {
+  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
+         p.z <= box.max.z;
+}
+
+// Of the leaves met the points on the shape that `wanted` says yes to, judged in double.
+template <class Wanted>
+std::vector<std::uint32_t> found_points(Request& r, const ShapeIndex& index, const Shape& shape,
+                                        const ShapeScoreParams& params, const Wanted& wanted) {
+  constexpr float kCosineRounding = 1e-4f;
+  r.args.max_distance += r.args.slack;
+  r.args.min_cos -= kCosineRounding;
+  const std::size_t most = std::size_t{r.args.leaf_count} * ShapeIndex::kLeaf + 8;
+  const auto hits = std::make_unique_for_overwrite<std::uint32_t[]>(most);
+  r.args.found = hits.get();
+  const std::uint32_t count = simd::table().shape_hits(r.args);
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t i : std::span(hits.get(), count)) {
+    const Vec3 p = index.position(i);
+    if (!wanted(p)) continue;
+    const ShapeView v = view_of(shape, p);
+    if (std::abs(v.distance) <= params.epsilon && std::abs(dot(v.normal, index.normal(i))) >= params.min_cos)
+      found.push_back(i);
+  }
+  return found;
+}
+
+std::uint32_t points_in(const ShapeIndex& index, std::span<const std::uint32_t> leaves) {
+  std::uint32_t points = 0;
+  for (const std::uint32_t leaf : leaves) points += index.in_leaf[leaf];
+  return points;
 }
 
 }  // namespace
@@ -52,9 +96,7 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
 std::uint32_t bound_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params) {
   Request r;
   prepare(r, index, shape, params);
-  std::uint32_t bound = 0;
-  for (std::uint32_t i = 0; i < r.args.leaf_count; ++i) bound += index.in_leaf[r.leaves[i]];
-  return bound;
+  return points_in(index, r.met());
 }
 
 std::uint32_t score_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params) {
@@ -63,24 +105,32 @@ std::uint32_t score_shape(const ShapeIndex& index, const Shape& shape, const Sha
   return simd::table().shape_hits(r.args);
 }
 
+std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
+                            ShapeCount before, std::uint32_t least) {
+  Request r;
+  prepare(r, index, shape, params);
+  const auto as_before = [&](std::uint32_t leaf) { return index.changed[leaf] <= before.epoch; };
+  if (before.epoch > 0 && std::all_of(r.met().begin(), r.met().end(), as_before)) return before.points;
+  const std::uint32_t bound = points_in(index, r.met());
+  return bound < least ? bound : simd::table().shape_hits(r.args);
+}
+
 std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape,
                                            const ShapeScoreParams& params) {
   Request r;
   prepare(r, index, shape, params);
-  constexpr float kCosineRounding = 1e-4f;
-  r.args.max_distance += r.args.slack;
-  r.args.min_cos -= kCosineRounding;
-  std::vector<std::uint32_t> found(std::size_t{r.args.leaf_count} * ShapeIndex::kLeaf + 8);
-  r.args.found = found.data();
-  found.resize(simd::table().shape_hits(r.args));
-  std::size_t to = 0;
-  for (const std::uint32_t i : found) {
-    const ShapeView v = view_of(shape, index.position(i));
-    found[to] = i;
-    to += std::abs(v.distance) <= params.epsilon && std::abs(dot(v.normal, index.normal(i))) >= params.min_cos;
-  }
-  found.resize(to);
-  return found;
+  return found_points(r, index, shape, params, [](Vec3) { return true; });
+}
+
+std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
+                                           const ShapeBox& box) {
+  Request r;
+  prepare(r, index, shape, params);
+  std::uint32_t left = 0;
+  for (const std::uint32_t leaf : r.met())
+    if (may_hold(box, index, leaf)) r.leaves[left++] = leaf;
+  r.args.leaf_count = left;
+  return found_points(r, index, shape, params, [&](Vec3 p) { return holds(box, p); });
 }
 
 }  // namespace ilot

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cstddef>
+
 #include "engine/formats/laz/chunk.h"
 #include "engine/formats/laz/layered.h"
 #include "engine/formats/laz/pointwise.h"
@@ -57,6 +60,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
       s.coder.start(epoch_);
       s.active = false;
     }
+    mark_constants(records);
     codec_.start(records.data());
     for (std::size_t at = record_length_; at < records.size(); at += record_length_) {
       codec_.code(records.data() + at);
@@ -68,6 +72,26 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
   }
 
  private:
+  // Streams in which nothing changes are dropped in the end: their symbols need not be coded. Not so one of colours,
+  // whose symbols also tell what is no grey.
+  void mark_constants(std::span<const std::byte> records) {
+    changed_.assign(record_length_, std::byte{0});
+    for (std::size_t at = record_length_; at < records.size(); at += record_length_)
+      for (std::size_t i = 0; i < record_length_; ++i) changed_[i] |= records[at + i] ^ records[i];
+    const LayeredPlan& plan = codec_.plan();
+    const auto mark = [&](std::uint32_t layer, std::size_t first, std::size_t count) {
+      const auto bytes = std::span(changed_).subspan(first, count);
+      codec_.streams()[layer].constant =
+          std::all_of(bytes.begin(), bytes.end(), [](std::byte b) { return b == std::byte{0}; });
+    };
+    mark(kLayerClass, offsetof(Point14, classification), 1);
+    mark(kLayerFlags, offsetof(Point14, flags), 1);
+    mark(kLayerIntensity, offsetof(Point14, intensity), 2);
+    mark(kLayerUser, offsetof(Point14, user), 1);
+    if (plan.nir) mark(plan.nir_layer, plan.nir, 2);
+    for (std::uint32_t i = 0; i < plan.extra_count; ++i) mark(plan.extra_layer + i, plan.extra + i, 1);
+  }
+
   void append_streams(std::vector<std::byte>& out) {
     streams_.clear();
     for (Stream<Encoder>& s : codec_.streams()) {
@@ -79,6 +103,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
 
   std::size_t record_length_;
   LayeredCodec<Encoder> codec_;
+  std::vector<std::byte> changed_;  // per byte of a record: the bits that differ from the first one's somewhere
   std::vector<std::span<const std::byte>> streams_;
 };
 

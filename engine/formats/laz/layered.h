@@ -93,9 +93,11 @@ class LayeredCodec {
     std::memcpy(last + Point14::kSize, record + Point14::kSize, size);
   }
 
+  static bool is_left_out(const Stream<Coder>& s) { return kEncodes ? s.constant : !s.active; }
+
   void code_rgb(Tail& models, const std::byte* last, Byte* record) {
     Stream<Coder>& s = streams_[plan_.rgb_layer];
-    if (!kEncodes && !s.active) return;
+    if (is_left_out(s)) return;
     Rgb value = load<Rgb>(record + plan_.rgb);
     const std::uint32_t changed = models.rgb.code(s.coder, load<Rgb>(last + plan_.rgb), value);
     s.active |= changed != 0;
@@ -103,7 +105,7 @@ class LayeredCodec {
   }
   void code_nir(Tail& models, const std::byte* last, Byte* record) {
     Stream<Coder>& s = streams_[plan_.nir_layer];
-    if (!kEncodes && !s.active) return;
+    if (is_left_out(s)) return;
     auto value = load<std::uint16_t>(record + plan_.nir);
     const std::uint32_t changed = models.nir.code(s.coder, load<std::uint16_t>(last + plan_.nir), value);
     s.active |= changed != 0;
@@ -111,7 +113,7 @@ class LayeredCodec {
   }
   void code_wave(Tail& models, const std::byte* last, Byte* record) {
     Stream<Coder>& s = streams_[plan_.wave_layer];
-    if (!kEncodes && !s.active) return;
+    if (is_left_out(s)) return;
     Wavepacket w = Wavepacket::from(record + plan_.wave);
     models.wave.code(s.coder, Wavepacket::from(last + plan_.wave), w);
     s.active |= std::memcmp(last + plan_.wave, record + plan_.wave, kWavepacketSize) != 0;
@@ -120,7 +122,7 @@ class LayeredCodec {
   void code_extra(Tail& models, const std::byte* last, Byte* record) {
     for (std::uint32_t i = 0; i < plan_.extra_count; ++i) {
       Stream<Coder>& s = streams_[plan_.extra_layer + i];
-      if (!kEncodes && !s.active) continue;
+      if (is_left_out(s)) continue;
       const auto before = static_cast<std::uint32_t>(last[plan_.extra + i]);
       const auto after = static_cast<std::uint32_t>(record[plan_.extra + i]);
       const std::uint32_t difference = s.coder.symbol(models.extra[i], (after - before) & 255u);

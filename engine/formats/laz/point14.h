@@ -19,6 +19,7 @@ template <class Coder>
 struct Stream {
   Coder coder;
   bool active = false;
+  bool constant = false;  // encoding: nothing changes in it, so that no symbol of it is worth coding
 };
 
 template <class Coder>
@@ -171,6 +172,7 @@ class Point14Codec {
   template <class Value, class Body>
   static void layer(Stream<Coder>& stream, Value last, Value& value, const Body& body) {
     if constexpr (kEncodes) {
+      if (stream.constant) return;
       stream.active |= value != last;
       body(stream.coder);
     } else if (stream.active) {

@@ -49,11 +49,20 @@ TEST(RaySamples, NearFindsAllOfABox) {
   const FacadeSite site = site_with(points, {{{1, 1, 9}, 0.001, 0.002}});
   const RaySamples samples(site);
   const Box2 box{2.3, 3.9, -0.4, 1.7};
-  const auto found = samples.near(box);
+  const NearPoints near = samples.near(box);
+  const std::vector<std::uint32_t> found(near.begin(), near.end());
   const std::set<std::uint32_t> set(found.begin(), found.end());
   EXPECT_EQ(set.size(), found.size());
   for (std::uint32_t i = 0; i < points.size(); ++i)
     EXPECT_TRUE(!box.holds(samples.crossing(i, 0)) || set.count(i) > 0) << i;
+}
+
+TEST(RaySamples, NearOfBinsWithoutPointsIsEmpty) {
+  const FacadeSite site = site_with({{9.5F, 4.5F, 0, 0}}, {});
+  const RaySamples samples(site);
+  const NearPoints none = samples.near({1, 2, 1, 2}), one = samples.near({9.4, 9.6, 0, 4.6});
+  EXPECT_EQ(std::distance(none.begin(), none.end()), 0);
+  EXPECT_EQ(std::vector<std::uint32_t>(one.begin(), one.end()), std::vector<std::uint32_t>{0});
 }
 
 // A pane seen from the left through its window: from the right the ray would have to go through the wall, or through

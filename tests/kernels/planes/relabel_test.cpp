@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/planes/relabel.h"
 
+#include <numeric>
+
+#include "kernels/core/rng.h"
+#include "kernels/neighbours/knn.h"
 #include "tests/support/segment_sets.h"
 
 namespace ilot {
@@ -130,6 +134,40 @@ TEST(Relabel, NothingToDo) {
   EXPECT_EQ(adopt_strays({}, {{}, 8}, {}, none), 0u);
   EXPECT_EQ(relabel_islands({}, {{}, 8}, {}, none), 0u);
   EXPECT_EQ(part_borders({}, {{}, 8}, {}, none), 0u);
+}
+
+// Runs of consecutive points are passed over where nothing can happen; mixed up, hardly any run is. Two walls meet a
+// floor, labels start at the wrong side for a band along the edges, and many floor points are far from both.
+TEST(Relabel, TheOrderOfPointsDoesNotShow) {
+  test::OrientedSetBuilder b(1);
+  b.add(test::Patch{{0, 0, 1000}, kX, kY, 120, 100, 10, 2});
+  b.add(test::Patch{{0, 0, 1000}, kX, {0, 0, 1}, 120, 60, 10, 2});
+  b.add(test::Patch{{0, 0, 1000}, kY, {0, 0, 1}, 100, 60, 10, 2});
+  const auto set = b.build();
+  const auto near = test::neighbours_of(set.view().points, 16);
+  PlaneSegments s{std::vector<std::uint32_t>(set.size), {{{0, 0, 1}, -1000}, {{0, 1, 0}, 0}, {{1, 0, 0}, 0}}};
+  for (std::size_t i = 0; i < set.size; ++i)
+    s.label[i] = set.z[i] < 1025 ? 1 : set.y[i] < 25 ? 2 : set.x[i] < 15 ? 3 : 1;
+  std::vector<std::uint32_t> place(set.size);  // where each point stands in the mixed set
+  std::iota(place.begin(), place.end(), 0u);
+  Rng rng(5);
+  for (std::size_t i = place.size(); i-- > 1;) std::swap(place[i], place[rng.below(i + 1)]);
+  std::vector<float> x(set.size), y(set.size), z(set.size);
+  std::vector<std::uint32_t> lists(set.size * 16);
+  PlaneSegments mixed{std::vector<std::uint32_t>(set.size), s.planes};
+  for (std::uint32_t i = 0; i < set.size; ++i) {
+    x[place[i]] = set.x[i], y[place[i]] = set.y[i], z[place[i]] = set.z[i];
+    mixed.label[place[i]] = s.label[i];
+    for (std::size_t k = 0; k < 16; ++k) {
+      const std::uint32_t j = near.lists().of(i)[k];
+      lists[place[i] * std::size_t{16} + k] = j == kNoNeighbour ? j : place[j];
+    }
+  }
+  const RelabelParams params{6, 100, 2, 8};
+  const std::size_t moves = part_borders(set.view().points, near.lists(), params, s);
+  EXPECT_GT(moves, 100u);
+  EXPECT_EQ(part_borders({x.data(), y.data(), z.data(), set.size}, {lists, 16}, params, mixed), moves);
+  for (std::size_t i = 0; i < set.size; ++i) ASSERT_EQ(mixed.label[place[i]], s.label[i]) << i;
 }
 
 }  // namespace

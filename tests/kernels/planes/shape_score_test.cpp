@@ -122,6 +122,62 @@ TEST(ShapeScore, HolesAreNeverFound) {
   EXPECT_EQ(score_shape(index, s, {25, 0.9}), 0u);
 }
 
+// Points are taken out place by place, whole leaves too: a count brought up to date is one made anew, also in an index
+// that never held the points that are gone.
+TEST(ShapeScore, RecountingIsCounting) {
+  const auto set = scene(20000);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const ShapeScoreParams params{25, 0.9};
+  std::vector<ShapeCount> known(shapes().size());
+  std::size_t kept = 0, changed = 0;
+  for (const Vec3 middle : {Vec3{3000, 3000, 3700}, Vec3{2400, 3000, 3000}, Vec3{3000, 3000, 4200}}) {
+    for (std::size_t s = 0; s < known.size(); ++s) {
+      const std::uint32_t counted = recount_shape(index, shapes()[s], params, known[s], 0);
+      EXPECT_EQ(counted, score_shape(index, shapes()[s], params));
+      ++(counted == known[s].points ? kept : changed);
+      EXPECT_LT(recount_shape(index, shapes()[s], params, {}, 1u << 30), 1u << 30);
+      known[s] = {counted, index.epoch};
+    }
+    std::vector<std::uint32_t> gone;
+    for (std::uint32_t i = 0; i < index.size; ++i)
+      if (!index.is_hole(i) && norm(index.position(i) - middle) < 450) gone.push_back(i);
+    ASSERT_FALSE(gone.empty());
+    take_out(index, gone);
+    EXPECT_GT(std::count(index.in_leaf.begin(), index.in_leaf.end(), 0u), 0);
+  }
+  EXPECT_GT(kept, 0u);
+  EXPECT_GT(changed, 0u);
+}
+
+TEST(ShapeScore, EmptyLeavesAreNeverMet) {
+  const auto set = scene(20000);
+  auto index = build_shape_index(set.view(), test::all_of(set.size));
+  std::vector<std::uint32_t> all(index.size);
+  std::iota(all.begin(), all.end(), 0u);
+  take_out(index, std::span(all).first(all.size() / 2));
+  for (const Shape& s : shapes()) EXPECT_GT(bound_shape(index, s, {1e6, 0}), 0u);
+  take_out(index, std::span(all).subspan(all.size() / 2));
+  for (const auto& level : index.balls)
+    for (std::size_t ball = 0; ball < level.size() / 4; ++ball) {
+      const float radius = level[ball / 8 * 32 + 24 + ball % 8];
+      EXPECT_NE(radius, radius);
+    }
+}
+
+TEST(ShapeScore, ABoxCutsOutItsPoints) {
+  const auto set = scene(20000);
+  const auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const ShapeBox box{{2500, 2400, 2900}, {3400, 3600, 3800}};
+  for (const Shape& s : shapes()) {
+    std::vector<std::uint32_t> wanted = points_on_shape(index, s, {25, 0.9});
+    std::erase_if(wanted, [&](std::uint32_t i) {
+      const Vec3 p = index.position(i);
+      return p.x < 2500 || p.x > 3400 || p.y < 2400 || p.y > 3600 || p.z < 2900 || p.z > 3800;
+    });
+    EXPECT_EQ(points_on_shape(index, s, {25, 0.9}, box), wanted);
+  }
+}
+
 TEST(ShapeScore, AnEmptyIndexHasNoPoints) {
   const auto index = build_shape_index({}, {});
   EXPECT_EQ(score_shape(index, shapes()[0], {25, 0.9}), 0u);
