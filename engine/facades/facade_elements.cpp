@@ -103,13 +103,16 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   return e;
 }
 
-FacadeElement wall_of(const FacadeSite& site) {
+FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline) {
   FacadeElement e;
   e.kind = "outline";
   e.region = FacadeRegion::facade;
-  e.ring = ring_of(site, {0, site.width, 0, site.height}, 0);
-  e.width_m = site.width;
-  e.height_m = site.height;
+  e.edges = outline.edges;
+  for (const Place2& p : outline.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.width_m = std::max(e.width_m, p.u);
+    e.height_m = std::max(e.height_m, p.v);
+  }
   e.width_error_m = e.height_error_m = site.step;
   for (const FacadePoint& p : site.points) e.points += std::abs(static_cast<double>(p.w)) <= site.epsilon;
   return e;

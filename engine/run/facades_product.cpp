@@ -159,7 +159,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
                                             wall_params(settings.facades, context.metres_per_unit));
   std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
 
-  FacadeWork work{store, planes.final_id, stations, steps};
+  FacadeWork work{store, planes.final_id, stations, steps, planes.outlines.outlines()};
   work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
   work.metres_per_unit = context.metres_per_unit;
   std::vector<PassTask> tasks;
