@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/facades/top_lines.h"
 
@@ -167,11 +168,13 @@ TopEdge unknown_top(const Wall& wall, double u0, double u1) {
   return edge;
 }
 
-bool meet(const TopEdge& a, const TopEdge& b, double slack, double& u) {
+// Where two edges meet, in the gap between them or little beside it.
+std::optional<double> meeting_of(const TopEdge& a, const TopEdge& b, double slack) {
   const double turn = a.line.slope - b.line.slope;
-  if (turn == 0) return false;
-  u = (b.line.at - a.line.at) / turn;
-  return u >= a.u1 - slack && u <= b.u0 + slack;
+  if (turn == 0) return std::nullopt;
+  const double u = (b.line.at - a.line.at) / turn;
+  if (u < a.u1 - slack || u > b.u0 + slack) return std::nullopt;
+  return u;
 }
 
 // From end to end without gaps: edges go on to where they meet, to an upright step, or to a stretch at the wall's top
@@ -189,17 +192,15 @@ std::vector<TopEdge> without_gaps(std::vector<TopEdge> edges, const Wall& wall, 
   };
   double end = 0;
   for (const TopEdge& edge : edges) {
-    double corner = 0;
-    const bool meets = !closed.empty() && meet(closed.back(), edge, slack, corner);
-    if (!meets && edge.u0 - end > least && !(closed.empty() && edge.line.level() && edge.u0 < least))
-      take(unknown_top(wall, end, edge.u0));
+    const bool meets = !closed.empty() && meeting_of(closed.back(), edge, slack);
+    if (!meets && edge.u0 - end > least) take(unknown_top(wall, end, edge.u0));
     take(edge);
     end = edge.u1;
   }
   if (wall.site.width - end > least || closed.empty()) take(unknown_top(wall, end, wall.site.width));
   for (std::size_t i = 0; i + 1 < closed.size(); ++i) {
-    double corner = 0.5 * (closed[i].u1 + closed[i + 1].u0);
-    meet(closed[i], closed[i + 1], slack, corner);
+    const double between = 0.5 * (closed[i].u1 + closed[i + 1].u0);
+    const double corner = meeting_of(closed[i], closed[i + 1], slack).value_or(between);
     closed[i].u1 = closed[i + 1].u0 = corner;
   }
   closed.front().u0 = 0, closed.back().u1 = wall.site.width;
@@ -212,12 +213,11 @@ double side_between(const Wall& wall, const TopEdge& a, const TopEdge& b, double
   const bool rises = vb > va;  // the wall is to its right
   const double low = std::min(va, vb) + wall.tolerance, high = std::max(va, vb) - wall.tolerance;
   const auto count = static_cast<std::size_t>(std::max(0.0, (high - low) / wall.fine_cell));
-  const double reach = 0.5;
-  std::vector<OutlineRing> near;  // the profile takes the outermost: of what lies around the place only
+  constexpr double kReach = 0.5;  // metres beside the place where the rows may end
   const auto ends = ring_profile(wall.site.rings, ProfileOf::rows, rises ? -1 : 1, low, wall.fine_cell, count);
   std::vector<double> at;
   for (const double e : ends)
-    if (const double place = rises ? -e : e; std::abs(place - u) <= reach) at.push_back(place);
+    if (const double place = rises ? -e : e; std::abs(place - u) <= kReach) at.push_back(place);
   if (at.size() < 3) {
     error = std::max(wall.cell, 0.5 * std::abs(b.u0 - a.u1));
     return u;
@@ -280,6 +280,8 @@ WallOutline polygon_of(const Wall& wall, std::vector<TopEdge>& edges) {
     if (std::abs(edges[i].line.height(u) - edges[i + 1].line.height(u)) < kSame) continue;
     edges[i].u1 = edges[i + 1].u0 = side_between(wall, edges[i], edges[i + 1], errors[i]);
   }
+  if (std::any_of(edges.begin(), edges.end(), [](const TopEdge& e) { return !(e.u1 > e.u0); }))
+    return rectangle_of(wall.site);
   for (std::size_t i = edges.size(); i-- > 0;) {
     add_stretches(outline, wall, edges[i]);
     const bool step =

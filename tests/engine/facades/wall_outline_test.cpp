@@ -110,6 +110,17 @@ TEST(WallOutline, HiddenStretchesOfASlopeAreOccluded) {
   EXPECT_NEAR(seen, 2.4, 0.1);
 }
 
+// A slope ends high above the roof beside it: it does not go on to where the two would meet.
+TEST(WallOutline, SlopesEndWhereTheyWereSeen) {
+  const WallOutline outline = outline_of(wall_under([](double u) { return u < 4 ? 5 - 0.4 * u : 2.5; }));
+  ASSERT_EQ(outline.ring.size(), 6u);
+  const std::vector<Place2> truth{{0, 0}, {6, 0}, {6, 2.5}, {4, 2.5}, {4, 3.4}, {0, 5}};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_NEAR(outline.ring[i].u, truth[i].u, 0.03) << i;
+    EXPECT_NEAR(outline.ring[i].v, truth[i].v, 0.03) << i;
+  }
+}
+
 // A gap between higher stretches is no step, and what stands before the wall hides it.
 TEST(WallOutline, GapsAndThingsBeforeTheWallAreNoSteps) {
   EXPECT_TRUE(outline_of(wall_under([](double u) { return u > 2 && u < 4 ? 3.5 : 5.0; })).edges.empty());
