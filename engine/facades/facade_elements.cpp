@@ -36,11 +36,14 @@ ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   constexpr double kLongestChord = 5;  // degrees
   const Box2 box = r.box();
   const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
-  const auto springing = [&](double at) {
+  // A jamb that is a tangent as far as one knows springs at the height of the centre: where the two lines meet moves by
+  // centimetres for a millimetre there.
+  const auto springing = [&](double at, Side jamb) {
     const double up2 = radius * radius - (at - u) * (at - u);
-    return v + (up2 > 0 ? std::sqrt(up2) : 0);
+    const bool tangent = std::abs(std::abs(at - u) - radius) <= r.error(jamb) + r.arc->error;
+    return v + (up2 > 0 && !tangent ? std::sqrt(up2) : 0);
   };
-  const double right = springing(box.u1), left = springing(box.u0);
+  const double right = springing(box.u1, Side::right), left = springing(box.u0, Side::left);
   const double from = direction_degrees(box.u1 - u, right - v), to = direction_degrees(box.u0 - u, left - v);
   ArchedRing ring;
   const auto add = [&](double at_u, double at_v, Side side) {

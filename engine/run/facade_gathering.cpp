@@ -107,7 +107,7 @@ IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
   const double units = 1 / work.metres_per_unit;
   Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
   for (const double u : {-work.beside, wall.width + work.beside})
-    for (const double v : {-work.beside, wall.height + work.beside})
+    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
       for (const double w : {-work.behind, work.before}) {
         const Vec3 p =
             wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
