@@ -256,8 +256,11 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
 void add_levels(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing) {
   std::vector<double> heights;
   for (std::size_t i = 0; i < flat.size(); ++i)
-    if (has_level(facade.elements[i]) && !flat[i].corners.empty())
+    if (has_level(facade.elements[i]) && !flat[i].corners.empty()) {
       heights.insert(heights.end(), {flat[i].box.min_y, flat[i].box.max_y});
+      if (facade.elements[i].kind == "outline")  // feet of gables, steps
+        for (const DrawingCorner& corner : flat[i].corners) heights.push_back(corner.y);
+    }
   std::sort(heights.begin(), heights.end());
   const double same = drawing.paper_mm(kSameLevel), height = drawing.paper_mm(kSmall);
   std::vector<double> levels;

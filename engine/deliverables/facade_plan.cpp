@@ -280,9 +280,22 @@ std::vector<FlatPoint> chords_of(const FlatElement& element) {
   return points;
 }
 
+double distance_from_wall(const Facade& facade, const FacadeElement& element) {
+  double sum = 0;
+  for (const Vec3& p : element.ring) sum += dot(p - facade.origin, facade.out);
+  return element.ring.empty() ? 0 : sum / static_cast<double>(element.ring.size());
+}
+
+bool is_hole(const Facade& facade, const FacadeElement& element, double metres_per_unit) {
+  constexpr double kOnWall = 0.05;  // metres
+  return (element.opening || role_of_kind(element.kind) == DrawingRole::opening) &&
+         std::abs(distance_from_wall(facade, element)) * metres_per_unit <= kOnWall;
+}
+
 DrawingRole role_of_kind(const std::string& kind) {
   using R = DrawingRole;
-  constexpr std::array<std::pair<const char*, R>, 18> kRoles{{{"outline", R::outline},
+  constexpr std::array<std::pair<const char*, R>, 19> kRoles{{{"outline", R::outline},
+                                                              {"dormer", R::outline},
                                                               {"window", R::opening},
                                                               {"door", R::opening},
                                                               {"shop", R::opening},

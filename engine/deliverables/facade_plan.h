@@ -9,6 +9,13 @@
 
 namespace ilot {
 
+// CRS units: how far the ring of an element lies before the wall, in the mean; 0 without a ring.
+double distance_from_wall(const Facade& facade, const FacadeElement& element);
+
+// Whether an element is a hole in the wall: an opening on the wall's plane. Those of dormers lie on planes of their
+// own.
+bool is_hole(const Facade& facade, const FacadeElement& element, double metres_per_unit);
+
 // x along the facade from its origin, y the height, both in metres: where `up` is upright, y is the z of the CRS.
 FlatPoint flat_place(const Facade& facade, Vec3 place, double metres_per_unit);
 

@@ -46,8 +46,7 @@ SectionFace wall_face(const Facade& facade, double metres) {
         facade, {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}},
         metres));
   for (const FacadeElement& e : facade.elements)
-    if (e.status != DrawnStatus::occluded && e.kind != "outline" &&
-        (e.opening || role_of_kind(e.kind) == DrawingRole::opening))
+    if (e.status != DrawnStatus::occluded && e.kind != "outline" && is_hole(facade, e, metres))
       wall.rings.push_back(wall_ring(facade, chords_of(flat_element(facade, e, metres)), metres));
   return wall;
 }

@@ -61,12 +61,6 @@ bool is_sound(const FacadeBody& body) {
   return !body.faces.empty();
 }
 
-double mean_distance(const Facade& facade, const FacadeElement& element) {
-  double sum = 0;
-  for (const Vec3& p : element.ring) sum += dot(p - facade.origin, facade.out);
-  return sum / static_cast<double>(element.ring.size());
-}
-
 FacadeSolid prism(const std::vector<FlatPoint>& ring, double back, double front, const Facade& facade, double m) {
   FacadeSolid solid;
   const auto n = static_cast<std::uint32_t>(ring.size());
@@ -125,7 +119,9 @@ std::string place(Vec3 p) {
 std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_unit) {
   std::vector<FacadeSolid> solids;
   for (const FacadeElement& e : facade.elements) {
-    if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline") continue;
+    if (e.status == DrawnStatus::occluded || std::abs(e.depth_m) < kLeastDepth || e.kind == "outline" ||
+        e.kind == "dormer")
+      continue;
     if (e.region == FacadeRegion::irregularity && !e.body.vertices.empty()) continue;
     if (e.body.closed && is_on_earth(facade) && is_sound(e.body)) {
       solids.push_back({e.id, e.kind, e.body.vertices, e.body.faces});
@@ -133,8 +129,9 @@ std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_u
     }
     const std::vector<FlatPoint> ring = clean_ring(chords_of(flat_element(facade, e, metres_per_unit)));
     if (!is_simple(ring) || !is_on_earth(facade)) continue;
-    const double own = mean_distance(facade, e), depth = e.depth_m / metres_per_unit;
-    const double other = std::abs(own - depth) < std::abs(own) ? own - depth : own + depth;
+    const double own = distance_from_wall(facade, e), depth = e.depth_m / metres_per_unit;
+    const bool from_end = !e.opening && std::abs(own - depth) < std::abs(own);  // its ring is that of its front
+    const double other = from_end ? own - depth : own + depth;
     FacadeSolid solid = prism(ring, std::min(own, other), std::max(own, other), facade, metres_per_unit);
     solid.element = e.id;
     solid.kind = e.kind;

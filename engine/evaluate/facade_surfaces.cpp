@@ -103,7 +103,7 @@ WallSurface wall_surface(const Facade& facade, double metres_per_unit) {
   for (std::uint32_t i = 0; i < facade.elements.size(); ++i) {
     const FacadeElement& e = facade.elements[i];
     const bool outline = e.region == FacadeRegion::facade;
-    if (!outline && (!e.opening || e.status == DrawnStatus::occluded)) continue;
+    if (!outline && (e.status == DrawnStatus::occluded || !e.opening || !is_hole(facade, e, metres_per_unit))) continue;
     if (outline && wall.element == WallSurface::kNone) wall.element = i;
     std::vector<FlatPoint> ring = chords_of(flat_element(facade, e, metres_per_unit));
     for (FlatPoint& p : ring) p.y -= metres_per_unit * facade.origin.z;

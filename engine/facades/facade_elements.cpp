@@ -36,11 +36,14 @@ ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   constexpr double kLongestChord = 5;  // degrees
   const Box2 box = r.box();
   const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
-  const auto springing = [&](double at) {
+  // A jamb that is a tangent as far as one knows springs at the height of the centre: where the two lines meet moves by
+  // centimetres for a millimetre there.
+  const auto springing = [&](double at, Side jamb) {
     const double up2 = radius * radius - (at - u) * (at - u);
-    return v + (up2 > 0 ? std::sqrt(up2) : 0);
+    const bool tangent = std::abs(std::abs(at - u) - radius) <= r.error(jamb) + r.arc->error;
+    return v + (up2 > 0 && !tangent ? std::sqrt(up2) : 0);
   };
-  const double right = springing(box.u1), left = springing(box.u0);
+  const double right = springing(box.u1, Side::right), left = springing(box.u0, Side::left);
   const double from = direction_degrees(box.u1 - u, right - v), to = direction_degrees(box.u0 - u, left - v);
   ArchedRing ring;
   const auto add = [&](double at_u, double at_v, Side side) {
@@ -103,13 +106,16 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   return e;
 }
 
-FacadeElement wall_of(const FacadeSite& site) {
+FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline) {
   FacadeElement e;
   e.kind = "outline";
   e.region = FacadeRegion::facade;
-  e.ring = ring_of(site, {0, site.width, 0, site.height}, 0);
-  e.width_m = site.width;
-  e.height_m = site.height;
+  e.edges = outline.edges;
+  for (const Place2& p : outline.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.width_m = std::max(e.width_m, p.u);
+    e.height_m = std::max(e.height_m, p.v);
+  }
   e.width_error_m = e.height_error_m = site.step;
   for (const FacadePoint& p : site.points) e.points += std::abs(static_cast<double>(p.w)) <= site.epsilon;
   return e;

@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/facades/irregularities.h"
 #include "engine/facades/regular_facade.h"
+#include "engine/facades/wall_outline.h"
 #include "engine/model/facade.h"
 
 namespace ilot {
@@ -11,8 +12,8 @@ namespace ilot {
 // at most), its sizes and their errors, its body where its end is known.
 FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing);
 
-// The wall's own outline.
-FacadeElement wall_of(const FacadeSite& site);
+// The wall itself within its outline.
+FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline);
 
 // A bulge or a hollow: its outline in the wall, its surface as a mesh [C11].
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);

@@ -16,9 +16,17 @@ constexpr double kSameHeight = 0.5;  // of the lower wall, that stands beside th
 
 FacadeElement* outline_of(Facade& facade) {
   const auto at = std::find_if(facade.elements.begin(), facade.elements.end(), [](const FacadeElement& e) {
-    return e.region == FacadeRegion::facade && e.ring.size() == 4;
+    return e.region == FacadeRegion::facade && e.ring.size() >= 4;
   });
   return at == facade.elements.end() ? nullptr : &*at;
+}
+
+// Outlines begin with their lower left and lower right corners (wall_outline.h).
+struct EndCorners {
+  std::size_t low, high;
+};
+EndCorners end_of(const FacadeElement& outline, bool left) {
+  return left ? EndCorners{0, outline.ring.size() - 1} : EndCorners{1, 2};
 }
 
 // u, v and w of a place, metres.
@@ -41,6 +49,14 @@ double way_to(const Facade& from, Vec3 place, const Facade& to, double metres) {
   return dot(to.origin - place, to.out) / dot(from.right, to.out) * metres;
 }
 
+// How much the top rises for a metre to the right, at an end of the wall.
+double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
+  const std::size_t high = end_of(outline, left).high, next = left ? high - 1 : high + 1;
+  const Vec3 along = outline.ring[next] - outline.ring[high];
+  const double across = dot(along, f.right);
+  return outline.edges.empty() || across == 0 ? 0 : dot(along, f.up) / across;
+}
+
 struct Meeting {
   double way = INFINITY;  // metres that the end moves
   std::size_t other = 0;  // the facade met
@@ -52,7 +68,8 @@ Meeting meeting_of(std::vector<Facade>& facades, std::size_t own, bool left, con
   Facade& f = facades[own];
   const FacadeElement* outline = outline_of(f);
   const double m = params.metres_per_unit, least = cos_degrees(90 - params.least_turn_deg);
-  const Vec3 low = outline->ring[left ? 0 : 1], high = outline->ring[left ? 3 : 2];
+  const EndCorners end = end_of(*outline, left);
+  const Vec3 low = outline->ring[end.low], high = outline->ring[end.high];
   for (std::size_t o = 0; o < facades.size(); ++o) {
     FacadeElement* other = o == own ? nullptr : outline_of(facades[o]);
     if (other == nullptr || std::abs(dot(f.right, facades[o].out)) < least) continue;
@@ -82,7 +99,11 @@ void join_heights(std::vector<Facade>& facades, double reach, double metres) {
   std::vector<Vec3*> corners;
   for (Facade& f : facades)
     if (FacadeElement* outline = outline_of(f))
-      for (Vec3& p : outline->ring) corners.push_back(&p);
+      for (const bool left : {true, false}) {
+        const EndCorners end = end_of(*outline, left);
+        corners.push_back(&outline->ring[end.low]);
+        corners.push_back(&outline->ring[end.high]);
+      }
   for (std::size_t a = 0; a < corners.size(); ++a)
     for (std::size_t b = a + 1; b < corners.size(); ++b) {
       const Vec3 apart = metres * (*corners[b] - *corners[a]);
@@ -99,9 +120,17 @@ FacadeElement step_of(const Facade& wall, const FacadeElement& outline, double d
   e.id = static_cast<std::uint32_t>(wall.elements.size() + 1);
   const Box2 box = box_of(wall, outline, m);
   const auto place = [&](double u, double v) { return wall.origin + (u / m) * wall.right + (v / m) * wall.up; };
-  e.ring = {place(box.u0, box.v0), place(box.u1, box.v0), place(box.u1, box.v1), place(box.u0, box.v1)};
-  for (std::size_t i = 0; i < e.ring.size(); ++i)
-    e.edges.push_back({DrawnStatus::seen, 0, 0, i % 2 == 0 ? outline.height_error_m : outline.width_error_m, 0});
+  if (outline.edges.empty()) {  // a rectangle
+    e.ring = {place(box.u0, box.v0), place(box.u1, box.v0), place(box.u1, box.v1), place(box.u0, box.v1)};
+    for (std::size_t i = 0; i < e.ring.size(); ++i)
+      e.edges.push_back({DrawnStatus::seen, 0, 0, i % 2 == 0 ? outline.height_error_m : outline.width_error_m, 0});
+  } else {
+    e.edges = outline.edges;
+    for (const Vec3& p : outline.ring) {
+      const Vec3 at = local(wall, p, m);
+      e.ring.push_back(place(at.x, at.y));
+    }
+  }
   e.width_m = box.width();
   e.height_m = box.height();
   e.depth_m = depth;
@@ -109,6 +138,7 @@ FacadeElement step_of(const Facade& wall, const FacadeElement& outline, double d
   e.height_error_m = outline.height_error_m;
   e.depth_error_m = outline.depth_error_m;
   e.points = outline.points;
+  if (!outline.edges.empty()) return e;  // its ring and its depth say all
   FacadeSite site;
   site.axes = {wall.origin, wall.right, wall.up, wall.out};
   site.metres_per_unit = m;
@@ -139,10 +169,14 @@ void close_corners(std::vector<Facade>& facades, const JointParams& params) {
       if (!std::isfinite(met.way)) continue;
       FacadeElement* outline = outline_of(facades[i]);
       // Each end of the side by itself: the line may lean by what the walls do.
-      for (const std::size_t corner : {left ? 0u : 1u, left ? 3u : 2u}) {
-        Vec3& p = outline->ring[corner];
-        p = p + (way_to(facades[i], p, facades[met.other], params.metres_per_unit) / params.metres_per_unit) *
-                    facades[i].right;
+      const EndCorners end = end_of(*outline, left);
+      for (const std::size_t corner : {end.low, end.high}) {
+        const double m = params.metres_per_unit;
+        const Vec3 p = outline->ring[corner];
+        const double way = way_to(facades[i], p, facades[met.other], m) / m;
+        outline->ring[corner] =
+            p +
+            way * (facades[i].right + (corner == end.high ? rise_at(facades[i], *outline, left) : 0.0) * facades[i].up);
       }
     }
   }

@@ -179,9 +179,10 @@ FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
   f.right = site.axes.right;
   f.up = site.axes.up;
   f.out = site.axes.out;
-  f.width_m = site.width;
-  f.height_m = site.height;
-  f.elements.push_back(wall_of(site));
+  f.elements.push_back(wall_of(site, wall_outline(samples, params.outline)));
+  f.width_m = f.elements[0].width_m;
+  f.height_m = f.elements[0].height_m;
+  for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;
   for (const FacadeThing& thing : things) {
     f.elements.push_back(element_of(site, thing));
     for (const LocatedEdge& edge : thing.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;

@@ -7,6 +7,7 @@
 #include "engine/facades/openings.h"
 #include "engine/facades/regular_facade.h"
 #include "engine/facades/relief.h"
+#include "engine/facades/wall_outline.h"
 #include "engine/model/facade.h"
 
 namespace ilot {
@@ -17,6 +18,7 @@ struct FacadeParams {
   LargeReliefParams large;
   IrregularityParams irregular;
   RegularParams regular;
+  WallOutlineParams outline;
   bool regularise = true;
 };
 

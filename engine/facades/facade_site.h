@@ -32,6 +32,13 @@ struct ParallelPlane {
   std::uint64_t points = 0;
 };
 
+// In the wall's axes, metres.
+struct Place2 {
+  double u = 0, v = 0;
+};
+
+using OutlineRing = std::vector<Place2>;  // the last corner leads to the first
+
 // Numbers of stations, from 1 on, and what else may stand there.
 constexpr std::uint8_t kStationUnknown = 0;
 constexpr std::uint8_t kStationAside = 255;  // one that is not in front of the wall: its rays do not cross it
@@ -46,7 +53,8 @@ struct FacadeSite {
   double step = 0.02;                   // metres between its points
   std::vector<std::uint32_t> wall;      // ids of the segments that make up the wall
   std::vector<ParallelPlane> parallel;  // by id
-  std::vector<FacadePoint> points;      // of the wall and around it
+  std::vector<OutlineRing> rings;   // outer ones of the wall's segments; none: the wall is taken to be its rectangle
+  std::vector<FacadePoint> points;  // of the wall and around it
   std::vector<FacadeStation> stations;  // in front of the wall
   std::vector<std::uint8_t> from;       // per point the number of its station; empty: none is known
 };

@@ -11,10 +11,6 @@
 
 namespace ilot {
 
-struct Place2 {
-  double u = 0, v = 0;
-};
-
 // Closed, metres in the wall's axes.
 struct Box2 {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;

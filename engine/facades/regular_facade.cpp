@@ -157,7 +157,7 @@ bool complete_from_row(FacadeThing& t, const std::vector<FacadeThing>& things, S
   return true;
 }
 
-// The size of others in its column, from the side that is seen.
+// The size of others, of its row before those of the rest, from the side that is seen.
 bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, Side side,
                         const RegularParams& params) {
   const bool across = side == Side::left || side == Side::right;
@@ -165,16 +165,17 @@ bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, 
   const Side other_side = side == low ? high : low;
   if (!seen(t, other_side)) return false;
   LocatedEdge& edge = t.shape.side(side);
-  std::vector<Bounded> sizes;
+  std::vector<Bounded> sizes, of_row;
   for (const FacadeThing& other : things) {
     if (other.kind != t.kind || !seen_across(other, low, high)) continue;
     const double size = other.shape.at(high) - other.shape.at(low);
     const double at = t.shape.at(other_side) + (side == high ? size : -size);
-    if (std::abs(at - edge.at) <= edge.error + params.alike && allowed(edge, side, at, params))
-      sizes.push_back({size, other.shape.error(low) + other.shape.error(high)});
+    if (std::abs(at - edge.at) > edge.error + params.alike || !allowed(edge, side, at, params)) continue;
+    sizes.push_back({size, other.shape.error(low) + other.shape.error(high)});
+    if (other.row == t.row && t.row != 0) of_row.push_back(sizes.back());
   }
   if (sizes.empty()) return false;
-  const Bounded common = agreement(sizes);
+  const Bounded common = agreement(of_row.empty() ? sizes : of_row);
   edge.at = t.shape.at(other_side) + (side == high ? common.value : -common.value);
   edge.error = t.shape.error(other_side) + common.error;
   edge.status = DrawnStatus::completed;

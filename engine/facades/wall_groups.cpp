@@ -98,6 +98,24 @@ void join_coplanar(std::span<const Segment> segments, const std::vector<std::siz
   }
 }
 
+// Of one segment so far.
+WallGroup group_of(const Segment& s, Vec3 out) {
+  WallGroup group;
+  group.axes = axes_of(s, out);
+  group.segments = {s.id};
+  group.points = s.points;
+  group.area_m2 = s.area_m2;
+  group.epsilon = s.epsilon_m;
+  group.rms = s.rms_m;
+  return group;
+}
+
+void set_box(WallGroup& group, const Extent& all, double metres) {
+  group.width = all.u1 - all.u0;
+  group.height = all.v1 - all.v0;
+  group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
+}
+
 // What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own.
 void claim_relief(std::span<const Segment> segments, const std::vector<std::size_t>& parallel_candidates,
                   std::vector<char>& taken, const WallParams& params, WallGroup& group) {
@@ -136,26 +154,17 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
   for (const std::size_t i : by_area) {
     const Segment& s = segments[i];
     if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
-    WallGroup group;
     Vec3 out = street_side(s, stations, middle);
     if (stations.empty()) out = side_like(s, walls, params, out);
-    group.axes = axes_of(s, out);
+    WallGroup group = group_of(s, out);
     Extent all = extent_of(s, group.axes, params.metres_per_unit);
-    group.segments = {s.id};
-    group.points = s.points;
-    group.area_m2 = s.area_m2;
-    group.epsilon = s.epsilon_m;
-    group.rms = s.rms_m;
     std::vector<char> trial = taken;
     trial[i] = 1;
     join_coplanar(segments, by_area, trial, params, group, all);
-    group.width = all.u1 - all.u0;
-    group.height = all.v1 - all.v0;
+    set_box(group, all, params.metres_per_unit);
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area)
       continue;
     taken = trial;
-    group.axes.origin = group.axes.origin + (all.u0 / params.metres_per_unit) * group.axes.right +
-                        (all.v0 / params.metres_per_unit) * group.axes.up;
     claim_relief(segments, upright, taken, params, group);
     std::sort(group.segments.begin(), group.segments.end());
     walls.push_back(std::move(group));
@@ -180,6 +189,45 @@ std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<c
     return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
   });
   return small;
+}
+
+std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
+                                          std::span<const Segment> segments, WallParams params,
+                                          const DormerFrontParams& dormers) {
+  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
+  const double least_cos = cos_degrees(kParallelDeg);
+  std::vector<char> taken(segments.size(), 0);
+  for (const WallGroup& known : walls)
+    for (const std::uint32_t id : known.segments) taken[id - 1] = 1;
+  std::vector<std::size_t> candidates;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Segment& s = segments[i];
+    if (taken[i] != 0 || !(s.area_m2 > 0) || std::abs(dot(s.plane.n, wall.axes.out)) < least_cos) continue;
+    const Extent e = extent_of(s, wall.axes, params.metres_per_unit);
+    if (e.w0 > params.bias || e.w0 < -dormers.behind || e.u0 < -kOverlap || e.u1 > wall.width + kOverlap ||
+        e.v0 < wall.height - kOverlap || e.v1 > wall.height + dormers.reach || e.u1 - e.u0 > dormers.most_width)
+      continue;
+    candidates.push_back(i);
+  }
+  std::sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
+    return segments[a].area_m2 != segments[b].area_m2 ? segments[a].area_m2 > segments[b].area_m2 : a < b;
+  });
+  params.gap = dormers.gap;
+  std::vector<WallGroup> fronts;
+  for (const std::size_t i : candidates) {
+    if (taken[i] != 0) continue;
+    taken[i] = 1;
+    const Segment& s = segments[i];
+    WallGroup front = group_of(s, dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n);
+    Extent all = extent_of(s, front.axes, params.metres_per_unit);
+    join_coplanar(segments, candidates, taken, params, front, all);
+    set_box(front, all, params.metres_per_unit);
+    if (front.width < dormers.least_width || front.height < dormers.least_height || front.width > dormers.most_width)
+      continue;
+    std::sort(front.segments.begin(), front.segments.end());
+    fronts.push_back(std::move(front));
+  }
+  return fronts;
 }
 
 Facade bare_facade(const WallGroup& wall, double metres_per_unit) {

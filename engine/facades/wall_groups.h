@@ -26,6 +26,7 @@ struct WallGroup {
   std::uint64_t points = 0;
   std::vector<std::uint32_t> segments;  // ids
   std::vector<ParallelPlane> parallel;  // ids of what stands before and behind it
+  double above = 0;                     // metres above it that its dormers go up to
 };
 
 // Walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in the wall;
@@ -39,6 +40,19 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
 // back is one. Otherwise as find_walls.
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
                                    std::span<const Vec3> stations, Vec3 middle, WallParams params);
+
+struct DormerFrontParams {
+  double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider ones are storeys that stand back
+  double behind = 3;                                             // metres that they stand back, at most
+  double reach = 6;                                              // metres above the wall's top that they go up to
+  double gap = 0.3;                                              // metres between parts of one front
+};
+
+// Upright planes in the roof of a wall: along it, above its top, behind it, of none of `walls`. In the order of their
+// area. Which of them are dormers their openings tell (add_dormers). O(segments).
+std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
+                                          std::span<const Segment> segments, WallParams params,
+                                          const DormerFrontParams& dormers = {});
 
 // The wall with nothing on it: its rectangle is its one element.
 Facade bare_facade(const WallGroup& wall, double metres_per_unit);

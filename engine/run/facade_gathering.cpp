@@ -53,6 +53,21 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
   });
 }
 
+// Outer rings of the wall's segments, onto the wall.
+void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  const LatticeAxes into(work, wall);
+  for (const Outline& outline : work.outlines) {
+    if (!std::binary_search(wall.segments.begin(), wall.segments.end(), outline.plane_id)) continue;
+    for (const Outline::Part& part : outline.parts) {
+      OutlineRing& ring = site.rings.emplace_back();
+      for (const Vec3& p : part[0]) {
+        const Vec3 at = into.of_place(p);
+        ring.push_back({at.x, at.y});
+      }
+    }
+  }
+}
+
 // Returns the numbers that the run's stations have in the site.
 std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
   std::vector<std::uint8_t> number_of(work.stations.size() + 1, kStationAside);
@@ -92,7 +107,7 @@ IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
   const double units = 1 / work.metres_per_unit;
   Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
   for (const double u : {-work.beside, wall.width + work.beside})
-    for (const double v : {-work.beside, wall.height + work.beside})
+    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
       for (const double w : {-work.behind, work.before}) {
         const Vec3 p =
             wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
@@ -120,6 +135,7 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   site.parallel = wall.parallel;
   std::sort(site.parallel.begin(), site.parallel.end(),
             [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
+  add_rings(work, wall, site);
   const std::vector<std::uint8_t> number_of = add_stations(work, wall, site);
   read_points(work, wall, number_of, site);
   return site;

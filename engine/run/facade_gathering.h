@@ -7,6 +7,7 @@
 #include "engine/deliverables/facade_image.h"
 #include "engine/facades/facade_site.h"
 #include "engine/facades/wall_groups.h"
+#include "engine/model/outline.h"
 #include "engine/store/store.h"
 
 namespace ilot {
@@ -17,6 +18,7 @@ struct FacadeWork {
   std::span<const std::uint32_t> final_id;        // per joined plane + 1
   std::span<const Vec3> stations;                 // CRS units
   std::span<const FacadeStation> steps;           // of these, their positions left out
+  std::span<const Outline> outlines = {};         // of planes
   bool told = false;                              // the store has the column "station" of these
   double beside = 0.5, before = 2.5, behind = 4;  // metres around the wall that points are taken from
   double metres_per_unit = 1;

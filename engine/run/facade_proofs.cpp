@@ -45,7 +45,7 @@ PointBox box_of(const FacadeWork& work, const WallGroup& wall, const Strip& stri
   const double units = 1 / work.metres_per_unit;
   const FacadeAxes& axes = wall.axes;
   for (const double u : {strip.from, strip.to})
-    for (const double v : {-work.beside, wall.height + work.beside})
+    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
       for (const double w : {-work.behind, work.before}) {
         const Vec3 p = axes.origin + units * (u * axes.right + v * axes.up + w * axes.out);
         box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};

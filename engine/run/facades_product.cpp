@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "engine/deliverables/facade_files.h"
+#include "engine/facades/dormers.h"
 #include "engine/facades/facade_joints.h"
 #include "engine/facades/facade_model.h"
 #include "engine/facades/wall_groups.h"
@@ -49,6 +50,25 @@ FacadeParams facade_params(const FacadesSettings& s) {
   p.regular.alike = s.alike;
   p.regularise = s.regularise;
   return p;
+}
+
+DormerParams dormer_params(const FacadesSettings& s) {
+  const FacadeParams facade = facade_params(s);
+  return {facade.openings, facade.regular, facade.outline, facade.regularise};
+}
+
+// Of each wall the fronts in its roof; walls learn how far up these go.
+std::vector<std::vector<WallGroup>> dormers_of(std::vector<WallGroup>& walls, std::span<const Segment> segments,
+                                               const WallParams& params) {
+  std::vector<std::vector<WallGroup>> dormers;
+  for (WallGroup& wall : walls) {
+    dormers.push_back(find_dormer_fronts(wall, walls, segments, params));
+    for (const WallGroup& front : dormers.back()) {
+      const double foot = dot(front.axes.origin - wall.axes.origin, wall.axes.up) * params.metres_per_unit;
+      wall.above = std::max(wall.above, foot + front.height - wall.height);
+    }
+  }
+  return dormers;
 }
 
 Vec3 middle_of(std::span<const Segment> segments) {
@@ -159,9 +179,11 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
                                             wall_params(settings.facades, context.metres_per_unit));
   std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
 
-  FacadeWork work{store, planes.final_id, stations, steps};
+  FacadeWork work{store, planes.final_id, stations, steps, planes.outlines.outlines()};
   work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
   work.metres_per_unit = context.metres_per_unit;
+  const std::vector<std::vector<WallGroup>> dormers =
+      dormers_of(walls, planes.segments, wall_params(settings.facades, context.metres_per_unit));
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;
   for (const WallGroup& wall : walls) {
@@ -176,6 +198,10 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     FacadeSite site = gather_facade(work, walls[i]);
     if (inputs.crs.epsg > 0) site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
     found[i] = find_facade(site, facade_params(settings.facades));
+    site = {};
+    std::vector<FacadeSite> fronts;
+    for (const WallGroup& front : dormers[i]) fronts.push_back(gather_facade(work, front));
+    found[i].occluded_edges += add_dormers(fronts, found[i].facade, dormer_params(settings.facades));
     context.advance(tasks[i].points);
   });
   join_facades(found,

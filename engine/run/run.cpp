@@ -193,7 +193,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
       record.chosen.push_back({"planes.curved", std::string("false"), "shapes are looked for with the product planes"});
     }
     PlanesResult planes = make_planes(index.store, inputs.readers, settings, context, progress, record);
-    if (facades && !inputs.stations.empty()) planes.outlines = LargestOutlines(kMostCorners);
+    if (facades) planes.outlines = LargestOutlines(kMostCorners);
     progress.begin_stage("boundaries", index.store.points());
     make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
     write_planes_csv(out.staging() / "planes.csv", planes.segments);

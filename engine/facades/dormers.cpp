@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/facades/dormers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/facades/facade_elements.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kBelow = 0.3;      // metres below a front where the roof would be seen
+constexpr double kRoofDepth = 1;    // metres before and behind a front that it may lie there
+constexpr double kSeenBelow = 0.2;  // of the points that a wall would have there
+
+void shift(FoundRectangle& r, double du, double dv) {
+  for (const Side side : kSides) {
+    LocatedEdge& edge = r.side(side);
+    const double by = side == Side::left || side == Side::right ? du : dv;
+    edge.at += by, edge.inner += by;
+  }
+  if (r.arc) r.arc->centre = {r.arc->centre.u + du, r.arc->centre.v + dv};
+  if (r.end) *r.end = {r.end->u0 + du, r.end->u1 + du, r.end->v0 + dv, r.end->v1 + dv};
+}
+
+// Where a front's origin lies in the axes of the facade, metres.
+Vec3 place_in(const Facade& facade, const FacadeSite& front) {
+  const Vec3 d = front.metres_per_unit * (front.axes.origin - facade.origin);
+  return {dot(d, facade.right), dot(d, facade.up), dot(d, facade.out)};
+}
+
+bool foot_is_hidden(const FacadeSite& front) {
+  std::uint64_t seen = 0;
+  for (const FacadePoint& p : front.points)
+    seen += p.u >= 0 && p.u <= front.width && p.v < -front.step && p.v >= -kBelow &&
+            std::abs(static_cast<double>(p.w)) < kRoofDepth;
+  return static_cast<double>(seen) < kSeenBelow * front.width * kBelow / (front.step * front.step);
+}
+
+FacadeElement front_of(const FacadeSite& front, const RaySamples& samples, double behind, const DormerParams& params) {
+  FacadeElement e = wall_of(front, wall_outline(samples, params.outline));
+  e.kind = "dormer";
+  e.region = FacadeRegion::element;
+  e.depth_m = behind;
+  e.depth_error_m = front.noise;
+  if (e.edges.empty())
+    for (std::size_t i = 0; i < e.ring.size(); ++i) e.edges.push_back({DrawnStatus::seen, 0, 0, front.step, 0});
+  if (foot_is_hidden(front)) {
+    e.edges[0].status = DrawnStatus::occluded;
+    e.reason = "its foot is hidden by what stands below it";
+  }
+  return e;
+}
+
+}  // namespace
+
+std::uint64_t add_dormers(const std::vector<FacadeSite>& fronts, Facade& facade, const DormerParams& params) {
+  std::vector<FacadeThing> things;
+  std::vector<std::size_t> front_of_thing;
+  std::vector<FacadeElement> added;
+  std::vector<Vec3> places;
+  for (const FacadeSite& front : fronts) {
+    const RaySamples samples(front);
+    const Vec3 at = places.emplace_back(place_in(facade, front));
+    const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
+    if (openings.empty()) continue;
+    added.push_back(front_of(front, samples, at.z, params));
+    for (FoundRectangle r : openings) {
+      shift(r, at.x, at.y);
+      things.push_back({r, ThingKind::window, 0, 0, 0, {}});
+      front_of_thing.push_back(places.size() - 1);
+    }
+  }
+  group_things(things, params.regular);
+  if (params.regularise) {
+    regularise_things(things, params.regular);
+    complete_things(things, params.regular);
+    group_things(things, params.regular);
+  }
+  std::uint32_t rows = 0, families = 0;
+  for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    const Vec3 at = places[front_of_thing[i]];
+    shift(things[i].shape, -at.x, -at.y);
+    things[i].row += rows;
+    if (things[i].family != 0) things[i].family += families;
+    added.push_back(element_of(fronts[front_of_thing[i]], things[i]));
+  }
+  std::uint64_t hidden = 0;
+  for (FacadeElement& e : added) {
+    for (const FacadeEdge& edge : e.edges) hidden += edge.status != DrawnStatus::seen;
+    e.id = static_cast<std::uint32_t>(facade.elements.size() + 1);
+    facade.elements.push_back(std::move(e));
+  }
+  return hidden;
+}
+
+}  // namespace ilot

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// Dormers: fronts with windows that stand in the roof above a wall.
+#pragma once
+#include <vector>
+
+#include "engine/facades/openings.h"
+#include "engine/facades/regular_facade.h"
+#include "engine/facades/wall_outline.h"
+#include "engine/model/facade.h"
+
+namespace ilot {
+
+struct DormerParams {
+  OpeningParams openings;
+  RegularParams regular;
+  WallOutlineParams outline;
+  bool regularise = true;
+};
+
+// What stands in the roof is drawn where it stands: of each front (a site of its own, find_dormer_fronts) with an
+// opening its outline, kind `dormer`, as deep as it stands behind the facade's wall, and its openings, on its own plane
+// and as deep as they go behind that. Openings of all fronts make rows and families together. The foot of a front is
+// `occluded` where nothing was seen below it: the eaves hide it. Elements are appended with ids. Returns how many edges
+// are not seen. O(n log n) in the points.
+std::uint64_t add_dormers(const std::vector<FacadeSite>& fronts, Facade& facade, const DormerParams& params = {});
+
+}  // namespace ilot
