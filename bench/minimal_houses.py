@@ -158,9 +158,12 @@ def points_of_parts(parts, points):
     return held
 
 
-def true_size(frame, part):
+def true_size(frame, part, sign):
+    """Width, height, and how far it lies before the facade (or behind it): a part may go round a corner."""
     size = [b - a for a, b in zip(part[1], part[2])]
-    return [sum(abs(frame[axis][k]) * size[k] for k in range(3)) for axis in ("right", "up", "out")]
+    corners = [in_axes(frame, [part[1 + (i >> k & 1)][k] for k in range(3)]) for i in range(8)]
+    return [sum(abs(frame[axis][k]) * size[k] for k in range(3)) for axis in ("right", "up")] + \
+        [max(sign * c[2] for c in corners)]
 
 
 def judge(parts, points, found):
@@ -176,7 +179,7 @@ def judge(parts, points, found):
             if direct:
                 union |= held[k] & f["points"]
             if direct and common >= SHARE * len(held[k]):
-                e, size = f["element"], true_size(f["facade"]["frame"], part)
+                e, size = f["element"], true_size(f["facade"]["frame"], part, f["sign"])
                 errors += [abs(a - b) for a, b in zip((e["width_m"], e["height_m"], abs(e["depth_m"])), size)]
             of_part[k] = max(of_part[k], 1 if other else 0)
             of_found[i] = max(of_found[i], 2 if direct else 1 if other else 0)

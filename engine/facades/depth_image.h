@@ -12,7 +12,7 @@ namespace ilot {
 
 enum DepthKind : std::int8_t { kBehind = -1, kWall = 0, kBefore = 1, kNothing = 2 };
 
-constexpr double kAroundWall = 0.5;      // metres around the wall that the image covers
+constexpr double kAroundWall = 2.5;      // metres around the wall that the image covers: as far as things stand out
 constexpr double kForemostSheet = 0.03;  // metres: points so far behind the foremost belong to its surface
 
 // Row by row from below, columns along the wall.

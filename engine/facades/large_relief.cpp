@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/facades/depth_image.h"
 #include "engine/facades/side_faces.h"
@@ -38,29 +39,32 @@ double deepest_of(const DepthImage& image, const DepthRegion& region) {
   return *at;
 }
 
-// Whether points of side faces lead from the wall to it, along its rim: it is built on.
+// Whether points of side faces lead from the wall to it, along its rim: it is built on. A face lies in a cell of the
+// rim or in the one of the wall beside it, as the cells happen to fall.
 bool hangs_on_wall(const RaySamples& samples, const DepthImage& image, const DepthRegion& region, double depth) {
-  std::vector<std::uint8_t> rim(image.what.size(), 0);
-  std::size_t count = 0, reached = 0;
+  std::vector<std::uint32_t> owner(image.what.size(), 0);  // number of the rim's cell whose face may lie there
+  std::uint32_t count = 0;
   for (const std::int64_t i : region.cells) {
     const std::int64_t c = i % image.columns, r = i / image.columns;
-    const auto is_wall = [&](std::int64_t nc, std::int64_t nr) {
-      return nc >= 0 && nr >= 0 && nc < image.columns && nr < image.rows &&
-             image.what[static_cast<std::size_t>(nr * image.columns + nc)] == kWall;
-    };
-    if (!is_wall(c - 1, r) && !is_wall(c + 1, r) && !is_wall(c, r - 1) && !is_wall(c, r + 1)) continue;
-    rim[static_cast<std::size_t>(i)] = 1;
-    ++count;
+    bool rim = false;
+    for (const auto& [nc, nr] : {std::pair{c - 1, r}, std::pair{c + 1, r}, std::pair{c, r - 1}, std::pair{c, r + 1}}) {
+      if (nc < 0 || nr < 0 || nc >= image.columns || nr >= image.rows) continue;
+      const auto beside = static_cast<std::size_t>(nr * image.columns + nc);
+      if (image.what[beside] != kWall) continue;
+      count += !rim;
+      rim = true;
+      owner[beside] = owner[static_cast<std::size_t>(i)] = count;
+    }
   }
-  for (const FacadePoint& p : samples.site().points) {
+  std::vector<std::uint8_t> reached(count + 1, 0);
+  for (std::uint32_t k = 0; k < samples.site().points.size(); ++k) {
+    const FacadePoint& p = samples.site().points[k];
     const double part = static_cast<double>(p.w) / depth;
-    if (part < kHangsFrom || part > kHangsTo) continue;
-    const std::int64_t i = image.at(p);
-    if (i < 0 || rim[static_cast<std::size_t>(i)] != 1) continue;
-    rim[static_cast<std::size_t>(i)] = 2;
-    ++reached;
+    if (part < kHangsFrom || part > kHangsTo || samples.on_wall(k)) continue;
+    if (const std::int64_t i = image.at(p); i >= 0) reached[owner[static_cast<std::size_t>(i)]] = 1;
   }
-  return count > 0 && static_cast<double>(reached) >= kHangs * static_cast<double>(count);
+  const auto hanging = std::count(reached.begin() + 1, reached.end(), 1);
+  return count > 0 && static_cast<double>(hanging) >= kHangs * count;
 }
 
 // Of its width, where it stands on cells of the wall: eaves lie above all of it.
@@ -71,6 +75,11 @@ double stands_on_wall(const DepthImage& image, const DepthRegion& region) {
     columns += below >= 0 && image.what[static_cast<std::size_t>(below)] == kWall;
   }
   return columns / static_cast<double>(region.c1 - region.c0 + 1);
+}
+
+// Whether it goes on beyond what was looked at: then it is a wall of its own, or a part of one.
+bool goes_on(const DepthImage& image, const DepthRegion& region) {
+  return region.c0 <= 0 || region.r0 <= 0 || region.c1 >= image.columns - 1 || region.r1 >= image.rows - 1;
 }
 
 double share_within(const Box2& box, const FacadeSite& site) {
@@ -168,8 +177,10 @@ void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
 }
 
 // The sides from their faces, and where those end at the thing's depth.
-Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, FoundRectangle& thing) {
-  const SideFaces faces = side_faces(samples, thing.box(), end, thing.depth);
+Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, double least_depth,
+                FoundRectangle& thing) {
+  const double seen_at = std::copysign(std::min(least_depth, std::abs(thing.depth) / 2), thing.depth);
+  const SideFaces faces = side_faces(samples, thing.box(), end, thing.depth, seen_at);
   Box2 at_end = faces.end;
   const std::array<double, 4> at{faces.outline.v0, faces.outline.u1, faces.outline.v1, faces.outline.u0};
   const std::array<double*, 4> ends{&at_end.v0, &at_end.u1, &at_end.v1, &at_end.u0};
@@ -212,6 +223,7 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
     if (box.width() < params.least_size || box.height() < params.least_size) continue;
     if (share_within(box, site) < kInWall && (region.what == kBehind || stands_on_wall(image, region) < kInWall))
       continue;
+    if (region.what == kBefore && goes_on(image, region)) continue;
     FoundRectangle thing;
     thing.fill = static_cast<double>(region.cells.size()) /
                  static_cast<double>((region.c1 - region.c0 + 1) * (region.r1 - region.r0 + 1));
@@ -222,7 +234,7 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
     if (std::abs(thing.depth) < params.least_depth) continue;
     for (const Side side : kSides)
       thing.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
-    Box2 body_end = take_faces(samples, end, region.what == kBefore, thing);
+    Box2 body_end = take_faces(samples, end, region.what == kBefore, params.least_depth, thing);
     reach_end(thing, body_end);
     thing.end = body_end;
     found.push_back(thing);

@@ -33,7 +33,7 @@ double outwards(Side side) {
 // What is around one side, t growing outwards.
 struct SideSamples {
   std::vector<double> inside, outside;
-  std::vector<double> along;  // the side, of those inside
+  std::vector<double> along, outside_along;  // the side, of each of these
   std::vector<FacePoint> face, corner;
   std::vector<FacePoint> rim;  // echoes that a thing's edge parted, where their rays cross its plane
   std::size_t hidden = 0;      // rays that end before the plane, beyond the side
@@ -86,6 +86,15 @@ double lean_of(const Vec3* eye, Side side, double t, double w) {
   return std::max(1.0, std::abs(outwards(side) * (along_u(side) ? eye->x : eye->y) - t) / (eye->z - w));
 }
 
+std::size_t slots_of(const SideSpan& span, double step_along) {
+  return static_cast<std::size_t>(std::clamp((span.s1 - span.s0) / (kSlotSteps * step_along), 1.0, 1e4));
+}
+
+std::size_t slot_of(double s, const SideSpan& span, std::size_t slots) {
+  const double at = (s - span.s0) / (span.s1 - span.s0) * static_cast<double>(slots);
+  return std::min(slots - 1, static_cast<std::size_t>(std::max(0.0, at)));
+}
+
 SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
   const bool u = along_u(side);
   const double sign = outwards(side);
@@ -118,8 +127,30 @@ SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, c
     out.hidden += met == Met::before && t > span.t;
     out.deep += !q.hole && met == Met::through && w < -q.face_from;
     if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);
+    if (met == Met::through && !q.hole) out.outside_along.push_back(s);
   }
   return out;
+}
+
+// The last of a thing's points along each of `slots` stretches of a side.
+std::vector<double> ends_of(const SideSamples& around, const SideSpan& span, std::size_t slots) {
+  std::vector<double> ends(slots, -INFINITY);
+  for (std::size_t i = 0; i < around.inside.size(); ++i) {
+    double& end = ends[slot_of(around.along[i], span, slots)];
+    end = std::max(end, around.inside[i]);
+  }
+  return ends;
+}
+
+// Rays square to the plane would have met the thing before they came to what lies behind it: what is there was seen
+// another way and tells nothing of the edge.
+void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
+  const std::vector<double> ends = ends_of(around, span, slots);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < around.outside.size(); ++i)
+    if (around.outside[i] >= ends[slot_of(around.outside_along[i], span, slots)])
+      around.outside[kept++] = around.outside[i];
+  around.outside.resize(kept);
 }
 
 double quantile(std::vector<double>& values, double share) {
@@ -150,13 +181,7 @@ void use_corner(const std::vector<FacePoint>& corner, double about, double besid
 // beam lies outside by the beam's radius.
 void set_end(const SideSamples& around, const SideSpan& span, double step, double step_along, double beam,
              LocatedEdge& edge) {
-  const auto slots = static_cast<std::size_t>(std::clamp((span.s1 - span.s0) / (kSlotSteps * step_along), 1.0, 1e4));
-  std::vector<double> ends(slots, -INFINITY);
-  for (std::size_t i = 0; i < around.inside.size(); ++i) {
-    const double at = (around.along[i] - span.s0) / (span.s1 - span.s0) * static_cast<double>(slots);
-    double& end = ends[std::min(slots - 1, static_cast<std::size_t>(std::max(0.0, at)))];
-    end = std::max(end, around.inside[i]);
-  }
+  std::vector<double> ends = ends_of(around, span, slots_of(span, step_along));
   const double last = *std::max_element(ends.begin(), ends.end());
   std::erase_if(ends, [&](double end) { return !(end > last - kStepsOfShadow * step); });
   const double high = quantile(ends, 1 - kTailOfEnds);
@@ -179,13 +204,14 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const Place2 middle =
       along_u(side) ? Place2{sign * span.t, (span.s0 + span.s1) / 2} : Place2{(span.s0 + span.s1) / 2, sign * span.t};
   const Place2 steps = samples.step_at(middle);
-  const double step = along_u(side) ? steps.u : steps.v;
+  const double step = along_u(side) ? steps.u : steps.v, step_along = along_u(side) ? steps.v : steps.u;
+  if (!q.hole && !samples.oblique()) drop_hidden(around, span, slots_of(span, step_along));
   LocatedEdge edge;
   const EdgeSplit split = split_edge(around.inside, around.outside);
   const double noise = samples.site().noise;
   const double beam = samples.oblique() ? kBeam : 0;
   if (!split.found && !q.hole && !around.inside.empty()) {
-    set_end(around, span, step, along_u(side) ? steps.v : steps.u, beam, edge);
+    set_end(around, span, step, step_along, beam, edge);
     edge.error += noise / 2;
     edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
     use_corner(around.corner, edge.at, kCornerReach + step, q, span, noise, edge);

@@ -109,9 +109,21 @@ FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double d
   return line;
 }
 
+// From t0 at the wall, or `seen_at` out of it, to t1 at the depth: the one that more points lie on.
+FaceLine leaning_face(const std::vector<FacePoint>& points, double t0, double t1, double depth, double seen_at,
+                      double search, double noise) {
+  FaceLine best;
+  for (const double from : {0.0, seen_at}) {
+    const double slope = (t1 - t0) / (depth - from);
+    const FaceLine face = find_face(points, {t0 - slope * from, slope, 0, 0}, depth, search, noise);
+    if (face.points > best.points) best = face;
+  }
+  return best;
+}
+
 }  // namespace
 
-SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2& end, double depth) {
+SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2& end, double depth, double seen_at) {
   SideFaces faces{outline, outline, {}, {}, {}};
   const FacadeSite& site = samples.site();
   const double noise = site.noise, search = kBeside + 3 * site.step;
@@ -122,12 +134,12 @@ SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2&
     const double t0 = sign * side_of(at_wall, side), t1 = sign * side_of(at_end, side);
     const double s0 = along_u(side) ? outline.v0 : outline.u0, s1 = along_u(side) ? outline.v1 : outline.u1;
     const double corner = kCorner * (s1 - s0), reach = std::abs(depth) + std::abs(t1 - t0) + search;
-    const std::vector<FacePoint> points =
-        points_of(samples, outline.grown(samples.oblique() ? 1.5 * reach : reach), side, depth,
-                  std::min(t0, t1) - search, std::max(t0, t1) + search, s0 + corner, s1 - corner);
+    const std::vector<FacePoint> points = points_of(
+        samples, outline.grown(samples.oblique() ? 1.5 * reach : reach), side, depth, std::min(t0, t1) - search,
+        std::max(t0, t1) + search + std::abs(t1 - t0) * std::abs(seen_at / depth), s0 + corner, s1 - corner);
     FaceLine face = find_face(points, {t0, 0, 0, 0}, depth, search, noise);
     if (std::abs(t1 - t0) > std::max(kLeans, 2 * site.step)) {
-      const FaceLine leaning = find_face(points, {t0, (t1 - t0) / depth, 0, 0}, depth, search, noise);
+      const FaceLine leaning = leaning_face(points, t0, t1, depth, seen_at, search, noise);
       if (leaning.points > std::max(2 * face.points, kLeastLeaning)) face = leaning;
     }
     if (face.points == 0) continue;

@@ -19,9 +19,9 @@ struct SideFaces {
 
 // A face is a line by least squares through its points, seen along itself. It leans where points lie on the face
 // from the outline's side to the end's, as in a bay window or a splayed reveal; where they do not, the end is the
-// outline carried over, whatever part of it was seen. `outline` and `end` are given to about a cell. O(n) in the points
-// around.
-SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2& end, double depth);
+// outline carried over, whatever part of it was seen. `outline` and `end` are given to about a cell, the outline as it
+// is at the wall or `seen_at` out of it: what leans has moved on the way. O(n) in the points around.
+SideFaces side_faces(const RaySamples& samples, const Box2& outline, const Box2& end, double depth, double seen_at = 0);
 
 // The closed body between two rectangles parallel to the wall, metres in its axes. Faces turn outwards. An end narrower
 // than a centimetre is an edge, one narrower both ways a corner.

@@ -135,21 +135,30 @@ TEST(FacadeModel, JointsJoinNoOpenings) {
 }
 
 // A long low thing that one can stand on is a balcony, a high one a part of the house.
+// Moved by a part of a cell at a time: how the cells of the depth image fall must not matter.
 TEST(FacadeModel, BalconiesAndBays) {
-  ScannedWall wall;
-  wall.wall({});
-  wall.block(0.5, 3.9, 2.2, 3.3, 0.8, 9);  // on no segment that lies along the wall
-  wall.block(4.6, 5.6, 0.6, 3.4, 0.5, 10);
-  wall.block(0.6, 3.6, 0.8, 0.84, 0.07, 2);
-  FacadeSite site = test::scan_wall(wall, {2.6, 1.6, 7}, 0.0025);
-  site.parallel.push_back({2, 100});
-  const Facade facade = find_facade(site).facade;
-  const auto balconies = of_kind(facade, "balcony"), bays = of_kind(facade, "protrusion");
-  ASSERT_EQ(balconies.size(), 1u);
-  EXPECT_NEAR(balconies[0].width_m, 3.4, 0.03);
-  EXPECT_NEAR(balconies[0].depth_m, 0.8, 0.01);
-  ASSERT_EQ(bays.size(), 1u);
-  EXPECT_NEAR(bays[0].height_m, 2.8, 0.03);
+  for (int i = 0; i < 12; ++i) {
+    const double by = 0.005 * i;
+    ScannedWall wall;
+    wall.wall({});
+    wall.block(0.5 + by, 3.9 + by, 2.2 + by, 3.3 + by, 0.8, 9);  // on no segment that lies along the wall
+    wall.block(4.6 + by, 5.6 + by, 0.6 + by, 3.4 + by, 0.5, 10);
+    wall.block(0.6, 3.6, 0.8, 0.84, 0.07, 2);
+    FacadeSite site = test::scan_wall(wall, {2.6, 1.6, 7}, 0.0025);
+    site.parallel.push_back({2, 100});
+    const Facade facade = find_facade(site).facade;
+    const auto balconies = of_kind(facade, "balcony"), bays = of_kind(facade, "protrusion");
+    ASSERT_EQ(balconies.size(), 1u) << by;
+    EXPECT_NEAR(left(balconies[0]), 0.5 + by, 0.03) << by;
+    EXPECT_NEAR(right(balconies[0]), 3.9 + by, 0.03) << by;
+    EXPECT_NEAR(bottom(balconies[0]), 2.2 + by, 0.005) << by << ": its soffit was seen";
+    EXPECT_NEAR(balconies[0].depth_m, 0.8, 0.003) << by;
+    ASSERT_EQ(bays.size(), 1u) << by;
+    EXPECT_NEAR(left(bays[0]), 4.6 + by, 0.005) << by << ": that side was seen";
+    EXPECT_NEAR(bays[0].width_m, 1, 0.03) << by;
+    EXPECT_NEAR(bays[0].height_m, 2.8, 0.03) << by;
+    EXPECT_NEAR(bays[0].depth_m, 0.5, 0.003) << by;
+  }
 }
 
 // A rail before the wall is not drawn, a bulge as long is.

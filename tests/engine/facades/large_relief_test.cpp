@@ -37,6 +37,38 @@ TEST(LargeRelief, ABayWithSplayedSidesIsMeasuredAtTheWallAndAtItsFront) {
   }
 }
 
+// The tower at a corner, under a roof that slopes back to above the wall's top.
+TEST(LargeRelief, APartMayGoBeyondTheEndsOfItsWall) {
+  for (const double noise : {0.0005, 0.005}) {
+    SampledSite s(6, 4, 0.03, noise);
+    s.wall_around(4, 6, 1, 4);
+    s.sheet(4, 7.5, 1, 4, 1, 2);
+    for (const double u : {4.0, 7.5}) s.face({u, 1, 0}, {0, 0, 1}, {0, 3, 0}, 3);
+    s.face({4, 1, 0}, {3.5, 0, 0}, {0, 0, 1}, 4);
+    s.face({4, 4, 1}, {3.5, 0, 0}, {0, 1.5, -1}, 5);
+    const auto found = find_large_relief(RaySamples(s.site));
+    ASSERT_EQ(found.size(), 1u) << noise;
+    const Box2 box = found[0].box();
+    EXPECT_NEAR(box.u0, 4, 0.01) << noise;
+    EXPECT_NEAR(box.u1, 7.5, 0.01) << noise;
+    EXPECT_NEAR(box.v0, 1, 0.01) << noise;
+    EXPECT_NEAR(box.v1, 5.5, 0.02) << noise << " where the roof comes to the wall's plane";
+    ASSERT_TRUE(found[0].end);
+    EXPECT_NEAR(found[0].end->v1, 4, 0.02) << noise << " where it begins at the front";
+  }
+}
+
+// What was not seen to end is the storey above, a wall of its own.
+TEST(LargeRelief, WhatGoesOnBeyondWhatWasLookedAtIsNoPartOfTheWall) {
+  for (const double height : {4.5, 9.0}) {
+    SampledSite s(6, 3, 0.03, 0.002);
+    s.sheet(0, 6, 0, 3, 0, 1);
+    s.sheet(0, 6, 3, height, 1, 2);
+    s.face({0, 3, 0}, {6, 0, 0}, {0, 0, 1}, 3);
+    EXPECT_EQ(find_large_relief(RaySamples(s.site)).size(), height < 5.5 ? 1u : 0u) << height;
+  }
+}
+
 TEST(LargeRelief, ANicheGoesIntoTheWall) {
   SampledSite s(6, 4, 0.03, 0.002);
   s.wall_around(2, 3.5, 0, 2.4);

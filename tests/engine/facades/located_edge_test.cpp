@@ -4,9 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 #include "engine/facades/face_crowd.h"
 #include "tests/support/facade_sites.h"
+#include "tests/support/sampled_site.h"
 
 namespace ilot {
 namespace {
@@ -49,6 +51,24 @@ TEST(LocatedEdge, AnEndThatNobodySawLiesInItsGap) {
       EXPECT_NEAR(end.at, side == Side::left ? kLeft : kRight, end.error) << eye;
       EXPECT_GT(end.error, 0.003) << eye;
     }
+}
+
+// Nobody knows where points were seen from: what lies right behind a thing, its own soffit and walls farther in, was
+// seen another way than square to it.
+TEST(LocatedEdge, WhatLiesBehindAThingTellsNothingOfItsEdges) {
+  test::SampledSite s(6, 4, 0.03, 0.002);
+  s.sheet(1, 5, 1, 3, 1, kPlane);
+  s.sheet(1, 5, 0.5, 3, -1, 7);  // a wall farther in: as many points, higher up too
+  for (const double v : {1.0, 3.0}) s.face({1, v, 0}, {4, 0, 0}, {0, 0, 1}, 8);  // soffit and top
+  const RaySamples samples(s.site);
+  const std::vector<std::uint32_t> planes{kPlane};
+  const SideSearch search{{1.02, 4.98, 1.02, 2.98}, 1, 0.007, false, 0.01, 0.99, 0.12, planes};
+  for (const auto& [side, at] : {std::pair{Side::bottom, 1.0}, std::pair{Side::top, 3.0}}) {
+    const LocatedEdge edge = locate_edge(samples, search, side);
+    EXPECT_NEAR(edge.at, at, 0.004);
+    EXPECT_NEAR(edge.at, at, edge.error);
+    EXPECT_TRUE(edge.by_face);
+  }
 }
 
 TEST(FaceCrowd, AFewPointsThatAgreeAreAFaceScatteredOnesAreNone) {
