@@ -17,7 +17,7 @@ HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "sto
           "segments": 4, "deliverables": 4, "evaluate": 5, "roofs": 6, "facades": 6, "streets": 6, "run": 7}
 EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/version.h", "engine/whole_file.h", "engine/pass/stop.h"}
 PRODUCTS = {"roofs", "facades", "streets"}
-KERNEL_HEIGHT = {"core": 0, "simd": 1, "neighbours": 2, "planes": 3, "delaunay": 3, "outlines": 4, "meshes": 4, "rasters": 4}
+KERNEL_HEIGHT = {"core": 0, "simd": 1, "machines": 2, "neighbours": 2, "planes": 3, "delaunay": 3, "outlines": 4, "meshes": 4, "rasters": 4}
 CLOUD_FORMATS = re.compile(r"\b(las|laz|copc|e57|ply|pcd|ptx|LAS|LAZ|COPC|E57|PLY|PCD|PTX)\b|LASF")
 DRAWING_FORMATS = re.compile(r"\b(dxf|DXF|CityJSON|GDAL|gdal\w*|ogr\w*|OGR\w*)\b")
 TALKING = re.compile(r"<iostream>|\bstd::(cout|cerr|clog|printf|exit)\b|\b(printf|puts|abort|exit|_exit)\s*\(")

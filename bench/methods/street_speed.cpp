@@ -67,8 +67,7 @@ class Clock {
 // Which thing each point belongs to, by the default model.
 ThingLabels labels_of(const FoundStreet& street) {
   static const StreetClasses model{&default_thing_model(), {}};
-  std::vector<ThingClass> classes;
-  for (const Thing& thing : street.things) classes.push_back(model.of(thing.features));
+  const std::vector<ThingClass> classes = model.of(street.things);
   const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, whole_things(street.things, classes));
   ThingLabels labels{{0}, {PointLabel::none}};
   for (std::size_t part = 1; part < thing_of.size(); ++part) {

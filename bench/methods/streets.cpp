@@ -141,9 +141,9 @@ void judge_shipped(const std::vector<Street>& streets, std::size_t different) {
   Confusion all;
   for (const Street& street : streets) {
     if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
-    std::vector<ThingClass> given;
-    for (const ThingSample& s : street.samples) given.push_back(classify_thing(default_thing_model(), s.features));
-    judge_whole(street, given, all, shares);
+    std::vector<ThingFeatures> features;
+    for (const ThingSample& s : street.samples) features.push_back(s.features);
+    judge_whole(street, classify_things(default_thing_model(), features), all, shares);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }

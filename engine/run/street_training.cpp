@@ -121,12 +121,17 @@ bool is_model(const std::filesystem::path& path) {
 
 }  // namespace
 
-ThingClass StreetClasses::of(const ThingFeatures& features) const {
-  ThingClass said = classify_thing(*base, features);
-  if (!trained || said.label < PointLabel::car) return said;
-  const ThingClass learnt = classify_thing(*trained, features);
-  said.label = learnt.label;
-  said.probability *= learnt.probability;
+std::vector<ThingClass> StreetClasses::of(const std::vector<Thing>& things) const {
+  std::vector<ThingFeatures> features;
+  for (const Thing& t : things) features.push_back(t.features);
+  std::vector<ThingClass> said = classify_things(*base, features);
+  if (!trained) return said;
+  const std::vector<ThingClass> learnt = classify_things(*trained, features);
+  for (std::size_t i = 0; i < said.size(); ++i) {
+    if (said[i].label < PointLabel::car) continue;
+    said[i].label = learnt[i].label;
+    said[i].probability *= learnt[i].probability;
+  }
   return said;
 }
 

@@ -11,7 +11,7 @@ struct StreetClasses {
   const ThingModel* base = nullptr;        // says what is whole, and what is no object
   std::optional<ThingModel> trained = {};  // says what objects are called
 
-  ThingClass of(const ThingFeatures& features) const;
+  std::vector<ThingClass> of(const std::vector<Thing>& things) const;
 };
 
 // Learns from the places in `train` what the things of this street are called, or reads a model that a run wrote

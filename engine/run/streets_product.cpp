@@ -14,7 +14,6 @@
 #include "engine/streets/tiled_artefacts.h"
 #include "engine/streets/whole_things.h"
 #include "engine/whole_file.h"
-#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -39,17 +38,6 @@ ThingsParams things_params(const StreetsSettings& s, const RasterScale& scale, d
 
 Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
-}
-
-// What a thing is called, for all things.
-std::vector<ThingClass> classes_of(const std::vector<Thing>& things, const StreetClasses& model) {
-  std::vector<ThingClass> classes(things.size());
-  constexpr std::size_t kGrain = 256;
-  parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
-    for (std::size_t i = part * kGrain; i < std::min(things.size(), (part + 1) * kGrain); ++i)
-      classes[i] = model.of(things[i].features);
-  });
-  return classes;
 }
 
 // The block of a place: that of the nearest line of facades, nearest along it.
@@ -218,7 +206,7 @@ void make_streets(const Store& store, const Settings& settings, const std::files
   tell_of_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
   if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
-  const std::vector<ThingClass> classes = classes_of(street.things, model);
+  const std::vector<ThingClass> classes = model.of(street.things);
   const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
   const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
   StreetPlan plan;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/streets/layer_split.h"
 #include "engine/streets/part_joins.h"
 #include "engine/streets/thing_description.h"
 #include "engine/streets/thing_relations.h"
@@ -63,11 +64,13 @@ ComponentThings things_of_component(const Patch& patch, std::uint32_t component,
   for (std::size_t i = 0; i < images.own.size(); ++i)
     if (static_cast<std::uint32_t>(patch.components.values[i]) != component) images.own.values[i] = kNoHeight;
   images.slope = gradient(images.own, Adjacency::eight);
-  ComponentThings out{separate_artefacts(images.own, scale, params.separation), {}};
+  SplitLayers split = split_layers(separate_artefacts(images.own, scale, params.separation), images.own,
+                                   std::max(1u, scale.area(params.separation.least_area)));
+  ComponentThings out{std::move(split.labels), {}};
   out.things = describe(out.labels, images, scale, params);
   const auto parts = static_cast<std::uint32_t>(out.things.size());
-  const Joins joins =
-      joins_of(out.labels, images.own, 2 * gap_reach(scale, params), params.largest / (scale.pixel * scale.pixel));
+  const Joins joins = joins_of(out.labels, images.own, 2 * gap_reach(scale, params),
+                               params.largest / (scale.pixel * scale.pixel), split.layers);
   const std::vector<std::uint32_t> level = levels_of(parts, joins.list);
   out.things.resize(parts + joins.list.size());
   PixelLabels of = out.labels;

@@ -50,9 +50,9 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
 std::string name_of(ThingKind kind);
 
 // Logarithms of the shares of each state, before they are weighed.
-std::array<double, kThingStates> role_logs(const ThingModel& model, const ThingFeatures& features);
+std::vector<std::array<double, kThingStates>> role_logs(const ThingModel& model, std::span<const ThingFeatures> things);
 
-// The class with the greatest share, whatever its role.
-ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features);
+// The classes with the greatest share, whatever their role.
+std::vector<ThingKind> likeliest_kinds(const ThingModel& model, std::span<const ThingFeatures> things);
 
 }  // namespace ilot

@@ -8,8 +8,8 @@
 #include <sstream>
 
 #include "engine/error.h"
-#include "engine/streets/pair_coupling.h"
 #include "engine/streets/thing_decisions.h"
+#include "engine/streets/thing_shares.h"
 
 namespace ilot {
 namespace {
@@ -146,41 +146,6 @@ class ModelReader {
   ThingModel model_;
 };
 
-// Of the weights of a support vector of class a, the one against class b.
-double weight_against(const ThingModel& model, std::size_t vector, std::size_t a, std::size_t b) {
-  return model.weights[vector][b < a ? b : b - 1];
-}
-
-// Shares of all classes, which sum to 1; and the kernel to the nearest support vector.
-struct ClassShares {
-  std::vector<double> share;
-  double nearest = 0;
-};
-
-ClassShares shares_of(const ThingModel& model, const ThingFeatures& features) {
-  const std::vector<double> row = standardised(model, features);
-  const std::size_t k = model.classes.size();
-  std::vector<double> decision(k * (k - 1) / 2, 0);
-  for (std::size_t p = 0; p < decision.size(); ++p) decision[p] = -model.rho[p];
-  ClassShares out;
-  for (std::size_t v = 0; v < model.vectors.size(); ++v) {
-    const double kernel = radial(row, model.vectors[v], model.gamma);
-    out.nearest = std::max(out.nearest, kernel);
-    const std::size_t own = model.class_of_vector[v];
-    for (std::size_t other = 0; other < k; ++other)
-      if (other != own)
-        decision[pair_index(std::min(own, other), std::max(own, other), k)] +=
-            weight_against(model, v, own, other) * kernel;
-  }
-  for (std::size_t p = 0; p < decision.size(); ++p)
-    decision[p] = sigmoid(model.slope[p] * decision[p] + model.offset[p]);
-  out.share = coupled_pairs(decision, k);
-  double sum = 0;
-  for (std::size_t c = 0; c < k; ++c) sum += out.share[c] *= model.prior[c];
-  for (double& s : out.share) s /= sum;
-  return out;
-}
-
 // The shares of what a thing is, if it is whole, and of its roles.
 struct StateShares {
   std::array<double, kThingStates> of_state{};
@@ -205,22 +170,8 @@ StateShares states_of(const ThingModel& model, const std::vector<double>& share)
   return out;
 }
 
-}  // namespace
-
-std::array<double, kThingStates> role_logs(const ThingModel& model, const ThingFeatures& features) {
-  std::array<double, kThingStates> out = states_of(model, shares_of(model, features).share).of_state;
-  for (double& v : out) v = natural_log(std::max(kLeastShare, v));
-  return out;
-}
-
-ThingKind likeliest_kind(const ThingModel& model, const ThingFeatures& features) {
-  const std::vector<double> share = shares_of(model, features).share;
-  return model.classes[static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin())];
-}
-
-ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
-  const auto [share, nearest] = shares_of(model, features);
-  const StateShares states = states_of(model, share);
+ThingClass class_of(const ThingModel& model, const ClassShares& shares) {
+  const StateShares states = states_of(model, shares.share);
   std::array<double, kThingStates> weight;
   for (std::size_t s = 0; s < kThingStates; ++s)
     weight[s] = natural_exp(model.roles.power[s] * natural_log(std::max(kLeastShare, states.of_state[s])) +
@@ -230,10 +181,40 @@ ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features
   const double all = states.of_state[0] + states.of_state[1];
   ThingClass out{is_object ? states.object : states.rest, 0, std::max(object, rest), part, several};
   out.probability = all > 0 ? (is_object ? states.object_share : states.rest_share) / all : 0;
-  if (nearest >= model.unlike) return out;
+  if (shares.nearest >= model.unlike) return out;
   out.whole = out.part = out.several = 1;
-  if (is_object) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(share.size());
+  if (is_object) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
   return out;
+}
+
+}  // namespace
+
+std::vector<std::array<double, kThingStates>> role_logs(const ThingModel& model,
+                                                        std::span<const ThingFeatures> things) {
+  std::vector<std::array<double, kThingStates>> out;
+  for (const ClassShares& shares : class_shares(model, things)) {
+    out.push_back(states_of(model, shares.share).of_state);
+    for (double& v : out.back()) v = natural_log(std::max(kLeastShare, v));
+  }
+  return out;
+}
+
+std::vector<ThingKind> likeliest_kinds(const ThingModel& model, std::span<const ThingFeatures> things) {
+  std::vector<ThingKind> out;
+  for (const auto& [share, nearest] : class_shares(model, things))
+    out.push_back(
+        model.classes[static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin())]);
+  return out;
+}
+
+std::vector<ThingClass> classify_things(const ThingModel& model, std::span<const ThingFeatures> things) {
+  std::vector<ThingClass> out;
+  for (const ClassShares& shares : class_shares(model, things)) out.push_back(class_of(model, shares));
+  return out;
+}
+
+ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features) {
+  return classify_things(model, {&features, 1}).front();
 }
 
 std::string thing_model_text(const ThingModel& model) {

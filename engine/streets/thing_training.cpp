@@ -40,14 +40,18 @@ std::vector<ThingSample> thinned(std::span<const ThingSample> samples, std::uint
   return kept;
 }
 
+std::vector<ThingFeatures> features_of(std::span<const ThingSample> samples) {
+  std::vector<ThingFeatures> out;
+  for (const ThingSample& s : samples) out.push_back(s.features);
+  return out;
+}
+
 // Those that a model gets wrong.
 std::vector<ThingSample> wrong_ones(const ThingModel& model, std::span<const ThingSample> samples) {
-  std::vector<std::uint8_t> wrong(samples.size(), 0);
-  parallel_for(samples.size(),
-               [&](std::size_t i) { wrong[i] = likeliest_kind(model, samples[i].features) != samples[i].kind(); });
+  const std::vector<ThingKind> said = likeliest_kinds(model, features_of(samples));
   std::vector<ThingSample> out;
   for (std::size_t i = 0; i < samples.size(); ++i)
-    if (wrong[i] != 0) out.push_back(samples[i]);
+    if (said[i] != samples[i].kind()) out.push_back(samples[i]);
   return out;
 }
 
@@ -214,16 +218,35 @@ RoleSample role_sample(const ThingSample& s) {
   return out;
 }
 
+// Samples of one fold: their places and features.
+struct FoldSamples {
+  std::vector<std::size_t> places;
+  std::vector<ThingFeatures> features;
+};
+FoldSamples samples_of(std::span<const ThingSample> all, const Folds& folds, std::uint32_t fold) {
+  FoldSamples out;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (folds.of(all[i], i) != fold) continue;
+    out.places.push_back(i);
+    out.features.push_back(all[i].features);
+  }
+  return out;
+}
+
 // Learns how much the roles count, from what the models that have not seen the samples say of them.
 RoleWeights roles_of(std::span<const ThingSample> all, const Folds& folds, const std::vector<ThingModel>& unseen) {
   const bool joined = std::any_of(all.begin(), all.end(), [](const ThingSample& s) { return s.parts[0] != 0; });
   const bool known = std::none_of(unseen.begin(), unseen.end(), [](const ThingModel& m) { return m.vectors.empty(); });
   if (!joined || !known || !folds.by_group()) return {};
   std::vector<RoleSample> things(all.size());
-  parallel_for(all.size(), [&](std::size_t i) {
-    things[i] = role_sample(all[i]);
-    things[i].log = role_logs(unseen[folds.of(all[i], i)], all[i].features);
-  });
+  for (std::uint32_t fold = 0; fold < folds.count(); ++fold) {
+    const auto [places, features] = samples_of(all, folds, fold);
+    const auto logs = role_logs(unseen[fold], features);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      things[places[i]] = role_sample(all[places[i]]);
+      things[places[i]].log = logs[i];
+    }
+  }
   return learn_role_weights(things);
 }
 
@@ -297,8 +320,9 @@ std::vector<ThingClass> cross_validate(std::span<const ThingSample> samples, con
     const std::vector<ThingSample> rest = without_fold(samples, dealt, fold);
     if (rest.size() == samples.size()) continue;
     const ThingModel model = train_things(rest, params);
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      if (dealt.of(samples[i], i) == fold) out[i] = classify_thing(model, samples[i].features);
+    const auto [places, features] = samples_of(samples, dealt, fold);
+    const std::vector<ThingClass> classes = classify_things(model, features);
+    for (std::size_t i = 0; i < places.size(); ++i) out[places[i]] = classes[i];
   }
   return out;
 }

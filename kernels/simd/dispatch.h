@@ -79,6 +79,17 @@ struct ShapeArgs {
   std::uint32_t* found;  // nullptr: count only; else positions, with room for eight more
 };
 
+constexpr std::size_t kRadialRows = 16;
+struct RadialArgs {
+  const double* rows;     // kRadialRows of them, dimension by dimension
+  const double* vectors;  // dimensions each
+  const double* weights;  // sums each
+  std::size_t vector_count, dimensions, sums;
+  double gamma;
+  double* totals;   // kRadialRows per sum, overwritten
+  double* nearest;  // one per row, overwritten
+};
+
 struct Table {
   const char* name;
   void (*count_inliers)(const CountArgs&);
@@ -88,6 +99,7 @@ struct Table {
   void (*hough_directions)(const HoughArgs&);
   std::uint32_t (*shape_hits)(const ShapeArgs&);    // how many points of the leaves
   std::uint32_t (*shape_leaves)(const ShapeArgs&);  // how many leaves
+  void (*radial_sums)(const RadialArgs&);
 };
 
 // The table of the best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it;

@@ -5,6 +5,7 @@
 
 namespace ilot::simd::avx2 {
 constexpr char kName[] = "avx2";
+#include "kernels/machines/radial_sums.inl"
 #include "kernels/neighbours/leaves.inl"
 
 #include "kernels/neighbours/knn.inl"

@@ -5,6 +5,7 @@
 
 namespace ilot::simd::avx512 {
 constexpr char kName[] = "avx512";
+#include "kernels/machines/radial_sums.inl"
 #include "kernels/neighbours/leaves.inl"
 
 #include "kernels/neighbours/knn.inl"

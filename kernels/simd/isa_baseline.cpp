@@ -4,6 +4,7 @@
 
 namespace ilot::simd::baseline {
 constexpr char kName[] = "baseline";
+#include "kernels/machines/radial_sums.inl"
 #include "kernels/neighbours/leaves.inl"
 
 #include "kernels/neighbours/knn.inl"

@@ -210,6 +210,14 @@ inline bool any(DMask m) {
 inline D select(DMask m, D yes, D no) {
   return {_mm256_blendv_pd(no.v, yes.v, m.v)};
 }
+inline void store_d(double* p, D a) {
+  _mm256_storeu_pd(p, a.v);
+}
+// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+inline D power_of_two(D whole) {
+  const __m256d shifted = _mm256_add_pd(whole.v, _mm256_set1_pd(0x1.8p52 + 1023));
+  return {_mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(shifted), 52))};
+}
 // To the nearest whole number, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtpd_epi32(a.v));

@@ -215,6 +215,14 @@ inline bool any(DMask m) {
 inline D select(DMask m, D yes, D no) {
   return {_mm512_mask_blend_pd(m.v, no.v, yes.v)};
 }
+inline void store_d(double* p, D a) {
+  _mm512_storeu_pd(p, a.v);
+}
+// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+inline D power_of_two(D whole) {
+  const __m512d shifted = _mm512_add_pd(whole.v, _mm512_set1_pd(0x1.8p52 + 1023));
+  return {_mm512_castsi512_pd(_mm512_slli_epi64(_mm512_castpd_si512(shifted), 52))};
+}
 // To the nearest whole number, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtpd_epi32(a.v));

@@ -313,6 +313,22 @@ inline bool any(DMask m) {
 inline D select(DMask m, D yes, D no) {
   return {m.v[0] ? yes.v[0] : no.v[0], m.v[1] ? yes.v[1] : no.v[1]};
 }
+inline void store_d(double* p, D a) {
+  p[0] = a.v[0];
+  p[1] = a.v[1];
+}
+// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+inline D power_of_two(D whole) {
+  D out;
+  for (int i = 0; i < 2; ++i) {
+    const double shifted = whole.v[i] + (0x1.8p52 + 1023);
+    std::uint64_t bits;
+    __builtin_memcpy(&bits, &shifted, sizeof bits);
+    bits <<= 52;
+    __builtin_memcpy(&out.v[i], &bits, sizeof bits);
+  }
+  return out;
+}
 // To the nearest whole number, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   for (int i = 0; i < 2; ++i) to[i] = static_cast<std::int32_t>(__builtin_nearbyint(a.v[i]));

@@ -2,4 +2,4 @@
 // Last in each isa_*.cpp: the bodies compiled there, under one name.
 extern const Table kTable;
 const Table kTable{kName, count_inliers, knn, radius_search, neighbour_normals, hough_directions,
-                   shape_hits, shape_leaves};
+                   shape_hits, shape_leaves, radial_sums};
