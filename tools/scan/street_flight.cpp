@@ -25,7 +25,7 @@ constexpr std::array<SceneOption, 10> kFlight{{
     {"scene.slope", 2, "%", 0, 20, "rise of the street"},
     {"scene.touching", 0.15, "share", 0, 0.5, "objects that touch another"},
     {"scene.trees", 1.5, "per block", 0, 4, "trees on the pavements"},
-    {"scene.gardens", 6, "per block and side", 0, 40, "bushes, hedges, trees, sheds and walls behind the houses"},
+    {"scene.gardens", 4, "per block and side", 0, 40, "bushes, hedges, trees, sheds and walls behind the houses"},
     {"scene.mirrored", 0.6, "share", 0, 0.9, "of the pulses on a car's paint that it mirrors away, at most"},
 }};
 

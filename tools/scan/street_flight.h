@@ -17,7 +17,7 @@ struct StreetFlight {
   StreetParams street;
   AirborneParams flight;
   double noise = 0.02;    // metres, standard deviation of the range
-  double gardens = 6;     // things behind the houses, per block and side
+  double gardens = 4;     // things behind the houses, per block and side
   double mirrored = 0.6;  // share of the pulses that the darkest paint of a car mirrors away
 };
 

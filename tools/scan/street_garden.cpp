@@ -26,7 +26,7 @@ class Gardener {
     else if (kind < 0.7)
       tree(s, t);
     else if (kind < 0.85)
-      box(s, t, between(1.5, 4.5), between(1.2, 3), between(1.4, 2.6), StreetClass::roof, Material::wood);
+      box(s, t, between(1.5, 4.5), between(1.2, 3), between(1.9, 2.6), StreetClass::roof, Material::wood);
     else
       box(s, t, between(2, 8), between(0.15, 0.35), between(0.6, 1.9), StreetClass::facade, Material::brick);
   }
