@@ -86,9 +86,9 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   const Store& store = index.store;
   Clock clock;
   FoundStreet street;
-  clock.time("density", [&] { street.density = median_density(store, context); });
-  clock.time("B1 images",
-             [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel_for(street.density)); });
+  clock.time("density", [&] { street.density = point_density(store, context); });
+  const double pixel = pixel_for(street.density.median, view_of(street.density));
+  clock.time("B1 images", [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel); });
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
   ThingsParams params;

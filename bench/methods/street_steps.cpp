@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "engine/pass/index.h"
+#include "engine/run/street_training.h"
 #include "engine/run/streets_product.h"
 #include "engine/streets/artefacts.h"
 #include "engine/streets/whole_things.h"
@@ -177,7 +178,7 @@ void draw_things(const FoundStreet& street, const Image& parts, const Pictures& 
   pictures.draw("b5-parts", [&](std::size_t i) { return colour_of(part_at(i)); });
   std::vector<ThingFeatures> features;
   for (const Thing& t : street.things) features.push_back(t.features);
-  const std::vector<ThingClass> classes = classify_things(default_thing_model(), features);
+  const std::vector<ThingClass> classes = classify_things(library_model(street.view), features);
   const std::vector<std::uint32_t> thing = thing_of_part(street.things, whole_things(street.things, classes));
   pictures.draw("b7-whole", [&](std::size_t i) { return colour_of(thing[part_at(i)]); });
   pictures.draw("b7-classes", [&](std::size_t i) {

@@ -2,9 +2,12 @@
 // What stands on streets [B5-B7], found and classed, on scenes `street`, judged by their truth: how many objects are
 // found, which features tell them apart and in which order, and the confusion matrix of a cross-validation by block,
 // with the document's features and with ours. With --model the machine that is trained on all of it; --shipped judges
-// the default model, on streets that it has not seen. With --cut H each street stands for two, as it is and without
-// what is higher than H metres above the road: the machine learns from both, and each kind is judged by itself.
-// Usage: bench_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE] [--only-model | --everything |
+// the default model, on streets that it has not seen (with --air that for clouds from the air). With --cut H each
+// street stands for two, as it is and without what is higher than H metres above the road: the machine learns from
+// both, and each kind is judged by itself.
+// --most N learns from at most so many samples of a class.
+// Usage: bench_streets STREET.laz... [--cut H] [--most N] [--air] [--cache FOLDER] [--model FILE] [--only-model |
+// --everything |
 // --shipped]
 #include <fmt/format.h>
 
@@ -134,30 +137,33 @@ void judge(const std::vector<Street>& streets, std::size_t different, const char
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }
 
-// What a run with the default model gives.
-void judge_shipped(const std::vector<Street>& streets, std::size_t different) {
-  fmt::print("\neverything found, the default model\n");
+// What a run with a model of the library gives.
+void judge_shipped(const std::vector<Street>& streets, std::size_t different, const ThingModel& model) {
+  fmt::print("\neverything found, the library's model\n");
   RunShares shares;
   Confusion all;
   for (const Street& street : streets) {
     if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
     std::vector<ThingFeatures> features;
     for (const ThingSample& s : street.samples) features.push_back(s.features);
-    judge_whole(street, classify_things(default_thing_model(), features), all, shares);
+    judge_whole(street, classify_things(model, features), all, shares);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }
 
 void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
-                 const fs::path& path) {
+                 std::uint32_t most, const fs::path& path) {
   std::vector<std::vector<ThingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
   const std::vector<ThingSample> samples = pooled(lists, clouds.size());
   ThingTrainingParams params;
+  params.most_of_class = most;
   ThingModel model = train_things(samples, params);
   std::string names;
   for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
-  model.recipe = "bench_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") + " --model things.model\n" +
+  model.recipe = "bench_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") +
+                 (most != ThingTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") +
+                 " --model things.model\n" +
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
   write_whole_file(path, thing_model_text(model));
@@ -188,7 +194,8 @@ struct Arguments {
   std::vector<std::string> clouds;
   fs::path cache, model;
   double cut = 0;
-  bool judge = true, four_classes = true, shipped = false;
+  std::uint32_t most = ThingTrainingParams{}.most_of_class;
+  bool judge = true, four_classes = true, shipped = false, air = false;
 };
 
 Arguments read_arguments(const std::vector<std::string>& words) {
@@ -200,10 +207,14 @@ Arguments read_arguments(const std::vector<std::string>& words) {
       a.model = words[++i];
     else if (words[i] == "--cut" && i + 1 < words.size())
       a.cut = std::stod(words[++i]);
+    else if (words[i] == "--most" && i + 1 < words.size())
+      a.most = static_cast<std::uint32_t>(std::stoul(words[++i]));
     else if (words[i] == "--only-model")
       a.judge = false;
     else if (words[i] == "--shipped")
       a.shipped = true, a.judge = false;
+    else if (words[i] == "--air")
+      a.air = true;
     else if (words[i] == "--everything")
       a.four_classes = false;
     else
@@ -221,7 +232,7 @@ void run(const Arguments& a) {
   if (a.cut > 0)
     for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cut, a.cache));
   const std::size_t different = whole.size();
-  if (a.shipped) judge_shipped(streets, different);
+  if (a.shipped) judge_shipped(streets, different, a.air ? air_thing_model() : default_thing_model());
   if (a.judge) {
     ThingTrainingParams document;
     document.features = FeatureSet::document;
@@ -234,7 +245,7 @@ void run(const Arguments& a) {
     }
     judge(streets, different, "everything found, all features", {}, Judged::everything);
   }
-  if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.model);
+  if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.most, a.model);
 }
 
 }  // namespace

@@ -16,11 +16,15 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kShareOfLayers = 0.15;    // of the budget, for packed layers
-constexpr double kShareOfTiles = 0.35;     // for the work on tiles; the rest: zones, borders, things, the allocator's
-constexpr std::uint64_t kBytesDrawn = 16;  // per pixel of a tile that is drawn
-constexpr double kFinestPixel = 0.05;      // metres
-constexpr int kCoarsest = 20;              // times that
+constexpr double kShareOfLayers = 0.15;      // of the budget, for packed layers
+constexpr double kShareOfTiles = 0.35;       // for the work on tiles; the rest: zones, borders, things, the allocator's
+constexpr std::uint64_t kBytesDrawn = 16;    // per pixel of a tile that is drawn
+constexpr double kFinestPixel = 0.05;        // metres
+constexpr int kCoarsest = 20;                // times that
+constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is empty then, e to the power of minus this
+constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
+constexpr std::uint32_t kCrowded = 4;        // times the median
+constexpr double kMostCrowded = 1.0 / 3;     // of the points seen from the air
 
 std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
   return a >= 0 ? a / b : -((b - 1 - a) / b);
@@ -62,9 +66,22 @@ void spread(Image& level, std::uint32_t reach) {
     if (nearest.pixel[i] != kNoNearest) level.values[i] = level.values[nearest.pixel[i]];
 }
 
+// Cells by their number of points, of so many square metres each.
+PointDensity density_of(const std::map<std::uint32_t, std::uint64_t>& cells, double area) {
+  std::uint64_t all = 0, below = 0, points = 0, crowded = 0;
+  for (const auto& [n, count] : cells) all += count, points += n * count;
+  std::uint32_t median = 0;
+  for (const auto& [n, count] : cells) {
+    below += count;
+    if (median == 0 && 2 * below >= all) median = n;
+    if (median != 0 && n > kCrowded * median) crowded += n * count;
+  }
+  return {median / area, points == 0 ? 0 : static_cast<double>(crowded) / static_cast<double>(points)};
+}
+
 }  // namespace
 
-double median_density(const Store& store, const PassContext& context) {
+PointDensity point_density(const Store& store, const PassContext& context) {
   constexpr std::int64_t kCells = 64;
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
   const auto windows = windows_of(store, side);
@@ -82,18 +99,20 @@ double median_density(const Store& store, const PassContext& context) {
       if (n > 0) ++counts[i][n];
   });
   std::map<std::uint32_t, std::uint64_t> all;
-  std::uint64_t total = 0, below = 0;
   for (const auto& some : counts)
-    for (const auto& [n, cells] : some) all[n] += cells, total += cells;
+    for (const auto& [n, cells] : some) all[n] += cells;
   const double metres = static_cast<double>(cell) * store.unit() * context.metres_per_unit;
-  for (const auto& [n, cells] : all)
-    if (below += cells; 2 * below >= total) return n / (metres * metres);
-  return 0;
+  return density_of(all, metres * metres);
 }
 
-double pixel_for(double density) {
+StreetView view_of(const PointDensity& density) {
+  return density.crowded < kMostCrowded ? StreetView::air : StreetView::street;
+}
+
+double pixel_for(double density, StreetView view) {
+  const double points = view == StreetView::air ? kPointsOfPixel : kPointsOfHalfStep;
   int times = 1;
-  while (times < kCoarsest && density * 4 * kFinestPixel * kFinestPixel * times * times < 1) ++times;
+  while (times < kCoarsest && density * kFinestPixel * kFinestPixel * times * times < points) ++times;
   return kFinestPixel * times;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 #include "engine/pass/context.h"
 #include "engine/run/packed_layers.h"
+#include "engine/settings/settings.h"
 #include "engine/store/store.h"
 #include "engine/streets/raster_scale.h"
 #include "engine/streets/street_layers.h"
@@ -27,11 +28,22 @@ struct StreetRaster {
   std::int64_t floor_divided(std::int64_t v) const { return v >= 0 ? v / pixel : -((pixel - 1 - v) / pixel); }
 };
 
-// Points of a square metre: the median over the cells of a metre that hold any.
-double median_density(const Store& store, const PassContext& context);
+// How many points cells of a square metre hold that hold any.
+struct PointDensity {
+  double median = 0;   // points a square metre
+  double crowded = 0;  // share of all points that lie in cells with more than four times the median
+};
+PointDensity point_density(const Store& store, const PassContext& context);
 
-// The pixel for a density: half of the sampling step, in multiples of 5 cm, from 5 cm to 1 m.
-double pixel_for(double density);
+// Who looks straight down gives each square metre about as many points; who goes along the street gives many times as
+// many to what is upright or near. From the air, where less than a third of the points are crowded: of the clouds at hand
+// 0 to 17 % are that were scanned from the air, an old town with its walls the most, and 72 to 91 % of those from vehicles.
+StreetView view_of(const PointDensity& density);
+
+// The pixel for a density, in multiples of 5 cm from 5 cm to 1 m. From the street half of the sampling step: what is
+// upright fills its pixels many times. From the air one that holds a point with a probability of nine in ten, if points
+// lie at random: things are then of one piece.
+double pixel_for(double density, StreetView view);
 
 class StreetTiles {
  public:

@@ -135,9 +135,13 @@ std::vector<ThingClass> StreetClasses::of(const std::vector<Thing>& things) cons
   return said;
 }
 
+const ThingModel& library_model(StreetView view) {
+  return view == StreetView::air ? air_thing_model() : default_thing_model();
+}
+
 StreetClasses street_classes(const FoundStreet& street, const std::filesystem::path& train, const Crs& crs,
                              Progress& progress, RunRecord& record) {
-  StreetClasses classes{&default_thing_model()};
+  StreetClasses classes{&library_model(street.view)};
   if (train.empty()) return classes;
   if (is_model(train)) {
     std::stringstream text;

@@ -14,8 +14,11 @@ struct StreetClasses {
   std::vector<ThingClass> of(const std::vector<Thing>& things) const;
 };
 
+// The library's model for clouds scanned from there.
+const ThingModel& library_model(StreetView view);
+
 // Learns from the places in `train` what the things of this street are called, or reads a model that a run wrote
-// (things.model); empty: the default model. A place belongs to the thing at it, or within half a metre; of what joins
+// (things.model); empty: the library's model. A place belongs to the thing at it, or within half a metre; of what joins
 // that with others the largest that holds no other place. Error(usage) where nothing can be learnt.
 StreetClasses street_classes(const FoundStreet& street, const std::filesystem::path& train, const Crs& crs,
                              Progress& progress, RunRecord& record);

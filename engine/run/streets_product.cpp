@@ -154,11 +154,19 @@ void write_rasters(const StreetTiles& tiles, const std::filesystem::path& folder
                heights("height", tiles.raster().scale.unit, nullptr));
 }
 
-void choose_pixel(const StreetsSettings& settings, const FoundStreet& street, RunRecord& record) {
-  if (settings.pixel) return;
-  record.chosen.push_back(
-      {"streets.pixel", street.tiles->raster().scale.pixel,
-       fmt::format("half of the sampling step at {:.1f} points a square metre, in steps of 5 cm", street.density)});
+void record_choices(const StreetsSettings& settings, const FoundStreet& street, RunRecord& record) {
+  const bool air = street.view == StreetView::air;
+  if (!settings.pixel)
+    record.chosen.push_back(
+        {"streets.pixel", street.tiles->raster().scale.pixel,
+         fmt::format("{} at {:.1f} points a square metre, in steps of 5 cm",
+                     air ? "holds a point nine times in ten" : "half of the sampling step", street.density.median)});
+  if (!settings.view)
+    record.chosen.push_back(
+        {"streets.view", std::string(kStreetViews[static_cast<std::size_t>(street.view)]),
+         fmt::format("{:.1f} % of the points lie in square metres with more than four times as many as most have: {}",
+                     100 * street.density.crowded,
+                     air ? "what is upright was hardly seen" : "what is upright or near was seen best")});
 }
 
 // Says that ground may have been left out, as behind a bridge.
@@ -180,8 +188,10 @@ void tell_of_ground(const GroundZones& ground, Progress& progress, RunRecord& re
 
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
   FoundStreet street;
-  street.density = median_density(store, context);
-  street.tiles = std::make_unique<StreetTiles>(store, context, settings.pixel.value_or(pixel_for(street.density)));
+  street.density = point_density(store, context);
+  street.view = settings.view.value_or(view_of(street.density));
+  const double pixel = settings.pixel.value_or(pixel_for(street.density.median, street.view));
+  street.tiles = std::make_unique<StreetTiles>(store, context, pixel);
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
   ArtefactParams artefacts;
@@ -202,7 +212,7 @@ void make_streets(const Store& store, const Settings& settings, const std::files
   progress.begin_stage("streets", 2 * store.points());
   std::filesystem::create_directories(folder);
   const FoundStreet street = find_street(store, settings.streets, context);
-  choose_pixel(settings.streets, street, record);
+  record_choices(settings.streets, street, record);
   tell_of_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
   if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));

@@ -22,7 +22,8 @@ struct FoundStreet {
   std::vector<Thing> things;           // by number in the layer "things", from 1
   std::vector<StreetStretch> stretches;
   GroundZones ground;
-  double density = 0;  // points a square metre: the median over those that hold any
+  PointDensity density;
+  StreetView view = StreetView::street;  // where it was scanned from
 };
 
 // B1 to B6 on a store. Works in tiles on disk; memory is that of a few tiles and of their borders.

@@ -138,7 +138,15 @@ struct RoofsSettings {
   AttributeStyle attribute_style = AttributeStyle::plain;
 };
 
+// Where a street was scanned from: by a vehicle or on foot, or by an aircraft.
+enum class StreetView : std::uint8_t { street, air };
+constexpr std::array<std::string_view, 2> kStreetViews{"street", "air"};
+constexpr std::span<const std::string_view> names_of(StreetView) {
+  return kStreetViews;
+}
+
 struct StreetsSettings {
+  std::optional<StreetView> view;
   std::optional<double> pixel;  // metres; of the images from above
   double flat = 1;              // metres; heights of neighbours on the ground differ by at most this
   double longest_gap = 0.5;     // metres; gaps between scan lines are closed up to it

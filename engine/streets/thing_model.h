@@ -114,4 +114,7 @@ ThingModel parse_thing_model(std::string_view text, const std::string& name);
 // What ships with ilot: trained on the virtual scanner's streets. Its recipe stands in it.
 const ThingModel& default_thing_model();
 
+// The same for clouds from the air: trained on streets that the virtual scanner saw from flight lines.
+const ThingModel& air_thing_model();
+
 }  // namespace ilot

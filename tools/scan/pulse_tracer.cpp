@@ -2,7 +2,6 @@
 #include "tools/scan/pulse_tracer.h"
 
 #include <algorithm>
-#include <span>
 
 namespace ilot::scan {
 namespace {
@@ -37,18 +36,21 @@ void keep_separate(std::vector<PulseEcho>& echoes, double last) {
 
 }  // namespace
 
-void PulseTracer::trace(const Ray& ray, Rng& rng, std::vector<PulseEcho>& echoes) {
+void find_echoes(std::span<const CrownHit> crowns, const PulseEcho& last, Rng& rng, std::vector<PulseEcho>& echoes) {
   echoes.clear();
+  bool passes = true;
+  if (!crowns.empty()) {
+    passes = add_crown_echoes(crowns, last.range, rng, echoes);
+    keep_separate(echoes, last.range);
+  }
+  if (passes || echoes.empty()) echoes.push_back(last);
+}
+
+void PulseTracer::trace(const Ray& ray, Rng& rng, std::vector<PulseEcho>& echoes) {
   scene_.cast(ray, found_);
   PulseEcho last{-signed_distance(ground_, ray.origin) / dot(ground_.n, ray.direction)};
   if (found_.solid && found_.solid->t < last.range) last = {found_.solid->t, PulseEcho::From::face, found_.solid->face};
-  if (found_.crowns.empty()) {
-    echoes.push_back(last);
-    return;
-  }
-  const bool passes = add_crown_echoes(found_.crowns, last.range, rng, echoes);
-  keep_separate(echoes, last.range);
-  if (passes || echoes.empty()) echoes.push_back(last);
+  find_echoes(found_.crowns, last, rng, echoes);
 }
 
 }  // namespace ilot::scan

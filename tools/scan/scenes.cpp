@@ -14,6 +14,7 @@
 #include "tools/scan/roofs_scan.h"
 #include "tools/scan/shapes.h"
 #include "tools/scan/stones.h"
+#include "tools/scan/street_flight.h"
 #include "tools/scan/street_scan.h"
 
 namespace ilot::scan {
@@ -40,6 +41,8 @@ std::span<const Scene> scenes() {
             "about; the density follows", roofs_options(), scan_roofs_scene},
       Scene{"street", "30 blocks on both sides of a street, 442 objects on its pavements, scanned from a vehicle",
             "to about 1 %, by scaling the spacing of profiles and pulses", street_options(), scan_street_scene},
+      Scene{"street-air", "that street and the gardens behind its houses, seen from the air",
+            "about; the density follows", street_flight_options(), scan_street_flight_scene},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
   };

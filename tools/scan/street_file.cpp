@@ -5,8 +5,10 @@
 #include <map>
 #include <memory>
 
+#include "engine/error.h"
 #include "engine/formats/writer.h"
 #include "tools/scan/scan_record.h"
+#include "tools/scan/street_flight.h"
 #include "tools/scan/street_scan.h"
 #include "tools/scan/truth_writer.h"
 
@@ -24,6 +26,15 @@ std::string settings_text(const StreetScan& scan) {
       R"("profiles_per_m":{},"step_deg":{},"turned_deg":{},"lane_m":{},"height_m":{},"blind_deg":{},"range_m":{},"grid_m":{})",
       s.seed, s.blocks, s.slope_percent, s.touching, s.trees, d.profiles, d.step_deg, d.turned_deg, d.lane, d.height,
       d.blind_deg, d.range, kGrid);
+}
+
+std::string settings_text(const StreetFlight& flight) {
+  const StreetParams& s = flight.street;
+  return fmt::format(
+      R"("scene":"street-air","seed":{},"blocks":{},"slope_percent":{},"touching":{},"trees_per_block":{},)"
+      R"("density":{},"height_m":{},"scan_angle_deg":{},"gardens":{},"mirrored":{},"grid_m":{})",
+      s.seed, s.blocks, s.slope_percent, s.touching, s.trees, flight.flight.density, flight.flight.height,
+      flight.flight.angle_deg, flight.gardens, flight.mirrored, kGrid);
 }
 
 Vec3 direction_to_scene(Vec3 v) {
@@ -88,47 +99,87 @@ std::map<int, std::string> material_names(const StreetModel& model) {
   return names;
 }
 
+// What is written of a street, whoever scans it.
+class StreetFile {
+ public:
+  StreetFile(const ScanRequest& request, const std::string& settings, double noise, const StreetStage& stage)
+      : request_(request),
+        stage_(stage),
+        writer_(create_cloud(request.output, cloud_spec(layout_))),
+        truth_(truth_path(request.output), settings),
+        on_plane_(stage.model.planes.size() + 1),
+        on_object_(stage.objects.size() + 1) {
+    truth_.noise({noise});
+    truth_.classes(class_names());
+    truth_.materials(material_names(stage.model));
+  }
+
+  TruthWriter& truth() { return truth_; }
+
+  void take(std::span<const std::byte> records) {
+    writer_->write(records);
+    for (std::size_t at = 0; at < records.size(); at += layout_.record_length) {
+      const RecordTruth t = truth_of(&records[at]);
+      ++on_plane_[t.true_plane];
+      ++on_object_[t.true_element];
+    }
+    total_ += records.size() / layout_.record_length;
+    request_.written(records.size() / layout_.record_length);
+  }
+
+  // Planes, objects and blocks; before what the scanner adds to the truth.
+  void add_street() {
+    for (const TruePlane& plane : stage_.model.planes) truth_.add(in_scene(plane, on_plane_[plane.id]));
+    for (const StreetObject& object : stage_.objects) truth_.add(in_scene(object, on_object_[object.id]));
+    write_blocks(truth_, stage_.street);
+  }
+
+  ScanCounts finish() {
+    std::array<std::uint64_t, 4> of_class{};
+    for (const StreetObject& object : stage_.objects) ++of_class[static_cast<std::size_t>(object.artefact_class)];
+    ScanCounts counts{{"points", total_}, {"planes", stage_.model.planes.size()}, {"objects", stage_.objects.size()}};
+    const std::array<const char*, 4> names{"cars", "lampposts", "pedestrians", "others"};
+    for (std::size_t c = 0; c < 4; ++c) counts.push_back({names[c], of_class[c]});
+    counts.push_back({"blocks", stage_.street.blocks.size()});
+    counts.push_back({"gaps", stage_.street.blocks.size() - 1});
+    writer_->finish();
+    truth_.finish(counts);
+    return counts;
+  }
+
+ private:
+  const ScanRequest& request_;
+  const StreetStage& stage_;
+  RecordLayout layout_ = coloured_layout(kGrid);
+  std::unique_ptr<PointWriter> writer_;
+  TruthWriter truth_;
+  std::vector<std::uint64_t> on_plane_, on_object_;
+  std::uint64_t total_ = 0;
+};
+
 }  // namespace
 
 ScanCounts scan_street_scene(const ScanRequest& request) {
   StreetScan scan = plan_street_scan(request.values, request.seed);
   const StreetStage stage = set_stage(scan);
   if (request.points) fit_points(scan, stage, *request.points);
-  const RecordLayout layout = coloured_layout(kGrid);
-  const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
-  TruthWriter truth(truth_path(request.output), settings_text(scan));
-  truth.noise({scan.drive.noise});
-  truth.classes(class_names());
-  truth.materials(material_names(stage.model));
+  StreetFile file(request, settings_text(scan), scan.drive.noise, stage);
+  scan_street(scan, stage, [&](std::span<const std::byte> records) { file.take(records); });
+  file.add_street();
+  write_trajectory(file.truth(), scan, stage.street);
+  return file.finish();
+}
 
-  std::vector<std::uint64_t> on_plane(stage.model.planes.size() + 1), on_object(stage.objects.size() + 1);
-  std::uint64_t total = 0;
-  scan_street(scan, stage, [&](std::span<const std::byte> records) {
-    writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) {
-      const RecordTruth t = truth_of(&records[at]);
-      ++on_plane[t.true_plane];
-      ++on_object[t.true_element];
-    }
-    total += records.size() / layout.record_length;
-    request.written(records.size() / layout.record_length);
-  });
-  for (const TruePlane& plane : stage.model.planes) truth.add(in_scene(plane, on_plane[plane.id]));
-  std::array<std::uint64_t, 4> of_class{};
-  for (const StreetObject& object : stage.objects) {
-    truth.add(in_scene(object, on_object[object.id]));
-    ++of_class[static_cast<std::size_t>(object.artefact_class)];
-  }
-  write_blocks(truth, stage.street);
-  write_trajectory(truth, scan, stage.street);
-  ScanCounts counts{{"points", total}, {"planes", stage.model.planes.size()}, {"objects", stage.objects.size()}};
-  const std::array<const char*, 4> names{"cars", "lampposts", "pedestrians", "others"};
-  for (std::size_t c = 0; c < 4; ++c) counts.push_back({names[c], of_class[c]});
-  counts.push_back({"blocks", stage.street.blocks.size()});
-  counts.push_back({"gaps", stage.street.blocks.size() - 1});
-  writer->finish();
-  truth.finish(counts);
-  return counts;
+ScanCounts scan_street_flight_scene(const ScanRequest& request) {
+  if (request.points && request.values.is_set("scene.density"))
+    throw Error("--points and scene.density contradict each other; leave out one", ExitCode::usage);
+  StreetFlight flight = plan_street_flight(request.values, request.seed);
+  const StreetStage stage = set_stage(flight);
+  if (request.points) fit_points(flight, stage, *request.points);
+  StreetFile file(request, settings_text(flight), flight.noise, stage);
+  scan_street_flight(flight, stage, [&](std::span<const std::byte> records) { file.take(records); });
+  file.add_street();
+  return file.finish();
 }
 
 }  // namespace ilot::scan

@@ -45,20 +45,6 @@ Rays make_rays(const StreetStage& stage) {
           RayScene({}, stage.model.crowns, {middle, 0, stage.street.road_height(middle)})};
 }
 
-std::uint8_t las_class(StreetClass street_class) {
-  switch (street_class) {
-    case StreetClass::ground:
-      return 2;
-    case StreetClass::facade:
-    case StreetClass::roof:
-      return 6;
-    case StreetClass::vegetation:
-      return 5;
-    default:
-      return 1;
-  }
-}
-
 ColouredPoint point_of(const MobileEcho& echo) {
   ColouredPoint point;
   point.place = street_to_scene(echo.place);
@@ -124,11 +110,30 @@ StreetScan plan_street_scan(const SceneValues& values, std::uint64_t seed) {
   return scan;
 }
 
-StreetStage set_stage(StreetScan& scan) {
+std::uint8_t las_class(StreetClass street_class) {
+  switch (street_class) {
+    case StreetClass::ground:
+      return 2;
+    case StreetClass::facade:
+    case StreetClass::roof:
+      return 6;
+    case StreetClass::vegetation:
+      return 5;
+    default:
+      return 1;
+  }
+}
+
+StreetStage set_stage(const StreetParams& street) {
   StreetStage stage;
-  stage.street = plan_street(scan.street);
+  stage.street = plan_street(street);
   stage.objects = place_objects(stage.street);
   stage.model = build_street_model(stage.street, stage.objects);
+  return stage;
+}
+
+StreetStage set_stage(StreetScan& scan) {
+  StreetStage stage = set_stage(scan.street);
   scan.drive.from = 0;
   scan.drive.to = stage.street.length;
   return stage;

@@ -28,7 +28,10 @@ struct StreetStage {
   std::vector<StreetObject> objects;
   StreetModel model;
 };
-StreetStage set_stage(StreetScan& scan);
+StreetStage set_stage(const StreetParams& street);
+StreetStage set_stage(StreetScan& scan);  // and the ends of its drive
+
+std::uint8_t las_class(StreetClass street_class);
 
 // Chooses the density of profiles and pulses so that about so many points come out, both scaled alike.
 void fit_points(StreetScan& scan, const StreetStage& stage, std::uint64_t points);
