@@ -3,6 +3,7 @@
 """Invariants 3, 4, 6 and 7: epsilon, accounting, untouched inputs, shifts, rotations and areas."""
 import collections
 import math
+import pathlib
 import struct
 
 from support import Las, RunTest, main, planes_of, real
@@ -149,6 +150,25 @@ class Synthetic(Invariants):
         self.assertEqual(outside, 0, "labelled points outside the area")
 
 
+class WithoutClouds(RunTest):
+    def test_everything_else_is_the_same(self):
+        path = self.district(20000)
+        for product in ("planes", "roofs", "streets"):
+            with self.subTest(product):
+                whole, told = self.work(path, "--products", product)
+                out, bare = self.work(path, "--products", product, "--no-clouds")
+                self.assertEqual(bare["counts"], told["counts"])
+                files = [f.relative_to(whole) for f in whole.rglob("*") if f.is_file()]
+                others = [f for f in files if f.parts[0] != "points" and f.name != "run.json"]
+                self.assertLess(len(others) + 1, len(files))
+                self.assertEqual(sorted(f.relative_to(out) for f in out.rglob("*") if f.is_file()),
+                                 sorted([*others, pathlib.Path("run.json")]))
+                for file in others:
+                    self.assertEqual((out / file).read_bytes(), (whole / file).read_bytes(), file)
+        _, again = self.work(path, "--products", product, "--resume", out=out)
+        self.assertEqual(again["result_hash"], told["result_hash"], "a run without clouds is not one with them")
+
+
 class Real(Invariants):
     def test_urban_tile(self):
         path = real("ign/77050_627755_pf6.las")
@@ -171,4 +191,4 @@ class Real(Invariants):
 
 
 if __name__ == "__main__":
-    main(synthetic=[Synthetic], real=[Real])
+    main(synthetic=[Synthetic, WithoutClouds], real=[Real])
