@@ -205,7 +205,8 @@ TEST(ShapeScore, LeavesOfOtherNormalsAreLeftOutOnly) {
       }
     }
   }
-  const auto index = build_shape_index(set.view(), test::all_of(set.size));
+  const auto unit = scene(20000);
+  const auto index = build_shape_index(unit.view(), test::all_of(unit.size));
   const Shape s{ShapeKind::kPlane, {3000, 3000, 3000}, {0, 0, 1}};
   EXPECT_LT(bound_shape(index, s, {25, 0.95}), bound_shape(index, s, {25, 0}) / 2);
 }
