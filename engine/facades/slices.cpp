@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/core/parallel.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/rings.h"
 
@@ -71,10 +72,13 @@ std::vector<FacadeSlice> slices_of(const RaySamples& samples, const Box2& box, d
       cuts[cut].push_back(i);
   }
   const Place2 steps = samples.step_at({(box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2});
-  std::vector<FacadeSlice> slices;
-  for (const auto& [cut, points] : cuts)
-    slices.push_back(slice_of(site, from + static_cast<double>(cut) * params.spacing, points,
-                              params.reach_steps * std::max(steps.u, steps.v)));
+  std::vector<std::int64_t> numbers;
+  for (const auto& [cut, points] : cuts) numbers.push_back(cut);
+  std::vector<FacadeSlice> slices(numbers.size());
+  parallel_for(numbers.size(), [&](std::size_t i) {
+    slices[i] = slice_of(site, from + static_cast<double>(numbers[i]) * params.spacing, cuts.at(numbers[i]),
+                         params.reach_steps * std::max(steps.u, steps.v));
+  });
   return slices;
 }
 

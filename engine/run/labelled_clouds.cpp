@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "engine/error.h"
@@ -11,9 +12,9 @@
 #include "engine/run/facade_labels.h"
 #include "engine/run/roof_labels.h"
 #include "engine/run/street_labels.h"
+#include "engine/store/row_order.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
-#include "kernels/core/radix_sort.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
@@ -70,7 +71,7 @@ void sort_column(const Store& store, std::uint32_t block, const char* column, co
 // "row_order" is written first: whoever looks for finished blocks asks for what is written last.
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
   const auto order = store.read<InputOrder>(block, "order");
-  const std::vector<std::uint32_t> sorted = sorted_order(order);
+  const std::vector<std::uint32_t> sorted = points_by_row(store, block, order);
   std::vector<InputOrder> orders(order.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
   store.write<InputOrder>(block, "row_order", orders);
@@ -95,12 +96,37 @@ std::vector<BlockRows> sample_rows(const Store& store) {
   return all;
 }
 
-// Labels of consecutive rows of a file.
+// What the products say of one input row; nullptr: the product did not run.
+struct RowOf {
+  const RowLabel* plane = nullptr;
+  const RoofLabel* roof = nullptr;
+  const StreetLabel* street = nullptr;
+  const FacadeLabel* facade = nullptr;
+
+  // A building's word comes first, then a facade's, then the street's.
+  PointLabel label() const {
+    if (roof != nullptr && roof->unit != 0) return roof->label;
+    if (facade != nullptr && facade->facade != 0) return facade->label;
+    if (street != nullptr && street->label != PointLabel::none) return street->label;
+    return roof == nullptr ? PointLabel::none : roof->label;
+  }
+  bool says_anything() const {
+    return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
+           (street != nullptr && street->object != 0) || label() != PointLabel::none;
+  }
+};
+
+// Labels of consecutive rows of a file, or of the points of a block; empty: of a product that did not run.
 struct StretchLabels {
   std::vector<RowLabel> planes;
   std::vector<RoofLabel> roofs;
   std::vector<StreetLabel> streets;
   std::vector<FacadeLabel> facades;
+
+  RowOf row(std::size_t i) const {
+    return {planes.empty() ? nullptr : &planes[i], roofs.empty() ? nullptr : &roofs[i],
+            streets.empty() ? nullptr : &streets[i], facades.empty() ? nullptr : &facades[i]};
+  }
 };
 
 // What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
@@ -187,26 +213,6 @@ class Appender {
   std::byte* to_;
 };
 
-// What the products say of one input row; nullptr: the product did not run.
-struct RowOf {
-  const RowLabel* plane = nullptr;
-  const RoofLabel* roof = nullptr;
-  const StreetLabel* street = nullptr;
-  const FacadeLabel* facade = nullptr;
-
-  // A building's word comes first, then a facade's, then the street's.
-  PointLabel label() const {
-    if (roof != nullptr && roof->unit != 0) return roof->label;
-    if (facade != nullptr && facade->facade != 0) return facade->label;
-    if (street != nullptr && street->label != PointLabel::none) return street->label;
-    return roof == nullptr ? PointLabel::none : roof->label;
-  }
-  bool says_anything() const {
-    return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
-           (street != nullptr && street->object != 0) || label() != PointLabel::none;
-  }
-};
-
 // In the order of labelled_spec().
 void append_labels(const RowOf& row, double residual_m, const LabelParams& params, std::byte* to) {
   Appender out(to);
@@ -258,9 +264,7 @@ class Labeller {
     for (std::size_t i = 0; i < s.count; ++i) {
       if (valid[i] == 0) continue;
       std::copy_n(in.data() + i * in_length, in_length, row);
-      const RowOf say{
-          params_.with_planes ? &labels.planes[i] : nullptr, params_.with_roofs ? &labels.roofs[i] : nullptr,
-          params_.with_streets ? &labels.streets[i] : nullptr, params_.with_facades ? &labels.facades[i] : nullptr};
+      const RowOf say = labels.row(i);
       const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
       const double distance = on_plane ? metres * residual(row, lattice, params_.planes[say.plane->plane - 1]) : 0;
       append_labels(say, distance, params_, row + in_length);
@@ -345,6 +349,32 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
     labelled += labeller.copy(*inputs[f], f, *writer);
   }
   return labelled;
+}
+
+std::uint64_t count_labelled(const Store& store, const LabelParams& params, const PassContext& context) {
+  std::vector<std::uint64_t> labelled(store.blocks().size(), 0);
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    const auto column = [&]<class T>(bool made, const char* name, std::vector<T>& values) {
+      if (made) values = store.read<T>(block, name);
+    };
+    std::vector<std::uint32_t> plane, shape;
+    StretchLabels labels;
+    column(params.with_planes, "plane", plane);
+    column(params.with_planes && !params.final_shape.empty(), "shape", shape);
+    column(params.with_roofs, "roof", labels.roofs);
+    column(params.with_streets, "street", labels.streets);
+    column(params.with_facades, "facade", labels.facades);
+    labels.planes.resize(plane.size());
+    for (std::size_t p = 0; p < plane.size(); ++p) {
+      labels.planes[p].plane = params.final_id[plane[p]];
+      if (!shape.empty()) labels.planes[p].shape = params.final_shape[shape[p]];
+    }
+    for (std::size_t p = 0; p < store.blocks()[block].points; ++p) labelled[i] += labels.row(p).says_anything();
+  });
+  return std::accumulate(labelled.begin(), labelled.end(), std::uint64_t{0});
 }
 
 }  // namespace ilot

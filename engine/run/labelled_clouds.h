@@ -37,4 +37,7 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);
 
+// That number alone, with no cloud written and no rows sorted.
+std::uint64_t count_labelled(const Store& store, const LabelParams& params, const PassContext& context);
+
 }  // namespace ilot

@@ -32,6 +32,7 @@ struct RunOptions {
   bool strict = false;      // the first skipped file or unit ends the run with exit 1
   bool dry_run = false;     // say what would be done and needed, write nothing
   bool keep_store = false;  // leave the block store behind
+  bool clouds = true;       // write the inputs again with labels, into points/
 };
 
 }  // namespace ilot

@@ -185,6 +185,7 @@ bool is_finished(const RunOptions& options, const RunInputs& inputs) {
       record->value("parameters_hash", "") != fmt::format("{:016x}", settings_hash(options.settings)))
     return false;
   if ((*record)["products"] != json(options.products)) return false;
+  if (options.clouds && !fs::exists(options.output / "points")) return false;
   const json& read = (*record)["inputs"];
   if (read.size() != inputs.readers.size()) return false;
   for (std::size_t i = 0; i < read.size(); ++i) {
@@ -237,7 +238,7 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
 }
 
 void OutputFolder::check_space(std::uint64_t points, std::uint64_t output_bytes) const {
-  constexpr std::uint64_t kStoreBytesPerPoint = 72;
+  constexpr std::uint64_t kStoreBytesPerPoint = 76;
   std::uint64_t written = 0;  // by the run that is resumed
   for (const auto& entry : fs::recursive_directory_iterator(store_))
     if (entry.is_regular_file()) written += entry.file_size();

@@ -231,11 +231,15 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     if (record.streets->objects == 0) skip_product("streets", kNoObject, progress, record);
   }
 
-  progress.begin_stage("write", inputs.points);
-  rows_pass(index.store, labels, context);
-  const std::uint64_t labelled =
-      write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
-  progress.end_stage();
+  std::uint64_t labelled = 0;
+  if (options.clouds) {
+    progress.begin_stage("write", inputs.points);
+    rows_pass(index.store, labels, context);
+    labelled = write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
+    progress.end_stage();
+  } else {
+    labelled = count_labelled(index.store, labels, context);
+  }
   count_points(index, inputs, labelled, record);
 }
 
@@ -256,7 +260,7 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
                 " files into blocks of at most " + grouped(block_points));
   if (sites > 0) progress.note("would model " + grouped(sites) + " outlines of buildings");
-  progress.note("would need about " + std::to_string((inputs.points * 72 >> 20) + 1) +
+  progress.note("would need about " + std::to_string((inputs.points * 76 >> 20) + 1) +
                 " MiB of disk for the store and " + std::to_string((output_bytes(inputs) >> 20) + 1) +
                 " MiB for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
   return 0;
@@ -277,7 +281,7 @@ int run_in_arena(const RunOptions& options, Progress& progress) {
     return 0;
   }
   const OutputFolder out(options, inputs);
-  out.check_space(inputs.points, output_bytes(inputs));
+  out.check_space(inputs.points, options.clouds ? output_bytes(inputs) : 0);
   make_products(options, inputs, sites, out, progress, record);
   out.publish();
 

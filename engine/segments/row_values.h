@@ -14,8 +14,8 @@
 #include "engine/formats/reader.h"
 #include "engine/pass/context.h"
 #include "engine/pass/pass.h"
+#include "engine/store/row_order.h"
 #include "engine/store/store.h"
-#include "kernels/core/radix_sort.h"
 
 namespace ilot {
 
@@ -75,7 +75,7 @@ class RowValues {
       const auto order = store_.template read<InputOrder>(block, "order");
       std::vector<Stored> values(order.size(), none);
       Rising rows(*this);
-      for (const std::uint32_t p : sorted_order(order))
+      for (const std::uint32_t p : points_by_row(store_, block, order))
         if (const Value* value = rows.at(file_of(order[p]), row_of(order[p])))
           values[p] = stored(*value, static_cast<std::size_t>(file_of(order[p])));
       store_.template write<Stored>(block, column, values);

@@ -16,12 +16,17 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kPi = 3.14159265358979323846;
 
-// v turned about a unit axis at right angles to nothing in particular, by an angle below 0.1: cosine and sine from the
-// tangent of the half angle, a series that is exact to the last bits at such angles.
-Vec3 turned(Vec3 v, Vec3 axis, double angle) {
+struct BothWays {
+  Vec3 there, back;
+};
+
+// v turned about a unit axis at right angles to nothing in particular, by an angle below 0.1 and by as much the other
+// way: cosine and sine from the tangent of the half angle, a series that is exact to the last bits at such angles.
+BothWays turned(Vec3 v, Vec3 axis, double angle) {
   const double h = angle / 2, h2 = h * h, t = h * (1 + h2 * (1.0 / 3 + h2 * (2.0 / 15 + h2 * 17.0 / 315)));
   const double scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale, sine = 2 * t * scale;
-  return cosine * v + sine * cross(axis, v) + (1 - cosine) * dot(axis, v) * axis;
+  const Vec3 same = cosine * v, aside = sine * cross(axis, v), along = (1 - cosine) * dot(axis, v) * axis;
+  return {same + aside + along, same - aside + along};
 }
 
 // Where the ray meets the plane, as a vector from the station; false when it does not.
@@ -44,11 +49,10 @@ std::optional<RayCell> ray_cell(const Scanner& s, const Plane& plane, Vec3 p) {
   const double height = signed_distance(plane, s.position);
   if (!(level > 0)) return std::nullopt;
   const Vec3 lift = (1 / level) * side;
+  const BothWays sideways = turned(ray, s.axis, s.azimuth_step / 2), upwards = turned(ray, lift, s.elevation_step / 2);
   Vec3 left, right, up, down;
-  if (!meet(turned(ray, s.axis, s.azimuth_step / 2), plane, height, left) ||
-      !meet(turned(ray, s.axis, -s.azimuth_step / 2), plane, height, right) ||
-      !meet(turned(ray, lift, s.elevation_step / 2), plane, height, up) ||
-      !meet(turned(ray, lift, -s.elevation_step / 2), plane, height, down))
+  if (!meet(sideways.there, plane, height, left) || !meet(sideways.back, plane, height, right) ||
+      !meet(upwards.there, plane, height, up) || !meet(upwards.back, plane, height, down))
     return std::nullopt;
   return RayCell{left - right, up - down};
 }

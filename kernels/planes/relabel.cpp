@@ -10,6 +10,7 @@
 #include "kernels/neighbours/knn.h"
 #include "kernels/planes/plane_fit.h"
 #include "kernels/planes/refine.h"
+#include "kernels/planes/run_neighbours.h"
 
 namespace ilot {
 namespace {
@@ -172,68 +173,6 @@ std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const Relabel
     }
   }
   return best;
-}
-
-// Which runs of consecutive points the neighbours of a run's points lie in. Points lie along a space-filling curve:
-// most runs lie within one surface, with all that is around them, and nothing happens there.
-class RunNeighbours {
- public:
-  static constexpr std::uint32_t kRun = 32;
-
-  RunNeighbours(std::size_t points, const NeighbourLists& neighbours) : runs_((points + kRun - 1) / kRun), first_{0} {
-    std::vector<std::uint32_t> met_by(runs_, kNoNeighbour);
-    for (std::uint32_t run = 0; run < runs_; ++run) {
-      met_by[run] = run;
-      const auto end = static_cast<std::uint32_t>(std::min<std::size_t>(points, std::size_t{run} * kRun + kRun));
-      for (std::uint32_t i = run * kRun; i < end; ++i)
-        for (const std::uint32_t j : neighbours.of(i)) {
-          if (j == kNoNeighbour || met_by[j / kRun] == run) continue;
-          met_by[j / kRun] = run;
-          others_.push_back(j / kRun);
-        }
-      first_.push_back(others_.size());
-    }
-  }
-
-  std::size_t count() const { return runs_; }
-  // Other runs, in no order.
-  std::span<const std::uint32_t> around(std::size_t run) const {
-    return std::span(others_).subspan(first_[run], first_[run + 1] - first_[run]);
-  }
-
- private:
-  std::size_t runs_;
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> others_;
-};
-
-// Runs of points that all have one label, as all their neighbours have.
-std::vector<std::uint8_t> quiet_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label) {
-  constexpr std::uint32_t kMixed = 0xffffffffu;
-  std::vector<std::uint32_t> only(runs.count());
-  for (std::size_t r = 0; r < only.size(); ++r) {
-    const auto part = label.subspan(r * RunNeighbours::kRun);
-    const auto own = part.first(std::min<std::size_t>(part.size(), RunNeighbours::kRun));
-    only[r] = std::all_of(own.begin(), own.end(), [&](std::uint32_t l) { return l == own[0]; }) ? own[0] : kMixed;
-  }
-  std::vector<std::uint8_t> quiet(only.size());
-  for (std::size_t r = 0; r < only.size(); ++r) {
-    const auto around = runs.around(r);
-    quiet[r] = only[r] != kMixed &&
-               std::all_of(around.begin(), around.end(), [&](std::uint32_t o) { return only[o] == only[r]; });
-  }
-  return quiet;
-}
-
-// Runs without a point of the set, and without one around them.
-std::vector<std::uint8_t> untouched_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set) {
-  std::vector<std::uint8_t> in_set(runs.count(), 0), quiet(runs.count());
-  for (const std::uint32_t i : set) in_set[i / RunNeighbours::kRun] = 1;
-  for (std::size_t r = 0; r < quiet.size(); ++r) {
-    const auto around = runs.around(r);
-    quiet[r] = !in_set[r] && std::none_of(around.begin(), around.end(), [&](std::uint32_t o) { return in_set[o]; });
-  }
-  return quiet;
 }
 
 std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,

@@ -59,6 +59,28 @@ void build_balls(ShapeIndex& s) {
   }
 }
 
+ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end) {
+  constexpr double kUnit2 = 1 + 1e-3, kRounding = 1e-3;
+  Vec3 sum;
+  double longest2 = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 n = s.normal(i);
+    sum = sum + (dot(n, s.normal(begin)) < 0 ? -1.0 : 1.0) * n;
+    longest2 = std::max(longest2, dot(n, n));
+  }
+  const double length = norm(sum);
+  if (!(length > 0) || longest2 > kUnit2) return {};
+  const Vec3 axis = (1 / length) * sum;
+  double least = 1;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 n = s.normal(i);
+    least = std::min(least, std::abs(dot(n, axis)) / norm(n));
+  }
+  least = std::max(0.0, least - kRounding);
+  const auto f = [](double v) { return static_cast<float>(v); };
+  return {f(axis.x), f(axis.y), f(axis.z), f(least), f(std::sqrt(1 - least * least))};
+}
+
 // No shape comes near a leaf without points any more, nor to a ball without balls.
 void empty_ball(ShapeIndex& index, std::size_t ball) {
   for (std::vector<float>& level : index.balls) {
@@ -140,6 +162,8 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
     ++s.in_leaf[to / ShapeIndex::kLeaf];
     ++to;
   }
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+    s.cones.push_back(cone_of(s, leaf * ShapeIndex::kLeaf, std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf)));
   build_balls(s);
   choose_levels(s);
   return s;

@@ -12,6 +12,12 @@ namespace ilot {
 // eight leaves a node, and so on. Points can be taken out; a hole is a point that is not a number, so no test finds it,
 // and a ball without points has a radius that is not a number, so that none comes near.
 struct ShapeIndex {
+  // All normals of a leaf, one way round or the other, lie about the axis within the angle of this cosine and sine.
+  struct Cone {
+    float x = 0, y = 0, z = 0;
+    float cosine = -1, sine = 0;  // of unit normals; -1 and 0: of any others
+  };
+
   static constexpr std::uint32_t kLeaf = 64;
 
   std::vector<float> x, y, z, nx, ny, nz;  // whole leaves
@@ -20,6 +26,7 @@ struct ShapeIndex {
   std::vector<std::uint32_t> in_leaf;      // points left per leaf
   std::vector<std::uint64_t> changed;      // per leaf: the epoch since which its points are what they are
   std::vector<std::vector<float>> balls;   // per level, groups of 8: x8 y8 z8 radius8
+  std::vector<Cone> cones;                 // per leaf
   std::size_t size = 0;                    // positions, holes included
   std::size_t left = 0;                    // points
   std::uint64_t epoch = 1;                 // grows whenever points are taken out

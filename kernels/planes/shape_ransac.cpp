@@ -194,10 +194,13 @@ class Search {
 
   bool allowed(const Shape& s) const { return s.radius <= max_radius_; }
 
+  // A part of fewer than min_points may be any of the shape's.
   Part refine(const Shape& start) const {
     ShapeScoreParams wide = score_params();
     wide.epsilon *= kFirstReach;
-    Part part{start, part_of(points_on_shape(all_, start, wide), {})};
+    Part part{start, points_on_shape(all_, start, wide)};
+    if (part.members.size() < params_.min_points / 2) return part;  // too few to grow
+    part.members = part_of(part.members, {});
     const Indices seed = part.members;
     for (int round = 0; round < kRefinements && part.members.size() >= params_.min_points / 2; ++round) {
       const ShapeFit fit = fit_shape(remaining_points(), part.members, part.shape);
@@ -216,7 +219,7 @@ class Search {
       const ShapeView v = view_of(part.shape, all_.position(i));
       return std::abs(v.distance) > params_.epsilon || std::abs(dot(v.normal, all_.normal(i))) < params_.min_cos;
     });
-    part.members = part_of(part.members, seed);
+    if (part.members.size() >= params_.min_points) part.members = part_of(part.members, seed);
     return part;
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <memory>
 
 #include "kernels/simd/dispatch.h"
@@ -18,6 +19,21 @@ struct Request {
 
   std::span<const std::uint32_t> met() const { return {leaves.get(), args.leaf_count}; }
 };
+
+// Leaves that have no normal within the angle of the plane's: the angle between it and the axis of theirs is at least
+// the sum of both.
+void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_cos) {
+  constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
+  const double cosine = std::max(0.0, min_cos - kRounding), sine = std::sqrt(1 - cosine * cosine);
+  std::uint32_t left = 0;
+  for (const std::uint32_t leaf : r.met()) {
+    const ShapeIndex::Cone& cone = index.cones[leaf];
+    const double least = cosine * static_cast<double>(cone.cosine) - sine * static_cast<double>(cone.sine) - kRounding;
+    r.leaves[left] = leaf;
+    left += std::abs(dot(normal, {cone.x, cone.y, cone.z})) >= least;
+  }
+  r.args.leaf_count = left;
+}
 
 // A shape in float32, its origin moved near the points where that does not change it, and what rounding may add to a
 // distance: a few units in the last place of the longest vector.
@@ -49,6 +65,7 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
             0,
             nullptr};
   if (index.size > 0) r.args.leaf_count = simd::table().shape_leaves(r.args);
+  if (s.kind == ShapeKind::kPlane) keep_agreeing(r, index, s.axis, params.min_cos);
 }
 
 bool may_hold(const ShapeBox& box, const ShapeIndex& index, std::uint32_t leaf) {

@@ -3,9 +3,10 @@
 """Invariants 3, 4, 6 and 7: epsilon, accounting, untouched inputs, shifts, rotations and areas."""
 import collections
 import math
+import pathlib
 import struct
 
-from support import Las, RunTest, main, planes_of, real
+from support import Las, RunTest, ilot, main, planes_of, real
 
 LATTICE_SHIFT = 1000 * 2**22  # units
 
@@ -149,6 +150,30 @@ class Synthetic(Invariants):
         self.assertEqual(outside, 0, "labelled points outside the area")
 
 
+class WithoutClouds(RunTest):
+    def check(self, scene, points, product):
+        path = self.folder / f"{scene}.las"
+        self.assertEqual(ilot("scan", scene, "-o", path, "--points", points, "-q").returncode, 0)
+        whole, told = self.work(path, "--products", product)
+        out, bare = self.work(path, "--products", product, "--no-clouds")
+        self.assertEqual(bare["counts"], told["counts"])
+        files = [f.relative_to(whole) for f in whole.rglob("*") if f.is_file()]
+        others = [f for f in files if f.parts[0] != "points" and f.name != "run.json"]
+        self.assertEqual(len(others) + 2, len(files))
+        self.assertEqual(sorted(f.relative_to(out) for f in out.rglob("*") if f.is_file()),
+                         sorted([*others, pathlib.Path("run.json")]))
+        for file in others:
+            self.assertEqual((out / file).read_bytes(), (whole / file).read_bytes(), file)
+        return path, out, told
+
+    def test_all_else_is_the_same(self):
+        self.check("roofs", 150000, "roofs")
+        self.check("street", 150000, "streets")
+        path, out, told = self.check("district", 20000, "planes")
+        _, again = self.work(path, "--resume", out=out)
+        self.assertEqual(again["result_hash"], told["result_hash"], "a run without clouds is not one with them")
+
+
 class Real(Invariants):
     def test_urban_tile(self):
         path = real("ign/77050_627755_pf6.las")
@@ -171,4 +196,4 @@ class Real(Invariants):
 
 
 if __name__ == "__main__":
-    main(synthetic=[Synthetic], real=[Real])
+    main(synthetic=[Synthetic, WithoutClouds], real=[Real])

@@ -26,7 +26,7 @@ struct RunArguments {
   std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, log;
   int threads = 0;
   std::uint64_t block_points = 0;
-  bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false;
+  bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
   bool print_config = false, verbose = false, quiet = false;
 };
 
@@ -78,6 +78,7 @@ RunOptions options_of(const RunArguments& given) {
   options.strict = given.strict;
   options.dry_run = given.dry_run;
   options.keep_store = given.keep_store;
+  options.clouds = !given.no_clouds;
   options.inputs = expand_inputs(given.inputs);
   return options;
 }
@@ -146,6 +147,7 @@ void add_machine_options(CLI::App& command, RunArguments& given) {
       ->option_text("N");
   command.add_option("--store", given.store, "folder for the block store [OUT/.store]")->option_text("DIR");
   command.add_flag("--keep-store", given.keep_store, "leave the block store behind [off]");
+  command.add_flag("--no-clouds", given.no_clouds, "do not write the inputs again with labels [off]");
 }
 
 void add_manner_options(CLI::App& command, RunArguments& given) {

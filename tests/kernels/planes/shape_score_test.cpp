@@ -178,6 +178,39 @@ TEST(ShapeScore, ABoxCutsOutItsPoints) {
   }
 }
 
+// Leaves whose normals all lean away from a plane's are passed over; the naive loop does not know of leaves. Normals of
+// either sign, some of no unit length.
+TEST(ShapeScore, LeavesOfOtherNormalsAreLeftOutOnly) {
+  Rng rng(7);
+  auto set = scene(20000);
+  const auto scale = [&](std::size_t i, double by) {
+    const auto f = static_cast<float>(by);
+    set.nx[i] *= f, set.ny[i] *= f, set.nz[i] *= f;
+  };
+  for (std::size_t i = 0; i < set.size; ++i)
+    if (rng.below(2) == 0) scale(i, -1);
+  for (const bool unit : {true, false}) {
+    if (!unit)
+      for (std::size_t i = 0; i < set.size; i += 97) scale(i, 1.3);
+    const auto index = build_shape_index(set.view(), test::all_of(set.size));
+    for (int k = 0; k < 40; ++k) {
+      const Vec3 about{rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5};
+      const auto at = static_cast<std::size_t>(rng.below(set.size));
+      const Shape s{ShapeKind::kPlane, set.position(at), (1 / norm(about)) * about};
+      for (const double min_cos : {0.0, 0.7, 0.95}) {
+        std::size_t wanted = 0;
+        for (std::size_t i = 0; i < set.size; ++i) wanted += is_hit(set, i, s, 25, min_cos);
+        EXPECT_EQ(points_on_shape(index, s, {25, min_cos}).size(), wanted);
+        EXPECT_GE(bound_shape(index, s, {25, min_cos}), wanted);
+      }
+    }
+  }
+  const auto unit = scene(20000);
+  const auto index = build_shape_index(unit.view(), test::all_of(unit.size));
+  const Shape s{ShapeKind::kPlane, {3000, 3000, 3000}, {0, 0, 1}};
+  EXPECT_LT(bound_shape(index, s, {25, 0.95}), bound_shape(index, s, {25, 0}) / 2);
+}
+
 TEST(ShapeScore, AnEmptyIndexHasNoPoints) {
   const auto index = build_shape_index({}, {});
   EXPECT_EQ(score_shape(index, shapes()[0], {25, 0.9}), 0u);

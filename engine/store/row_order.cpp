@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/store/row_order.h"
+
+#include "kernels/core/radix_sort.h"
+
+namespace ilot {
+
+std::vector<std::uint32_t> points_by_row(const Store& store, std::uint32_t block, std::span<const InputOrder> order) {
+  if (store.has(block, "sorted")) return store.read<std::uint32_t>(block, "sorted");
+  std::vector<std::uint32_t> sorted = sorted_order(order);
+  store.write<std::uint32_t>(block, "sorted", sorted);
+  return sorted;
+}
+
+}  // namespace ilot
