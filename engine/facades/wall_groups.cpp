@@ -239,6 +239,9 @@ std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const
     });
     if (!fills) fronts.push_back(std::move(front));
   }
+  const auto left = [&](const WallGroup& f) { return dot(f.axes.origin - wall.axes.origin, wall.axes.right); };
+  std::stable_sort(fronts.begin(), fronts.end(),
+                   [&](const WallGroup& a, const WallGroup& b) { return left(a) < left(b); });
   return fronts;
 }
 
