@@ -75,13 +75,11 @@ std::vector<double> angles_on(const FlatArc& arc, const std::vector<DrawingCorne
   return angles;
 }
 
-// The corner at the start of a stretch of so many degrees that ends at `to`.
-double bulge_of(FlatPoint from, FlatPoint to, double radius, double angle_deg) {
-  const double half = distance(from, to) / 2;
-  if (half < kSamePlace) return 0;
-  const double rise = std::sqrt(std::max(0.0, radius * radius - half * half));
-  const double bulge = (std::abs(angle_deg) > 180 ? radius + rise : radius - rise) / half;
-  return angle_deg < 0 ? -bulge : bulge;
+// Of a stretch of so many degrees: the tangent of their fourth part. The radius and the chord tell the same, but of a
+// half circle not to the centimetre where the corners lie off it by a millimetre.
+double bulge_of(FlatPoint from, FlatPoint to, double angle_deg) {
+  if (distance(from, to) / 2 < kSamePlace) return 0;
+  return cos_degrees(angle_deg / 2 - 90) / (1 + cos_degrees(angle_deg / 2));
 }
 
 FacadeEdge larger(const FacadeEdge& a, const FacadeEdge& b) {
@@ -117,7 +115,7 @@ bool join_on_arc(const FlatArc& arc, std::vector<DrawingCorner>& corners, std::v
       sum += angle[next];
       edge = larger(edge, edges[next]);
     }
-    if (sum != 0) corner.bulge = bulge_of(place_of(corner), place_of(corners[(first + length) % n]), arc.radius, sum);
+    if (sum != 0) corner.bulge = bulge_of(place_of(corner), place_of(corners[(first + length) % n]), sum);
     joined.push_back(corner);
     kept.push_back(edge);
     k += length;

@@ -25,6 +25,19 @@ std::vector<Vec3> ring_of(const FacadeSite& site, const Box2& box, double w) {
           place_of(site, box.u0, box.v1, w)};
 }
 
+// Four corners where neighbouring sides meet.
+std::vector<Vec3> leaning_ring(const FacadeSite& site, const FoundRectangle& r) {
+  const Box2 box = r.box();
+  const double um = (box.u0 + box.u1) / 2, vm = (box.v0 + box.v1) / 2;
+  const auto corner = [&](Side upright, Side level) {
+    const double a = r.lean_of(upright), b = r.lean_of(level);
+    const double u = (r.at(upright) + a * (r.at(level) - b * um - vm)) / (1 - a * b);
+    return place_of(site, u, r.at(level) + b * (u - um), 0);
+  };
+  return {corner(Side::left, Side::bottom), corner(Side::right, Side::bottom), corner(Side::right, Side::top),
+          corner(Side::left, Side::top)};
+}
+
 // The corners of an opening under an arc, from the lower left on, and which side each edge belongs to.
 struct ArchedRing {
   std::vector<Vec3> corners;
@@ -83,6 +96,8 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
     e.ring = std::move(arched.corners);
     e.arcs = {arched.arc};
     sides = std::move(arched.sides);
+  } else if (r.leans()) {
+    e.ring = leaning_ring(site, r);
   } else {
     const bool in_wall = e.opening || thing.kind >= ThingKind::protrusion;
     e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
@@ -102,7 +117,7 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   e.height_error_m = std::min(r.height_error, both(r.error(Side::bottom), r.error(Side::top)));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
-  if (!r.arc && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
+  if (!r.arc && !r.leans() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
   return e;
 }
 

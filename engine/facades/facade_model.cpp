@@ -146,7 +146,7 @@ void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
     FoundRectangle& r = things[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
-    if (r.end || r.arc || things[i].kind == ThingKind::stone || r.depth == 0) return;
+    if (r.end || r.arc || r.leans() || things[i].kind == ThingKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
     const std::optional<FacadeSlice> end =
         end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));

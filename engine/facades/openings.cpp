@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/facades/arched_top.h"
+#include "engine/facades/leaning_side.h"
 
 namespace ilot {
 namespace {
@@ -244,6 +245,19 @@ void set_depth(const RaySamples& samples, const Box2& box, double least_depth, F
   opening.depth_error = samples.site().noise + 2 * std::sqrt(squares) / static_cast<double>(off.size());
 }
 
+// Jambs and heads that are not square to each other stay so: their middles are their places.
+void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
+  const FoundRectangle straight = opening;
+  for (const Side side : kSides) {
+    const std::optional<LeaningSide> line = find_leaning_side(samples, straight, side);
+    if (!line) continue;
+    LocatedEdge& edge = opening.side(side);
+    edge.at = edge.inner = line->at, edge.error = line->error, edge.rms = line->rms;
+    edge.status = DrawnStatus::seen;
+    opening.lean[static_cast<std::size_t>(side)] = line->lean;
+  }
+}
+
 }  // namespace
 
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params) {
@@ -276,7 +290,8 @@ std::vector<FoundRectangle> find_openings(const RaySamples& samples, const Openi
     if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
         opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
       continue;
-    opening.arc = find_arched_top(samples, opening);
+    set_leaning_sides(samples, opening);
+    if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening);
     if (opening.arc) {
       LocatedEdge& crown = opening.side(Side::top);
       crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};

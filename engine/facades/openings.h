@@ -29,12 +29,15 @@ struct FoundRectangle {
   double depth = 0, depth_error = 0;  // w of what fills it; negative behind the wall
   double width_error = INFINITY;      // where a family tells the size; else its sides' errors do
   double height_error = INFINITY;
-  std::uint64_t points = 0;   // rays through it, or points on it
-  std::uint32_t plane = 0;    // of what stands in front
-  double fill = 1;            // share of its cells that hold such
-  std::optional<TopArc> arc;  // its top side then is the crown
-  std::optional<Box2> end;    // what it comes down to at its depth, where that is not its own rectangle
+  std::uint64_t points = 0;      // rays through it, or points on it
+  std::uint32_t plane = 0;       // of what stands in front
+  double fill = 1;               // share of its cells that hold such
+  std::optional<TopArc> arc;     // its top side then is the crown
+  std::array<double, 4> lean{};  // of its sides, as kSides: tangent; the side's place then is that of its middle
+  std::optional<Box2> end;       // what it comes down to at its depth, where that is not its own rectangle
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
+  double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
+  bool leans() const { return lean != std::array<double, 4>{}; }
   double error(Side s) const { return sides[static_cast<std::size_t>(s)].error; }
   LocatedEdge& side(Side s) { return sides[static_cast<std::size_t>(s)]; }
   const LocatedEdge& side(Side s) const { return sides[static_cast<std::size_t>(s)]; }

@@ -25,8 +25,9 @@ double height_of(const FacadeThing& t) {
 bool is_opening(const FacadeThing& t) {
   return t.kind == ThingKind::window || t.kind == ThingKind::door;
 }
+// And told to others and by them: what leans stays as it is.
 bool seen(const FacadeThing& t, Side side) {
-  return t.shape.side(side).status == DrawnStatus::seen;
+  return t.shape.side(side).status == DrawnStatus::seen && t.shape.lean_of(side) == 0;
 }
 bool seen_across(const FacadeThing& t, Side low, Side high) {
   return seen(t, low) && seen(t, high);

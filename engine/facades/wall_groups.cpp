@@ -116,6 +116,15 @@ void set_box(WallGroup& group, const Extent& all, double metres) {
   group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
 }
 
+// Of a front, how much another one covers, seen square to it.
+double common_share(const WallGroup& front, const WallGroup& other, double metres) {
+  const Vec3 d = metres * (front.axes.origin - other.axes.origin);
+  const double u = dot(d, other.axes.right), v = dot(d, other.axes.up);
+  const double across = std::min(u + front.width, other.width) - std::max(u, 0.0);
+  const double up = std::min(v + front.height, other.height) - std::max(v, 0.0);
+  return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
+}
+
 // What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own.
 void claim_relief(std::span<const Segment> segments, const std::vector<std::size_t>& parallel_candidates,
                   std::vector<char>& taken, const WallParams& params, WallGroup& group) {
@@ -225,8 +234,14 @@ std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const
     if (front.width < dormers.least_width || front.height < dormers.least_height || front.width > dormers.most_width)
       continue;
     std::sort(front.segments.begin(), front.segments.end());
-    fronts.push_back(std::move(front));
+    const bool fills = std::any_of(fronts.begin(), fronts.end(), [&](const WallGroup& larger) {
+      return common_share(front, larger, params.metres_per_unit) >= kInside;
+    });
+    if (!fills) fronts.push_back(std::move(front));
   }
+  const auto left = [&](const WallGroup& f) { return dot(f.axes.origin - wall.axes.origin, wall.axes.right); };
+  std::stable_sort(fronts.begin(), fronts.end(),
+                   [&](const WallGroup& a, const WallGroup& b) { return left(a) < left(b); });
   return fronts;
 }
 

@@ -48,8 +48,9 @@ struct DormerFrontParams {
   double gap = 0.3;                                              // metres between parts of one front
 };
 
-// Upright planes in the roof of a wall: along it, above its top, behind it, of none of `walls`. In the order of their
-// area. Which of them are dormers their openings tell (add_dormers). O(segments).
+// Upright planes in the roof of a wall: along it, above its top, behind it, of none of `walls`; what is behind or
+// before a larger one fills its window or stands before it. From left to right. Which of them are dormers their
+// openings tell (add_dormers). O(segments), and fronts^2.
 std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
                                           std::span<const Segment> segments, WallParams params,
                                           const DormerFrontParams& dormers = {});

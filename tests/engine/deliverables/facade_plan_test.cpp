@@ -58,6 +58,26 @@ TEST(FacadePlan, ChordsBecomeOneArc) {
   }
 }
 
+// Jambs a millimetre off the circle leave the crown where it is.
+TEST(FacadePlan, HalfCirclesKeepTheirCrown) {
+  for (const double off : {-0.002, 0.002}) {
+    FacadeElement door = arched_door(5);
+    door.ring[1].x = door.ring[2].x = 2 + off;
+    const FlatElement flat = flat_element(facade_of({door}), door, 1);
+    EXPECT_NEAR(flat.box.max_y, 3, 0.003);
+  }
+}
+
+TEST(FacadePlan, HolesLieInTheWall) {
+  FacadeElement window = drawn("window", {{1, 0, 1}, {2, 0, 1}, {2, 0, 2}, {1, 0, 2}});
+  window.opening = true;
+  const Facade facade = facade_of({window});
+  EXPECT_TRUE(is_hole(facade, window, 1));
+  for (Vec3& p : window.ring) p = p - 0.3 * facade.out;
+  EXPECT_NEAR(distance_from_wall(facade, window), -0.3, 1e-12);
+  EXPECT_FALSE(is_hole(facade, window, 1));
+}
+
 TEST(FacadePlan, TheFootOfALunetteIsNoArc) {
   FacadeElement lunette = arched_door(10);
   lunette.ring.erase(lunette.ring.begin(), lunette.ring.begin() + 2);

@@ -117,6 +117,19 @@ TEST(RegularFacade, HiddenSidesComeFromTheSillTheRowOrTheSize) {
   EXPECT_EQ(things[1].shape.side(Side::right).status, DrawnStatus::completed);
 }
 
+// Others of another size are more, but those beside it were built as it was.
+TEST(RegularFacade, HiddenSidesTakeTheSizeOfTheirRow) {
+  std::vector<FacadeThing> things{thing(0, 1.3, 6, 8, 0.002), thing(3, 4.3, 6, 8, 0.002)};
+  for (const double u : {0.0, 3.0, 6.0, 9.0}) things.push_back(thing(u, u + 1.2, 2, 4, 0.002));
+  LocatedEdge& left = things[1].shape.side(Side::left);
+  left.status = DrawnStatus::occluded;
+  left.at = left.inner = 3.2, left.error = 3;
+  group_things(things);
+  complete_things(things);
+  EXPECT_NEAR(things[1].shape.at(Side::left), 3, 0.005);
+  EXPECT_EQ(things[1].shape.side(Side::left).status, DrawnStatus::completed);
+}
+
 TEST(RegularFacade, NothingToCompleteFromStaysOccluded) {
   std::vector<FacadeThing> things{thing(0, 1.1, 3, 4.7, 0.002)};
   things[0].shape.side(Side::bottom).status = DrawnStatus::occluded;

@@ -113,5 +113,25 @@ TEST(WallGroups, SegmentsInAnyOrder) {
   }
 }
 
+// Behind the wall and above it: not a pane behind a larger front, not what stands before the wall or in it.
+TEST(WallGroups, FrontsInTheRoof) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 10, 0),          upright(2, 0, 2, 3.6, 10.8, 12.5, -0.4),
+                                      upright(3, 0, 6, 7.6, 10.8, 12.5, -0.4), upright(4, 0, 6.3, 7.3, 11, 12.2, -0.55),
+                                      upright(5, 0, 9, 10.6, 10.8, 12.5, 0.6), upright(6, 0, 11, 12, 7, 9, -0.3),
+                                      upright(7, 0, 1, 14, 11, 13, -2)};
+  const std::vector<Vec3> eyes{{5, -10, 1.6}};
+  WallParams params;
+  const auto walls = find_walls(segments, eyes, {}, params);
+  ASSERT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1}));
+  const std::vector<WallGroup> wall{walls[0]};
+  const auto fronts = find_dormer_fronts(wall[0], wall, segments, params);
+  ASSERT_EQ(fronts.size(), 2u);
+  EXPECT_EQ(fronts[0].segments, (std::vector<std::uint32_t>{2}));
+  EXPECT_EQ(fronts[1].segments, (std::vector<std::uint32_t>{3}));
+  EXPECT_NEAR(fronts[1].width, 1.6, 1e-9);
+  EXPECT_NEAR(fronts[1].height, 1.7, 1e-9);
+  EXPECT_NEAR(dot(fronts[1].axes.origin - wall[0].axes.origin, wall[0].axes.out), -0.4, 1e-9);
+}
+
 }  // namespace
 }  // namespace ilot

@@ -146,6 +146,37 @@ TEST(FacadesProduct, FromCloudToPlanHoweverTheWallStands) {
   }
 }
 
+// From points to the polygon in the JSON: every slope within what its edge says, with stations and without.
+TEST(FacadesProduct, AGableIsDrawnAsOne) {
+  const auto gable = [](double u) { return 2.2 + 0.6 * (3 - std::abs(u - 3)); };
+  test::ScannedWall wall;
+  wall.wall({});
+  std::vector<Index3> points;
+  for (const FacadePoint& p : test::scan_wall(wall, kEye, 0.0025).points)
+    if (p.v <= gable(p.u))
+      points.push_back(
+          {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
+  for (const bool with_station : {true, false}) {
+    const Outcome out = run_wall(points, 0, with_station);
+    ASSERT_EQ(out.facades.size(), 1u);
+    const FacadeElement& outline = out.facades[0].elements[0];
+    ASSERT_EQ(outline.kind, "outline");
+    ASSERT_EQ(outline.ring.size(), 5u);
+    EXPECT_NEAR(outline.height_m, 4, 0.03);
+    for (const std::size_t i : {2u, 3u}) {
+      const FacadeEdge& edge = outline.edges[i];
+      EXPECT_EQ(edge.status, DrawnStatus::seen);
+      EXPECT_LT(edge.error_m, 0.03);
+      EXPECT_GT(edge.points, 50u);
+      EXPECT_GT(edge.covered_share, 0.9);
+      for (const double share : {0.05, 0.5, 0.95}) {
+        const Vec3 at = outline.ring[i] + share * (outline.ring[i + 1] - outline.ring[i]);
+        EXPECT_LT(std::abs(at.z - gable(at.x - kEast)) / std::sqrt(1.36), edge.error_m) << with_station << i << share;
+      }
+    }
+  }
+}
+
 TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
   const Outcome out = run_wall(wall_points(33), 33, true);
   ASSERT_EQ(out.facades.size(), 1u);
