@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "engine/streets/layer_split.h"
 #include "engine/streets/part_joins.h"
 #include "engine/streets/thing_description.h"
 #include "engine/streets/thing_relations.h"
@@ -64,13 +63,11 @@ ComponentThings things_of_component(const Patch& patch, std::uint32_t component,
   for (std::size_t i = 0; i < images.own.size(); ++i)
     if (static_cast<std::uint32_t>(patch.components.values[i]) != component) images.own.values[i] = kNoHeight;
   images.slope = gradient(images.own, Adjacency::eight);
-  SplitLayers split = split_layers(separate_artefacts(images.own, scale, params.separation), images.own,
-                                   std::max(1u, scale.area(params.separation.least_area)));
-  ComponentThings out{std::move(split.labels), {}};
+  ComponentThings out{separate_artefacts(images.own, scale, params.separation), {}};
   out.things = describe(out.labels, images, scale, params);
   const auto parts = static_cast<std::uint32_t>(out.things.size());
-  const Joins joins = joins_of(out.labels, images.own, 2 * gap_reach(scale, params),
-                               params.largest / (scale.pixel * scale.pixel), split.layers);
+  const Joins joins =
+      joins_of(out.labels, images.own, 2 * gap_reach(scale, params), params.largest / (scale.pixel * scale.pixel));
   const std::vector<std::uint32_t> level = levels_of(parts, joins.list);
   out.things.resize(parts + joins.list.size());
   PixelLabels of = out.labels;

@@ -108,19 +108,16 @@ const Side& join(const Join& pair, std::uint32_t number, Sides& sides) {
 
 }  // namespace
 
-Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest,
-               std::span<const std::pair<std::uint32_t, std::uint32_t>> first) {
+Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest) {
   Sides sides = sides_of(labels, heights);
   add_gaps(labels, reach, sides);
   Joins joins{{}, std::vector<double>(std::size_t{labels.count} + 1, 0)};
   for (const auto& [a, side] : sides) joins.outer[a] = highest_pass(sides, side);
   std::uint32_t next = labels.count;
-  const auto add = [&](const Join& pair) {
-    joins.list.push_back(pair);
-    joins.outer.push_back(highest_pass(sides, join(pair, ++next, sides)));
-  };
-  for (const auto& [a, b] : first) add({a, b, ratio_of(sides.at(a).passes.at(b), sides.at(a), sides.at(b))});
-  for (Join best = best_join(sides, largest); best.a != 0; best = best_join(sides, largest)) add(best);
+  for (Join best = best_join(sides, largest); best.a != 0; best = best_join(sides, largest)) {
+    joins.list.push_back(best);
+    joins.outer.push_back(highest_pass(sides, join(best, ++next, sides)));
+  }
   return joins;
 }
 

@@ -2,8 +2,6 @@
 // Inside of find_things: which parts of a component are joined, and in which order.
 #pragma once
 #include <cstdint>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "kernels/rasters/image.h"
@@ -19,10 +17,9 @@ struct Joins {
   std::vector<double> outer;  // of each part and each join, from 1: the highest pass to another over the lower top
 };
 
-// The tree of joins of the labels of a component: the pairs in `first`, which must touch, in their order; then the two
-// whose pass is highest beside the lower top, again and again, then those that a gap of at most `reach` pixels parts,
-// to no more than `largest` pixels. What join j (from 0) makes has the number labels.count + 1 + j.
-Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest,
-               std::span<const std::pair<std::uint32_t, std::uint32_t>> first = {});
+// The tree of joins of the labels of a component: the two whose pass is highest beside the lower top, again and again,
+// then those that a gap of at most `reach` pixels parts, to no more than `largest` pixels. What join j (from 0) makes
+// has the number labels.count + 1 + j.
+Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest);
 
 }  // namespace ilot

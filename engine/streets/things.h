@@ -55,16 +55,16 @@ struct ThingsParams {
 
 // Things that touch told apart [B5] and described [B6]: from the layers "height", "range", "accumulation",
 // "above" (points above the ground) and "low" (those lower than low_height) to the layer "things": numbers from 1 in
-// the order of the components' first pixels, and within a component in the order of separate_artefacts, whose parts may
-// be two layers (split_layers); 0 = none. Pixel by pixel what these make of the whole. Accumulation and heights are of
-// the pixels with points, the area of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
+// the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
+// by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
+// of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
 //
 // Ours: heights that are no nearer to a point than seen_within are left out: links of the ground over shadows climb to
 // what stands at their ends, and would join it. A watershed also parts what is one, as a bicycle from saddle to
-// handlebar. Behind the parts as they were separated come the things that join two of them or of those: the layers of
-// one part, then in each component the two whose pass is highest beside the lower top, again and again, then those that
-// a gap of less than nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are
-// things, classes tell: whole_things.
+// handlebar. Behind the parts as they were separated come the things that join two of them or of those: in each
+// component the two whose pass is highest beside the lower top, again and again, then those that a gap of less than
+// nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are things, classes
+// tell: whole_things.
 std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot

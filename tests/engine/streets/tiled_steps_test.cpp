@@ -2,7 +2,6 @@
 // The tiled steps of streets against those that hold the whole.
 #include <gtest/gtest.h>
 
-#include "engine/streets/layer_split.h"
 #include "engine/streets/separation.h"
 #include "engine/streets/things.h"
 #include "engine/streets/tiled_artefacts.h"
@@ -57,9 +56,7 @@ TEST_P(TiledSteps, AreThoseOfTheWhole) {
   const Image range = busy_street();
   const Ground ground = find_ground(range, {});
   const Artefacts artefacts = find_artefacts(ground, {});
-  const PixelLabels apart = split_layers(separate_artefacts(artefacts.height, {}), artefacts.height,
-                                         RasterScale{}.area(SeparationParams{}.least_area))
-                                .labels;
+  const PixelLabels apart = separate_artefacts(artefacts.height, {});
   ASSERT_GT(apart.count, 3u);
 
   MemoryLayers memory({range.width, range.height, GetParam()});
