@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of each step by which a street is taken apart [B1-B7], for one block: what the document's figures 2 to 16
 // show. North up, a pixel of the images is two of the pictures.
-// Usage: bench_street_steps CLOUD OUT [BLOCK]      the block's number along the first stretch, from 1
+// Usage: bench_street_steps CLOUD OUT [BLOCK]      the block's number along the first stretch, from 1;
+// 0: all of a cloud, as a tile from the air, if it is no larger than 3,000 pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -30,8 +31,9 @@ using namespace ilot;
 namespace fs = std::filesystem;
 using render::Rgb;
 
-constexpr double kBeside = 22;  // metres that are drawn on each side of the block's facades
-constexpr double kBeyond = 4;   // and beyond its ends
+constexpr double kBeside = 22;            // metres that are drawn on each side of the block's facades
+constexpr double kBeyond = 4;             // and beyond its ends
+constexpr std::uint32_t kLargest = 3000;  // pixels of a cloud that is drawn whole
 constexpr Rgb kEmpty{24, 28, 48};
 
 // The pixels that are drawn.
@@ -109,6 +111,8 @@ Rgb colour_of(PointLabel label) {
 }
 
 Window window_of(const FoundStreet& street, std::size_t block) {
+  const TileGrid& grid = street.tiles->raster().grid;
+  if (block == 0 && std::max(grid.width, grid.height) <= kLargest) return {0, 0, grid.width, grid.height};
   if (street.stretches.empty()) throw std::runtime_error("no line of facades was found");
   const StreetStretch& s = street.stretches.front();
   if (block < 1 || block > s.blocks.size())
@@ -146,7 +150,8 @@ void draw_blocks(const FoundStreet& street, const Window& w, const Image& range,
 
 // B3 to B5 on the window alone.
 void draw_steps(const Image& range, const RasterScale& scale, const Pictures& pictures) {
-  const GroundParams ground_params;
+  GroundParams ground_params;
+  ground_params.longest_gap = std::max(ground_params.longest_gap, 5 * scale.pixel);
   const ArtefactParams artefact_params;
   const SeparationParams separation;
   const Image closed =

@@ -90,10 +90,10 @@ class Enclosing {
 }  // namespace
 
 void find_enclosed_ground(const StreetLayers& layers, const char* zones_layer, const TileZones& zones,
-                          const LargestZones& largest, const PixelLabels& groups) {
+                          const GroundOfGroups& chosen, const PixelLabels& groups) {
   Enclosing enclosing(layers, zones_layer, zones);
   for_each_tile(layers.grid, [&](std::size_t tile) {
-    const std::uint32_t ground = largest.of_group[groups.of[tile]];
+    const std::uint32_t ground = chosen.of_group[groups.of[tile]];
     if (ground != 0) {
       enclosing.find(tile, ground);
       return;

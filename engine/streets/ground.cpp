@@ -4,6 +4,7 @@
 #include "kernels/rasters/fill.h"
 #include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/link_regions.h"
+#include "kernels/rasters/zone_falls.h"
 
 namespace ilot {
 namespace {
@@ -18,6 +19,18 @@ std::vector<std::uint8_t> on_border(const PixelLabels& labels) {
       if (end || x == 0 || x + 1 == labels.width) open[row[x]] = 1;
   }
   return open;
+}
+
+// The zone that is the ground; 0 where there is none.
+std::uint32_t ground_zone(const Image& filled, const PixelLabels& zones, Height flat) {
+  const std::vector<std::uint32_t> sizes = zone_sizes(zones);
+  const std::vector<std::int32_t> falls = zone_falls(filled, zones, flat);
+  const std::uint32_t most = sizes[largest_zone(zones)];
+  std::uint32_t best = 0;
+  GroundRank rank;
+  for (std::uint32_t z = 1; z < sizes.size(); ++z)
+    if (const GroundRank r = ground_rank(sizes[z], falls[z], most); r > rank) rank = r, best = z;
+  return best;
 }
 
 // Adds what a zone encloses: all that no path from side to side leads from to the border without crossing it.
@@ -39,8 +52,8 @@ Ground find_ground(const Image& range, const RasterScale& scale, const GroundPar
   const Image linked = link_regions(fill_missing(closed), {flat, scale.pixels(params.longest_link)});
   Ground ground{fill_missing(linked), {}};
   const PixelLabels zones = flat_zones(ground.filled, flat, Adjacency::eight);
-  const std::uint32_t largest = largest_zone(zones);
-  ground.mask = largest == 0 ? std::vector<std::uint8_t>(range.size(), 0) : with_enclosed(zones, largest);
+  const std::uint32_t zone = ground_zone(ground.filled, zones, flat);
+  ground.mask = zone == 0 ? std::vector<std::uint8_t>(range.size(), 0) : with_enclosed(zones, zone);
   for (std::size_t i = 0; i < ground.mask.size(); ++i)
     if (ground.filled.values[i] == kNoHeight) ground.mask[i] = 0;
   return ground;

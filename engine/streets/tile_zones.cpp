@@ -3,22 +3,11 @@
 
 #include <algorithm>
 
+#include "engine/streets/ground.h"
+#include "kernels/rasters/zone_falls.h"
+
 namespace ilot {
-namespace {
-
-constexpr std::uint64_t kComparable = 10;  // a zone so many times smaller than the ground is none
-
-// Labels as heights, 0 = none.
-Image painted_image(const ZoneRuns& zones) {
-  Image image = filled_image(zones.width, zones.height, 0);
-  for_each_run(zones, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
-    const auto row = image.values.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * zones.width);
-    std::fill(row + run.from, row + run.to, static_cast<Height>(zone));
-  });
-  return image;
-}
-
-}  // namespace
+namespace {}  // namespace
 
 TileZones::TileZones(const StreetLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}
@@ -34,8 +23,11 @@ void TileZones::find(std::size_t tile, const Image& image, Height lambda) {
     z.pixels += run.to - run.from;
     z.on_border = on_border[zone];
   });
+  const PixelLabels labels = painted(runs);
+  const std::vector<std::int32_t> falls = zone_falls(image, labels, lambda);
+  for (std::size_t z = 1; z < zones.size(); ++z) zones[z].falls = falls[z];
   zones_[tile] = std::move(zones);
-  layers_.write(layer_, tile, painted_image(runs));
+  layers_.write(layer_, tile, {labels.width, labels.height, std::vector<Height>(labels.of.begin(), labels.of.end())});
 }
 
 void TileZones::join(Height lambda) {
@@ -99,37 +91,43 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
 
 // All zones on borders, joined; of the others those that are not far smaller than something else in their tile.
 std::vector<TileZones::Candidate> TileZones::candidates(const PixelLabels& groups) const {
-  std::vector<Candidate> all(borders_.count(), {UINT64_MAX, 0, 0, 0});
+  std::vector<Candidate> all;
+  for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.falls(n), 0, 0});
   for (std::size_t t = 0; t < zones_.size(); ++t) {
     std::uint64_t most = 0;
     for (const Zone& z : zones_[t]) most = std::max<std::uint64_t>(most, z.pixels);
     for (std::size_t i = 1; i < zones_[t].size(); ++i) {
       const Zone& z = zones_[t][i];
       if (z.on_border == 0) {
-        if (z.pixels * kComparable >= most) all.push_back({z.first, z.pixels, groups.of[t], number(t, i)});
+        if (z.pixels * kComparableZones >= most)
+          all.push_back({z.first, z.pixels, z.falls, groups.of[t], number(t, i)});
         continue;
       }
       Candidate& joined = all[borders_.number(t, z.on_border)];
-      joined = {std::min(joined.first, z.first), joined.pixels + z.pixels, groups.of[t], number(t, i)};
+      joined = {std::min(joined.first, z.first), joined.pixels + z.pixels, joined.falls + z.falls, groups.of[t],
+                number(t, i)};
     }
   }
   std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.first < b.first; });
   return all;
 }
 
-LargestZones TileZones::largest(const PixelLabels& groups) const {
+GroundOfGroups TileZones::ground(const PixelLabels& groups) const {
   const std::vector<Candidate> all = candidates(groups);
   std::vector<std::uint64_t> most(groups.count + 1, 0);
-  LargestZones found{std::vector<std::uint32_t>(groups.count + 1, 0), {}, {}};
+  for (const Candidate& c : all) most[c.group] = std::max(most[c.group], c.pixels);
+  GroundOfGroups found{std::vector<std::uint32_t>(groups.count + 1, 0), {}, {}};
+  std::vector<GroundRank> best(groups.count + 1);
   for (const Candidate& c : all) {
-    if (c.pixels <= most[c.group]) continue;
-    most[c.group] = c.pixels;
+    const GroundRank rank = ground_rank(c.pixels, c.falls, most[c.group]);
+    if (rank <= best[c.group]) continue;
+    best[c.group] = rank;
     found.of_group[c.group] = c.number;
   }
   for (const Candidate& c : all) {
     if (c.number == found.of_group[c.group])
       found.taken.push_back(c.pixels);
-    else if (c.pixels * kComparable >= most[c.group])
+    else if (c.pixels * kComparableZones >= most[c.group])
       found.left_out.push_back(c.pixels);
   }
   std::sort(found.left_out.rbegin(), found.left_out.rend());

@@ -9,13 +9,13 @@
 
 namespace ilot {
 
-struct LargestZones {
+struct GroundOfGroups {
   std::vector<std::uint32_t> of_group;         // number in the whole; 0 = no zone
-  std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least a tenth of the one taken, the largest first
+  std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least a tenth of the largest, the largest first
 };
 
 // Flat zones of tiles, joined where they touch. In order: find of all tiles, join, then the rest. Different tiles from
-// several threads at once. Memory: 16 bytes a zone of a tile, 8 a pixel of their borders.
+// several threads at once. Memory: 24 bytes a zone of a tile, 8 a pixel of their borders.
 class TileZones {
  public:
   // Labels of tiles are kept in `layer`.
@@ -28,17 +28,19 @@ class TileZones {
   std::vector<std::uint32_t> numbers_of(std::size_t tile) const;
   // Those of the pixels of a tile and around it, kNoHeight outside of the image; empty where there are not two.
   Image around(std::size_t tile, std::uint32_t halo) const;
-  // The largest of each group of tiles, of equal ones the first.
-  LargestZones largest(const PixelLabels& groups) const;
+  // The ground of each group of tiles, as ground_zone chooses it.
+  GroundOfGroups ground(const PixelLabels& groups) const;
 
  private:
   struct Zone {
     std::uint64_t first = 0;  // pixel in the whole
     std::uint32_t pixels = 0;
     std::uint32_t on_border = 0;
+    std::int32_t falls = 0;  // within the tile
   };
   struct Candidate {
     std::uint64_t first, pixels;
+    std::int32_t falls;
     std::uint32_t group, number;
   };
   std::uint32_t number(std::size_t tile, std::size_t zone) const;

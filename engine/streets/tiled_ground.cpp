@@ -100,15 +100,15 @@ class GroundFilling {
 GroundZones find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
   const PixelLabels groups = groups_of(layers.grid);
   const TileZones zones = GroundFilling(layers, scale, params).run();
-  const LargestZones largest = zones.largest(groups);
-  find_enclosed_ground(layers, kZones, zones, largest, groups);
+  const GroundOfGroups chosen = zones.ground(groups);
+  find_enclosed_ground(layers, kZones, zones, chosen, groups);
   layers.drop(kZones);
   const auto square_metres = [&](std::uint64_t pixels) {
     return static_cast<double>(pixels) * scale.pixel * scale.pixel;
   };
   GroundZones out;
-  for (const std::uint64_t pixels : largest.taken) out.taken += square_metres(pixels);
-  for (const std::uint64_t pixels : largest.left_out) out.left_out.push_back(square_metres(pixels));
+  for (const std::uint64_t pixels : chosen.taken) out.taken += square_metres(pixels);
+  for (const std::uint64_t pixels : chosen.left_out) out.left_out.push_back(square_metres(pixels));
   return out;
 }
 

@@ -8,7 +8,7 @@
 namespace ilot {
 
 // Flat zones that may be ground, in square metres: those that were taken, and others that nothing joins to them, each
-// at least a tenth of the one taken in their group of tiles: a street beyond a bridge, or a roof.
+// at least a tenth of the largest in their group of tiles: a street beyond a bridge, or a roof.
 struct GroundZones {
   double taken = 0;
   std::vector<double> left_out;  // the largest first

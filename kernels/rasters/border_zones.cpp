@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "kernels/core/union_find.h"
+#include "kernels/rasters/zone_falls.h"
 
 namespace ilot {
 
@@ -39,6 +40,7 @@ void BorderZones::join(Height lambda, Adjacency adjacency) {
   for (std::size_t t = 0; t < told_.size(); ++t) first_[t + 1] = first_[t] + told_[t].count;
   numbers_.resize(first_.back());
   UnionFind sets(numbers_);
+  std::vector<std::int32_t> falls(numbers_.size(), 0);
   for (std::size_t t = 0; t < told_.size(); ++t) {
     for (std::uint32_t i = 0; i < told_[t].zones.size(); ++i) {
       if (told_[t].zones[i] == 0) continue;
@@ -49,12 +51,16 @@ void BorderZones::join(Height lambda, Adjacency adjacency) {
         if (told_[u].zones[j] == 0) return;
         if (std::abs(std::int64_t{told_[t].heights[i]} - told_[u].heights[j]) <= lambda)
           sets.unite(a, static_cast<std::uint32_t>(first_[u] + told_[u].zones[j] - 1));
+        else
+          falls[a] += fall(told_[t].heights[i], told_[u].heights[j], lambda);
       });
     }
   }
   told_.clear();
   // A root is the first of its set, and a parent comes before its child.
   for (std::uint32_t z = 0; z < numbers_.size(); ++z) numbers_[z] = numbers_[z] == z ? count_++ : numbers_[numbers_[z]];
+  falls_.assign(count_, 0);
+  for (std::size_t z = 0; z < numbers_.size(); ++z) falls_[numbers_[z]] += falls[z];
 }
 
 }  // namespace ilot

@@ -29,6 +29,9 @@ class BorderZones {
   }
   std::uint32_t count() const { return count_; }
 
+  // Of a number: steps over borders that fall from it by more than lambda, less those that rise (zone_falls).
+  std::int32_t falls(std::uint32_t number) const { return falls_[number]; }
+
  private:
   std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
 
@@ -41,6 +44,7 @@ class BorderZones {
   std::vector<Told> told_;
   std::vector<std::size_t> first_;      // of each tile in numbers_
   std::vector<std::uint32_t> numbers_;  // of the zones on borders, tile after tile
+  std::vector<std::int32_t> falls_;     // of what was joined
   std::uint32_t count_ = 0;
 };
 

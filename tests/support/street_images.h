@@ -33,4 +33,14 @@ inline void put(Image& image, const PixelBox& box, Height by) {
     }
 }
 
+// A roof from side to side, three times as large as the larger piece of ground beside it.
+inline Image large_roof() {
+  Image image = filled_image(220, 120, 0);
+  Rng rng(7);
+  for (Height& v : image.values) v = static_cast<Height>(rng.below(21));
+  put(image, {45, 0, 135, 120}, 8000);
+  put(image, {10, 40, 6, 6}, 3000);
+  return image;
+}
+
 }  // namespace ilot::test

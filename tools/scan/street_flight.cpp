@@ -29,12 +29,13 @@ constexpr std::array<SceneOption, 10> kFlight{{
     {"scene.mirrored", 0.6, "share", 0, 0.9, "of the pulses on a car's paint that it mirrors away, at most"},
 }};
 
-constexpr double kGrid = 0.001;      // metres per coordinate unit
-constexpr double kTile = 40;         // metres
-constexpr std::size_t kAtOnce = 32;  // tiles
-constexpr double kAhead = 10;        // metres that are seen beyond the ends of the street
-constexpr double kGlass = 2.0 / 3;   // of the pulses on it go elsewhere
-constexpr double kEchoes = 1.05;     // per pulse (measured)
+constexpr double kGrid = 0.001;        // metres per coordinate unit
+constexpr double kTile = 40;           // metres
+constexpr std::size_t kAtOnce = 32;    // tiles
+constexpr double kAhead = 10;          // metres that are seen beyond the ends of the street
+constexpr double kGlass = 2.0 / 3;     // of the pulses on it go elsewhere
+constexpr double kDarkCars = 1.0 / 3;  // of the cars; the paint of the others gives all of the light back
+constexpr double kEchoes = 1.05;       // per pulse (measured)
 
 // Back from the scene to street coordinates.
 Vec3 turned_to_street(Vec3 v) {
@@ -93,8 +94,8 @@ struct Overflight {
 bool is_mirrored(const Overflight& scene, const SurfaceLabel& label, Rng& rng) {
   if (label.material == Material::glass) return rng.uniform() < kGlass;
   if (label.material != Material::car_paint) return false;
-  return rng.uniform() <
-         scene.flight.mirrored * Rng(scene.flight.street.seed ^ 0x7061696e74ull, label.element).uniform();
+  const double drawn = Rng(scene.flight.street.seed ^ 0x7061696e74ull, label.element).uniform();
+  return rng.uniform() < scene.flight.mirrored * std::max(0.0, 1 - drawn / kDarkCars);
 }
 
 ColouredPoint point_of(const SurfaceLabel& label, Vec3 surface_place, double cosine) {

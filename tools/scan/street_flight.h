@@ -30,8 +30,8 @@ StreetStage set_stage(const StreetFlight& flight);
 void fit_points(StreetFlight& flight, const StreetStage& stage, std::uint64_t points);
 
 // Hands over records of coloured_layout(0.001) of what lies up to the end of the gardens. Glass mirrors two thirds of
-// the pulses away, the paint of a car a share of its own, evenly drawn up to `mirrored`. Tiles are scanned in parallel,
-// a batch of bounded size at a time; what is handed over does not depend on the threads.
+// the pulses away, the paint of one car in three a share of its own, evenly drawn up to `mirrored`. Tiles are scanned
+// in parallel, a batch of bounded size at a time; what is handed over does not depend on the threads.
 void scan_street_flight(const StreetFlight& flight, const StreetStage& stage,
                         const std::function<void(std::span<const std::byte>)>& take);
 

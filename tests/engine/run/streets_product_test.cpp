@@ -92,6 +92,42 @@ TEST(StreetsProduct, ThingsAreFoundOnEverySlope) {
   }
 }
 
+// From the street what is upright fills its square metres; from above all places have about as many points.
+TEST(StreetsProduct, WhereItWasScannedFrom) {
+  const test::CloudStore street(street_points(2, 3));
+  EXPECT_EQ(find_street(street.store(), {}, {}).view, StreetView::street);
+  std::vector<Index3> air;
+  Rng rng(6);
+  for (int i = 0; i < 24 * 12 * 30; ++i) {
+    const auto x = static_cast<std::int64_t>(rng.below(24000)), y = static_cast<std::int64_t>(rng.below(12000));
+    air.push_back({700000000 + x, 660000000 + y, y < 1000 || y >= 11000 ? 39000 : 30000});
+  }
+  const test::CloudStore above(air);
+  const FoundStreet found = find_street(above.store(), {}, {});
+  EXPECT_EQ(found.view, StreetView::air);
+  EXPECT_EQ(found.density.crowded, 0);
+  std::size_t empty = 0, pixels = 0;
+  const StreetRaster& raster = found.tiles->raster();
+  const Image seen = layer_window(found.tiles->layers(), "accumulation", raster.column(700000000) + 4,
+                                  raster.row(660000000) + 4, 60, 30);
+  for (const Height v : seen.values) empty += v <= 0, ++pixels;
+  EXPECT_LE(empty, pixels / 10 + 20) << "a pixel in ten, and some chance";
+  StreetsSettings settings;
+  settings.view = StreetView::street;
+  EXPECT_EQ(find_street(above.store(), settings, {}).view, StreetView::street) << "what is set holds";
+  const TemporaryFolder folder;
+  const std::string chosen = run_cloud(folder, air, "out").record["chosen"].dump();
+  EXPECT_NE(chosen.find(R"("key":"streets.view","value":"air")"), std::string::npos) << chosen;
+}
+
+TEST(StreetsProduct, PixelsForDensities) {
+  EXPECT_EQ(pixel_for(1400, StreetView::street), 0.05);
+  EXPECT_EQ(pixel_for(20, StreetView::street), 0.05 * 3);
+  EXPECT_EQ(pixel_for(30, StreetView::air), 0.05 * 6);  // 30 points in 0.09 m2: 2.7 a pixel
+  EXPECT_EQ(pixel_for(1, StreetView::air), 1);          // the coarsest
+  EXPECT_EQ(pixel_for(2000, StreetView::air), 0.05);
+}
+
 TEST(StreetsProduct, OneSideOnly) {
   const test::CloudStore store(street_points(2, 2, false));
   const FoundStreet street = find_street(store.store(), {}, {});

@@ -44,6 +44,22 @@ TEST(Ground, WhatHasNoHeightIsNone) {
   EXPECT_EQ(ground.mask[50 * 120 + 10], 1);
 }
 
+// A roof that is larger than each of the pieces of ground around it.
+TEST(Ground, ALargeRoofIsNone) {
+  const Image range = test::large_roof();
+  const Ground ground = find_ground(range, {});
+  EXPECT_EQ(ground.mask[60 * range.width + 100], 0) << "on the roof";
+  EXPECT_EQ(ground.mask[60 * range.width + 5], 1) << "the larger piece of ground";
+}
+
+// What is far smaller than the largest is not the ground, even if all else falls to it.
+TEST(Ground, ASmallYardIsNone) {
+  Image range = filled_image(200, 120, 5000);
+  put(range, {90, 50, 20, 20}, -4000);
+  const Ground ground = find_ground(range, {});
+  EXPECT_EQ(ground.mask[10 * 200 + 10], 1);
+}
+
 TEST(Ground, NothingAndOnePixel) {
   EXPECT_TRUE(find_ground({}, {}).mask.empty());
   EXPECT_EQ(find_ground(filled_image(3, 2, kNoHeight), {}).mask, (std::vector<std::uint8_t>(6, 0)));

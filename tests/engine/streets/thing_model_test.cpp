@@ -176,13 +176,14 @@ TEST(ThingModel, BrokenTextsAreRefusedWithTheirLine) {
   EXPECT_THROW(parse_thing_model(wrong, "m"), Error);
 }
 
-TEST(ThingModel, TheDefaultHasItsRecipe) {
-  const ThingModel& model = default_thing_model();
-  EXPECT_FALSE(model.recipe.empty());
-  for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
-    EXPECT_EQ(std::count(model.classes.begin(), model.classes.end(), ThingKind{label}), 1);
-  for (const ThingRole role : {ThingRole::part, ThingRole::several})
-    EXPECT_EQ(std::count(model.classes.begin(), model.classes.end(), ThingKind{PointLabel::none, role}), 1);
+TEST(ThingModel, TheLibrarysHaveTheirRecipes) {
+  for (const ThingModel* model : {&default_thing_model(), &air_thing_model()}) {
+    EXPECT_FALSE(model->recipe.empty());
+    for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
+      EXPECT_EQ(std::count(model->classes.begin(), model->classes.end(), ThingKind{label}), 1);
+    for (const ThingRole role : {ThingRole::part, ThingRole::several})
+      EXPECT_EQ(std::count(model->classes.begin(), model->classes.end(), ThingKind{PointLabel::none, role}), 1);
+  }
 }
 
 }  // namespace

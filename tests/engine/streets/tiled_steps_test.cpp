@@ -90,6 +90,28 @@ TEST_P(TiledSteps, AreThoseOfTheWhole) {
   EXPECT_GT(things.size(), parts);
 }
 
+// Which zone is the ground no tiling decides: neither where a roof is larger, nor among zones drawn at random.
+TEST_P(TiledSteps, ChooseTheSameGround) {
+  std::vector<Image> images{test::large_roof()};
+  Rng rng(11);
+  for (int round = 0; round < 20; ++round) {
+    Image image = filled_image(130, 110, 0);
+    for (int i = 0; i < 25; ++i)
+      put(image,
+          {static_cast<std::uint32_t>(rng.below(100)), static_cast<std::uint32_t>(rng.below(80)),
+           10 + static_cast<std::uint32_t>(rng.below(20)), 10 + static_cast<std::uint32_t>(rng.below(20))},
+          static_cast<Height>(2000 * rng.below(6)));
+    images.push_back(image);
+  }
+  for (const Image& range : images) {
+    const Ground ground = find_ground(range, {});
+    MemoryLayers memory({range.width, range.height, GetParam()});
+    memory.put("range", range);
+    find_ground_tiled(memory.layers, {});
+    EXPECT_EQ(memory.whole("mask").values, std::vector<Height>(ground.mask.begin(), ground.mask.end()));
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Sides, TiledSteps, testing::Values(32u, 50u, 101u, 330u));
 
 TEST(FillMissingTiled, TheValuesOfTheWholeForEveryTiling) {
