@@ -306,29 +306,24 @@ std::map<std::uint32_t, std::size_t> best_samples(const Street& street) {
 void set_roles(Street& street) {
   const auto best = best_samples(street);
   const std::size_t n = street.samples.size();
-  std::vector<std::uint8_t> is_best(n, 0);
+  std::vector<std::uint8_t> is_best(n, 0), below(n, 0), above(n, 0);
   for (const auto& [object, i] : best) {
     is_best[i] = 1;
     street.classes[object] = street.samples[i].label;
   }
-  // Of each sample, from 1: the best that it is part of, and the largest best that it is made of.
-  std::vector<std::size_t> whole(n, 0), made_of(n, 0);
   for (std::size_t i = n; i-- > 0;)
     for (const std::uint32_t part : street.things[i].parts)
-      if (part != 0) whole[part - 1] = is_best[i] != 0 ? i + 1 : whole[i];
+      if (part != 0) below[part - 1] = below[i] | is_best[i];
   for (std::size_t i = 0; i < n; ++i) {
-    for (const std::uint32_t part : street.things[i].parts) {
-      if (part == 0) continue;
-      const std::size_t inside = is_best[part - 1] != 0 ? part : made_of[part - 1];
-      if (inside != 0 && (made_of[i] == 0 || street.things[inside - 1].pixels > street.things[made_of[i] - 1].pixels))
-        made_of[i] = inside;
-    }
+    for (const std::uint32_t part : street.things[i].parts)
+      if (part != 0) above[i] |= above[part - 1] | is_best[part - 1];
+    ThingSample& s = street.samples[i];
     const std::uint32_t object = street.object[i];
     if (object != 0 && street.overlaps[i] >= street.overlaps[best.at(object)] - kClearly) continue;
-    const std::size_t of = made_of[i] != 0 ? made_of[i] : whole[i];
-    if (of == 0) continue;
-    street.samples[i].role = made_of[i] != 0 ? ThingRole::several : ThingRole::part;
-    street.samples[i].label = street.samples[of - 1].label;
+    if (above[i] != 0)
+      s.role = ThingRole::several;
+    else if (below[i] != 0)
+      s.role = ThingRole::part;
   }
 }
 

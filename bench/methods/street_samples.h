@@ -40,8 +40,7 @@ Street load(const std::filesystem::path& path);
 std::map<std::uint32_t, std::size_t> best_samples(const Street& street);
 
 // Gives samples their roles: of the things that overlap an object by half the best one and those nearly as good are
-// it; what lies below in the tree of joins is part of it, what lies above is several, by the largest of these. Both get
-// its class.
+// it; what lies below in the tree of joins is part of it, what lies above is several.
 void set_roles(Street& street);
 
 }  // namespace ilot

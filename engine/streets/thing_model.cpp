@@ -21,13 +21,10 @@ constexpr std::pair<ThingRole, const char*> kRoles[] = {{ThingRole::part, "part"
 
 }  // namespace
 
-// "car", "car-part", "car-several"; "none", "part", "several" without a label.
 std::string name_of(ThingKind kind) {
-  const bool known = kind.label != PointLabel::none;
-  const std::string label = known ? point_label_names().at(static_cast<std::uint32_t>(kind.label)) : "none";
   for (const auto& [role, name] : kRoles)
-    if (kind.role == role) return known ? label + "-" + name : name;
-  return label;
+    if (kind.role == role) return name;
+  return kind.label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(kind.label));
 }
 
 namespace {
@@ -112,9 +109,9 @@ class ModelReader {
     std::string name;
     words >> name;
     std::vector<ThingKind> kinds;
+    for (const auto& entry : kRoles) kinds.push_back({PointLabel::none, entry.first});
     for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value)
-      for (const ThingRole role : {ThingRole::whole, ThingRole::part, ThingRole::several})
-        kinds.push_back({static_cast<PointLabel>(value), role});
+      kinds.push_back({static_cast<PointLabel>(value)});
     for (const ThingKind kind : kinds) {
       if (name_of(kind) != name) continue;
       model_.classes.push_back(kind);

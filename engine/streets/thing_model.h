@@ -16,7 +16,7 @@ namespace ilot {
 // What a thing is of what stands there: parts are joined to wholes, and these to several in one.
 enum class ThingRole : std::uint8_t { whole, part, several };
 
-// What the machine tells apart: classes of what is whole, of what parts are of, and of the largest of several in one.
+// What the machine tells apart: classes of what is whole, and the two other roles, which have no class.
 struct ThingKind {
   PointLabel label = PointLabel::none;
   ThingRole role = ThingRole::whole;
@@ -32,8 +32,7 @@ struct RoleWeights {
   std::array<double, kThingStates> power{1, 1, 1, 1}, bias{};
 };
 
-// A thing whose class is known, or that of what it is part of, or of the largest of several; none: not known. A whole
-// `none` is a remnant that is no thing at all.
+// A thing whose class is known. `none`: a remnant that is no thing at all.
 struct ThingSample {
   ThingFeatures features{};
   PointLabel label = PointLabel::none;
@@ -41,7 +40,9 @@ struct ThingSample {
   ThingRole role = ThingRole::whole;
   std::array<std::uint32_t, 2> parts{};  // places in the list of samples, from 1, of those it joins; 0: none
 
-  ThingKind kind() const { return {label, role}; }
+  ThingKind kind() const {
+    return role == ThingRole::whole ? ThingKind{label, role} : ThingKind{PointLabel::none, role};
+  }
 };
 
 // Which features may be selected.
@@ -53,7 +54,7 @@ struct ThingTrainingParams {
   std::uint32_t folds = 5;  // of the cross-validation that the grid is searched by
   std::uint32_t most_in_grid =
       300;  // samples of a class that the grid is searched with; of more, as many evenly spread
-  std::uint32_t most_of_class = 600;  // samples of a class that the machine is trained on, likewise
+  std::uint32_t most_of_class = 900;  // samples of a class that the machine is trained on, likewise
 };
 
 // A trained machine: one against one, radial kernel exp(-gamma d^2) on standardised features.

@@ -106,7 +106,9 @@ TEST(ClassShares, SumToOneAndKnowNoCompanyAndNoThreads) {
     for (const double s : one[i].share) sum += s;
     EXPECT_NEAR(sum, 1, 1e-12);
     EXPECT_EQ(one[i].share, three[i].share);
-    if (i % 50 == 0) EXPECT_EQ(class_shares(heaps.model, {&heaps.things[i], 1})[0].share, one[i].share);
+    if (i % 50 == 0) {
+      EXPECT_EQ(class_shares(heaps.model, {&heaps.things[i], 1})[0].share, one[i].share);
+    }
   }
 }
 
