@@ -110,9 +110,22 @@ Rgb colour_of(PointLabel label) {
   }
 }
 
+// All pixels that hold a point.
+Window window_with_points(const FoundStreet& street) {
+  const TileGrid& grid = street.tiles->raster().grid;
+  const Image range = layer_window(street.tiles->layers(), "range", 0, 0, grid.width, grid.height);
+  std::int64_t x0 = grid.width, y0 = grid.height, x1 = -1, y1 = -1;
+  for (std::int64_t y = 0; y < grid.height; ++y)
+    for (std::int64_t x = 0; x < grid.width; ++x) {
+      if (range.values[static_cast<std::size_t>(y * grid.width + x)] == kNoHeight) continue;
+      x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
+    }
+  return {x0, y0, static_cast<std::uint32_t>(x1 - x0 + 1), static_cast<std::uint32_t>(y1 - y0 + 1)};
+}
+
 Window window_of(const FoundStreet& street, std::size_t block) {
   const TileGrid& grid = street.tiles->raster().grid;
-  if (block == 0 && std::max(grid.width, grid.height) <= kLargest) return {0, 0, grid.width, grid.height};
+  if (block == 0 && std::max(grid.width, grid.height) <= kLargest) return window_with_points(street);
   if (street.stretches.empty()) throw std::runtime_error("no line of facades was found");
   const StreetStretch& s = street.stretches.front();
   if (block < 1 || block > s.blocks.size())

@@ -162,8 +162,8 @@ void write_model(const std::vector<Street>& streets, const std::vector<std::stri
   std::string names;
   for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
   model.recipe = "bench_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") +
-                 (most != ThingTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") +
-                 " --model things.model\n" +
+                 (most != ThingTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") + " --model " +
+                 path.filename().string() + "\n" +
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
   write_whole_file(path, thing_model_text(model));
