@@ -9,13 +9,13 @@ namespace {
 // Kinds of elements and names of classes alike.
 std::optional<PointLabel> word_for(const std::string& name) {
   static const std::map<std::string, PointLabel> words{
-      {"window", PointLabel::window},   {"opening", PointLabel::window}, {"door", PointLabel::door},
-      {"shop", PointLabel::door},       {"sill", PointLabel::sill},      {"balcony", PointLabel::balcony},
-      {"railing", PointLabel::balcony}, {"facade", PointLabel::facade},  {"band", PointLabel::facade},
-      {"bulge", PointLabel::facade},    {"cornice", PointLabel::facade}, {"course", PointLabel::facade},
-      {"joint", PointLabel::facade},    {"lintel", PointLabel::facade},  {"moulding", PointLabel::facade},
-      {"pediment", PointLabel::facade}, {"quoins", PointLabel::facade},  {"stone", PointLabel::facade},
-      {"stones", PointLabel::facade},   {"surround", PointLabel::facade}};
+      {"window", PointLabel::window},   {"opening", PointLabel::window},  {"door", PointLabel::door},
+      {"shop", PointLabel::door},       {"sill", PointLabel::sill},       {"balcony", PointLabel::balcony},
+      {"railing", PointLabel::balcony}, {"facade", PointLabel::facade},   {"band", PointLabel::facade},
+      {"bulge", PointLabel::facade},    {"bracket", PointLabel::facade},  {"cornice", PointLabel::facade},
+      {"course", PointLabel::facade},   {"joint", PointLabel::facade},    {"lintel", PointLabel::facade},
+      {"moulding", PointLabel::facade}, {"pediment", PointLabel::facade}, {"quoins", PointLabel::facade},
+      {"stone", PointLabel::facade},    {"stones", PointLabel::facade},   {"surround", PointLabel::facade}};
   const auto found = words.find(name);
   return found == words.end() ? std::nullopt : std::optional(found->second);
 }

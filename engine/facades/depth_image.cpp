@@ -8,8 +8,9 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.03, kMostCell = 0.15;  // metres
-constexpr double kTail = 0.15;  // of a region's rows and columns that may end farther out
-constexpr int kNeighbours = 5;  // of eight that tell what a gap is
+constexpr double kTail = 0.15;   // of a region's rows and columns that may end farther out
+constexpr double kMiddle = 0.5;  // of its columns: below what stands out hang consoles
+constexpr int kNeighbours = 5;   // of eight that tell what a gap is
 
 // Cells that nothing was seen in become what most of their neighbours are, once: gaps between points.
 void close_gaps(DepthImage& image) {
@@ -50,7 +51,7 @@ void find_box(DepthRegion& region, std::int64_t columns) {
     low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
   }
   region.c0 = quantile(left, kTail), region.c1 = quantile(right, 1 - kTail);
-  region.r0 = quantile(low, kTail), region.r1 = quantile(high, 1 - kTail);
+  region.r0 = quantile(low, region.what == kBefore ? kMiddle : kTail), region.r1 = quantile(high, 1 - kTail);
 }
 
 }  // namespace

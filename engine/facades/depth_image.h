@@ -41,7 +41,8 @@ DepthImage depth_image(const RaySamples& samples, double least_depth, double mos
 struct DepthRegion {
   std::int8_t what = kWall;
   std::vector<std::int64_t> cells;
-  std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;  // its box, closed: where most of its rows and columns end
+  std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;  // its box, closed: where most of its rows and columns end, below
+                                                // half of those of what stands out
 };
 
 // By their first cell.

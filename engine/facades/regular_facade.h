@@ -18,6 +18,7 @@ enum class ThingKind : std::uint8_t {
   band,
   bulge,
   stone,
+  bracket,
   protrusion,  // bays, oriels
   recess,      // niches, cut corners
   eaves,       // what stands out above the wall's top

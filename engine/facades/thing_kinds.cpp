@@ -14,6 +14,7 @@ constexpr double kUnder = 0.7;                        // share of the opening's 
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
 constexpr double kParapet = 1.5, kRail = 0.05;        // metres: balconies are lower, nothing thinner is built of stone
+constexpr double kStandsOn = 0.5;                     // metres: nobody stands on what is narrower, it carries something
 
 bool is_door(const FoundRectangle& r) {
   const Box2 box = r.box();
@@ -42,7 +43,9 @@ ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectang
     if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return ThingKind::sill;
     if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return ThingKind::lintel;
   }
-  return r.depth > kBalcony ? ThingKind::balcony : ThingKind::bulge;
+  if (r.depth <= kBalcony) return ThingKind::bulge;
+  if (box.width() < kStandsOn) return ThingKind::bracket;
+  return box.height() < kParapet ? ThingKind::balcony : ThingKind::protrusion;
 }
 
 ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
@@ -55,7 +58,7 @@ ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
 
 bool is_rail(const FacadeThing& t) {
   const Box2 box = t.shape.box();
-  const bool unnamed = t.kind == ThingKind::bulge || t.kind == ThingKind::balcony;
+  const bool unnamed = t.kind == ThingKind::bulge || t.kind == ThingKind::balcony || t.kind == ThingKind::bracket;
   return unnamed && std::min(box.width(), box.height()) < kRail;
 }
 

@@ -14,7 +14,8 @@ inline bool is_opening(ThingKind kind) {
 // A door goes down to the foot of the wall; where its lower part is hidden, its top is in line with other doors'.
 ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings);
 
-// Long ones across the wall are bands or balconies, those just below and above an opening its sill and its lintel.
+// Long ones across the wall are bands or balconies, those just below and above an opening its sill and its lintel; what
+// stands out far is a balcony, a bracket where it is too narrow to stand on, a protrusion where it is a storey high.
 ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width);
 
 // What stands out above the wall is eaves; a balcony is long, no storey high and stands out as far as one can stand on.

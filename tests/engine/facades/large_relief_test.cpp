@@ -58,6 +58,23 @@ TEST(LargeRelief, APartMayGoBeyondTheEndsOfItsWall) {
   }
 }
 
+// A fifth of it stands on consoles: where they end it does not.
+TEST(LargeRelief, ConsolesBelowABalconyAreNotItsFoot) {
+  SampledSite s(6, 4, 0.03, 0.002);
+  s.wall_around(0, 6, 2, 3);
+  s.sheet(0, 6, 2, 3, 0.8, 2);
+  s.face({0, 2, 0}, {6, 0, 0}, {0, 0, 0.8}, 3);
+  for (const double u : {0.8, 2.8, 4.8}) {
+    s.sheet(u, u + 0.4, 1.5, 2, 0.6, 4);
+    for (const double side : {u, u + 0.4}) s.face({side, 1.5, 0}, {0, 0, 0.6}, {0, 0.5, 0}, 5);
+  }
+  const auto found = find_large_relief(RaySamples(s.site));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].box().v0, 2, 0.01);
+  EXPECT_NEAR(found[0].box().v1, 3, 0.05);
+  EXPECT_NEAR(found[0].depth, 0.8, 0.005);
+}
+
 // What was not seen to end is the storey above, a wall of its own.
 TEST(LargeRelief, WhatGoesOnBeyondWhatWasLookedAtIsNoPartOfTheWall) {
   for (const double height : {4.5, 9.0}) {

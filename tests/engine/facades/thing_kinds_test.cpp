@@ -49,6 +49,9 @@ TEST(ThingKinds, ReliefIsNamedByWhatIsBesideIt) {
       << "too far below";
   EXPECT_EQ(kind_of_relief(rectangle({5.5, 6.1, 0.9, 1}, 0.08), openings, kWall), ThingKind::bulge) << "half as wide";
   EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.6), openings, kWall), ThingKind::balcony) << "far out";
+  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.6), openings, kWall), ThingKind::bracket) << "narrow";
+  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.1), openings, kWall), ThingKind::bulge);
+  EXPECT_EQ(kind_of_relief(rectangle({8, 11, 3, 6}, 0.6), openings, kWall), ThingKind::protrusion) << "a storey high";
   EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.05), openings, kWall), ThingKind::band);
   EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.6), openings, kWall), ThingKind::balcony);
 }
