@@ -121,6 +121,7 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
       [&] { stones = find_stones(samples); }, [&] { openings = find_openings(samples, params.openings); }};
   parallel_for(searches.size(), [&](std::size_t i) { searches[i](); });
+  drop_pierced_stones(openings, stones);
   std::vector<FacadeThing> things;
   for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
   for (const FoundRectangle& r : relief)

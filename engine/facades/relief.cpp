@@ -11,6 +11,7 @@
 namespace ilot {
 namespace {
 
+constexpr std::size_t kFewestStones = 4;
 constexpr double kTail = 0.005;      // share of points beyond a piece's box on each side
 constexpr double kSamePlane = 0.01;  // metres between two pieces of one thing, across
 constexpr double kSameLine = 0.05;   // metres between their sides
@@ -238,7 +239,6 @@ std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefP
 }
 
 std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
-  constexpr std::size_t kFewest = 4;
   constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
   constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
   std::vector<FoundRectangle> found;
@@ -251,8 +251,20 @@ std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
     found.push_back(rectangle_of(samples, piece, kJointFrom, kJointTo));
     found.back().fill = fill;
   }
-  if (found.size() < kFewest) found.clear();
+  if (found.size() < kFewestStones) found.clear();
   return found;
+}
+
+void drop_pierced_stones(const std::vector<FoundRectangle>& openings, std::vector<FoundRectangle>& stones) {
+  constexpr double kReach = 0.05;  // metres into an opening, in both directions
+  std::erase_if(stones, [&](const FoundRectangle& stone) {
+    const Box2 inner = stone.box().grown(-kReach);
+    return std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& opening) {
+      const Box2 box = opening.box();
+      return inner.u0 < box.u1 && box.u0 < inner.u1 && inner.v0 < box.v1 && box.v0 < inner.v1;
+    });
+  });
+  if (stones.size() < kFewestStones) stones.clear();
 }
 
 }  // namespace ilot

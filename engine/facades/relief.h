@@ -21,4 +21,8 @@ std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefP
 // that fill their rectangle, where there are at least four. Ordered as above.
 std::vector<FoundRectangle> find_stones(const RaySamples& samples);
 
+// Leaves out stones that reach into an opening (a course between two bands, over which windows go on), and all of them
+// where fewer than four are left. O(stones x openings).
+void drop_pierced_stones(const std::vector<FoundRectangle>& openings, std::vector<FoundRectangle>& stones);
+
 }  // namespace ilot
