@@ -127,6 +127,7 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
   for (const FoundRectangle& r : relief)
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
   for (const FoundRectangle& s : stones) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
+  keep_nearest_sills(things);
   merge_bulges(things);
   std::erase_if(things, is_rail);
   add_large_relief(things, large, samples.site().height);

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres above the foot of the wall; least
 constexpr double kDoorLine = 0.25;                    // metres between the tops of doors in one row
-constexpr double kBesideOpening = 0.25;               // metres between an opening and its sill or lintel
+constexpr double kBesideOpening = 0.3;                // metres between an opening and its sill or lintel
 constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
 constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
 constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
@@ -19,6 +19,13 @@ constexpr double kStandsOn = 0.5;                     // metres: nobody stands o
 bool is_door(const FoundRectangle& r) {
   const Box2 box = r.box();
   return box.v0 < kDoorSill && box.height() > kDoorHeight;
+}
+
+// Beside one opening: one above the other, and little between them.
+bool are_of_one_opening(const Box2& a, const Box2& b) {
+  const double common = std::min(a.u1, b.u1) - std::max(a.u0, b.u0);
+  const double apart = std::max(a.v0, b.v0) - std::min(a.v1, b.v1);
+  return common >= kUnder * std::min(a.width(), b.width()) && apart < kBesideOpening;
 }
 
 }  // namespace
@@ -46,6 +53,22 @@ ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectang
   if (r.depth <= kBalcony) return ThingKind::bulge;
   if (box.width() < kStandsOn) return ThingKind::bracket;
   return box.height() < kParapet ? ThingKind::balcony : ThingKind::protrusion;
+}
+
+void keep_nearest_sills(std::vector<FacadeThing>& things) {
+  const auto is_farther = [&](const FacadeThing& t) {
+    const Box2 own = t.shape.box();
+    return std::any_of(things.begin(), things.end(), [&](const FacadeThing& other) {
+      const Box2 box = other.shape.box();
+      const bool nearer = t.kind == ThingKind::sill ? box.v1 > own.v1 : box.v0 < own.v0;
+      return other.kind == t.kind && nearer && are_of_one_opening(own, box);
+    });
+  };
+  std::vector<std::size_t> farther;
+  for (std::size_t i = 0; i < things.size(); ++i)
+    if ((things[i].kind == ThingKind::sill || things[i].kind == ThingKind::lintel) && is_farther(things[i]))
+      farther.push_back(i);
+  for (const std::size_t i : farther) things[i].kind = ThingKind::bulge;
 }
 
 ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {

@@ -18,6 +18,10 @@ ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectan
 // stands out far is a balcony, a bracket where it is too narrow to stand on, a protrusion where it is a storey high.
 ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width);
 
+// Of two sills, or two lintels, of one opening the one next to it keeps its name; the other is a bulge: a panel below,
+// a hood above. O(things^2).
+void keep_nearest_sills(std::vector<FacadeThing>& things);
+
 // What stands out above the wall is eaves; a balcony is long, no storey high and stands out as far as one can stand on.
 ThingKind kind_of_large(const FoundRectangle& r, double wall_height);
 

@@ -56,6 +56,22 @@ TEST(ThingKinds, ReliefIsNamedByWhatIsBesideIt) {
   EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.6), openings, kWall), ThingKind::balcony);
 }
 
+TEST(ThingKinds, AnOpeningHasOneSillAndOneLintel) {
+  const auto thing = [](const Box2& box, ThingKind kind) {
+    return FacadeThing{rectangle(box, 0.05), kind, 0, 0, 0, {}};
+  };
+  std::vector<FacadeThing> things{thing({5.1, 5.9, 0.5, 0.8}, ThingKind::sill),
+                                  thing({4.9, 6.1, 0.9, 1}, ThingKind::sill), thing({5, 6, 2.9, 3}, ThingKind::lintel),
+                                  thing({4.9, 6.1, 2.5, 2.7}, ThingKind::lintel),
+                                  thing({8.1, 8.9, 0.5, 0.8}, ThingKind::sill)};
+  keep_nearest_sills(things);
+  EXPECT_EQ(things[0].kind, ThingKind::bulge) << "a panel";
+  EXPECT_EQ(things[1].kind, ThingKind::sill);
+  EXPECT_EQ(things[2].kind, ThingKind::bulge) << "a hood";
+  EXPECT_EQ(things[3].kind, ThingKind::lintel);
+  EXPECT_EQ(things[4].kind, ThingKind::sill) << "of another opening";
+}
+
 TEST(ThingKinds, WhatIsLargeIsNamedBySizeAndPlace) {
   constexpr double kHeight = 9;
   EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, -0.5), kHeight), ThingKind::recess);
