@@ -52,40 +52,57 @@ FacadeElement front_of(const FacadeSite& front, const RaySamples& samples, doubl
   return e;
 }
 
+// An opening of a front, in the front's own axes; where that lies in the facade's.
+struct DormerOpening {
+  const FacadeSite* front;
+  Vec3 at;
+  FoundRectangle shape;
+};
+
+// Rows, columns and families are those of all fronts together, in the axes of the facade, behind the facade's own.
+std::vector<FacadeThing> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
+  std::vector<FacadeThing> things;
+  for (const DormerOpening& o : openings) {
+    things.push_back({o.shape, ThingKind::window, 0, 0, 0, {}});
+    shift(things.back().shape, o.at.x, o.at.y);
+  }
+  group_things(things, params.regular);
+  if (!params.regularise) return things;
+  regularise_things(things, params.regular);
+  complete_things(things, params.regular);
+  group_things(things, params.regular);
+  return things;
+}
+
+std::vector<FacadeElement> elements_of(const std::vector<DormerOpening>& openings, const Facade& facade,
+                                       const DormerParams& params) {
+  std::uint32_t rows = 0, families = 0;
+  for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
+  std::vector<FacadeThing> things = grouped(openings, params);
+  std::vector<FacadeElement> elements;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    shift(things[i].shape, -openings[i].at.x, -openings[i].at.y);
+    things[i].row += rows;
+    if (things[i].family != 0) things[i].family += families;
+    elements.push_back(element_of(*openings[i].front, things[i]));
+  }
+  return elements;
+}
+
 }  // namespace
 
 std::uint64_t add_dormers(const std::vector<FacadeSite>& fronts, Facade& facade, const DormerParams& params) {
-  std::vector<FacadeThing> things;
-  std::vector<std::size_t> front_of_thing;
   std::vector<FacadeElement> added;
-  std::vector<Vec3> places;
+  std::vector<DormerOpening> openings;
   for (const FacadeSite& front : fronts) {
     const RaySamples samples(front);
-    const Vec3 at = places.emplace_back(place_in(facade, front));
-    const std::vector<FoundRectangle> openings = find_openings(samples, params.openings);
-    if (openings.empty()) continue;
+    const Vec3 at = place_in(facade, front);
+    const std::vector<FoundRectangle> found = find_openings(samples, params.openings);
+    if (found.empty()) continue;
     added.push_back(front_of(front, samples, at.z, params));
-    for (FoundRectangle r : openings) {
-      shift(r, at.x, at.y);
-      things.push_back({r, ThingKind::window, 0, 0, 0, {}});
-      front_of_thing.push_back(places.size() - 1);
-    }
+    for (const FoundRectangle& r : found) openings.push_back({&front, at, r});
   }
-  group_things(things, params.regular);
-  if (params.regularise) {
-    regularise_things(things, params.regular);
-    complete_things(things, params.regular);
-    group_things(things, params.regular);
-  }
-  std::uint32_t rows = 0, families = 0;
-  for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    const Vec3 at = places[front_of_thing[i]];
-    shift(things[i].shape, -at.x, -at.y);
-    things[i].row += rows;
-    if (things[i].family != 0) things[i].family += families;
-    added.push_back(element_of(fronts[front_of_thing[i]], things[i]));
-  }
+  for (FacadeElement& e : elements_of(openings, facade, params)) added.push_back(std::move(e));
   std::uint64_t hidden = 0;
   for (FacadeElement& e : added) {
     for (const FacadeEdge& edge : e.edges) hidden += edge.status != DrawnStatus::seen;
