@@ -16,6 +16,7 @@ constexpr std::size_t kSlices = 24, kLeastSlices = 8;
 constexpr double kJamb = 0.04;       // share of the width at either jamb that is left out
 constexpr double kHighest = 0.65;    // of the width: no arch is higher
 constexpr double kAbove = 0.2;       // metres above the top that was found that are searched
+constexpr double kAside = 0.2;       // of the width, that an arch may stand beside the middle of its opening
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
 constexpr double kMostGap = 0.06;    // metres; slices that know their top less well are left out
 constexpr double kRounder = 0.35;    // a circle must leave less than this share of what a level line leaves
@@ -165,6 +166,7 @@ std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRect
   CircleFit fit = fit_circle(tops);
   if (!fit.found || fit.rms > kRounder * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
     return std::nullopt;
+  if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kAside * width) return std::nullopt;
   for (int round = 0; round < 2; ++round) {
     const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
     const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);

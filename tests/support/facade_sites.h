@@ -3,6 +3,7 @@
 #pragma once
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "engine/facades/facade_site.h"
@@ -96,6 +97,20 @@ inline FacadeSite joined(FacadeSite site, const FacadeSite& other) {
   site.points.insert(site.points.end(), other.points.begin(), other.points.end());
   site.stations.insert(site.stations.end(), other.stations.begin(), other.stations.end());
   site.step = 1 / std::sqrt(1 / (site.step * site.step) + 1 / (other.step * other.step));
+  return site;
+}
+
+// A wall seen from the left, in which rays that cross it in a place that is open go on to a pane 25 cm behind.
+inline FacadeSite scan_wall_open_where(const std::function<bool(double, double)>& open) {
+  constexpr Vec3 kEye{-2, 1.2, 7};
+  ScannedWall wall;
+  wall.wall({});
+  FacadeSite site = scan_wall(wall, kEye, 0.0025);
+  for (FacadePoint& p : site.points) {
+    if (!open(p.u, p.v)) continue;
+    const double on = (kEye.z + 0.25) / kEye.z;
+    p = {static_cast<float>(kEye.x + (p.u - kEye.x) * on), static_cast<float>(kEye.y + (p.v - kEye.y) * on), -0.25F, 0};
+  }
   return site;
 }
 

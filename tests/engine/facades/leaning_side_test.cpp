@@ -3,33 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
-
 #include "tests/support/facade_sites.h"
 
 namespace ilot {
 namespace {
 
-constexpr Vec3 kEye{-2, 1.2, 7};
-
-// A wall in which rays that cross it in a place that is open go on to a pane 25 cm behind.
-FacadeSite wall_open_where(const std::function<bool(double, double)>& open) {
-  test::ScannedWall wall;
-  wall.wall({});
-  FacadeSite site = test::scan_wall(wall, kEye, 0.0025);
-  for (FacadePoint& p : site.points) {
-    if (!open(p.u, p.v)) continue;
-    const double on = (kEye.z + 0.25) / kEye.z;
-    p = {static_cast<float>(kEye.x + (p.u - kEye.x) * on), static_cast<float>(kEye.y + (p.v - kEye.y) * on), -0.25F, 0};
-  }
-  return site;
-}
-
 TEST(LeaningSide, JambsAreDrawnAsTheyLean) {
   const auto left = [](double v) { return 2 + 0.1 * (v - 2); };
-  const FacadeSite site =
-      wall_open_where([&](double u, double v) { return v > 1 && v < 3 && u > left(v) && u < 3.2 - 0.05 * (v - 2); });
+  const FacadeSite site = test::scan_wall_open_where(
+      [&](double u, double v) { return v > 1 && v < 3 && u > left(v) && u < 3.2 - 0.05 * (v - 2); });
   const RaySamples samples(site);
   const auto openings = find_openings(samples);
   ASSERT_EQ(openings.size(), 1u);
@@ -44,8 +26,8 @@ TEST(LeaningSide, JambsAreDrawnAsTheyLean) {
 
 // A head under a slope is a line, not an arc.
 TEST(LeaningSide, HeadsUnderASlope) {
-  const FacadeSite site =
-      wall_open_where([](double u, double v) { return u > 2 && u < 3.4 && v > 1 && v < 2.6 + 0.4 * (u - 2.7); });
+  const FacadeSite site = test::scan_wall_open_where(
+      [](double u, double v) { return u > 2 && u < 3.4 && v > 1 && v < 2.6 + 0.4 * (u - 2.7); });
   const RaySamples samples(site);
   const auto openings = find_openings(samples);
   ASSERT_EQ(openings.size(), 1u);
@@ -56,7 +38,8 @@ TEST(LeaningSide, HeadsUnderASlope) {
 }
 
 TEST(LeaningSide, SquareOpeningsLeanNowhere) {
-  const FacadeSite site = wall_open_where([](double u, double v) { return u > 2 && u < 3.2 && v > 1 && v < 3; });
+  const FacadeSite site =
+      test::scan_wall_open_where([](double u, double v) { return u > 2 && u < 3.2 && v > 1 && v < 3; });
   const RaySamples samples(site);
   const auto openings = find_openings(samples);
   ASSERT_EQ(openings.size(), 1u);

@@ -5,7 +5,6 @@
 
 #include <set>
 
-#include "engine/facades/arched_top.h"
 #include "tests/support/facade_sites.h"
 
 namespace ilot {
@@ -100,70 +99,6 @@ TEST(RaySamples, APointsOwnStation) {
   EXPECT_FALSE(RaySamples(site).guessed());
   site.from.clear();
   EXPECT_TRUE(RaySamples(site).guessed());
-}
-
-TEST(ArchedTop, RoundStaysRoundAndStraightStraight) {
-  for (const bool round : {true, false}) {
-    FacadeSite site = site_with({}, {{{1, 1.2, 8}, 0.002, 0.002}});
-    Rng rng(6);
-    const double radius = 0.6;
-    for (double u = 2; u < 6; u += 0.016)
-      for (double v = 0.5; v < 4.5; v += 0.016) {
-        const double x = u + 0.002 * rng.uniform(), y = v + 0.002 * rng.uniform();
-        const double off = std::sqrt((x - 4) * (x - 4) + (y - 2.5) * (y - 2.5));
-        const bool hole = std::abs(x - 4) < radius && y > 1 && (y < 2.5 || (round ? off < radius : y < 3.1));
-        // Rays through the hole end a quarter of a metre behind the wall.
-        const double t = hole ? 8.25 / 8 : 1;
-        site.points.push_back({static_cast<float>(1 + (x - 1) * t), static_cast<float>(1.2 + (y - 1.2) * t),
-                               hole ? -0.25f : 0.0f, hole ? 0u : 1u});
-      }
-    site.step = 0.016;
-    const auto openings = find_openings(RaySamples(site));
-    ASSERT_EQ(openings.size(), 1u);
-    EXPECT_EQ(openings[0].arc.has_value(), round);
-    if (!round) continue;
-    EXPECT_NEAR(openings[0].arc->radius, radius, 0.005);
-    EXPECT_NEAR(openings[0].arc->centre.u, 4, 0.005);
-    EXPECT_NEAR(openings[0].arc->centre.v, 2.5, 0.008);
-  }
-}
-
-// A segmental arch whose surround hides the wall above it, in a wall with a joint that touches the crown.
-TEST(ArchedTop, AFlatArchBelowASurroundAndBesideAJoint) {
-  FacadeSite site = site_with({}, {{{1, 1.2, 8}, 0.002, 0.002}});
-  site.step = 0.016;
-  site.parallel = {{7, 1000}};
-  const double radius = 1.2, rise = 0.18, springing = 2.9, centre = springing + rise - radius;
-  const double half = std::sqrt(radius * radius - (radius - rise) * (radius - rise));
-  Rng rng(4);
-  for (double a = 2; a < 6; a += 0.008)
-    for (double b = 0.5; b < 4.5; b += 0.008) {
-      const double x = a + 0.002 * rng.uniform(), y = b + 0.002 * rng.uniform();  // where the ray crosses the wall
-      const auto add = [&](double w, std::uint32_t plane) {
-        const double t = (8 - w) / 8;
-        site.points.push_back({static_cast<float>(1 + (x - 1) * t), static_cast<float>(1.2 + (y - 1.2) * t),
-                               static_cast<float>(w), plane});
-      };
-      const auto hole = [&](double u, double v) {
-        const double off = std::sqrt((u - 4) * (u - 4) + (v - centre) * (v - centre));
-        return std::abs(u - 4) < half && v > 1 && (v < springing || off < radius);
-      };
-      const double front_u = 1 + (x - 1) * 7.94 / 8, front_v = 1.2 + (y - 1.2) * 7.94 / 8;
-      const bool surround = std::abs(front_u - 4) < half + 0.1 && front_v > 2.5 && front_v < 3.3;
-      if (surround && !hole(front_u, front_v))
-        add(0.06, 0);
-      else if (hole(x, y))
-        add(-0.25, 0);
-      else if (y > springing + rise - 0.02 && y < springing + rise + 0.015)
-        add(-0.02, 7);
-      else
-        add(0, 1);
-    }
-  const auto openings = find_openings(RaySamples(site));
-  ASSERT_EQ(openings.size(), 1u);
-  ASSERT_TRUE(openings[0].arc.has_value());
-  EXPECT_NEAR(openings[0].arc->radius, radius, 0.05);
-  EXPECT_NEAR(openings[0].arc->centre.v + openings[0].arc->radius, springing + rise, 0.004);
 }
 
 }  // namespace
