@@ -19,12 +19,16 @@ struct Paper {
   double width = 0, height = 0;
 };
 
-// The smallest that holds so many millimetres inside its margins; widths before heights where both do.
+// The smallest that holds so many millimetres inside its margins; upright or lying, whichever leaves more room where it
+// leaves least.
 Paper paper_for(double width, double height) {
   width += 2 * kMargin, height += 2 * kMargin;
-  for (const auto& [shorter, longer] : kSizes)
-    for (const Paper paper : {Paper{shorter, longer}, Paper{longer, shorter}})
-      if (width <= paper.width && height <= paper.height) return paper;
+  const auto room = [&](const Paper& paper) { return std::min(paper.width - width, paper.height - height); };
+  for (const auto& [shorter, longer] : kSizes) {
+    const Paper upright{shorter, longer}, lying{longer, shorter};
+    const Paper& better = room(lying) > room(upright) ? lying : upright;
+    if (room(better) >= 0) return better;
+  }
   return {std::ceil(width / 10) * 10, std::ceil(height / 10) * 10};
 }
 

@@ -133,6 +133,16 @@ TEST(FacadeDrawing, PaperIsAStandardSizeThatHoldsEverything) {
   }
 }
 
+TEST(FacadeDrawing, PaperLiesOrStandsAsTheFacadeDoes) {
+  const auto lies = [](double width, double height) {
+    const Drawing drawing = facade_drawing(facade_of({drawn("outline", wall_rectangle(0, 0, width, height))}));
+    return drawing.sheet.width() > drawing.sheet.height();
+  };
+  EXPECT_TRUE(lies(19, 14));
+  EXPECT_TRUE(lies(22, 18));
+  EXPECT_FALSE(lies(12, 20));
+}
+
 TEST(FacadeDrawing, LongTextsAreCutToTheirColumn) {
   Drawing drawing;
   add_fitting_text({DrawingRole::title, 0, 0, 1, 0, TextAnchor::left, std::string(200, 'x')}, 10, drawing);
