@@ -7,7 +7,6 @@
 #include "kernels/rasters/zone_falls.h"
 
 namespace ilot {
-namespace {}  // namespace
 
 TileZones::TileZones(const StreetLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}

@@ -10,7 +10,6 @@
 #include "engine/pass/stop.h"
 #include "kernels/core/parallel.h"
 #include "tools/scan/pulse_tracer.h"
-#include "tools/scan/scan_record.h"
 #include "tools/scan/street_garden.h"
 
 namespace ilot::scan {
@@ -36,15 +35,6 @@ constexpr double kAhead = 10;          // metres that are seen beyond the ends o
 constexpr double kGlass = 2.0 / 3;     // of the pulses on it go elsewhere
 constexpr double kDarkCars = 1.0 / 3;  // of the cars; the paint of the others gives all of the light back
 constexpr double kEchoes = 1.05;       // per pulse (measured)
-
-// Back from the scene to street coordinates.
-Vec3 turned_to_street(Vec3 v) {
-  const SinCos h = street_heading();
-  return {v.x * h.cos + v.y * h.sin, v.y * h.cos - v.x * h.sin, v.z};
-}
-Vec3 scene_to_street(Vec3 p) {
-  return turned_to_street(p - street_to_scene({0, 0, 0}));
-}
 
 // The road's plane in the scene.
 Ground ground_of(const Street& street) {
@@ -99,14 +89,8 @@ bool is_mirrored(const Overflight& scene, const SurfaceLabel& label, Rng& rng) {
 }
 
 ColouredPoint point_of(const SurfaceLabel& label, Vec3 surface_place, double cosine) {
-  ColouredPoint point;
+  ColouredPoint point = labelled_point(label, surface_place);
   point.intensity = static_cast<std::uint16_t>(65535 * reflectance(label.material) * (0.3 + 0.7 * cosine));
-  point.classification = las_class(static_cast<StreetClass>(label.true_class));
-  point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
-  point.rgb = colour(label.material, surface_place);
-  point.true_class = label.true_class;
-  point.true_plane = label.plane;
-  point.true_element = label.element;
   return point;
 }
 

@@ -101,4 +101,13 @@ Vec3 street_to_scene(Vec3 p) {
   return {100 + p.x * heading.cos - p.y * heading.sin, 100 + p.x * heading.sin + p.y * heading.cos, p.z};
 }
 
+Vec3 scene_to_street(Vec3 p) {
+  return turned_to_street(p - street_to_scene({0, 0, 0}));
+}
+
+Vec3 turned_to_street(Vec3 v) {
+  const SinCos h = street_heading();
+  return {v.x * h.cos + v.y * h.sin, v.y * h.cos - v.x * h.sin, v.z};
+}
+
 }  // namespace ilot::scan

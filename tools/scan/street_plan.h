@@ -75,4 +75,8 @@ SinCos street_heading();
 constexpr double kStreetHeadingDeg = 23;
 Vec3 street_to_scene(Vec3 p);
 
+// Back from the scene; turned_to_street of directions.
+Vec3 scene_to_street(Vec3 p);
+Vec3 turned_to_street(Vec3 v);
+
 }  // namespace ilot::scan

@@ -9,7 +9,6 @@
 #include "engine/error.h"
 #include "engine/pass/stop.h"
 #include "kernels/core/parallel.h"
-#include "tools/scan/scan_record.h"
 
 namespace ilot::scan {
 namespace {
@@ -45,21 +44,29 @@ Rays make_rays(const StreetStage& stage) {
           RayScene({}, stage.model.crowns, {middle, 0, stage.street.road_height(middle)})};
 }
 
+std::uint8_t las_class(StreetClass street_class) {
+  switch (street_class) {
+    case StreetClass::ground:
+      return 2;
+    case StreetClass::facade:
+    case StreetClass::roof:
+      return 6;
+    case StreetClass::vegetation:
+      return 5;
+    default:
+      return 1;
+  }
+}
+
 ColouredPoint point_of(const MobileEcho& echo) {
-  ColouredPoint point;
+  ColouredPoint point = labelled_point(echo.label, echo.surface_place);
   point.place = street_to_scene(echo.place);
   const double fall = kFullIntensity / std::max(echo.range, kFullIntensity / 4);
   point.intensity = static_cast<std::uint16_t>(
       std::min(65535.0, 65535 * reflectance(echo.label.material) * std::max(0.02, echo.cosine) * fall * fall));
-  point.classification = las_class(static_cast<StreetClass>(echo.label.true_class));
   point.source = echo.head;
   point.scan_angle_deg = echo.angle_deg;
   point.gps_time = 100000 + echo.time;
-  point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(echo.label.material));
-  point.rgb = colour(echo.label.material, echo.surface_place);
-  point.true_class = echo.label.true_class;
-  point.true_plane = echo.label.plane;
-  point.true_element = echo.label.element;
   return point;
 }
 
@@ -110,18 +117,15 @@ StreetScan plan_street_scan(const SceneValues& values, std::uint64_t seed) {
   return scan;
 }
 
-std::uint8_t las_class(StreetClass street_class) {
-  switch (street_class) {
-    case StreetClass::ground:
-      return 2;
-    case StreetClass::facade:
-    case StreetClass::roof:
-      return 6;
-    case StreetClass::vegetation:
-      return 5;
-    default:
-      return 1;
-  }
+ColouredPoint labelled_point(const SurfaceLabel& label, Vec3 surface_place) {
+  ColouredPoint point;
+  point.classification = las_class(static_cast<StreetClass>(label.true_class));
+  point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
+  point.rgb = colour(label.material, surface_place);
+  point.true_class = label.true_class;
+  point.true_plane = label.plane;
+  point.true_element = label.element;
+  return point;
 }
 
 StreetStage set_stage(const StreetParams& street) {

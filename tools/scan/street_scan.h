@@ -8,6 +8,7 @@
 #include <span>
 
 #include "tools/scan/mobile.h"
+#include "tools/scan/scan_record.h"
 #include "tools/scan/scenes.h"
 #include "tools/scan/street_model.h"
 
@@ -31,7 +32,8 @@ struct StreetStage {
 StreetStage set_stage(const StreetParams& street);
 StreetStage set_stage(StreetScan& scan);  // and the ends of its drive
 
-std::uint8_t las_class(StreetClass street_class);
+// What a record says of the surface that it lies on: classes, colour, material and truth; the place chooses the colour.
+ColouredPoint labelled_point(const SurfaceLabel& label, Vec3 surface_place);
 
 // Chooses the density of profiles and pulses so that about so many points come out, both scaled alike.
 void fit_points(StreetScan& scan, const StreetStage& stage, std::uint64_t points);

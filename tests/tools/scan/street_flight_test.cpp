@@ -32,12 +32,6 @@ std::vector<std::byte> records_of(const StreetFlight& flight, const StreetStage&
   return all;
 }
 
-Vec3 to_street(Vec3 p) {
-  const SinCos h = street_heading();
-  const Vec3 d = p - street_to_scene({0, 0, 0});
-  return {d.x * h.cos + d.y * h.sin, d.y * h.cos - d.x * h.sin, d.z};
-}
-
 TEST(StreetFlight, SameBytesForAnyNumberOfThreads) {
   const StreetFlight flight = plan({"scene.blocks=2", "scene.density=5"});
   const StreetStage stage = set_stage(flight);
@@ -66,7 +60,7 @@ TEST(StreetFlight, PointsLieWhereTheTruthSays) {
   int on_road = 0, second = 0;
   for (std::size_t at = 0; at < records.size(); at += kRecord) {
     const RecordTruth t = truth_of(&records[at]);
-    const Vec3 p = to_street(place_of(&records[at], layout));
+    const Vec3 p = scene_to_street(place_of(&records[at], layout));
     ++of_class[t.true_class];
     if (t.true_class == static_cast<int>(StreetClass::ground)) {
       EXPECT_LE(std::abs(p.y), kGardenTo + 0.2);

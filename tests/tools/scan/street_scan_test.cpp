@@ -36,13 +36,6 @@ std::vector<std::byte> records_of(const StreetScan& scan, const StreetStage& sta
   return all;
 }
 
-// Back from the scene to street coordinates.
-Vec3 to_street(Vec3 p) {
-  const SinCos h = street_heading();
-  const Vec3 d = p - street_to_scene({0, 0, 0});
-  return {d.x * h.cos + d.y * h.sin, d.y * h.cos - d.x * h.sin, d.z};
-}
-
 TEST(StreetScan, SameBytesForAnyNumberOfThreads) {
   StreetScan scan = plan({"scene.blocks=2", "scene.profiles=2", "scene.step=1"});
   const StreetStage stage = set_stage(scan);
@@ -74,7 +67,7 @@ TEST(StreetScan, ProfilesAndPulsesAreSpacedAsAskedFor) {
   const RecordLayout layout = coloured_layout(0.001);
   for (std::size_t at = 0; at < records.size(); at += kRecord) {
     const PointFields f = decode_fields({&records[at], 36}, 7);
-    const Vec3 p = to_street(place_of(&records[at], layout));
+    const Vec3 p = scene_to_street(place_of(&records[at], layout));
     // Right below: the road ahead of the first block.
     if (f.source_id == 1 && p.x < 9 && std::abs(f.scan_angle_deg) > 150)
       turns[static_cast<int>(std::floor(p.x * 4))].push_back(p);
@@ -130,7 +123,7 @@ TEST_F(SparseStreet, PointsLieOnTheirPlanesAndInTheirBoxes) {
   const RecordLayout layout = coloured_layout(0.001);
   for (std::size_t at = 0; at < records_.size(); at += kRecord) {
     const RecordTruth t = truth_of(&records_[at]);
-    const Vec3 p = to_street(place_of(&records_[at], layout));
+    const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     if (t.true_plane > 0) {
       ASSERT_LT(std::abs(signed_distance(stage_.model.planes[t.true_plane - 1].plane, p)), 6 * 0.008 + 0.002);
     }
@@ -147,7 +140,7 @@ TEST_F(SparseStreet, NoRayPassesThroughAWall) {
   const RecordLayout layout = coloured_layout(0.001);
   int beside = 0;
   for (std::size_t at = 0; at < records_.size(); at += kRecord) {
-    const Vec3 p = to_street(place_of(&records_[at], layout));
+    const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     const double out = std::abs(p.y), skin = 6 * 0.008 + 0.002;
     if (out < kHalfStreet + kReveal + skin || out > kHalfStreet + kHouseDepth - skin) continue;
     for (const StreetHouse& house : stage_.street.houses) {
@@ -201,7 +194,7 @@ TEST_F(SparseStreet, CarsThrowShadowsOnThePavement) {
   const RecordLayout layout = coloured_layout(0.001);
   for (std::size_t at = 0; at < records_.size(); at += kRecord) {
     if (truth_of(&records_[at]).true_class != static_cast<int>(StreetClass::ground)) continue;
-    const Vec3 p = to_street(place_of(&records_[at], layout));
+    const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     ++ground[{static_cast<int>(std::floor(p.x * 10)), static_cast<int>(std::floor(p.y * 10))}];
   }
   int shadows = 0;
