@@ -6,9 +6,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "engine/formats/file.h"
 #include "engine/formats/las_header.h"
+#include "engine/formats/laz/chunk_index.h"
 #include "engine/formats/reader.h"
 #include "engine/formats/writer.h"
 
@@ -21,6 +23,15 @@ namespace ilot {
 // chunks when opened; those of one single stream (compressor 1) are always decoded once, and are not random
 // access. Throws Error when no point can be read.
 std::unique_ptr<PointReader> open_laz(std::unique_ptr<InputFile> file, LasContainer container);
+
+// How the points of an opened file stand in it. Lives as long as the reader.
+struct LazChunks {
+  const InputFile& file;
+  const laz::Compression& compression;
+  const laz::ChunkIndex& index;
+};
+// Of a reader that open_laz made; none of any other.
+std::optional<LazChunks> laz_chunks(const PointReader& reader);
 
 struct LazOptions {
   std::uint32_t chunk_points = 50000;

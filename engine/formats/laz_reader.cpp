@@ -5,7 +5,6 @@
 
 #include "engine/error.h"
 #include "engine/formats/laz.h"
-#include "engine/formats/laz/chunk_index.h"
 
 namespace ilot {
 namespace {
@@ -38,6 +37,8 @@ class LazReader final : public PointReader {
                   " points can be read (" + index_.warning + "); fetch the file again");
     }
   }
+
+  LazChunks chunks() const { return {*file_, compression_, index_}; }
 
   const CloudInfo& info() const override { return info_; }
   bool random_access() const override { return !compression_.one_stream; }
@@ -139,6 +140,12 @@ std::unique_ptr<PointReader> open_laz(std::unique_ptr<InputFile> file, LasContai
       laz::parse_laszip_record(vlr.payload, layout.point_format, layout.record_length);
   if (!parsed.problem.empty()) throw Error(file->path().string() + ": its LASzip record " + parsed.problem);
   return std::make_unique<LazReader>(std::move(file), std::move(container), parsed.compression);
+}
+
+std::optional<LazChunks> laz_chunks(const PointReader& reader) {
+  const auto* laz = dynamic_cast<const LazReader*>(&reader);
+  if (laz == nullptr) return std::nullopt;
+  return laz->chunks();
 }
 
 }  // namespace ilot

@@ -3,167 +3,21 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <set>
+#include <type_traits>
 
 #include "engine/error.h"
+#include "engine/formats/laz_extender.h"
 #include "engine/formats/writer.h"
-#include "engine/pass/pass.h"
-#include "engine/run/facade_labels.h"
-#include "engine/run/roof_labels.h"
-#include "engine/run/street_labels.h"
-#include "engine/store/row_order.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
-#include "kernels/neighbours/normals.h"
 
 namespace ilot {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kBytesPerPoint = 64;
-constexpr std::uint32_t kRowSample = 1024;
-constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time: a chunk of the output
-
-// What the planes say of one input row.
-struct RowLabel {
-  std::uint32_t plane = 0, shape = 0;
-  PackedNormal normal;
-  std::uint8_t boundary = 0;
-};
-
-// One block's rows in input order, and every 1,024th order kept in memory.
-struct BlockRows {
-  std::vector<InputOrder> samples;
-  InputOrder last = 0;
-  std::uint32_t points = 0;
-};
-
-void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams& params,
-                     std::span<const std::uint32_t> sorted) {
-  const auto plane = store.read<std::uint32_t>(block, "plane");
-  const auto boundary = store.read<std::uint8_t>(block, "boundary");
-  std::vector<std::uint32_t> shape(sorted.size());
-  if (!params.final_shape.empty()) {
-    shape = store.read<std::uint32_t>(block, "shape");
-    for (std::uint32_t& s : shape) s = params.final_shape[s];
-  }
-  std::vector<PackedNormal> normals(sorted.size());
-  if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
-  std::vector<RowLabel> rows(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const std::uint32_t from = sorted[i];
-    rows[i] = {params.final_id[plane[from]], shape[from], normals[from], boundary[from]};
-  }
-  store.write<RowLabel>(block, "rows", rows);
-}
-
-template <class T>
-void sort_column(const Store& store, std::uint32_t block, const char* column, const char* as,
-                 std::span<const std::uint32_t> sorted) {
-  const auto labels = store.read<T>(block, column);
-  std::vector<T> rows(labels.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
-  store.write<T>(block, as, rows);
-}
-
-// "row_order" is written first: whoever looks for finished blocks asks for what is written last.
-void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
-  const auto order = store.read<InputOrder>(block, "order");
-  const std::vector<std::uint32_t> sorted = points_by_row(store, block, order);
-  std::vector<InputOrder> orders(order.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
-  store.write<InputOrder>(block, "row_order", orders);
-  if (params.with_planes) sort_plane_rows(store, block, params, sorted);
-  if (params.with_streets) sort_column<StreetLabel>(store, block, "street", "street_rows", sorted);
-  if (params.with_facades) sort_column<FacadeLabel>(store, block, "facade", "facade_rows", sorted);
-  if (params.with_roofs) sort_column<RoofLabel>(store, block, "roof", "roof_rows", sorted);
-}
-
-std::vector<BlockRows> sample_rows(const Store& store) {
-  std::vector<BlockRows> all(store.blocks().size());
-  for (std::uint32_t b = 0; b < all.size(); ++b) {
-    all[b].points = store.blocks()[b].points;
-    const ColumnReader reader(store.path(b, "row_order"));
-    for (std::uint32_t i = 0; i < all[b].points; i += kRowSample) {
-      InputOrder order = 0;
-      reader.read<InputOrder>(i, std::span(&order, 1));
-      all[b].samples.push_back(order);
-    }
-    reader.read<InputOrder>(all[b].points - 1, std::span(&all[b].last, 1));
-  }
-  return all;
-}
-
-// What the products say of one input row; nullptr: the product did not run.
-struct RowOf {
-  const RowLabel* plane = nullptr;
-  const RoofLabel* roof = nullptr;
-  const StreetLabel* street = nullptr;
-  const FacadeLabel* facade = nullptr;
-
-  // A building's word comes first, then a facade's, then the street's.
-  PointLabel label() const {
-    if (roof != nullptr && roof->unit != 0) return roof->label;
-    if (facade != nullptr && facade->facade != 0) return facade->label;
-    if (street != nullptr && street->label != PointLabel::none) return street->label;
-    return roof == nullptr ? PointLabel::none : roof->label;
-  }
-  bool says_anything() const {
-    return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
-           (street != nullptr && street->object != 0) || label() != PointLabel::none;
-  }
-};
-
-// Labels of consecutive rows of a file, or of the points of a block; empty: of a product that did not run.
-struct StretchLabels {
-  std::vector<RowLabel> planes;
-  std::vector<RoofLabel> roofs;
-  std::vector<StreetLabel> streets;
-  std::vector<FacadeLabel> facades;
-
-  RowOf row(std::size_t i) const {
-    return {planes.empty() ? nullptr : &planes[i], roofs.empty() ? nullptr : &roofs[i],
-            streets.empty() ? nullptr : &streets[i], facades.empty() ? nullptr : &facades[i]};
-  }
-};
-
-// What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
-template <class T>
-void collect(const Store& store, std::uint32_t block, const char* column, std::uint32_t from,
-             std::span<const InputOrder> orders, InputOrder first, std::span<T> labels) {
-  std::vector<T> rows(orders.size());
-  ColumnReader(store.path(block, column)).read<T>(from, rows);
-  for (std::size_t i = 0; i < orders.size(); ++i)
-    if (orders[i] >= first && orders[i] < first + labels.size()) labels[orders[i] - first] = rows[i];
-}
-
-StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
-                             std::size_t count, const LabelParams& params) {
-  StretchLabels labels{std::vector<RowLabel>(params.with_planes ? count : 0),
-                       std::vector<RoofLabel>(params.with_roofs ? count : 0),
-                       std::vector<StreetLabel>(params.with_streets ? count : 0),
-                       std::vector<FacadeLabel>(params.with_facades ? count : 0)};
-  const InputOrder end = first + count;
-  std::vector<InputOrder> orders;
-  for (std::uint32_t b = 0; b < blocks.size(); ++b) {
-    const BlockRows& block = blocks[b];
-    if (block.samples.front() >= end || block.last < first) continue;
-    const auto lower = std::upper_bound(block.samples.begin(), block.samples.end(), first);
-    const auto upper = std::lower_bound(block.samples.begin(), block.samples.end(), end);
-    const auto from =
-        static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
-    const auto to = std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample);
-    orders.resize(to - from);
-    ColumnReader(store.path(b, "row_order")).read<InputOrder>(from, orders);
-    if (params.with_planes) collect<RowLabel>(store, b, "rows", from, orders, first, labels.planes);
-    if (params.with_roofs) collect<RoofLabel>(store, b, "roof_rows", from, orders, first, labels.roofs);
-    if (params.with_streets) collect<StreetLabel>(store, b, "street_rows", from, orders, first, labels.streets);
-    if (params.with_facades) collect<FacadeLabel>(store, b, "facade_rows", from, orders, first, labels.facades);
-  }
-  return labels;
-}
+constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time, where chunks do not say
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
@@ -214,7 +68,7 @@ class Appender {
 };
 
 // In the order of labelled_spec().
-void append_labels(const RowOf& row, double residual_m, const LabelParams& params, std::byte* to) {
+void append_labels(const RowLabels& row, double residual_m, const LabelParams& params, std::byte* to) {
   Appender out(to);
   if (row.plane != nullptr || row.roof != nullptr)
     out.add<std::uint32_t>(row.plane != nullptr ? row.plane->plane : row.roof->plane);
@@ -237,69 +91,121 @@ void append_labels(const RowOf& row, double residual_m, const LabelParams& param
     out.add<float>(static_cast<float>(n) / 32767.0f);
 }
 
-// A stretch of one input on its way to the output.
+// Rows of one input and what we say of each.
 struct Stretch {
-  std::uint64_t first = 0, count = 0;
-  std::vector<std::byte> rows;  // labelled, those that are not valid left out
+  std::vector<std::byte> rows, appended;
+  std::vector<std::uint8_t> valid;
   std::uint64_t labelled = 0;
 };
 
+// The valid rows, ours behind each.
+std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length) {
+  std::vector<std::byte> out;
+  out.reserve(s.rows.size() + s.appended.size());
+  for (std::size_t i = 0; i < s.valid.size(); ++i) {
+    if (s.valid[i] == 0) continue;
+    const auto row = s.rows.begin() + static_cast<std::ptrdiff_t>(i * length);
+    const auto ours = s.appended.begin() + static_cast<std::ptrdiff_t>(i * appended_length);
+    out.insert(out.end(), row, row + static_cast<std::ptrdiff_t>(length));
+    out.insert(out.end(), ours, ours + static_cast<std::ptrdiff_t>(appended_length));
+  }
+  return out;
+}
+
+// One input on its way to its output.
 class Labeller {
  public:
   Labeller(const Store& store, const std::vector<BlockRows>& blocks, const LabelParams& params,
-           const PassContext& context)
-      : store_(store), blocks_(blocks), params_(params), context_(context) {}
+           const PassContext& context, PointReader& input, std::uint32_t file)
+      : store_(store), blocks_(blocks), params_(params), context_(context), input_(input), file_(file) {}
 
-  void fill(Stretch& s, PointReader& input, std::uint32_t file, std::size_t out_length) const {
-    const std::size_t in_length = input.info().layout.record_length;
-    std::vector<std::byte> in(s.count * in_length);
-    std::vector<std::uint8_t> valid(s.count);
-    if (input.read(s.first, in, valid) != s.count)
-      throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");
-    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file, s.first), s.count, params_);
-    const LatticeMap lattice(input.info().layout, store_.unit());
-    const double metres = store_.unit() * context_.metres_per_unit;
-    s.rows.resize(s.count * out_length);
-    std::byte* row = s.rows.data();
-    for (std::size_t i = 0; i < s.count; ++i) {
-      if (valid[i] == 0) continue;
-      std::copy_n(in.data() + i * in_length, in_length, row);
-      const RowOf say = labels.row(i);
-      const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
-      const double distance = on_plane ? metres * residual(row, lattice, params_.planes[say.plane->plane - 1]) : 0;
-      append_labels(say, distance, params_, row + in_length);
-      s.labelled += say.says_anything();
-      row += out_length;
-    }
-    s.rows.resize(static_cast<std::size_t>(row - s.rows.data()));
-  }
-
-  // Stretches are read and labelled in parallel, a few at a time, and written in order.
-  std::uint64_t copy(PointReader& input, std::uint32_t file, PointWriter& writer) const {
-    const std::size_t together = input.random_access() ? 2 * static_cast<std::size_t>(thread_count()) : 1;
-    std::vector<Stretch> batch;
-    std::uint64_t labelled = 0, first = 0;
-    while (first < input.info().points) {
-      stop_if_asked();
-      batch.clear();
-      for (; batch.size() < together && first < input.info().points; first += batch.back().count)
-        batch.push_back({first, std::min(kStretch, input.info().points - first), {}, 0});
-      parallel_for(batch.size(), [&](std::size_t i) { fill(batch[i], input, file, writer.record_length()); });
-      for (const Stretch& s : batch) {
-        writer.write(s.rows);
-        labelled += s.labelled;
-        context_.advance(s.count);
-      }
-    }
-    writer.finish();
-    return labelled;
+  // Returns the number of rows of which something is said.
+  std::uint64_t write(const fs::path& path) const {
+    const CloudSpec spec = labelled_spec(input_, params_);
+    if (const auto extender = LazExtender::open(input_, path, spec)) return extend(*extender);
+    return copy(*create_cloud(path, spec));
   }
 
  private:
+  // Each chunk of the input becomes one of the output, of which only our fields are coded.
+  std::uint64_t extend(LazExtender& output) const {
+    input_.limit_to(kFieldZ);
+    const std::uint64_t labelled = by_stretches(
+        output.chunks(), output.appended_length(),
+        [&](const laz::ChunkPlace& place, const Stretch& s) { return output.extend(place, s.rows, s.appended); },
+        [&](const LazExtender::Chunk& chunk) { output.append(chunk); });
+    input_.limit_to(kAllFields);
+    output.finish();
+    return labelled;
+  }
+
+  std::uint64_t copy(PointWriter& output) const {
+    const std::uint64_t points = input_.info().points;
+    std::vector<laz::ChunkPlace> places;
+    for (std::uint64_t first = 0; first < points; first += kStretch)
+      places.push_back({first, std::min(kStretch, points - first), 0, 0});
+    const std::size_t length = input_.info().layout.record_length, ours = output.record_length() - length;
+    const std::uint64_t labelled = by_stretches(
+        places, ours, [&](const laz::ChunkPlace&, const Stretch& s) { return joined_rows(s, length, ours); },
+        [&](const std::vector<std::byte>& rows) { output.write(rows); });
+    output.finish();
+    return labelled;
+  }
+
+  // Reads, labels and prepares in parallel, a few stretches at a time, and puts what was prepared in order.
+  template <class Prepare, class Put>
+  std::uint64_t by_stretches(std::span<const laz::ChunkPlace> places, std::size_t appended_length,
+                             const Prepare& prepare, const Put& put) const {
+    const std::size_t together = input_.random_access() ? 2 * static_cast<std::size_t>(thread_count()) : 1;
+    std::vector<std::invoke_result_t<Prepare, const laz::ChunkPlace&, const Stretch&>> prepared(together);
+    std::vector<std::uint64_t> labelled(together);
+    std::uint64_t all = 0;
+    for (std::size_t at = 0; at < places.size(); at += together) {
+      stop_if_asked();
+      const auto batch = places.subspan(at, std::min(together, places.size() - at));
+      parallel_for(batch.size(), [&](std::size_t i) {
+        const Stretch s = read_stretch(batch[i].first, batch[i].points, appended_length);
+        labelled[i] = s.labelled;
+        prepared[i] = prepare(batch[i], s);
+      });
+      for (std::size_t i = 0; i < batch.size(); ++i) {
+        put(prepared[i]);
+        all += labelled[i];
+        context_.advance(batch[i].points);
+      }
+    }
+    return all;
+  }
+
+  Stretch read_stretch(std::uint64_t first, std::uint64_t count, std::size_t appended_length) const {
+    const std::size_t length = input_.info().layout.record_length;
+    Stretch s;
+    s.rows.resize(count * length);
+    s.valid.resize(count);
+    if (input_.read(first, s.rows, s.valid) != count)
+      throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
+    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file_, first), count, params_);
+    const LatticeMap lattice(input_.info().layout, store_.unit());
+    const double metres = store_.unit() * context_.metres_per_unit;
+    s.appended.resize(count * appended_length);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (s.valid[i] == 0) continue;
+      const RowLabels say = labels.row(i);
+      const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
+      const double distance =
+          on_plane ? metres * residual(s.rows.data() + i * length, lattice, params_.planes[say.plane->plane - 1]) : 0;
+      append_labels(say, distance, params_, s.appended.data() + i * appended_length);
+      s.labelled += say.says_anything();
+    }
+    return s;
+  }
+
   const Store& store_;
   const std::vector<BlockRows>& blocks_;
   const LabelParams& params_;
   const PassContext& context_;
+  PointReader& input_;
+  std::uint32_t file_;
 };
 
 std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
@@ -324,57 +230,15 @@ std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointRea
 
 }  // namespace
 
-void rows_pass(const Store& store, const LabelParams& params, const PassContext& context) {
-  std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto block = static_cast<std::uint32_t>(i);
-    const char* last = params.with_roofs     ? "roof_rows"
-                       : params.with_facades ? "facade_rows"
-                       : params.with_streets ? "street_rows"
-                                             : "rows";
-    if (!store.has(block, last)) sort_rows(store, block, params);
-  });
-}
-
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const fs::path& folder, const PassContext& context) {
   fs::create_directories(folder);
   const std::vector<BlockRows> blocks = sample_rows(store);
   const std::vector<std::string> names = output_names(inputs);
-  const Labeller labeller(store, blocks, params, context);
   std::uint64_t labelled = 0;
-  for (std::uint32_t f = 0; f < inputs.size(); ++f) {
-    const auto writer = create_cloud(folder / (names[f] + kCloudExtension), labelled_spec(*inputs[f], params));
-    labelled += labeller.copy(*inputs[f], f, *writer);
-  }
+  for (std::uint32_t f = 0; f < inputs.size(); ++f)
+    labelled += Labeller(store, blocks, params, context, *inputs[f], f).write(folder / (names[f] + kCloudExtension));
   return labelled;
-}
-
-std::uint64_t count_labelled(const Store& store, const LabelParams& params, const PassContext& context) {
-  std::vector<std::uint64_t> labelled(store.blocks().size(), 0);
-  std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto block = static_cast<std::uint32_t>(i);
-    const auto column = [&]<class T>(bool made, const char* name, std::vector<T>& values) {
-      if (made) values = store.read<T>(block, name);
-    };
-    std::vector<std::uint32_t> plane, shape;
-    StretchLabels labels;
-    column(params.with_planes, "plane", plane);
-    column(params.with_planes && !params.final_shape.empty(), "shape", shape);
-    column(params.with_roofs, "roof", labels.roofs);
-    column(params.with_streets, "street", labels.streets);
-    column(params.with_facades, "facade", labels.facades);
-    labels.planes.resize(plane.size());
-    for (std::size_t p = 0; p < plane.size(); ++p) {
-      labels.planes[p].plane = params.final_id[plane[p]];
-      if (!shape.empty()) labels.planes[p].shape = params.final_shape[shape[p]];
-    }
-    for (std::size_t p = 0; p < store.blocks()[block].points; ++p) labelled[i] += labels.row(p).says_anything();
-  });
-  return std::accumulate(labelled.begin(), labelled.end(), std::uint64_t{0});
 }
 
 }  // namespace ilot

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/cloud/record.h"
+#include "engine/formats/laz/channel_sets.h"
 #include "engine/formats/laz/chunk.h"
 #include "engine/formats/laz/colour.h"
 #include "engine/formats/laz/layered_plan.h"
@@ -21,8 +22,7 @@ class LayeredCodec {
  public:
   using Byte = std::conditional_t<Coder::kEncodes, const std::byte, std::byte>;
 
-  explicit LayeredCodec(const ChunkLayout& layout)
-      : plan_(layout), own_channel_(layout.item_version == 4), streams_(plan_.layers) {}
+  explicit LayeredCodec(const ChunkLayout& layout) : plan_(layout), sets_(layout), streams_(plan_.layers) {}
 
   const LayeredPlan& plan() const { return plan_; }
   std::vector<Stream<Coder>>& streams() { return streams_; }
@@ -31,11 +31,8 @@ class LayeredCodec {
   void start(const std::byte* first) {
     const Point14 p = Point14::from(first);
     core_.start(p);
-    for (auto& t : tails_) {
-      if (t) t->used = false;
-    }
-    tail_ = p.channel();
-    open_tail(tail_, first);
+    sets_.start(p.channel());
+    open_tail(p.channel(), first);
   }
 
   void code(Byte* record) {
@@ -54,7 +51,6 @@ class LayeredCodec {
   // scanner channel.
   struct Tail {
     explicit Tail(const LayeredPlan& plan) : last(plan.record_length), extra(plan.extra_count) {}
-    bool used = false;
     std::vector<std::byte> last;  // as a record, of which the core is not used
     std::vector<ByteModel> extra;
     RgbCodec<Coder> rgb{};
@@ -65,25 +61,16 @@ class LayeredCodec {
   void open_tail(std::uint32_t index, const std::byte* last) {
     if (!tails_[index]) tails_[index] = std::make_unique<Tail>(plan_);
     Tail& t = *tails_[index];
-    t.used = true;
     t.wave.start();
     std::copy_n(last, t.last.size(), t.last.begin());
   }
 
-  // The models to code by and the last values to predict from need not belong together: item version 3 takes
-  // channel 0 for a point that stays in its channel, and on a change to a set in use keeps the old one's
-  // values for one point.
   void code_tail(Byte* record, bool new_channel) {
-    const std::uint32_t wanted = own_channel_ || new_channel ? core_.channel() : 0;
-    std::uint32_t values = tail_;
-    if (wanted != tail_) [[unlikely]] {
-      const bool fresh = !tails_[wanted] || !tails_[wanted]->used;
-      if (fresh) open_tail(wanted, tails_[tail_]->last.data());
-      if (fresh || own_channel_) values = wanted;
-      tail_ = wanted;
-    }
-    Tail& models = *tails_[tail_];
-    std::byte* last = tails_[values]->last.data();
+    const ChannelSets::Choice set = sets_.next(core_.channel(), new_channel);
+    if (set.opened) [[unlikely]]
+      open_tail(set.models, tails_[set.origin]->last.data());
+    Tail& models = *tails_[set.models];
+    std::byte* last = tails_[set.values]->last.data();
     const std::size_t size = plan_.record_length - Point14::kSize;
     if constexpr (!kEncodes) std::memcpy(record + Point14::kSize, last + Point14::kSize, size);
     if (plan_.rgb) code_rgb(models, last, record);
@@ -132,11 +119,10 @@ class LayeredCodec {
   }
 
   LayeredPlan plan_;
-  bool own_channel_;
+  ChannelSets sets_;
   std::vector<Stream<Coder>> streams_;
   Point14Codec<Coder> core_;
   std::array<std::unique_ptr<Tail>, 4> tails_;
-  std::uint32_t tail_ = 0;
 };
 
 }  // namespace ilot::laz

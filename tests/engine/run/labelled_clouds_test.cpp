@@ -109,6 +109,43 @@ TEST(LabelledClouds, NoInputOverwritesTheOutputOfAnother) {
   EXPECT_EQ(found, (std::vector<std::int32_t>{1, 2, 3, 4, 5}));
 }
 
+// The streams of compressed inputs are copied, those of others coded: what comes out holds the same rows.
+TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
+  const TemporaryFolder folder;
+  const auto points = test::points_over_tiles(3000, 4);
+  CloudSpec spec;
+  spec.like.layout.point_format = 7;
+  spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(7));
+  spec.like.layout.scale = {test::kUnit, test::kUnit, test::kUnit};
+  const std::size_t length = spec.like.layout.record_length;
+  std::vector<std::byte> records(points.size() * length);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointFields f;
+    f.x = static_cast<std::int32_t>(points[i].x);
+    f.y = static_cast<std::int32_t>(points[i].y);
+    f.z = static_cast<std::int32_t>(points[i].z);
+    f.intensity = static_cast<std::uint16_t>(i);
+    f.classification = static_cast<std::uint8_t>(i % 7);
+    encode_fields(f, std::span(records).subspan(i * length, length), 7);
+  }
+  std::vector<Rows> outputs;
+  for (const char* name : {"c.las", "c.laz"}) {
+    const auto writer = create_cloud(folder.path() / name, spec);
+    writer->write(records);
+    writer->finish();
+    const test::FilesStore files(folder.path(), {name}, 900);
+    write_labels(*files.cloud);
+    const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), true};
+    rows_pass(*files.cloud, labels, {});
+    write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / "out", {});
+    outputs.push_back(read_rows(*open_cloud(folder.path() / "out" / "c.laz")));
+    std::filesystem::remove_all(folder.path() / "store");
+  }
+  EXPECT_EQ(outputs[0].length, length + 21);
+  EXPECT_EQ(outputs[0].count, points.size());
+  EXPECT_TRUE(outputs[0].bytes == outputs[1].bytes);
+}
+
 TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
   const TemporaryFolder folder;
   const auto points = test::points_over_tiles(3000, 2);
