@@ -63,7 +63,7 @@ struct DormerOpening {
 std::vector<FacadeThing> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
   std::vector<FacadeThing> things;
   for (const DormerOpening& o : openings) {
-    things.push_back({o.shape, ThingKind::window, 0, 0, 0, {}});
+    things.push_back({o.shape, FacadeThingKind::window, 0, 0, 0, {}});
     shift(things.back().shape, o.at.x, o.at.y);
   }
   group_things(things, params.regular);

@@ -99,7 +99,7 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   } else if (r.leans()) {
     e.ring = leaning_ring(site, r);
   } else {
-    const bool in_wall = e.opening || thing.kind >= ThingKind::protrusion;
+    const bool in_wall = e.opening || thing.kind >= FacadeThingKind::protrusion;
     e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
   }
   for (const Side side : sides) {

@@ -29,14 +29,15 @@ double common_area(const Box2& a, const Box2& b) {
 std::vector<Box2> boxes_of_elements(const std::vector<FacadeThing>& things) {
   std::vector<Box2> boxes;
   for (const FacadeThing& t : things)
-    if (t.kind != ThingKind::bulge) boxes.push_back(t.shape.box());
+    if (t.kind != FacadeThingKind::bulge) boxes.push_back(t.shape.box());
   return boxes;
 }
 
 void drop_patches(std::vector<FacadeThing>& things, const std::vector<Irregularity>& irregular) {
   std::erase_if(things, [&](const FacadeThing& t) {
     const Box2 own = t.shape.box();
-    return t.kind == ThingKind::bulge && std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
+    return t.kind == FacadeThingKind::bulge &&
+           std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
              Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
              for (const Place2& p : i.ring)
                box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
@@ -58,8 +59,8 @@ bool comes_before(const FacadeThing& a, const FacadeThing& b) {
 void merge_bulges(std::vector<FacadeThing>& things) {
   const auto overlap = [](const FacadeThing& a, const FacadeThing& b) {
     const Box2 p = a.shape.box(), q = b.shape.box();
-    return a.kind == ThingKind::bulge && b.kind == ThingKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 && p.v0 < q.v1 &&
-           q.v0 < p.v1;
+    return a.kind == FacadeThingKind::bulge && b.kind == FacadeThingKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 &&
+           p.v0 < q.v1 && q.v0 < p.v1;
   };
   for (bool more = true; more;) {
     more = false;
@@ -96,7 +97,7 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
   for (const FoundRectangle& r : large) {
     const Box2 box = r.box();
     const auto same_side = [&](const FacadeThing& t) {
-      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != ThingKind::stone;
+      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != FacadeThingKind::stone;
     };
     const auto known = std::find_if(things.begin(), things.end(), [&](const FacadeThing& t) {
       return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
@@ -126,7 +127,7 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
   for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
   for (const FoundRectangle& r : relief)
     things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
-  for (const FoundRectangle& s : stones) things.push_back({s, ThingKind::stone, 0, 0, 0, {}});
+  for (const FoundRectangle& s : stones) things.push_back({s, FacadeThingKind::stone, 0, 0, 0, {}});
   keep_nearest_sills(things);
   merge_bulges(things);
   std::erase_if(things, is_rail);
@@ -148,7 +149,7 @@ void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
     FoundRectangle& r = things[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
-    if (r.end || r.arc || r.leans() || things[i].kind == ThingKind::stone || r.depth == 0) return;
+    if (r.end || r.arc || r.leans() || things[i].kind == FacadeThingKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
     const std::optional<FacadeSlice> end =
         end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));

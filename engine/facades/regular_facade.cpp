@@ -23,7 +23,7 @@ double height_of(const FacadeThing& t) {
   return t.shape.at(Side::top) - t.shape.at(Side::bottom);
 }
 bool is_opening(const FacadeThing& t) {
-  return t.kind == ThingKind::window || t.kind == ThingKind::door;
+  return t.kind == FacadeThingKind::window || t.kind == FacadeThingKind::door;
 }
 // And told to others and by them: what leans stays as it is.
 bool seen(const FacadeThing& t, Side side) {
@@ -117,7 +117,7 @@ bool complete_from_sill(FacadeThing& t, const std::vector<FacadeThing>& things) 
   LocatedEdge& bottom = t.shape.side(Side::bottom);
   if (bottom.by_face) return false;
   for (const FacadeThing& sill : things) {
-    if ((sill.kind != ThingKind::sill && sill.kind != ThingKind::band) || !seen(sill, Side::top)) continue;
+    if ((sill.kind != FacadeThingKind::sill && sill.kind != FacadeThingKind::band) || !seen(sill, Side::top)) continue;
     const double common = std::min(t.shape.at(Side::right), sill.shape.at(Side::right)) -
                           std::max(t.shape.at(Side::left), sill.shape.at(Side::left));
     const double top = sill.shape.at(Side::top), below = bottom.inner - top;

@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-enum class ThingKind : std::uint8_t {
+enum class FacadeThingKind : std::uint8_t {
   window,
   door,
   sill,
@@ -26,7 +26,7 @@ enum class ThingKind : std::uint8_t {
 
 struct FacadeThing {
   FoundRectangle shape;
-  ThingKind kind = ThingKind::window;
+  FacadeThingKind kind = FacadeThingKind::window;
   std::uint32_t family = 0, row = 0, column = 0;  // as FacadeElement
   std::string reason;                             // of what was not seen
 };

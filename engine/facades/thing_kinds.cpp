@@ -30,29 +30,32 @@ bool are_of_one_opening(const Box2& a, const Box2& b) {
 
 }  // namespace
 
-ThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings) {
-  if (is_door(r)) return ThingKind::door;
-  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < kDoorHeight) return ThingKind::window;
+FacadeThingKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings) {
+  if (is_door(r)) return FacadeThingKind::door;
+  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < kDoorHeight) return FacadeThingKind::window;
   const bool in_line = std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
     return is_door(o) && std::abs(o.at(Side::top) - r.at(Side::top)) < kDoorLine;
   });
-  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < kDoorSill ? ThingKind::door : ThingKind::window;
+  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < kDoorSill ? FacadeThingKind::door
+                                                                           : FacadeThingKind::window;
 }
 
-ThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width) {
+FacadeThingKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings,
+                               double wall_width) {
   const Box2 box = r.box();
   const bool flat = box.width() > kLongerThanHigh * box.height();
-  if (flat && box.width() > kBandShare * wall_width) return r.depth > kBalcony ? ThingKind::balcony : ThingKind::band;
+  if (flat && box.width() > kBandShare * wall_width)
+    return r.depth > kBalcony ? FacadeThingKind::balcony : FacadeThingKind::band;
   for (const FoundRectangle& o : openings) {
     const Box2 hole = o.box();
     const double common = std::min(hole.u1, box.u1) - std::max(hole.u0, box.u0);
     if (!flat || r.depth > kBalcony || common < kUnder * hole.width() || box.width() > 2 * hole.width()) continue;
-    if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return ThingKind::sill;
-    if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return ThingKind::lintel;
+    if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return FacadeThingKind::sill;
+    if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return FacadeThingKind::lintel;
   }
-  if (r.depth <= kBalcony) return ThingKind::bulge;
-  if (box.width() < kStandsOn) return ThingKind::bracket;
-  return box.height() < kParapet ? ThingKind::balcony : ThingKind::protrusion;
+  if (r.depth <= kBalcony) return FacadeThingKind::bulge;
+  if (box.width() < kStandsOn) return FacadeThingKind::bracket;
+  return box.height() < kParapet ? FacadeThingKind::balcony : FacadeThingKind::protrusion;
 }
 
 void keep_nearest_sills(std::vector<FacadeThing>& things) {
@@ -60,28 +63,29 @@ void keep_nearest_sills(std::vector<FacadeThing>& things) {
     const Box2 own = t.shape.box();
     return std::any_of(things.begin(), things.end(), [&](const FacadeThing& other) {
       const Box2 box = other.shape.box();
-      const bool nearer = t.kind == ThingKind::sill ? box.v1 > own.v1 : box.v0 < own.v0;
+      const bool nearer = t.kind == FacadeThingKind::sill ? box.v1 > own.v1 : box.v0 < own.v0;
       return other.kind == t.kind && nearer && are_of_one_opening(own, box);
     });
   };
   std::vector<std::size_t> farther;
   for (std::size_t i = 0; i < things.size(); ++i)
-    if ((things[i].kind == ThingKind::sill || things[i].kind == ThingKind::lintel) && is_farther(things[i]))
+    if ((things[i].kind == FacadeThingKind::sill || things[i].kind == FacadeThingKind::lintel) && is_farther(things[i]))
       farther.push_back(i);
-  for (const std::size_t i : farther) things[i].kind = ThingKind::bulge;
+  for (const std::size_t i : farther) things[i].kind = FacadeThingKind::bulge;
 }
 
-ThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
+FacadeThingKind kind_of_large(const FoundRectangle& r, double wall_height) {
   const Box2 box = r.box();
-  if (r.depth < 0) return ThingKind::recess;
-  if ((box.v0 + box.v1) / 2 > wall_height) return ThingKind::eaves;
+  if (r.depth < 0) return FacadeThingKind::recess;
+  if ((box.v0 + box.v1) / 2 > wall_height) return FacadeThingKind::eaves;
   const bool flat = box.width() > kLongerThanHigh * box.height() && box.height() < kParapet;
-  return flat && r.depth > kBalcony ? ThingKind::balcony : ThingKind::protrusion;
+  return flat && r.depth > kBalcony ? FacadeThingKind::balcony : FacadeThingKind::protrusion;
 }
 
 bool is_rail(const FacadeThing& t) {
   const Box2 box = t.shape.box();
-  const bool unnamed = t.kind == ThingKind::bulge || t.kind == ThingKind::balcony || t.kind == ThingKind::bracket;
+  const bool unnamed =
+      t.kind == FacadeThingKind::bulge || t.kind == FacadeThingKind::balcony || t.kind == FacadeThingKind::bracket;
   return unnamed && std::min(box.width(), box.height()) < kRail;
 }
 

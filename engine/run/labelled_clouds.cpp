@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/formats/laz_extender.h"
 #include "engine/formats/writer.h"
+#include "engine/pass/pass.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
 

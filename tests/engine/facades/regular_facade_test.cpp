@@ -11,7 +11,8 @@
 namespace ilot {
 namespace {
 
-FacadeThing thing(double u0, double u1, double v0, double v1, double error, ThingKind kind = ThingKind::window) {
+FacadeThing thing(double u0, double u1, double v0, double v1, double error,
+                  FacadeThingKind kind = FacadeThingKind::window) {
   FacadeThing t;
   t.kind = kind;
   const double at[4] = {v0, u1, v1, u0};
@@ -98,7 +99,8 @@ TEST(RegularFacade, OrderDoesNotMatter) {
 
 TEST(RegularFacade, HiddenSidesComeFromTheSillTheRowOrTheSize) {
   std::vector<FacadeThing> things{thing(0, 1.1, 3, 4.7, 0.002), thing(3, 4.1, 3, 4.7, 0.002),
-                                  thing(6, 7.1, 3.05, 4.7, 0.002), thing(5.9, 7.2, 2.85, 3, 0.001, ThingKind::sill)};
+                                  thing(6, 7.1, 3.05, 4.7, 0.002),
+                                  thing(5.9, 7.2, 2.85, 3, 0.001, FacadeThingKind::sill)};
   LocatedEdge& bottom = things[2].shape.side(Side::bottom);
   bottom.status = DrawnStatus::occluded;
   bottom.inner = 3.05, bottom.at = 2.95, bottom.error = 0.1;

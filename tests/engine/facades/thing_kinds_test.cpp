@@ -22,9 +22,9 @@ TEST(ThingKinds, ADoorGoesDownToTheFootOfTheWall) {
   const FoundRectangle door = rectangle({1, 2, 0.1, 2.3}, -0.2), window = rectangle({3, 4, 1, 2.3}, -0.2),
                        hatch = rectangle({5, 6, 0.1, 0.9}, -0.2);
   const std::vector<FoundRectangle> all{door, window, hatch};
-  EXPECT_EQ(kind_of_opening(door, all), ThingKind::door);
-  EXPECT_EQ(kind_of_opening(window, all), ThingKind::window);
-  EXPECT_EQ(kind_of_opening(hatch, all), ThingKind::window) << "too low for a door";
+  EXPECT_EQ(kind_of_opening(door, all), FacadeThingKind::door);
+  EXPECT_EQ(kind_of_opening(window, all), FacadeThingKind::window);
+  EXPECT_EQ(kind_of_opening(hatch, all), FacadeThingKind::window) << "too low for a door";
 }
 
 TEST(ThingKinds, OfAHiddenFootTheTopsOfDoorsTell) {
@@ -32,62 +32,65 @@ TEST(ThingKinds, OfAHiddenFootTheTopsOfDoorsTell) {
   FoundRectangle hidden = rectangle({3, 4, 1.2, 2.35}, -0.2);
   hidden.side(Side::bottom).status = DrawnStatus::occluded;
   hidden.side(Side::bottom).error = 1.1;
-  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::door);
-  EXPECT_EQ(kind_of_opening(hidden, {hidden}), ThingKind::window) << "no door beside it";
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), FacadeThingKind::door);
+  EXPECT_EQ(kind_of_opening(hidden, {hidden}), FacadeThingKind::window) << "no door beside it";
   hidden.side(Side::top).at = 2.7;
-  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::window) << "its top is not in line";
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), FacadeThingKind::window) << "its top is not in line";
   hidden.side(Side::top).at = 2.35;
   hidden.side(Side::bottom).error = 0.2;
-  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), ThingKind::window) << "its foot is known to be too high";
+  EXPECT_EQ(kind_of_opening(hidden, {door, hidden}), FacadeThingKind::window) << "its foot is known to be too high";
 }
 
 TEST(ThingKinds, ReliefIsNamedByWhatIsBesideIt) {
   const std::vector<FoundRectangle> openings{rectangle({5, 6, 1, 2.5}, -0.2)};
-  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.08), openings, kWall), ThingKind::sill);
-  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 2.5, 2.7}, 0.05), openings, kWall), ThingKind::lintel);
-  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.2, 0.3}, 0.08), openings, kWall), ThingKind::bulge)
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.08), openings, kWall), FacadeThingKind::sill);
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 2.5, 2.7}, 0.05), openings, kWall), FacadeThingKind::lintel);
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.2, 0.3}, 0.08), openings, kWall), FacadeThingKind::bulge)
       << "too far below";
-  EXPECT_EQ(kind_of_relief(rectangle({5.5, 6.1, 0.9, 1}, 0.08), openings, kWall), ThingKind::bulge) << "half as wide";
-  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.6), openings, kWall), ThingKind::balcony) << "far out";
-  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.6), openings, kWall), ThingKind::bracket) << "narrow";
-  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.1), openings, kWall), ThingKind::bulge);
-  EXPECT_EQ(kind_of_relief(rectangle({8, 11, 3, 6}, 0.6), openings, kWall), ThingKind::protrusion) << "a storey high";
-  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.05), openings, kWall), ThingKind::band);
-  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.6), openings, kWall), ThingKind::balcony);
+  EXPECT_EQ(kind_of_relief(rectangle({5.5, 6.1, 0.9, 1}, 0.08), openings, kWall), FacadeThingKind::bulge)
+      << "half as wide";
+  EXPECT_EQ(kind_of_relief(rectangle({4.9, 6.1, 0.9, 1}, 0.6), openings, kWall), FacadeThingKind::balcony) << "far out";
+  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.6), openings, kWall), FacadeThingKind::bracket) << "narrow";
+  EXPECT_EQ(kind_of_relief(rectangle({8, 8.2, 3, 3.3}, 0.1), openings, kWall), FacadeThingKind::bulge);
+  EXPECT_EQ(kind_of_relief(rectangle({8, 11, 3, 6}, 0.6), openings, kWall), FacadeThingKind::protrusion)
+      << "a storey high";
+  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.05), openings, kWall), FacadeThingKind::band);
+  EXPECT_EQ(kind_of_relief(rectangle({1, 19, 3, 3.2}, 0.6), openings, kWall), FacadeThingKind::balcony);
 }
 
 TEST(ThingKinds, AnOpeningHasOneSillAndOneLintel) {
-  const auto thing = [](const Box2& box, ThingKind kind) {
+  const auto thing = [](const Box2& box, FacadeThingKind kind) {
     return FacadeThing{rectangle(box, 0.05), kind, 0, 0, 0, {}};
   };
-  std::vector<FacadeThing> things{thing({5.1, 5.9, 0.5, 0.8}, ThingKind::sill),
-                                  thing({4.9, 6.1, 0.9, 1}, ThingKind::sill), thing({5, 6, 2.9, 3}, ThingKind::lintel),
-                                  thing({4.9, 6.1, 2.5, 2.7}, ThingKind::lintel),
-                                  thing({8.1, 8.9, 0.5, 0.8}, ThingKind::sill)};
+  std::vector<FacadeThing> things{
+      thing({5.1, 5.9, 0.5, 0.8}, FacadeThingKind::sill), thing({4.9, 6.1, 0.9, 1}, FacadeThingKind::sill),
+      thing({5, 6, 2.9, 3}, FacadeThingKind::lintel), thing({4.9, 6.1, 2.5, 2.7}, FacadeThingKind::lintel),
+      thing({8.1, 8.9, 0.5, 0.8}, FacadeThingKind::sill)};
   keep_nearest_sills(things);
-  EXPECT_EQ(things[0].kind, ThingKind::bulge) << "a panel";
-  EXPECT_EQ(things[1].kind, ThingKind::sill);
-  EXPECT_EQ(things[2].kind, ThingKind::bulge) << "a hood";
-  EXPECT_EQ(things[3].kind, ThingKind::lintel);
-  EXPECT_EQ(things[4].kind, ThingKind::sill) << "of another opening";
+  EXPECT_EQ(things[0].kind, FacadeThingKind::bulge) << "a panel";
+  EXPECT_EQ(things[1].kind, FacadeThingKind::sill);
+  EXPECT_EQ(things[2].kind, FacadeThingKind::bulge) << "a hood";
+  EXPECT_EQ(things[3].kind, FacadeThingKind::lintel);
+  EXPECT_EQ(things[4].kind, FacadeThingKind::sill) << "of another opening";
 }
 
 TEST(ThingKinds, WhatIsLargeIsNamedBySizeAndPlace) {
   constexpr double kHeight = 9;
-  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, -0.5), kHeight), ThingKind::recess);
-  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, 0.8), kHeight), ThingKind::protrusion) << "a bay";
-  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.8), kHeight), ThingKind::balcony);
-  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.2), kHeight), ThingKind::protrusion) << "nobody stands on it";
-  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 5}, 0.8), kHeight), ThingKind::protrusion) << "a storey high";
-  EXPECT_EQ(kind_of_large(rectangle({0, 20, 8.9, 9.4}, 0.5), kHeight), ThingKind::eaves);
+  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, -0.5), kHeight), FacadeThingKind::recess);
+  EXPECT_EQ(kind_of_large(rectangle({2, 5, 1, 8}, 0.8), kHeight), FacadeThingKind::protrusion) << "a bay";
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.8), kHeight), FacadeThingKind::balcony);
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 4.2}, 0.2), kHeight), FacadeThingKind::protrusion)
+      << "nobody stands on it";
+  EXPECT_EQ(kind_of_large(rectangle({2, 8, 3, 5}, 0.8), kHeight), FacadeThingKind::protrusion) << "a storey high";
+  EXPECT_EQ(kind_of_large(rectangle({0, 20, 8.9, 9.4}, 0.5), kHeight), FacadeThingKind::eaves);
 }
 
 TEST(ThingKinds, RailsAreThinAndHaveNoOtherName) {
-  FacadeThing rail{rectangle({2, 8, 4, 4.03}, 0.7), ThingKind::balcony, 0, 0, 0, {}};
+  FacadeThing rail{rectangle({2, 8, 4, 4.03}, 0.7), FacadeThingKind::balcony, 0, 0, 0, {}};
   EXPECT_TRUE(is_rail(rail));
-  rail.kind = ThingKind::band;
+  rail.kind = FacadeThingKind::band;
   EXPECT_FALSE(is_rail(rail));
-  rail.kind = ThingKind::bulge;
+  rail.kind = FacadeThingKind::bulge;
   rail.shape = rectangle({2, 2.03, 1, 4}, 0.1);
   EXPECT_TRUE(is_rail(rail)) << "an upright bar";
   rail.shape = rectangle({2, 2.06, 1, 4}, 0.1);
