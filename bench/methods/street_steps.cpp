@@ -221,7 +221,8 @@ void run(const fs::path& cloud, const fs::path& out, std::size_t block) {
   const Pictures pictures(out, w);
   const Image range = layer("range");
   pictures.draw("b1-range", greys(range));
-  const Image accumulation = layer("accumulation");
+  Image accumulation = layer("accumulation");
+  std::replace(accumulation.values.begin(), accumulation.values.end(), 0, kNoHeight);  // no point: empty
   pictures.draw("b1-accumulation", greys(accumulation));
   draw_blocks(street, w, range, pictures);
   draw_steps(range, street.tiles->raster().scale, pictures);
