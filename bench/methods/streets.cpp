@@ -145,8 +145,9 @@ void judge_shipped(const std::vector<Street>& streets, std::size_t different, co
   for (const Street& street : streets) {
     if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
     std::vector<ThingFeatures> features;
-    for (const ThingSample& s : street.samples) features.push_back(s.features);
-    judge_whole(street, classify_things(model, features), all, shares);
+    std::vector<ThingParts> parts;
+    for (const ThingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
+    judge_whole(street, classify_things(model, features, parts), all, shares);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
 }
@@ -167,8 +168,9 @@ void write_model(const std::vector<Street>& streets, const std::vector<std::stri
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
   write_whole_file(path, thing_model_text(model));
-  fmt::print("\n{}: {} support vectors, cost {}, gamma {}\n", path.string(), model.vectors.size(), model.cost,
-             model.gamma);
+  fmt::print("\n{}: {} trees, {} support vectors, cost {}, gamma {}\n", path.string(),
+             model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(), model.vectors.size(),
+             model.cost, model.gamma);
 }
 
 Street street_of(const std::string& cloud, double cut, const fs::path& cache) {

@@ -68,6 +68,7 @@ PairDecisions pair_decisions(const ThingModel& model, std::span<const ThingFeatu
 }
 
 std::vector<ClassShares> class_shares(const ThingModel& model, std::span<const ThingFeatures> things) {
+  if (model.classes.size() == 1) return std::vector<ClassShares>(things.size(), ClassShares{{1}, 1});
   const PairDecisions decided = pair_decisions(model, things);
   std::vector<ClassShares> out(things.size());
   parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {

@@ -39,7 +39,7 @@ Heaps make_heaps(std::size_t each) {
     out.set.classes.push_back(static_cast<std::uint32_t>(c));
     out.set.folds.push_back(0);
   }
-  out.model.classes = {{PointLabel::car}, {PointLabel::lamppost}, {PointLabel::pedestrian}, {PointLabel::other}};
+  out.model.classes = {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other};
   return out;
 }
 
