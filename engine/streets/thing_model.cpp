@@ -61,8 +61,8 @@ class ModelReader {
     if (word == "feature") return take_feature(words);
     if (word == "class") return take_class(words);
     if (word == "kernel") {
-      const auto v = numbers(words, 3);
-      model_.cost = v[0], model_.gamma = v[1], model_.unlike = v[2];
+      const auto v = numbers(words, 2);
+      model_.cost = v[0], model_.gamma = v[1];
       return;
     }
     if (word == "pair") {
@@ -105,14 +105,15 @@ class ModelReader {
   }
 
   void take_class(std::istringstream& words) {
-    const double prior = numbers(words, 1)[0];
-    if (!(prior > 0)) fail("a class is never there");
+    const auto v = numbers(words, 2);
+    if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
     words >> name;
     for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
       if (thing_class_name(static_cast<PointLabel>(value)) != name) continue;
       model_.classes.push_back(static_cast<PointLabel>(value));
-      model_.prior.push_back(prior);
+      model_.prior.push_back(v[0]);
+      model_.unlike.push_back(v[1]);
       return;
     }
     fail("there is no class '" + name + "'");
@@ -159,38 +160,45 @@ NatureShares nature_of(const ThingModel& model, const std::vector<double>& share
   return out;
 }
 
-// The most probable class on one side of being an object, and its share of that side.
-std::pair<PointLabel, double> likeliest(const ThingModel& model, const std::vector<double>& share, bool object) {
-  std::pair<PointLabel, double> best{object ? PointLabel::other : PointLabel::none, 0};
+// The most probable class on one side of being an object, its share of that side, and whether the thing is like it.
+struct Likeliest {
+  PointLabel label = PointLabel::none;
+  double share = 0;
+  bool is_like = true;
+};
+Likeliest likeliest(const ThingModel& model, const ClassShares& shares, bool object) {
+  Likeliest best{object ? PointLabel::other : PointLabel::none};
   double all = 0;
-  for (std::size_t c = 0; c < share.size(); ++c) {
+  for (std::size_t c = 0; c < shares.share.size(); ++c) {
     if ((model.classes[c] >= PointLabel::car) != object) continue;
-    all += share[c];
-    if (share[c] > best.second) best = {model.classes[c], share[c]};
+    all += shares.share[c];
+    if (shares.share[c] > best.share) best = {model.classes[c], shares.share[c], shares.nearest[c] >= model.unlike[c]};
   }
-  if (all > 0) best.second /= all;
+  if (all > 0) best.share /= all;
   return best;
 }
 
 ThingClass class_of(const ThingModel& model, const ClassShares& shares, const NatureShares& nature) {
   const auto logs = state_logs(nature);
-  std::array<double, kThingStates> weight;
-  for (std::size_t s = 0; s < kThingStates; ++s)
-    weight[s] = natural_exp(model.roles.power[s] * logs[s] + model.roles.bias[s]);
+  std::array<double, kThingStates> log, weight;
+  for (std::size_t s = 0; s < kThingStates; ++s) {
+    log[s] = model.roles.power[s] * logs[s] + model.roles.bias[s];
+    weight[s] = natural_exp(log[s]);
+  }
   const auto [object, rest, part, several] = weight;
   const auto of = [&](ThingNature n) { return nature[static_cast<std::size_t>(n)]; };
   const double no_object = of(ThingNature::nothing) + of(ThingNature::vegetation),
                all = of(ThingNature::object) + no_object;
   const bool is_object = of(ThingNature::object) > 0 && object >= rest;
-  auto [label, of_side] = likeliest(model, shares.share, is_object);
+  auto [label, of_side, is_like] = likeliest(model, shares, is_object);
   if (!is_object && !model.trees.empty()) {
     const bool grows = of(ThingNature::vegetation) > of(ThingNature::nothing);
     label = grows ? PointLabel::vegetation : PointLabel::none;
     of_side = std::max(of(ThingNature::vegetation), of(ThingNature::nothing)) / std::max(kLeastShare, no_object);
   }
-  ThingClass out{label, 0, std::max(object, rest), part, several};
+  ThingClass out{label, 0, std::max(object, rest), part, several, log[0] - log[1]};
   out.probability = all > 0 ? of_side * (is_object ? of(ThingNature::object) : no_object) / all : 0;
-  if (is_object && shares.nearest < model.unlike)
+  if (is_object && !is_like)
     out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
   return out;
 }
@@ -233,11 +241,12 @@ std::string thing_model_text(const ThingModel& model) {
   std::istringstream recipe(model.recipe);
   for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
   for (std::size_t c = 0; c < model.classes.size(); ++c)
-    text += fmt::format("class {:.9g} {}\n", model.prior[c], thing_class_name(model.classes[c]));
+    text +=
+        fmt::format("class {:.9g} {:.9g} {}\n", model.prior[c], model.unlike[c], thing_class_name(model.classes[c]));
   for (std::size_t i = 0; i < model.features.size(); ++i)
     text +=
         fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i], thing_feature_name(model.features[i]));
-  text += fmt::format("kernel {:.9g} {:.9g} {:.9g}\n", model.cost, model.gamma, model.unlike);
+  text += fmt::format("kernel {:.9g} {:.9g}\n", model.cost, model.gamma);
   for (std::size_t p = 0; p < model.rho.size(); ++p)
     text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
   text += "roles";

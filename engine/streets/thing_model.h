@@ -55,8 +55,8 @@ struct ThingModel {
   std::vector<std::size_t> features;  // in the order of their selection
   std::vector<double> mean, sd;       // of each, after signed_root
   double gamma = 1, cost = 1;
-  double unlike = 0;  // what has a smaller kernel to every support vector is like nothing that was trained on
   std::vector<PointLabel> classes;             // rising; a single one needs no vectors
+  std::vector<double> unlike;                  // of each class: what has a smaller kernel to all its vectors is none
   std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
   std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
@@ -73,6 +73,7 @@ struct ThingClass {
   PointLabel label = PointLabel::other;
   double probability = 0;
   double whole = 1, part = 0, several = 0;
+  double object = 0;  // how much speaks for an object over what speaks for none, as a logarithm
 };
 
 // The features that the stepwise selection takes, in its order.
@@ -90,7 +91,8 @@ ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainin
 
 // Classes: pairwise probabilities coupled as Wu, Lin and Weng (2004) do it in their second method, times how common the
 // classes are. Called an object where its weight is greater than that of being none, then by the most probable class.
-// Objects like nothing that the machine was trained on are `other`, as probable as any class. `parts` of each thing, or
+// Objects that are farther from their class than anything that the machine was trained on are `other`, as probable as
+// any class. `parts` of each thing, or
 // none where no thing joins others. Many at once are several times faster than one by one, and get the same bits.
 // O(things (support vectors + trees)), on the threads of the calling arena.
 std::vector<ThingClass> classify_things(const ThingModel& model, std::span<const ThingFeatures> things,

@@ -141,22 +141,18 @@ void check(std::span<const ThingSample> samples, std::size_t least_classes) {
                   ExitCode::usage);
 }
 
-// The kernel to the nearest support vector that is not the sample itself: what all but a hundredth of the even samples
-// of each class have at least, so that a rare and scattered class is not the strange one.
-double least_likeness(const TrainingSet& set, std::size_t even, const ThingModel& model) {
-  std::vector<double> nearest(even, 0);
+// For each class the kernel that each of its even samples has at least with the nearest of its support vectors that is
+// not the sample itself.
+std::vector<double> least_likeness(const TrainingSet& set, std::size_t even, const ThingModel& model) {
+  std::vector<double> nearest(even, 0), least(model.classes.size(), 1);
   parallel_for(even, [&](std::size_t i) {
-    for (const auto& vector : model.vectors)
-      if (vector != set.rows[i]) nearest[i] = std::max(nearest[i], radial(set.rows[i], vector, model.gamma));
+    for (std::size_t v = 0; v < model.vectors.size(); ++v)
+      if (model.class_of_vector[v] == set.classes[i] && model.vectors[v] != set.rows[i])
+        nearest[i] = std::max(nearest[i], radial(set.rows[i], model.vectors[v], model.gamma));
   });
-  std::vector<std::vector<double>> of_class(model.classes.size());
-  for (std::size_t i = 0; i < even; ++i) of_class[set.classes[i]].push_back(nearest[i]);
-  double least = 1;
-  for (std::vector<double>& list : of_class) {
-    std::sort(list.begin(), list.end());
-    least = std::min(least, list[list.size() / 100]);
-  }
-  return least * (1 - kRounding);
+  for (std::size_t i = 0; i < even; ++i) least[set.classes[i]] = std::min(least[set.classes[i]], nearest[i]);
+  for (double& v : least) v *= 1 - kRounding;
+  return least;
 }
 
 // Trains the model's machine, features, cost and gamma given, and fits its probabilities.
@@ -184,6 +180,7 @@ void train_machine(std::span<const ThingSample> all, const ThingFolds& folds, co
     model.prior.push_back(static_cast<double>(std::count_if(all.begin(), all.end(), of_class)) /
                           static_cast<double>(std::count_if(samples.begin(), samples.end(), of_class)));
   }
+  model.unlike.assign(model.classes.size(), 0);
   if (model.classes.size() == 1) return;
   model.features = selected_features(samples, params);
   if (model.features.empty()) throw Error("training: no feature tells the classes apart", ExitCode::usage);

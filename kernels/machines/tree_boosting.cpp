@@ -259,16 +259,4 @@ BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& p
   return Booster(samples, params).boost();
 }
 
-double tree_loss(const BoostedTrees& machine, const TreeSamples& samples) {
-  std::vector<std::int32_t> scores(samples.of_class.size() * machine.classes);
-  tree_scores(machine, samples.values, scores);
-  std::vector<double> share(machine.classes);
-  double sum = 0;
-  for (std::size_t r = 0; r < samples.of_class.size(); ++r) {
-    tree_shares(std::span(scores).subspan(r * machine.classes, machine.classes), share);
-    sum -= natural_log(std::max(1e-300, share[samples.of_class[r]]));
-  }
-  return sum / static_cast<double>(samples.of_class.size());
-}
-
 }  // namespace ilot

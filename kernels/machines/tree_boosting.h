@@ -28,11 +28,8 @@ struct TreeSamples {
 // the round; each tree level by level, each node parted where the gain is greatest (ties: the lower column, then the
 // lower limit), or not at all where there is none. Gradients are whole multiples of 2^-20 and are summed as such, so
 // the order of the rows and the number of threads do not show. Limits that no tree asks for are left out. No random
-// draw. At least one row of each class. O(rounds classes depth rows columns); memory some 4 columns + 20 classes bytes
-// a row.
+// draw. A class without rows is told never. O(rounds classes depth rows columns) at most: of two nodes only the lesser
+// is counted; memory some columns + 20 classes bytes a row.
 BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params = {});
-
-// What training lowers: the mean over the rows of -ln of the share of their class.
-double tree_loss(const BoostedTrees& machine, const TreeSamples& samples);
 
 }  // namespace ilot

@@ -166,7 +166,7 @@ TEST(ThingModel, BrokenTextsAreRefusedWithTheirLine) {
     }
   }
   std::string wrong = text;
-  wrong.replace(wrong.find("class 1 car"), 11, "class 1 cat");
+  wrong.replace(wrong.find(" car\n"), 4, " cat");
   EXPECT_THROW(parse_thing_model(wrong, "m"), Error);
 }
 
