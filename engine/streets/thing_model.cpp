@@ -15,7 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kFirstLine = "ilot things 1";
+constexpr const char* kFirstLine = "ilot things 2";
 constexpr double kLeastShare = 1e-4;  // nothing is less probable
 
 }  // namespace
