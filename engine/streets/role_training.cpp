@@ -53,7 +53,9 @@ RoleStage train_stage(const ChosenSamples& chosen, std::span<const NatureShares>
   for (std::size_t c = 0; c < (from.said.empty() ? kThingFeatures : kRoleColumns); ++c) stage.columns.push_back(c);
   std::vector<std::uint32_t> natures;
   for (const ThingSample& s : chosen.samples) natures.push_back(static_cast<std::uint32_t>(nature_of(s)));
-  const std::vector<double> rows = role_rows(stage.columns, from.features, from.parts, from.said);
+  const std::vector<ThingRelations> relations = thing_relations(from.features, from.parts);
+  const std::vector<double> rows =
+      role_rows(stage.columns, {from.features, relations, from.said}, 0, from.features.size());
   stage.trees = boost_trees({stage.columns.size(), kThingNatures, rows, natures});
   return only_used(std::move(stage));
 }

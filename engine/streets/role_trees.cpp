@@ -29,9 +29,9 @@ std::string role_column_name(std::size_t column) {
   return std::string(kRelations[asked / kThingNatures]) + ": " + kNatures[asked % kThingNatures];
 }
 
-std::vector<std::array<std::uint32_t, kThingRelations>> thing_relations(std::span<const ThingFeatures> things,
-                                                                        std::span<const ThingParts> parts) {
-  std::vector<std::array<std::uint32_t, kThingRelations>> out(things.size());
+std::vector<ThingRelations> thing_relations(std::span<const ThingFeatures> things, std::span<const ThingParts> parts) {
+  assert(parts.size() == things.size());
+  std::vector<ThingRelations> out(things.size());
   const auto set = [&](std::uint32_t thing, ThingRelation relation, std::uint32_t to) {
     out[thing - 1][static_cast<std::size_t>(relation)] = to;
   };
@@ -48,35 +48,32 @@ std::vector<std::array<std::uint32_t, kThingRelations>> thing_relations(std::spa
   return out;
 }
 
-std::vector<double> role_rows(std::span<const std::size_t> columns, std::span<const ThingFeatures> things,
-                              std::span<const ThingParts> parts, std::span<const NatureShares> said) {
-  assert(parts.size() == things.size() && (said.empty() || said.size() == things.size()));
-  const auto relations = said.empty() ? std::vector<std::array<std::uint32_t, kThingRelations>>(things.size())
-                                      : thing_relations(things, parts);
+std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleQuestions& about, std::size_t first,
+                              std::size_t count) {
   std::vector<double> rows;
-  rows.reserve(columns.size() * things.size());
-  for (std::size_t i = 0; i < things.size(); ++i)
+  rows.reserve(columns.size() * count);
+  for (std::size_t i = first; i < first + count; ++i)
     for (const std::size_t c : columns) {
       if (c < kThingFeatures) {
-        rows.push_back(things[i][c]);
+        rows.push_back(about.things[i][c]);
         continue;
       }
       const std::size_t asked = c - kThingFeatures;
-      const std::uint32_t whom = relations[i][asked / kThingNatures];
-      rows.push_back(whom == 0 ? kNobody : natural_log(std::max(kLeastShare, said[whom - 1][asked % kThingNatures])));
+      const std::uint32_t whom = about.relations[i][asked / kThingNatures];
+      rows.push_back(whom == 0 ? kNobody
+                               : natural_log(std::max(kLeastShare, about.said[whom - 1][asked % kThingNatures])));
     }
   return rows;
 }
 
 std::vector<NatureShares> stage_shares(const RoleStage& stage, std::span<const ThingFeatures> things,
                                        std::span<const ThingParts> parts, std::span<const NatureShares> said) {
-  const std::vector<double> rows = role_rows(stage.columns, things, parts, said);
-  const std::size_t columns = stage.columns.size();
+  const std::vector<ThingRelations> relations = thing_relations(things, parts);
   std::vector<NatureShares> out(things.size());
   parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t chunk) {
     const std::size_t first = chunk * kGrain, count = std::min(kGrain, things.size() - first);
     std::vector<std::int32_t> scores(count * kThingNatures);
-    tree_scores(stage.trees, std::span(rows).subspan(first * columns, count * columns), scores);
+    tree_scores(stage.trees, role_rows(stage.columns, {things, relations, said}, first, count), scores);
     for (std::size_t i = 0; i < count; ++i)
       tree_shares(std::span(scores).subspan(i * kThingNatures, kThingNatures), out[first + i]);
   });

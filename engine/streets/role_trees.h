@@ -45,13 +45,20 @@ std::string role_column_name(std::size_t column);
 
 // Of each thing, from 1, the thing that stands so to it; 0: there is none. Of two parts of one area the first is the
 // larger.
-std::vector<std::array<std::uint32_t, kThingRelations>> thing_relations(std::span<const ThingFeatures> things,
-                                                                        std::span<const ThingParts> parts);
+using ThingRelations = std::array<std::uint32_t, kThingRelations>;
+std::vector<ThingRelations> thing_relations(std::span<const ThingFeatures> things, std::span<const ThingParts> parts);
 
-// The rows that a stage's trees see, a thing after the other, its columns in their order. `said`: of the first stage,
-// for columns that ask for it.
-std::vector<double> role_rows(std::span<const std::size_t> columns, std::span<const ThingFeatures> things,
-                              std::span<const ThingParts> parts, std::span<const NatureShares> said);
+// What a stage may ask about: `said` by the first stage, for columns that ask for it.
+struct RoleQuestions {
+  std::span<const ThingFeatures> things;
+  std::span<const ThingRelations> relations;
+  std::span<const NatureShares> said;
+};
+
+// The rows that a stage's trees see of `count` things from `first` on, a thing after the other, its columns in their
+// order.
+std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleQuestions& about, std::size_t first,
+                              std::size_t count);
 
 // What one stage says of all things. On the threads of the calling arena.
 std::vector<NatureShares> stage_shares(const RoleStage& stage, std::span<const ThingFeatures> things,
