@@ -195,8 +195,9 @@ void draw_things(const FoundStreet& street, const Image& parts, const Pictures& 
   const auto part_at = [&](std::size_t i) { return parts.values[i] == kNoHeight ? 0u : part_of[i]; };
   pictures.draw("b5-parts", [&](std::size_t i) { return colour_of(part_at(i)); });
   std::vector<ThingFeatures> features;
-  for (const Thing& t : street.things) features.push_back(t.features);
-  const std::vector<ThingClass> classes = classify_things(library_model(street.view), features);
+  std::vector<ThingParts> joins;
+  for (const Thing& t : street.things) features.push_back(t.features), joins.push_back({t.parts[0], t.parts[1]});
+  const std::vector<ThingClass> classes = classify_things(library_model(street.view), features, joins);
   const std::vector<std::uint32_t> thing = thing_of_part(street.things, whole_things(street.things, classes));
   pictures.draw("b7-whole", [&](std::size_t i) { return colour_of(thing[part_at(i)]); });
   pictures.draw("b7-classes", [&](std::size_t i) {

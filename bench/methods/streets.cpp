@@ -19,6 +19,7 @@
 #include "engine/streets/whole_things.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
+#include "kernels/core/portable_math.h"
 
 namespace {
 
@@ -77,6 +78,41 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, C
   shares["false"].push_back(percent(wrong, wrong + right));
 }
 
+// The same with objects weighed more or less: how many are found, and how many of what is found are false.
+struct Found {
+  std::uint64_t right = 0, wrong = 0;
+};
+Found found_at(const Street& street, std::vector<ThingClass> classes, double more) {
+  for (ThingClass& c : classes) {
+    const double most = std::max(c.object, 0.0), most_now = std::max(c.object + more, 0.0);
+    c.whole *= natural_exp(most_now - most);
+    c.object += more;
+  }
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  Found out;
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i] != 0 && classes[i].object >= 0) ++(street.object[i] != 0 ? out.right : out.wrong);
+  return out;
+}
+
+void print_trade(const std::vector<Street>& streets, const std::vector<std::vector<ThingClass>>& classes) {
+  std::uint64_t objects = 0;
+  for (const Street& street : streets)
+    for (const auto& [name, n] : street.objects) objects += n;
+  fmt::print("  objects weighed exp(w) times: w, found of {}, false\n", objects);
+  for (const double more : {-2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0}) {
+    Found all;
+    for (std::size_t s = 0; s < streets.size(); ++s) {
+      const Found own = found_at(streets[s], classes[s], more);
+      all.right += own.right, all.wrong += own.wrong;
+    }
+    fmt::print(
+        "  {:5.1f} {:6.2f} % {:6.2f} %\n", more,
+        100 * static_cast<double>(all.right) / static_cast<double>(std::max<std::uint64_t>(1, objects)),
+        100 * static_cast<double>(all.wrong) / static_cast<double>(std::max<std::uint64_t>(1, all.right + all.wrong)));
+  }
+}
+
 // Samples of all streets, their blocks told apart; the lists repeat the streets after so many.
 std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets, std::size_t different) {
   std::vector<ThingSample> all;
@@ -121,11 +157,13 @@ void judge(const std::vector<Street>& streets, std::size_t different, const char
   const std::vector<ThingClass> given = cross_validate(all_samples, params);
   RunShares shares;
   Confusion all;
+  std::vector<std::vector<ThingClass>> by_street;
   auto first = given.begin();
   for (std::size_t s = 0; s < streets.size(); ++s) {
     if (s == different) print_kind(all, shares, "as they are");
     const std::vector<ThingClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
     first += static_cast<std::ptrdiff_t>(samples[s].size());
+    by_street.push_back(own);
     if (judged == Judged::everything) {
       judge_whole(streets[s], own, all, shares);
       continue;
@@ -135,6 +173,7 @@ void judge(const std::vector<Street>& streets, std::size_t different, const char
     add(m, all);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
+  if (judged == Judged::everything) print_trade(streets, by_street);
 }
 
 // What a run with a model of the library gives.
@@ -142,13 +181,17 @@ void judge_shipped(const std::vector<Street>& streets, std::size_t different, co
   fmt::print("\neverything found, the library's model\n");
   RunShares shares;
   Confusion all;
+  std::vector<std::vector<ThingClass>> by_street;
   for (const Street& street : streets) {
     if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
     std::vector<ThingFeatures> features;
-    for (const ThingSample& s : street.samples) features.push_back(s.features);
-    judge_whole(street, classify_things(model, features), all, shares);
+    std::vector<ThingParts> parts;
+    for (const ThingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
+    by_street.push_back(classify_things(model, features, parts));
+    judge_whole(street, by_street.back(), all, shares);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
+  print_trade(streets, by_street);
 }
 
 void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
@@ -167,8 +210,9 @@ void write_model(const std::vector<Street>& streets, const std::vector<std::stri
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
   write_whole_file(path, thing_model_text(model));
-  fmt::print("\n{}: {} support vectors, cost {}, gamma {}\n", path.string(), model.vectors.size(), model.cost,
-             model.gamma);
+  fmt::print("\n{}: {} trees, {} support vectors, cost {}, gamma {}\n", path.string(),
+             model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(), model.vectors.size(),
+             model.cost, model.gamma);
 }
 
 Street street_of(const std::string& cloud, double cut, const fs::path& cache) {

@@ -123,8 +123,9 @@ bool is_model(const std::filesystem::path& path) {
 
 std::vector<ThingClass> StreetClasses::of(const std::vector<Thing>& things) const {
   std::vector<ThingFeatures> features;
-  for (const Thing& t : things) features.push_back(t.features);
-  std::vector<ThingClass> said = classify_things(*base, features);
+  std::vector<ThingParts> parts;
+  for (const Thing& t : things) features.push_back(t.features), parts.push_back({t.parts[0], t.parts[1]});
+  std::vector<ThingClass> said = classify_things(*base, features, parts);
   if (!trained) return said;
   const std::vector<ThingClass> learnt = classify_things(*trained, features);
   for (std::size_t i = 0; i < said.size(); ++i) {

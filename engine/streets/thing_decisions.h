@@ -47,12 +47,12 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
 }
 
 // As the model's text has it.
-std::string name_of(ThingKind kind);
+std::string thing_class_name(PointLabel label);
 
 // Logarithms of the shares of each state, before they are weighed.
-std::vector<std::array<double, kThingStates>> role_logs(const ThingModel& model, std::span<const ThingFeatures> things);
+std::array<double, kThingStates> state_logs(const NatureShares& shares);
 
-// The classes with the greatest share, whatever their role.
-std::vector<ThingKind> likeliest_kinds(const ThingModel& model, std::span<const ThingFeatures> things);
+// The classes with the greatest share.
+std::vector<PointLabel> likeliest_classes(const ThingModel& model, std::span<const ThingFeatures> things);
 
 }  // namespace ilot

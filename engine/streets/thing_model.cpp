@@ -8,23 +8,20 @@
 #include <sstream>
 
 #include "engine/error.h"
+#include "engine/streets/role_trees_text.h"
 #include "engine/streets/thing_decisions.h"
 #include "engine/streets/thing_shares.h"
 
 namespace ilot {
 namespace {
 
-constexpr const char* kFirstLine = "ilot things 1";
+constexpr const char* kFirstLine = "ilot things 2";
 constexpr double kLeastShare = 1e-4;  // nothing is less probable
-
-constexpr std::pair<ThingRole, const char*> kRoles[] = {{ThingRole::part, "part"}, {ThingRole::several, "several"}};
 
 }  // namespace
 
-std::string name_of(ThingKind kind) {
-  for (const auto& [role, name] : kRoles)
-    if (kind.role == role) return name;
-  return kind.label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(kind.label));
+std::string thing_class_name(PointLabel label) {
+  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
 namespace {
@@ -64,8 +61,8 @@ class ModelReader {
     if (word == "feature") return take_feature(words);
     if (word == "class") return take_class(words);
     if (word == "kernel") {
-      const auto v = numbers(words, 3);
-      model_.cost = v[0], model_.gamma = v[1], model_.unlike = v[2];
+      const auto v = numbers(words, 2);
+      model_.cost = v[0], model_.gamma = v[1];
       return;
     }
     if (word == "pair") {
@@ -77,6 +74,10 @@ class ModelReader {
       const auto v = numbers(words, 2 * kThingStates);
       std::copy_n(v.begin(), kThingStates, model_.roles.power.begin());
       std::copy_n(v.begin() + kThingStates, kThingStates, model_.roles.bias.begin());
+      return;
+    }
+    if (word == "stage" || word == "column" || word == "tree") {
+      if (const std::string wrong = trees_.take(line); !wrong.empty()) fail(wrong);
       return;
     }
     if (word != "vector") fail("'" + word + "' is not known");
@@ -104,18 +105,15 @@ class ModelReader {
   }
 
   void take_class(std::istringstream& words) {
-    const double prior = numbers(words, 1)[0];
-    if (!(prior > 0)) fail("a class is never there");
+    const auto v = numbers(words, 2);
+    if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
     words >> name;
-    std::vector<ThingKind> kinds;
-    for (const auto& entry : kRoles) kinds.push_back({PointLabel::none, entry.first});
-    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value)
-      kinds.push_back({static_cast<PointLabel>(value)});
-    for (const ThingKind kind : kinds) {
-      if (name_of(kind) != name) continue;
-      model_.classes.push_back(kind);
-      model_.prior.push_back(prior);
+    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
+      if (thing_class_name(static_cast<PointLabel>(value)) != name) continue;
+      model_.classes.push_back(static_cast<PointLabel>(value));
+      model_.prior.push_back(v[0]);
+      model_.unlike.push_back(v[1]);
       return;
     }
     fail("there is no class '" + name + "'");
@@ -134,8 +132,10 @@ class ModelReader {
     return list;
   }
 
-  void check() const {
+  void check() {
     const std::size_t k = model_.classes.size();
+    if (const std::string wrong = trees_.finish(model_.trees); !wrong.empty()) fail(wrong);
+    if (k == 1 && !model_.trees.empty()) return;
     if (k < 2 || model_.features.empty() || model_.vectors.empty()) fail("ends before its vectors");
     if (model_.rho.size() != k * (k - 1) / 2) fail("there must be a line 'pair' for each two classes");
   }
@@ -144,72 +144,91 @@ class ModelReader {
   std::string name_;
   std::size_t number_ = 0;
   ThingModel model_;
+  RoleTreesReader trees_;
 };
 
-// The shares of what a thing is, if it is whole, and of its roles.
-struct StateShares {
-  std::array<double, kThingStates> of_state{};
-  PointLabel object = PointLabel::other, rest = PointLabel::none;
-  double object_share = 0, rest_share = 0;
-};
-
-StateShares states_of(const ThingModel& model, const std::vector<double>& share) {
-  StateShares out;
-  auto& [object, rest, part, several] = out.of_state;
+// What a machine without trees says: all things are whole.
+NatureShares nature_of(const ThingModel& model, const std::vector<double>& share) {
+  NatureShares out{};
   for (std::size_t c = 0; c < share.size(); ++c) {
-    const auto [label, role] = model.classes[c];
-    if (role == ThingRole::part) part += share[c];
-    if (role == ThingRole::several) several += share[c];
-    if (role != ThingRole::whole) continue;
-    const bool is_object = label >= PointLabel::car;
-    (is_object ? object : rest) += share[c];
-    double& best = is_object ? out.object_share : out.rest_share;
-    if (share[c] > best) best = share[c], (is_object ? out.object : out.rest) = label;
+    const PointLabel label = model.classes[c];
+    const ThingNature nature = label >= PointLabel::car    ? ThingNature::object
+                               : label == PointLabel::none ? ThingNature::nothing
+                                                           : ThingNature::vegetation;
+    out[static_cast<std::size_t>(nature)] += share[c];
   }
-  part += rest, several += rest;
   return out;
 }
 
-ThingClass class_of(const ThingModel& model, const ClassShares& shares) {
-  const StateShares states = states_of(model, shares.share);
-  std::array<double, kThingStates> weight;
-  for (std::size_t s = 0; s < kThingStates; ++s)
-    weight[s] = natural_exp(model.roles.power[s] * natural_log(std::max(kLeastShare, states.of_state[s])) +
-                            model.roles.bias[s]);
+// The most probable class on one side of being an object, its share of that side, and whether the thing is like it.
+struct Likeliest {
+  PointLabel label = PointLabel::none;
+  double share = 0;
+  bool is_like = true;
+};
+Likeliest likeliest(const ThingModel& model, const ClassShares& shares, bool object) {
+  Likeliest best{object ? PointLabel::other : PointLabel::none};
+  double all = 0;
+  for (std::size_t c = 0; c < shares.share.size(); ++c) {
+    if ((model.classes[c] >= PointLabel::car) != object) continue;
+    all += shares.share[c];
+    if (shares.share[c] > best.share) best = {model.classes[c], shares.share[c], shares.nearest[c] >= model.unlike[c]};
+  }
+  if (all > 0) best.share /= all;
+  return best;
+}
+
+ThingClass class_of(const ThingModel& model, const ClassShares& shares, const NatureShares& nature) {
+  const auto logs = state_logs(nature);
+  std::array<double, kThingStates> log, weight;
+  for (std::size_t s = 0; s < kThingStates; ++s) {
+    log[s] = model.roles.power[s] * logs[s] + model.roles.bias[s];
+    weight[s] = natural_exp(log[s]);
+  }
   const auto [object, rest, part, several] = weight;
-  const bool is_object = states.object_share > 0 && object >= rest;
-  const double all = states.of_state[0] + states.of_state[1];
-  ThingClass out{is_object ? states.object : states.rest, 0, std::max(object, rest), part, several};
-  out.probability = all > 0 ? (is_object ? states.object_share : states.rest_share) / all : 0;
-  if (shares.nearest >= model.unlike) return out;
-  out.whole = out.part = out.several = 1;
-  if (is_object) out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
+  const auto of = [&](ThingNature n) { return nature[static_cast<std::size_t>(n)]; };
+  const double no_object = of(ThingNature::nothing) + of(ThingNature::vegetation),
+               all = of(ThingNature::object) + no_object;
+  const bool is_object = of(ThingNature::object) > 0 && object >= rest;
+  auto [label, of_side, is_like] = likeliest(model, shares, is_object);
+  if (!is_object && !model.trees.empty()) {
+    const bool grows = of(ThingNature::vegetation) > of(ThingNature::nothing);
+    label = grows ? PointLabel::vegetation : PointLabel::none;
+    of_side = std::max(of(ThingNature::vegetation), of(ThingNature::nothing)) / std::max(kLeastShare, no_object);
+  }
+  ThingClass out{label, 0, std::max(object, rest), part, several, log[0] - log[1]};
+  out.probability = all > 0 ? of_side * (is_object ? of(ThingNature::object) : no_object) / all : 0;
+  if (is_object && !is_like)
+    out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
   return out;
 }
 
 }  // namespace
 
-std::vector<std::array<double, kThingStates>> role_logs(const ThingModel& model,
-                                                        std::span<const ThingFeatures> things) {
-  std::vector<std::array<double, kThingStates>> out;
-  for (const ClassShares& shares : class_shares(model, things)) {
-    out.push_back(states_of(model, shares.share).of_state);
-    for (double& v : out.back()) v = natural_log(std::max(kLeastShare, v));
-  }
+std::array<double, kThingStates> state_logs(const NatureShares& shares) {
+  const auto [nothing, vegetation, part, several, object] = shares;
+  const double rest = nothing + vegetation;
+  std::array<double, kThingStates> out{object, rest, part + rest, several + rest};
+  for (double& v : out) v = natural_log(std::max(kLeastShare, v));
   return out;
 }
 
-std::vector<ThingKind> likeliest_kinds(const ThingModel& model, std::span<const ThingFeatures> things) {
-  std::vector<ThingKind> out;
+std::vector<PointLabel> likeliest_classes(const ThingModel& model, std::span<const ThingFeatures> things) {
+  std::vector<PointLabel> out;
   for (const auto& [share, nearest] : class_shares(model, things))
     out.push_back(
         model.classes[static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin())]);
   return out;
 }
 
-std::vector<ThingClass> classify_things(const ThingModel& model, std::span<const ThingFeatures> things) {
+std::vector<ThingClass> classify_things(const ThingModel& model, std::span<const ThingFeatures> things,
+                                        std::span<const ThingParts> parts) {
+  const std::vector<ThingParts> apart(parts.empty() ? things.size() : 0, ThingParts{});
+  std::vector<NatureShares> natures;
+  if (!model.trees.empty()) natures = nature_shares(model.trees, things, parts.empty() ? apart : parts);
   std::vector<ThingClass> out;
-  for (const ClassShares& shares : class_shares(model, things)) out.push_back(class_of(model, shares));
+  for (const ClassShares& shares : class_shares(model, things))
+    out.push_back(class_of(model, shares, natures.empty() ? nature_of(model, shares.share) : natures[out.size()]));
   return out;
 }
 
@@ -222,11 +241,12 @@ std::string thing_model_text(const ThingModel& model) {
   std::istringstream recipe(model.recipe);
   for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
   for (std::size_t c = 0; c < model.classes.size(); ++c)
-    text += fmt::format("class {:.9g} {}\n", model.prior[c], name_of(model.classes[c]));
+    text +=
+        fmt::format("class {:.9g} {:.9g} {}\n", model.prior[c], model.unlike[c], thing_class_name(model.classes[c]));
   for (std::size_t i = 0; i < model.features.size(); ++i)
     text +=
         fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i], thing_feature_name(model.features[i]));
-  text += fmt::format("kernel {:.9g} {:.9g} {:.9g}\n", model.cost, model.gamma, model.unlike);
+  text += fmt::format("kernel {:.9g} {:.9g}\n", model.cost, model.gamma);
   for (std::size_t p = 0; p < model.rho.size(); ++p)
     text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
   text += "roles";
@@ -239,7 +259,7 @@ std::string thing_model_text(const ThingModel& model) {
     for (const double x : model.vectors[v]) text += fmt::format(" {:.5g}", x);
     text += "\n";
   }
-  return text;
+  return text + role_trees_text(model.trees);
 }
 
 ThingModel parse_thing_model(std::string_view text, const std::string& name) {

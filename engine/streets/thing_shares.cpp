@@ -44,7 +44,7 @@ void decide(const ThingModel& model, const std::vector<ClassVectors>& classes, s
     radial_sums({model.features.size(), k - 1, model.gamma, classes[own].vectors, classes[own].weights}, rows, sums,
                 near);
     for (std::size_t i = 0; i < n; ++i) {
-      nearest[i] = std::max(nearest[i], near[i]);
+      nearest[i * k + own] = near[i];
       for (std::size_t other = 0; other < k; ++other)
         if (other != own)
           of[i * pairs + pair_index(std::min(own, other), std::max(own, other), k)] +=
@@ -58,16 +58,18 @@ void decide(const ThingModel& model, const std::vector<ClassVectors>& classes, s
 PairDecisions pair_decisions(const ThingModel& model, std::span<const ThingFeatures> things) {
   const std::vector<ClassVectors> classes = vectors_by_class(model);
   const std::size_t pairs = model.rho.size();
-  PairDecisions out{pairs, std::vector<double>(things.size() * pairs), std::vector<double>(things.size(), 0)};
+  PairDecisions out{pairs, std::vector<double>(things.size() * pairs),
+                    std::vector<double>(things.size() * classes.size(), 0)};
   parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
     const std::size_t first = part * kGrain, count = std::min(kGrain, things.size() - first);
     decide(model, classes, things.subspan(first, count), std::span(out.of).subspan(first * pairs, count * pairs),
-           std::span(out.nearest).subspan(first, count));
+           std::span(out.nearest).subspan(first * classes.size(), count * classes.size()));
   });
   return out;
 }
 
 std::vector<ClassShares> class_shares(const ThingModel& model, std::span<const ThingFeatures> things) {
+  if (model.classes.size() == 1) return std::vector<ClassShares>(things.size(), ClassShares{{1}, {1}});
   const PairDecisions decided = pair_decisions(model, things);
   std::vector<ClassShares> out(things.size());
   parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
@@ -75,7 +77,9 @@ std::vector<ClassShares> class_shares(const ThingModel& model, std::span<const T
     for (std::size_t i = part * kGrain; i < std::min(things.size(), (part + 1) * kGrain); ++i) {
       for (std::size_t p = 0; p < decided.pairs; ++p)
         first[p] = sigmoid(model.slope[p] * decided.of[i * decided.pairs + p] + model.offset[p]);
-      out[i] = {coupled_pairs(first, model.classes.size()), decided.nearest[i]};
+      const std::size_t k = model.classes.size();
+      const auto near = decided.nearest.begin() + static_cast<std::ptrdiff_t>(i * k);
+      out[i] = {coupled_pairs(first, k), {near, near + static_cast<std::ptrdiff_t>(k)}};
       double sum = 0;
       for (std::size_t c = 0; c < out[i].share.size(); ++c) sum += out[i].share[c] *= model.prior[c];
       for (double& s : out[i].share) s /= sum;

@@ -39,7 +39,7 @@ Heaps make_heaps(std::size_t each) {
     out.set.classes.push_back(static_cast<std::uint32_t>(c));
     out.set.folds.push_back(0);
   }
-  out.model.classes = {{PointLabel::car}, {PointLabel::lamppost}, {PointLabel::pedestrian}, {PointLabel::other}};
+  out.model.classes = {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other};
   return out;
 }
 
@@ -78,11 +78,10 @@ TEST(PairDecisions, NearestIsTheKernelOfTheVectorItself) {
   }
   heaps.model.rho.assign(6, 0.25);
   const PairDecisions d = pair_decisions(heaps.model, std::vector{heaps.things[40], heaps.things[5]});
-  EXPECT_EQ(d.nearest[0], 1);
-  EXPECT_NEAR(
-      d.nearest[1],
-      std::max(radial(heaps.set.rows[5], heaps.set.rows[3], 0.25), radial(heaps.set.rows[5], heaps.set.rows[40], 0.25)),
-      1e-14);
+  EXPECT_EQ(d.nearest[1], 1);  // the second vector is of the second class
+  EXPECT_EQ(d.nearest[2], 0);  // the third has none
+  for (const std::size_t v : {0u, 1u})
+    EXPECT_NEAR(d.nearest[kClasses + v], radial(heaps.set.rows[5], heaps.set.rows[v == 0 ? 3 : 40], 0.25), 1e-14);
   const double beside = radial(heaps.set.rows[40], heaps.set.rows[3], 0.25);
   EXPECT_NEAR(d.of[pair_index(0, 1, kClasses)], beside + 1 - 0.25, 1e-13);  // first weighs the first vector, and so on
   EXPECT_NEAR(d.of[pair_index(0, 3, kClasses)], 3 * beside - 0.25, 1e-13);  // the second has no such pair
