@@ -59,11 +59,19 @@ std::int64_t whole_units(const Store& store, const PassContext& context, double 
   return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
 }
 
-// The level of each pixel of a window that has none, from the nearest that has one within so many steps.
-void spread(Image& level, std::uint32_t reach) {
-  const NearestPixels nearest = nearest_pixels(level, reach);
-  for (std::size_t i = 0; i < level.size(); ++i)
-    if (nearest.pixel[i] != kNoNearest) level.values[i] = level.values[nearest.pixel[i]];
+// The level of each pixel of a tile that has none, from the nearest that has one within so many steps. `around`: the
+// tile and one more pixel on all sides than that.
+Image spread(const Image& around, std::uint32_t reach) {
+  const std::uint32_t halo = reach + 1;
+  return with_nearest_keys(around, reach, [&](const auto& nearest) {
+    Image level = filled_image(around.width - 2 * halo, around.height - 2 * halo, kNoHeight);
+    for (std::uint32_t y = 0; y < level.height; ++y)
+      for (std::uint32_t x = 0; x < level.width; ++x) {
+        const std::size_t i = std::size_t{y + halo} * around.width + x + halo;
+        if (nearest.any(i)) level.values[std::size_t{y} * level.width + x] = around.values[nearest.pixel(i)];
+      }
+    return level;
+  });
 }
 
 // Cells by their number of points, of so many square metres each.
@@ -204,11 +212,9 @@ void StreetTiles::spread_level(double reach) const {
   const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
   for_each_tile(raster_.grid,
                 [&](std::size_t tile) {
-                  Image level = layer_around(layers_, "bare", tile, halo);
-                  spread(level, halo - 1);
-                  layers_.write("level", tile, without_halo(level, halo));
+                  layers_.write("level", tile, spread(layer_around(layers_, "bare", tile, halo), halo - 1));
                 },
-                {28, halo});
+                {16, halo});
   layers_.drop("bare");
 }
 
