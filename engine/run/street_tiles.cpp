@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/pass/pass.h"
+#include "engine/run/lattice_cells.h"
 #include "engine/store/stretches.h"
 #include "kernels/rasters/nearest.h"
 
@@ -92,6 +93,7 @@ PointDensity density_of(const std::map<std::uint32_t, std::uint64_t>& cells, dou
 PointDensity point_density(const Store& store, const PassContext& context) {
   constexpr std::int64_t kCells = 64;
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
+  const LatticeCells cell_of(cell);
   const auto windows = windows_of(store, side);
   std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
   const std::vector<PassTask> tasks(windows.size(), {context.task_points * sizeof(std::uint64_t), 0});
@@ -100,9 +102,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
         store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
-        [&](Index3 p) {
-          ++cells[static_cast<std::size_t>((p.y - row * side) / cell * kCells + (p.x - column * side) / cell)];
-        });
+        [&](Index3 p) { ++cells[std::size_t{cell_of(p.y - row * side)} * kCells + cell_of(p.x - column * side)]; });
     for (const std::uint32_t n : cells)
       if (n > 0) ++counts[i][n];
   });
@@ -169,11 +169,9 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
   const TileFrame frame = tile_frame(raster_.grid, tile);
   const std::int64_t pixel = raster_.pixel, x0 = (raster_.x + frame.x) * pixel, y0 = (raster_.y + frame.y) * pixel;
   const IndexBox box{{x0, y0, -kFar}, {x0 + pixel * kSide - 1, y0 + pixel * kSide - 1, kFar}};
-  const auto divide = [pixel](std::int64_t v) {  // v below 2^31 and not negative
-    return static_cast<std::uint32_t>(v) / static_cast<std::uint32_t>(pixel);
-  };
+  const LatticeCells pixel_of(pixel);
   for_points_in(store_, box, [&](Index3 p) {
-    take(std::size_t{divide(p.y - y0)} * kSide + divide(p.x - x0), static_cast<Height>(p.z));
+    take(std::size_t{pixel_of(p.y - y0)} * kSide + pixel_of(p.x - x0), static_cast<Height>(p.z));
   });
 }
 

@@ -75,11 +75,10 @@ class Draining {
     filling_.join();
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image raised = layer_tile(layers_, "raised", tile);
-      filling_.raise(tile, raised);
+      if (filling_.raise(tile, raised)) layers_.write("raised", tile, raised);
       const ZoneRuns plateaus =
           plateaus_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
       plateaus_[tile] = {borders_.tell(tile, plateaus), zone_pixels(plateaus)};
-      layers_.write("raised", tile, raised);
     });
     borders_.join(0, Adjacency::four);
   }

@@ -81,9 +81,8 @@ class GroundFilling {
     TileZones zones(layers_, kZones);
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image image = layer_tile(layers_, layer, tile);
-      missing.finish(tile, image);
+      if (missing.finish(tile, image)) layers_.write(layer, tile, image);
       zones.find(tile, image, flat_, falls);
-      layers_.write(layer, tile, image);
     });
     zones.join(flat_);
     return zones;
