@@ -5,13 +5,15 @@
 #include <cassert>
 #include <span>
 
+#include "kernels/simd/dispatch.h"
+
 namespace ilot {
 namespace {
 
-constexpr std::size_t kStrip = 32;  // columns worked on at a time
+constexpr std::size_t kStrip = 64;  // columns worked on at a time
 
-void least_of_two(const Height* __restrict a, const Height* __restrict b, Height* __restrict out, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) out[i] = std::min(a[i], b[i]);
+void least_of_two(const Height* a, const Height* b, Height* out, std::size_t size) {
+  simd::table().least_of_two({a, b, out, size});
 }
 
 // Each value becomes the least of itself and the window - 1 behind it: the window doubles with each pass, the last
@@ -67,15 +69,17 @@ void lower_strip(const Image& image, std::size_t x, std::size_t width, std::size
   for (std::size_t block = 0; block < out.height; block += window) {
     std::copy_n(row(block + window - 1), width, end(window - 1));
     for (std::size_t j = window - 1; j-- > 0;) least_of_two(row(block + j), end(j + 1), end(j), width);
-    Height begun[kStrip];
-    std::fill_n(begun, width, kAboveAll);
-    for (std::size_t j = 0; j < std::min(window, out.height - block); ++j) {
-      const Height* last = row(block + j + window - 1);
+    Height begun[2][kStrip];
+    std::fill_n(begun[0], width, kAboveAll);
+    for (std::size_t j = 0; j < std::min<std::size_t>(window, out.height - block); ++j) {
+      Height *before = begun[j % 2], *now = begun[(j + 1) % 2];
+      if (j == 0)
+        std::copy_n(before, width, now);
+      else
+        least_of_two(before, row(block + j + window - 1), now, width);
       Height* to = out.values.data() + (block + j) * out.width + x;
-      for (std::size_t i = 0; i < width; ++i) {
-        begun[i] = j == 0 ? kAboveAll : std::min(begun[i], last[i]);
-        to[i] = or_missing(std::min(begun[i], end(j)[i]));
-      }
+      least_of_two(now, end(j), to, width);
+      std::transform(to, to + width, to, or_missing);
     }
   }
 }

@@ -5,17 +5,20 @@
 #include <bit>
 #include <cstddef>
 
+#include "kernels/simd/dispatch.h"
+
 namespace ilot {
 namespace {
 
 constexpr std::size_t kTogether = 4;  // rows swept at a time, so that none waits for the step before
 
-template <class Key>
-void lower_row(const Key* __restrict other, Key* __restrict row, std::size_t width, Key step) {
-  for (std::size_t x = 0; x < width; ++x) {
-    const Key through = other[x] + step;
-    row[x] = through < row[x] ? through : row[x];
-  }
+void lower_row(const std::int32_t* other, std::int32_t* row, std::size_t width, std::int32_t step) {
+  simd::table().lower_by_step({other, row, width, step});
+}
+
+void lower_row(const std::int64_t* __restrict other, std::int64_t* __restrict row, std::size_t width,
+               std::int64_t step) {
+  for (std::size_t x = 0; x < width; ++x) row[x] = std::min(row[x], other[x] + step);
 }
 
 // The rows first, then each of them to both sides, from `from` to `to`.
