@@ -56,7 +56,8 @@ void bridge(Height last, Height next, std::size_t first, std::size_t by, std::ui
   if (length > params.longest || std::abs(b - a) > params.step) return;
   for (std::int64_t s = 1; s < steps; ++s) {
     Height& v = out[first + static_cast<std::size_t>(s - 1) * by];
-    const auto on_line = static_cast<Height>((a * (steps - s) + b * s) / steps);
+    // Exact as the division of whole numbers: a quotient that is none of them is farther from them than 2^-20.
+    const auto on_line = static_cast<Height>(static_cast<double>(a * (steps - s) + b * s) / static_cast<double>(steps));
     v = v == kNoHeight ? on_line : std::min(v, on_line);
   }
 }

@@ -3,8 +3,7 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <optional>
-#include <span>
+#include <utility>
 
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/nearest.h"
@@ -17,6 +16,7 @@ namespace {
 // Two neighbours that are nearest to different regions; the ends of the link through them, the first one first.
 struct Meeting {
   std::uint32_t length, end_a, end_b, p, q;  // p on the side of end_a
+  std::uint32_t zone_a, zone_b;              // ZoneNumbers
   auto order() const { return std::tie(length, end_a, end_b, p, q); }
 };
 
@@ -71,24 +71,39 @@ NearestKeys<Key> keys_of(const PaddedFrame& frame, const LinkWindow& window, std
   return nearest;
 }
 
-// Zones of a window, numbered anew from 0 as they are asked for.
-class Regions {
+// Zones of a window, numbered anew from 0 as they are first asked for. A table with open places, twice as long as what
+// it holds; its order shows nowhere.
+class ZoneNumbers {
  public:
-  explicit Regions(const std::vector<std::uint32_t>& zones) : sorted_(zones) {
-    std::sort(sorted_.begin(), sorted_.end());
-    sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
-    parents_.resize(sorted_.size());
-    sets_.emplace(parents_);
+  std::uint32_t number(std::uint32_t zone) {
+    std::size_t at = place_of(zone);
+    if (places_[at].zone == zone) return places_[at].number;
+    if (2 * (count_ + 1) > places_.size()) {
+      grow();
+      at = place_of(zone);
+    }
+    places_[at] = {zone, count_};
+    return count_++;
   }
-  bool unite(std::uint32_t a, std::uint32_t b) { return sets_->unite(number(a), number(b)); }
-  bool same(std::uint32_t a, std::uint32_t b) { return sets_->same(number(a), number(b)); }
+  std::uint32_t count() const { return count_; }
 
  private:
-  std::uint32_t number(std::uint32_t zone) const {
-    return static_cast<std::uint32_t>(std::lower_bound(sorted_.begin(), sorted_.end(), zone) - sorted_.begin());
+  struct Place {
+    std::uint32_t zone = 0, number = 0;  // no zone is 0
+  };
+  // Where a zone stands, or the open place that it would take.
+  std::size_t place_of(std::uint32_t zone) const {
+    std::size_t at = zone * 0x9e3779b9u & (places_.size() - 1);
+    while (places_[at].zone != 0 && places_[at].zone != zone) at = (at + 1) & (places_.size() - 1);
+    return at;
   }
-  std::vector<std::uint32_t> sorted_, parents_;
-  std::optional<UnionFind> sets_;
+  void grow() {
+    const std::vector<Place> old = std::exchange(places_, std::vector<Place>(2 * places_.size()));
+    for (const Place& p : old)
+      if (p.zone != 0) places_[place_of(p.zone)] = p;
+  }
+  std::vector<Place> places_ = std::vector<Place>(256);
+  std::uint32_t count_ = 0;
 };
 
 template <class Key>
@@ -104,14 +119,14 @@ class Linking {
   // Length by length: most meetings are of regions that shorter links have joined.
   std::vector<RegionLink> run() {
     find_meetings();
-    Regions regions(met_);
+    std::vector<std::uint32_t> parents(numbers_.count());
+    UnionFind regions(parents);
     std::vector<RegionLink> links;
-    const auto joined = [&](const Meeting& m) { return regions.same(zone_of(m.end_a), zone_of(m.end_b)); };
     for (std::vector<Meeting>& list : meetings_) {
-      std::erase_if(list, joined);
+      std::erase_if(list, [&](const Meeting& m) { return regions.same(m.zone_a, m.zone_b); });
       std::sort(list.begin(), list.end(), [](const Meeting& a, const Meeting& b) { return a.order() < b.order(); });
       for (const Meeting& m : list)
-        if (regions.unite(zone_of(m.end_a), zone_of(m.end_b))) links.push_back(link(m));
+        if (regions.unite(m.zone_a, m.zone_b)) links.push_back(link(m));
     }
     return links;
   }
@@ -147,9 +162,8 @@ class Linking {
     if (zone_a == zone_b) return;
     const std::uint32_t length = nearest_.distance(p) + nearest_.distance(q);
     if (length > params_.max_length || std::abs(height_of(a) - height_of(b)) > params_.step) return;
-    meetings_[length].push_back(a < b ? Meeting{length, a, b, p, q} : Meeting{length, b, a, q, p});
-    for (const std::uint32_t zone : {zone_a, zone_b})
-      if (met_.size() < 2 || (met_.end()[-1] != zone && met_.end()[-2] != zone)) met_.push_back(zone);
+    const std::uint32_t i = numbers_.number(zone_a), j = numbers_.number(zone_b);
+    meetings_[length].push_back(a < b ? Meeting{length, a, b, p, q, i, j} : Meeting{length, b, a, q, p, j, i});
   }
 
   // Of a pixel of the frame, in the window.
@@ -202,7 +216,7 @@ class Linking {
   std::array<std::uint32_t, 8> steps_;
   NearestKeys<Key> nearest_;
   std::vector<std::vector<Meeting>> meetings_;  // by length
-  std::vector<std::uint32_t> met_;              // their zones, many of them again and again
+  ZoneNumbers numbers_;
 };
 
 }  // namespace
