@@ -13,6 +13,9 @@ void for_each_where(std::size_t size, const Holds& holds, const Take& take) {
   constexpr unsigned kTogether = 16;
   std::size_t i = 0;
   for (; i + kTogether <= size; i += kTogether) {
+    int any = 0;
+    for (unsigned k = 0; k < kTogether; ++k) any |= holds(i + k);
+    if (any == 0) continue;
     unsigned bits = 0;
     for (unsigned k = 0; k < kTogether; ++k) bits |= holds(i + k) != 0 ? 1u << k : 0u;
     for (; bits != 0; bits &= bits - 1) take(i + static_cast<unsigned>(std::countr_zero(bits)));

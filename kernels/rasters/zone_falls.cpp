@@ -19,25 +19,36 @@ int steep(Height a, Height b, Height lambda) {
 std::vector<std::int32_t> zone_falls(const Image& image, const PixelLabels& zones, Height lambda) {
   assert(zones.of.size() == image.size() && lambda >= 0);
   std::vector<std::int32_t> falls(std::size_t{zones.count} + 1, 0);
-  // Steps from each pixel of a row to the one `by` on, of which there are `size` from the first.
-  const auto count = [&](std::size_t first, std::size_t by, std::size_t size) {
-    const Height *a = image.values.data() + first, *b = a + by;
-    const std::uint32_t *zone = zones.of.data() + first, *beside = zone + by;
-    for_each_where(
-        size, [&](std::size_t i) { return steep(a[i], b[i], lambda); },
-        [&](std::size_t i) {
-          const std::int32_t step = a[i] > b[i] ? 1 : -1;
-          falls[zone[i]] += step;
-          falls[beside[i]] -= step;
-        });
+  const auto count = [&](std::size_t a, std::size_t b) {
+    const std::int32_t step = fall(image.values[a], image.values[b], lambda);
+    if (step == 0) return;
+    falls[zones.of[a]] += step;
+    falls[zones.of[b]] -= step;
   };
   const std::size_t w = image.width;
   for (std::size_t y = 0; y < image.height; ++y) {
-    count(y * w, 1, w - 1);
-    if (y + 1 == image.height) break;
-    count(y * w, w, w);
-    count(y * w, w + 1, w - 1);
-    count(y * w + 1, w - 1, w - 1);
+    const bool last = y + 1 == image.height;
+    const auto count_at = [&](std::size_t x) {
+      const std::size_t i = y * w + x;
+      if (x + 1 < w) count(i, i + 1);
+      if (last) return;
+      count(i, i + w);
+      if (x > 0) count(i, i + w - 1);
+      if (x + 1 < w) count(i, i + w + 1);
+    };
+    count_at(0);
+    const Height* row = image.values.data() + y * w + 1;
+    const Height* below = last ? row : row + w;
+    if (w > 2)
+      for_each_where(
+          w - 2,
+          [&](std::size_t x) {
+            const Height v = row[x];
+            return steep(v, row[x + 1], lambda) | steep(v, *(below + x - 1), lambda) | steep(v, below[x], lambda) |
+                   steep(v, below[x + 1], lambda);
+          },
+          [&](std::size_t x) { count_at(x + 1); });
+    if (w > 1) count_at(w - 1);
   }
   return falls;
 }
