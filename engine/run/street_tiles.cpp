@@ -98,7 +98,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
   std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
   const std::vector<PassTask> tasks(windows.size(), {context.task_points * sizeof(std::uint64_t), 0});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto [row, column] = windows[i];
+    const std::int64_t row = windows[i].first, column = windows[i].second;
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
         store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
