@@ -5,13 +5,13 @@
 #include <cassert>
 #include <cstring>
 
+#include "kernels/rasters/narrow_heights.h"
+
 namespace ilot {
 namespace {
 
-constexpr std::size_t kEight = 8;  // values looked at together
-constexpr std::uint16_t kPackedNone = 0xffff, kPackedAbove = 0xfffe;
-constexpr std::uint32_t kCodesTaken = 2;  // by these two
-constexpr Height kMiddle = 0x7fff;        // of the codes
+constexpr std::size_t kEight = 8;   // values looked at together
+constexpr Height kMiddle = 0x7fff;  // of the codes
 
 // A word 2 n + 1 and a value: n times the value; a word 2 n: n values follow. The codes of values: two bytes above
 // `base`, or four as they are. put: whether all values have a code.
@@ -19,27 +19,10 @@ struct Narrow {
   static constexpr std::size_t kWords = 1;
   Height base;
 
-  std::uint16_t code(Height v) const {
-    const auto above = static_cast<std::uint16_t>(static_cast<std::uint32_t>(v) - static_cast<std::uint32_t>(base));
-    return v == kNoHeight ? kPackedNone : v == kAboveAll ? kPackedAbove : above;
+  bool put(const Height* values, std::size_t n, std::uint16_t* words) const {
+    return narrow_heights({values, n}, base, {words, n});
   }
-  Height value(std::uint16_t code) const {
-    const auto v = static_cast<Height>(static_cast<std::uint32_t>(base) + code);
-    return code == kPackedNone ? kNoHeight : code == kPackedAbove ? kAboveAll : v;
-  }
-  bool put(const Height* __restrict values, std::size_t n, std::uint16_t* __restrict words) const {
-    std::uint32_t beyond = 0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const std::uint32_t above = static_cast<std::uint32_t>(values[i]) - static_cast<std::uint32_t>(base);
-      const bool end = (values[i] == kNoHeight) | (values[i] == kAboveAll);
-      beyond |= end ? 0 : above >> 16 | (above + kCodesTaken) >> 16;
-      words[i] = code(values[i]);
-    }
-    return beyond == 0;
-  }
-  void get(const std::uint16_t* __restrict words, std::size_t n, Height* __restrict out) const {
-    for (std::size_t i = 0; i < n; ++i) out[i] = value(words[i]);
-  }
+  void get(const std::uint16_t* words, std::size_t n, Height* out) const { widen_codes({words, n}, base, {out, n}); }
 };
 
 struct Wide {

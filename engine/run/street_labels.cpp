@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/pass/pass.h"
+#include "engine/run/lattice_cells.h"
 
 namespace ilot {
 namespace {
@@ -16,14 +17,18 @@ constexpr std::uint32_t kFacade = 0xffffffffu;
 class Verdict {
  public:
   Verdict(const StreetTiles& tiles, const ThingLabels& things, double least_height)
-      : tiles_(tiles), things_(things), least_(tiles.raster().scale.units(least_height)) {}
+      : tiles_(tiles),
+        things_(things),
+        least_(tiles.raster().scale.units(least_height)),
+        x_(tiles.raster().x * tiles.raster().pixel),
+        y_(tiles.raster().y * tiles.raster().pixel),
+        side_(tiles.raster().grid.side),
+        pixel_of_(tiles.raster().pixel) {}
 
   StreetLabel of(Index3 p) {
-    const StreetRaster& raster = tiles_.raster();
-    const auto x = static_cast<std::uint32_t>(raster.column(p.x)), y = static_cast<std::uint32_t>(raster.row(p.y));
-    const std::uint32_t side = raster.grid.side;
-    const TileAtHand& tile = tile_at(std::size_t{y / side} * raster.grid.columns() + x / side);
-    const std::size_t pixel = std::size_t{y % side} * side + x % side;
+    const std::uint32_t x = pixel_of_(p.x - x_), y = pixel_of_(p.y - y_);
+    const TileAtHand& tile = tile_with(x, y);
+    const std::size_t pixel = std::size_t{y - tile.y} * side_ + x - tile.x;
     const Height level = tile.level.values[pixel];
     if (level == kNoHeight) return {};
     if (static_cast<Height>(p.z) - level < least_) return {0, PointLabel::ground};
@@ -34,22 +39,26 @@ class Verdict {
 
  private:
   struct TileAtHand {
-    std::size_t tile = static_cast<std::size_t>(-1);
+    std::uint32_t x = 0, y = 0;     // of its first pixel
     Image level = {}, things = {};  // kFacade in things: where nothing stands and the mask has ended
+    bool holds(std::uint32_t u, std::uint32_t v, std::uint32_t side) const {
+      return level.size() > 0 && u - x < side && v - y < side;  // below x and y they wrap around
+    }
   };
 
   // The one used last comes first.
-  const TileAtHand& tile_at(std::size_t tile) {
-    if (at_hand_[0].tile == tile) return at_hand_[0];
+  const TileAtHand& tile_with(std::uint32_t x, std::uint32_t y) {
+    if (at_hand_[0].holds(x, y, side_)) return at_hand_[0];
     std::size_t i = 1;
-    while (i + 1 < kTilesAtHand && at_hand_[i].tile != tile) ++i;
-    if (at_hand_[i].tile != tile) at_hand_[i] = loaded(tile);
+    while (i + 1 < kTilesAtHand && !at_hand_[i].holds(x, y, side_)) ++i;
+    if (!at_hand_[i].holds(x, y, side_)) at_hand_[i] = loaded(x / side_ * side_, y / side_ * side_);
     std::rotate(at_hand_, at_hand_ + i, at_hand_ + i + 1);
     return at_hand_[0];
   }
 
-  TileAtHand loaded(std::size_t tile) const {
-    TileAtHand out{tile, layer_tile(tiles_.layers(), "level", tile), layer_tile(tiles_.layers(), "things", tile)};
+  TileAtHand loaded(std::uint32_t x, std::uint32_t y) const {
+    const std::size_t tile = std::size_t{y / side_} * tiles_.raster().grid.columns() + x / side_;
+    TileAtHand out{x, y, layer_tile(tiles_.layers(), "level", tile), layer_tile(tiles_.layers(), "things", tile)};
     const Image mask = layer_tile(tiles_.layers(), "mask", tile);
     for (std::size_t i = 0; i < mask.size(); ++i)
       if (out.things.values[i] == 0 && mask.values[i] != 1) out.things.values[i] = static_cast<Height>(kFacade);
@@ -59,6 +68,9 @@ class Verdict {
   const StreetTiles& tiles_;
   const ThingLabels& things_;
   Height least_;
+  std::int64_t x_, y_;  // of the raster's corner, lattice units
+  std::uint32_t side_;
+  LatticeCells pixel_of_;
   TileAtHand at_hand_[kTilesAtHand];
 };
 

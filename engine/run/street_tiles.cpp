@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/pass/pass.h"
+#include "engine/run/lattice_cells.h"
 #include "engine/store/stretches.h"
 #include "kernels/rasters/nearest.h"
 
@@ -59,11 +60,19 @@ std::int64_t whole_units(const Store& store, const PassContext& context, double 
   return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
 }
 
-// The level of each pixel of a window that has none, from the nearest that has one within so many steps.
-void spread(Image& level, std::uint32_t reach) {
-  const NearestPixels nearest = nearest_pixels(level, reach);
-  for (std::size_t i = 0; i < level.size(); ++i)
-    if (nearest.pixel[i] != kNoNearest) level.values[i] = level.values[nearest.pixel[i]];
+// The level of each pixel of a tile that has none, from the nearest that has one within so many steps. `around`: the
+// tile and one more pixel on all sides than that.
+Image spread(const Image& around, std::uint32_t reach) {
+  const std::uint32_t halo = reach + 1;
+  return with_nearest_keys(around, reach, [&](const auto& nearest) {
+    Image level = filled_image(around.width - 2 * halo, around.height - 2 * halo, kNoHeight);
+    for (std::uint32_t y = 0; y < level.height; ++y)
+      for (std::uint32_t x = 0; x < level.width; ++x) {
+        const std::size_t i = std::size_t{y + halo} * around.width + x + halo;
+        if (nearest.any(i)) level.values[std::size_t{y} * level.width + x] = around.values[nearest.pixel(i)];
+      }
+    return level;
+  });
 }
 
 // Cells by their number of points, of so many square metres each.
@@ -84,17 +93,16 @@ PointDensity density_of(const std::map<std::uint32_t, std::uint64_t>& cells, dou
 PointDensity point_density(const Store& store, const PassContext& context) {
   constexpr std::int64_t kCells = 64;
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
+  const LatticeCells cell_of(cell);
   const auto windows = windows_of(store, side);
   std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
   const std::vector<PassTask> tasks(windows.size(), {context.task_points * sizeof(std::uint64_t), 0});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const auto [row, column] = windows[i];
+    const std::int64_t row = windows[i].first, column = windows[i].second;
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
         store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
-        [&](Index3 p) {
-          ++cells[static_cast<std::size_t>((p.y - row * side) / cell * kCells + (p.x - column * side) / cell)];
-        });
+        [&](Index3 p) { ++cells[std::size_t{cell_of(p.y - row * side)} * kCells + cell_of(p.x - column * side)]; });
     for (const std::uint32_t n : cells)
       if (n > 0) ++counts[i][n];
   });
@@ -161,11 +169,9 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
   const TileFrame frame = tile_frame(raster_.grid, tile);
   const std::int64_t pixel = raster_.pixel, x0 = (raster_.x + frame.x) * pixel, y0 = (raster_.y + frame.y) * pixel;
   const IndexBox box{{x0, y0, -kFar}, {x0 + pixel * kSide - 1, y0 + pixel * kSide - 1, kFar}};
-  const auto divide = [pixel](std::int64_t v) {  // v below 2^31 and not negative
-    return static_cast<std::uint32_t>(v) / static_cast<std::uint32_t>(pixel);
-  };
+  const LatticeCells pixel_of(pixel);
   for_points_in(store_, box, [&](Index3 p) {
-    take(std::size_t{divide(p.y - y0)} * kSide + divide(p.x - x0), static_cast<Height>(p.z));
+    take(std::size_t{pixel_of(p.y - y0)} * kSide + pixel_of(p.x - x0), static_cast<Height>(p.z));
   });
 }
 
@@ -204,11 +210,9 @@ void StreetTiles::spread_level(double reach) const {
   const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
   for_each_tile(raster_.grid,
                 [&](std::size_t tile) {
-                  Image level = layer_around(layers_, "bare", tile, halo);
-                  spread(level, halo - 1);
-                  layers_.write("level", tile, without_halo(level, halo));
+                  layers_.write("level", tile, spread(layer_around(layers_, "bare", tile, halo), halo - 1));
                 },
-                {28, halo});
+                {16, halo});
   layers_.drop("bare");
 }
 

@@ -11,7 +11,7 @@ namespace ilot {
 TileZones::TileZones(const StreetLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}
 
-void TileZones::find(std::size_t tile, const Image& image, Height lambda) {
+void TileZones::find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted) {
   const TileFrame frame = tile_frame(layers_.grid, tile);
   const ZoneRuns runs = zone_runs(image, lambda, Adjacency::eight);
   const std::vector<std::uint32_t> on_border = borders_.tell(tile, runs, image);
@@ -23,8 +23,10 @@ void TileZones::find(std::size_t tile, const Image& image, Height lambda) {
     z.on_border = on_border[zone];
   });
   const PixelLabels labels = painted(runs);
-  const std::vector<std::int32_t> falls = zone_falls(image, labels, lambda);
-  for (std::size_t z = 1; z < zones.size(); ++z) zones[z].falls = falls[z];
+  if (falls_wanted == ZoneFalls::counted) {
+    const std::vector<std::int32_t> falls = zone_falls(image, labels, lambda);
+    for (std::size_t z = 1; z < zones.size(); ++z) zones[z].falls = falls[z];
+  }
   zones_[tile] = std::move(zones);
   layers_.write(layer_, tile, {labels.width, labels.height, std::vector<Height>(labels.of.begin(), labels.of.end())});
 }

@@ -14,6 +14,9 @@ struct GroundOfGroups {
   std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least a tenth of the largest, the largest first
 };
 
+// Whether zone_falls are counted, which ground() asks for.
+enum class ZoneFalls : std::uint8_t { left_out, counted };
+
 // Flat zones of tiles, joined where they touch. In order: find of all tiles, join, then the rest. Different tiles from
 // several threads at once. Memory: 24 bytes a zone of a tile, 8 a pixel of their borders.
 class TileZones {
@@ -21,14 +24,14 @@ class TileZones {
   // Labels of tiles are kept in `layer`.
   TileZones(const StreetLayers& layers, const char* layer);
 
-  void find(std::size_t tile, const Image& image, Height lambda);
+  void find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted);
   void join(Height lambda);
 
   // The numbers in the whole of the labels of a tile; [0] = 0.
   std::vector<std::uint32_t> numbers_of(std::size_t tile) const;
   // Those of the pixels of a tile and around it, kNoHeight outside of the image; empty where there are not two.
   Image around(std::size_t tile, std::uint32_t halo) const;
-  // The ground of each group of tiles, as ground_zone chooses it.
+  // The ground of each group of tiles, as ground_zone chooses it, where falls were counted.
   GroundOfGroups ground(const PixelLabels& groups) const;
 
  private:

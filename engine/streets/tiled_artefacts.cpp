@@ -7,6 +7,7 @@
 #include "kernels/rasters/box_minimum.h"
 #include "kernels/rasters/reconstruct.h"
 #include "kernels/rasters/tiled_filling.h"
+#include "kernels/rasters/where.h"
 
 namespace ilot {
 namespace {
@@ -20,11 +21,12 @@ Image inside_around(const StreetLayers& layers, std::size_t tile, std::uint32_t 
   return inside;
 }
 
-bool touches(const Image& inside, std::size_t p) {
-  const std::size_t w = inside.width;
-  for (const std::size_t q : {p - w - 1, p - w, p - w + 1, p - 1, p + 1, p + w - 1, p + w, p + w + 1})
-    if (inside.values[q] != kNoHeight) return true;
-  return false;
+// Whether one of the nine pixels around and at p has a height, without branches.
+int touches(const Height* p, std::ptrdiff_t stride) {
+  int any = 0;
+  for (const Height* row : {p - stride, p, p + stride})
+    any |= (*(row - 1) != kNoHeight) | (*row != kNoHeight) | (row[1] != kNoHeight);
+  return any;
 }
 
 // Upside down, with the ring at the local ground height; outside of it kNoHeight.
@@ -32,15 +34,14 @@ Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach)
   const std::uint32_t halo = reach + 1;
   const Image inside = inside_around(layers, tile, halo), around = box_minimum_within(inside, reach);
   Image over = without_halo(inside, halo);
+  for (Height& v : over.values) v = v == kNoHeight ? v : -v;
   for (std::uint32_t y = 0; y < over.height; ++y) {
-    for (std::uint32_t x = 0; x < over.width; ++x) {
-      const std::size_t p = std::size_t{y + halo} * inside.width + x + halo;
-      Height& v = over.values[std::size_t{y} * over.width + x];
-      if (inside.values[p] != kNoHeight)
-        v = -inside.values[p];
-      else if (touches(inside, p))
-        v = -around.values[std::size_t{y + 1} * around.width + x + 1];
-    }
+    const Height* row = inside.values.data() + std::size_t{y + halo} * inside.width + halo;
+    const Height* lowest = around.values.data() + std::size_t{y + 1} * around.width + 1;
+    Height* to = over.values.data() + std::size_t{y} * over.width;
+    for_each_where(
+        over.width, [&](std::size_t x) { return (row[x] == kNoHeight) & touches(row + x, inside.width); },
+        [&](std::size_t x) { to[x] = -lowest[x]; });
   }
   return over;
 }
@@ -74,11 +75,10 @@ class Draining {
     filling_.join();
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image raised = layer_tile(layers_, "raised", tile);
-      filling_.raise(tile, raised);
+      if (filling_.raise(tile, raised)) layers_.write("raised", tile, raised);
       const ZoneRuns plateaus =
           plateaus_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
       plateaus_[tile] = {borders_.tell(tile, plateaus), zone_pixels(plateaus)};
-      layers_.write("raised", tile, raised);
     });
     borders_.join(0, Adjacency::four);
   }

@@ -5,24 +5,25 @@
 #include <cassert>
 #include <span>
 
+#include "kernels/simd/dispatch.h"
+
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kStrip = 64;  // columns worked on at a time
+constexpr std::size_t kStrip = 64;  // columns worked on at a time
 
-void least_of_two(const Height* __restrict a, const Height* __restrict b, Height* __restrict out, std::size_t size) {
-  for (std::size_t i = 0; i < size; ++i) out[i] = std::min(a[i], b[i]);
+void least_of_two(const Height* a, const Height* b, Height* out, std::size_t size) {
+  simd::table().least_of_two({a, b, out, size});
 }
 
-// Each value becomes the least of itself and the window - 1 behind it, `stride` apart: the window doubles with each
-// pass, the last makes up what is missing. Those with less than a window behind them lose their meaning.
-void lower_to_windows(std::vector<Height>& values, std::vector<Height>& scratch, std::size_t stride,
-                      std::size_t window) {
+// Each value becomes the least of itself and the window - 1 behind it: the window doubles with each pass, the last
+// makes up what is missing. Those with less than a window behind them lose their meaning.
+void lower_to_windows(std::vector<Height>& values, std::vector<Height>& scratch, std::size_t window) {
   std::size_t size = values.size(), reached = 1;
   scratch.resize(size);
   const auto reach_on = [&](std::size_t more) {
-    size -= more * stride;
-    least_of_two(values.data(), values.data() + more * stride, scratch.data(), size);
+    size -= more;
+    least_of_two(values.data(), values.data() + more, scratch.data(), size);
     values.swap(scratch);
   };
   for (; 2 * reached <= window; reached *= 2) reach_on(reached);
@@ -53,26 +54,45 @@ Image lowered_rows(const Image& image, std::size_t reach) {
     line.resize(image.width);
     std::transform(row, row + image.width, line.data(), or_highest);
     if (none_in(line)) continue;
-    lower_to_windows(line, scratch, 1, 2 * reach + 1);
+    lower_to_windows(line, scratch, 2 * reach + 1);
     std::copy_n(line.data(), width, out.values.data() + y * width);
   }
   return out;
 }
 
+// One strip of columns: the least of a window reaches from a row to the end of its block of as many rows (`ends`, of a
+// whole block) and on from the beginning of the next (van Herk 1992), a row of the strip at a time.
+void lower_strip(const Image& image, std::size_t x, std::size_t width, std::size_t window, std::vector<Height>& ends,
+                 Image& out) {
+  const auto row = [&](std::size_t y) { return image.values.data() + y * image.width + x; };
+  const auto end = [&](std::size_t j) { return ends.data() + j * kStrip; };
+  for (std::size_t block = 0; block < out.height; block += window) {
+    std::copy_n(row(block + window - 1), width, end(window - 1));
+    for (std::size_t j = window - 1; j-- > 0;) least_of_two(row(block + j), end(j + 1), end(j), width);
+    Height begun[2][kStrip];
+    std::fill_n(begun[0], width, kAboveAll);
+    for (std::size_t j = 0; j < std::min<std::size_t>(window, out.height - block); ++j) {
+      Height *before = begun[j % 2], *now = begun[(j + 1) % 2];
+      if (j == 0)
+        std::copy_n(before, width, now);
+      else
+        least_of_two(before, row(block + j + window - 1), now, width);
+      Height* to = out.values.data() + (block + j) * out.width + x;
+      least_of_two(now, end(j), to, width);
+      std::transform(to, to + width, to, or_missing);
+    }
+  }
+}
+
 Image lowered_columns(const Image& image, std::size_t reach) {
-  const std::size_t height = image.height - 2 * reach;
-  Image out = filled_image(image.width, static_cast<std::uint32_t>(height), kNoHeight);
-  std::vector<Height> strip, scratch;
-  for (std::uint32_t x = 0; x < image.width; x += kStrip) {
-    const std::size_t width = std::min(kStrip, image.width - x);
-    strip.resize(image.height * width);
+  Image out = filled_image(image.width, static_cast<std::uint32_t>(image.height - 2 * reach), kNoHeight);
+  std::vector<Height> ends((2 * reach + 1) * kStrip);
+  for (std::size_t x = 0; x < image.width; x += kStrip) {
+    const std::size_t width = std::min<std::size_t>(kStrip, image.width - x);
+    Height least = kAboveAll;
     for (std::size_t y = 0; y < image.height; ++y)
-      std::copy_n(image.values.data() + y * image.width + x, width, strip.data() + y * width);
-    if (none_in(strip)) continue;
-    lower_to_windows(strip, scratch, width, 2 * reach + 1);
-    for (std::size_t y = 0; y < height; ++y)
-      std::transform(strip.data() + y * width, strip.data() + (y + 1) * width, out.values.data() + y * image.width + x,
-                     or_missing);
+      for (std::size_t i = 0; i < width; ++i) least = std::min(least, image.values[y * image.width + x + i]);
+    if (least != kAboveAll) lower_strip(image, x, width, 2 * reach + 1, ends, out);
   }
   return out;
 }

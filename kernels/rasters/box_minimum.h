@@ -5,8 +5,8 @@
 namespace ilot {
 
 // The lowest height within `reach` pixels of each pixel, both ways along both axes (a square of 2 reach + 1); kNoHeight
-// where there is none in it. Rows, then columns, in windows that double with each pass: O(n log reach), several pixels
-// at a time: a fifth of what running minima of blocks (van Herk 1992) took at a reach of 100.
+// where there is none in it. Rows in windows that double with each pass, then columns by running minima of blocks (van
+// Herk 1992), several pixels at a time: O(n log reach).
 Image box_minimum(const Image& image, std::uint32_t reach);
 
 // Of the pixels alone whose square lies in the image: smaller by `reach` on all four sides. More than 2 reach both

@@ -5,6 +5,7 @@
 
 #include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/settle.h"
+#include "kernels/rasters/where.h"
 
 namespace ilot {
 namespace {
@@ -47,28 +48,49 @@ std::vector<Height> levels_around(const Image& image, const PixelLabels& missing
   return levels;
 }
 
-// One row or column of an image.
-struct Line {
-  std::size_t first, step, length;
-  std::size_t at(std::size_t i) const { return first + i * step; }
-};
-
-// Lowers `out` to the straight lines over the short gaps of one line.
-void bridge(const Image& image, const Line& line, const ShortGapsParams& params, std::vector<Height>& out) {
-  std::size_t last = line.length;  // the last pixel with a height; none yet
-  for (std::size_t i = 0; i < line.length; ++i) {
-    const Height b = image.values[line.at(i)];
-    if (b == kNoHeight) continue;
-    if (last < i && i - last - 1 <= params.longest && i - last > 1) {
-      const std::int64_t a = image.values[line.at(last)], steps = static_cast<std::int64_t>(i - last);
-      if (std::abs(b - a) <= params.step)
-        for (std::int64_t s = 1; s < steps; ++s) {
-          Height& v = out[line.at(last + static_cast<std::size_t>(s))];
-          v = std::min(v, static_cast<Height>((a * (steps - s) + b * s) / steps));
-        }
-    }
-    last = i;
+// Puts the straight line over a gap into `out`, where it lies lower than what is there. `last` and `next`: the heights
+// at its two ends, `by` apart from pixel to pixel, `length` pixels between them.
+void bridge(Height last, Height next, std::size_t first, std::size_t by, std::uint32_t length,
+            const ShortGapsParams& params, std::vector<Height>& out) {
+  const std::int64_t a = last, b = next, steps = std::int64_t{length} + 1;
+  if (length > params.longest || std::abs(b - a) > params.step) return;
+  for (std::int64_t s = 1; s < steps; ++s) {
+    Height& v = out[first + static_cast<std::size_t>(s - 1) * by];
+    // Exact as the division of whole numbers: a quotient that is none of them is farther from them than 2^-20.
+    const auto on_line = static_cast<Height>(static_cast<double>(a * (steps - s) + b * s) / static_cast<double>(steps));
+    v = v == kNoHeight ? on_line : std::min(v, on_line);
   }
+}
+
+// Where heights end and begin along a row.
+void bridge_row(const Image& image, std::uint32_t y, const ShortGapsParams& params, std::vector<Height>& out) {
+  const std::size_t row = std::size_t{y} * image.width;
+  const Height* values = image.values.data() + row;
+  std::size_t from = 0;  // of the gap; 0: none yet, as it begins behind a height
+  for_each_where(
+      image.width - 1, [&](std::size_t x) { return (values[x] == kNoHeight) ^ (values[x + 1] == kNoHeight); },
+      [&](std::size_t x) {
+        if (values[x] != kNoHeight)
+          from = x + 1;
+        else if (from != 0)
+          bridge(values[from - 1], values[x + 1], row + from, 1, static_cast<std::uint32_t>(x + 1 - from), params, out);
+      });
+}
+
+// The same along all columns, row by row. `from`: of each column's gap the first row, 0: none yet.
+void bridge_columns(const Image& image, std::uint32_t y, const ShortGapsParams& params,
+                    std::vector<std::uint32_t>& from, std::vector<Height>& out) {
+  const std::size_t width = image.width;
+  const Height *below = image.values.data() + y * width, *above = below - width;
+  for_each_where(
+      width, [&](std::size_t x) { return (above[x] == kNoHeight) ^ (below[x] == kNoHeight); },
+      [&](std::size_t x) {
+        if (above[x] != kNoHeight)
+          from[x] = y;
+        else if (from[x] != 0)
+          bridge(image.values[(from[x] - 1) * width + x], below[x], from[x] * width + x, width, y - from[x], params,
+                 out);
+      });
 }
 
 }  // namespace
@@ -94,13 +116,12 @@ Image fill_missing(const Image& image) {
 }
 
 Image fill_short_gaps(const Image& image, const ShortGapsParams& params) {
-  std::vector<Height> bridged(image.size(), kAboveAll);
-  for (std::uint32_t y = 0; y < image.height; ++y)
-    bridge(image, {std::size_t{y} * image.width, 1, image.width}, params, bridged);
-  for (std::uint32_t x = 0; x < image.width; ++x) bridge(image, {x, image.width, image.height}, params, bridged);
   Image out = image;
-  for (std::size_t i = 0; i < out.size(); ++i)
-    if (out.values[i] == kNoHeight && bridged[i] != kAboveAll) out.values[i] = bridged[i];
+  std::vector<std::uint32_t> from(image.width, 0);
+  for (std::uint32_t y = 0; y < image.height; ++y) {
+    bridge_row(image, y, params, out.values);
+    if (y > 0) bridge_columns(image, y, params, from, out.values);
+  }
   return out;
 }
 

@@ -92,12 +92,16 @@ void TiledMissing::join() {
 }
 
 // The regions that are left are those on the border, in the order in which they were told.
-void TiledMissing::finish(std::size_t tile, Image& image) const {
+bool TiledMissing::finish(std::size_t tile, Image& image) const {
+  bool any = false;
+  for (std::uint32_t z = 1; z <= told_[tile].size(); ++z) any |= levels_[borders_.number(tile, z)] != kNoHeight;
+  if (!any) return false;
   const ZoneRuns missing = missing_runs(image, Adjacency::eight);
   assert(missing.count == told_[tile].size());
   for_each_run(missing, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
     fill_run(image, y, run, levels_[borders_.number(tile, zone)]);
   });
+  return true;
 }
 
 }  // namespace ilot

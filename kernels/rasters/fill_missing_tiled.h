@@ -18,8 +18,8 @@ class TiledMissing {
   // `around`: the tile and a pixel on all four sides, kNoHeight outside of the image. Gives the tile. O(n).
   Image fill(std::size_t tile, const Image& around);
   void join();
-  // From what `fill` gave to the values of the whole.
-  void finish(std::size_t tile, Image& image) const;
+  // From what `fill` gave to the values of the whole. Whether a value changed.
+  bool finish(std::size_t tile, Image& image) const;
 
  private:
   void open_at_ends(std::size_t tile, const ZoneRuns& missing, std::vector<Height>& levels) const;

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <span>
 
 #include "kernels/core/union_find.h"
+#include "kernels/rasters/where.h"
 #include "kernels/rasters/zone_runs.h"
 
 namespace ilot {
@@ -18,39 +18,36 @@ bool near(Height a, Height b, Height lambda) {
   return (a < b ? ub - ua : ua - ub) <= static_cast<std::uint32_t>(lambda);
 }
 
-// breaks[x] = whether a run cannot go on from x - 1 to x; breaks[0] and breaks[width] = 1.
-void find_breaks(const Height* row, std::uint32_t width, Height lambda, std::uint8_t* __restrict breaks) {
-  for (std::uint32_t x = 1; x < width; ++x) {
-    const Height a = row[x - 1], b = row[x];
-    const unsigned missing = (a == kNoHeight) | (b == kNoHeight);
-    breaks[x] = static_cast<std::uint8_t>(missing | !near(a, b, lambda));
-  }
-  breaks[0] = breaks[width] = 1;
-}
-
-// The next break at or after x; eight at a time over what has none. Readable to eight beyond the last.
-std::uint32_t next_break(const std::uint8_t* breaks, std::uint32_t x) {
-  for (;; x += 8) {
-    std::uint64_t eight;
-    std::memcpy(&eight, breaks + x, 8);
-    if (eight != 0) break;
-  }
-  while (breaks[x] == 0) ++x;
-  return x;
+// Runs of a row: calls put(from, to) for what lies between the pixels at which a run cannot go on from the one before.
+template <class Breaks, class Put>
+void for_runs(std::uint32_t width, const Breaks& breaks, const Put& put) {
+  std::uint32_t from = 0;
+  const auto end_at = [&](std::uint32_t to) {
+    put(from, to);
+    from = to;
+  };
+  for_each_where(
+      width - 1, [&](std::size_t i) { return breaks(i + 1); },
+      [&](std::size_t i) { end_at(static_cast<std::uint32_t>(i) + 1); });
+  end_at(width);
 }
 
 ZoneRuns find_runs(const Image& image, Height lambda) {
   ZoneRuns zones{image.width, image.height};
   zones.first.push_back(0);
-  std::vector<std::uint8_t> breaks(std::size_t{image.width} + 9, 0);
   for (std::uint32_t y = 0; y < image.height; ++y) {
     const Height* row = image.values.data() + std::size_t{y} * image.width;
-    find_breaks(row, image.width, lambda, breaks.data());
-    for (std::uint32_t x = 0; x < image.width;) {
-      const std::uint32_t to = next_break(breaks.data(), x + 1);
-      if (row[x] != kNoHeight) zones.runs.push_back({x, to});
-      x = to;
-    }
+    for_runs(
+        image.width,
+        [&](std::size_t x) {
+          const Height a = row[x - 1], b = row[x];
+          const auto step = static_cast<Height>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
+          const int far = (step > lambda) | (step < -lambda), missing = (a == kNoHeight) | (b == kNoHeight);
+          return (far | missing) & (a != b);  // what is missing goes on
+        },
+        [&](std::uint32_t from, std::uint32_t to) {
+          if (row[from] != kNoHeight) zones.runs.push_back({from, to});
+        });
     zones.first.push_back(static_cast<std::uint32_t>(zones.runs.size()));
   }
   return zones;
@@ -77,20 +74,18 @@ void join_rows(const Image& image, const ZoneRuns& runs, std::uint32_t y, Height
   }
 }
 
-// Runs of flagged pixels.
-ZoneRuns find_flagged(std::uint32_t width, std::uint32_t height, const std::uint8_t* flags) {
+// Runs of the pixels that are of a kind.
+template <class IsOf>
+ZoneRuns find_kind(std::uint32_t width, std::uint32_t height, const IsOf& is_of) {
   ZoneRuns zones{width, height};
   zones.first.push_back(0);
-  std::vector<std::uint8_t> breaks(std::size_t{width} + 9, 0);
   for (std::uint32_t y = 0; y < height; ++y) {
-    const std::uint8_t* row = flags + std::size_t{y} * width;
-    for (std::uint32_t x = 1; x < width; ++x) breaks[x] = (row[x] != 0) != (row[x - 1] != 0);
-    breaks[0] = breaks[width] = 1;
-    for (std::uint32_t x = 0; x < width;) {
-      const std::uint32_t to = next_break(breaks.data(), x + 1);
-      if (row[x] != 0) zones.runs.push_back({x, to});
-      x = to;
-    }
+    const std::size_t row = std::size_t{y} * width;
+    for_runs(
+        width, [&](std::size_t x) { return is_of(row + x) ^ is_of(row + x - 1); },
+        [&](std::uint32_t from, std::uint32_t to) {
+          if (is_of(row + from) != 0) zones.runs.push_back({from, to});
+        });
     zones.first.push_back(static_cast<std::uint32_t>(zones.runs.size()));
   }
   return zones;
@@ -113,6 +108,16 @@ std::uint32_t number_zones(std::span<std::uint32_t> zone) {
   return count;
 }
 
+// Runs that touch become regions.
+ZoneRuns joined(ZoneRuns zones, Adjacency adjacency) {
+  zones.zone.resize(zones.runs.size());
+  UnionFind sets(zones.zone);
+  const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
+  for (std::uint32_t y = 1; y < zones.height; ++y) join_flagged(zones, y, reach, sets);
+  zones.count = number_zones(zones.zone);
+  return zones;
+}
+
 }  // namespace
 
 ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency) {
@@ -129,19 +134,14 @@ ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency) {
 ZoneRuns flagged_runs(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> flags,
                       Adjacency adjacency) {
   assert(flags.size() == std::size_t{width} * height);
-  ZoneRuns zones = find_flagged(width, height, flags.data());
-  zones.zone.resize(zones.runs.size());
-  UnionFind sets(zones.zone);
-  const std::uint32_t reach = adjacency == Adjacency::eight ? 1 : 0;
-  for (std::uint32_t y = 1; y < height; ++y) join_flagged(zones, y, reach, sets);
-  zones.count = number_zones(zones.zone);
-  return zones;
+  return joined(find_kind(width, height, [&](std::size_t i) { return static_cast<int>(flags[i] != 0); }), adjacency);
 }
 
 ZoneRuns missing_runs(const Image& image, Adjacency adjacency) {
-  std::vector<std::uint8_t> missing(image.size());
-  for (std::size_t i = 0; i < missing.size(); ++i) missing[i] = image.values[i] == kNoHeight;
-  return flagged_runs(image.width, image.height, missing, adjacency);
+  const Height* values = image.values.data();
+  return joined(find_kind(image.width, image.height,
+                          [values](std::size_t i) { return static_cast<int>(values[i] == kNoHeight); }),
+                adjacency);
 }
 
 std::vector<std::uint8_t> zones_on_border(const ZoneRuns& zones) {

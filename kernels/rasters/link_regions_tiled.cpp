@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kBytesPerPixel = 48;  // of a window: heights, zones, their padded copies, waves
+constexpr std::uint32_t kBytesPerPixel = 36;  // of a window: heights, zones twice, keys of 64 bits, waves
 
 // Which pixels of a window lie in tiles that are present: 1 or 0, run by run.
 std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& window, std::uint32_t width,

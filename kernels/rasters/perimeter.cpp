@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/rasters/perimeter.h"
 
+#include <algorithm>
+#include <utility>
+
 #include "kernels/core/union_find.h"
+#include "kernels/rasters/level_queue.h"
 #include "kernels/rasters/padded.h"
 #include "kernels/rasters/radix_heap.h"
 #include "kernels/rasters/zone_runs.h"
@@ -12,9 +16,11 @@ namespace {
 // What a pixel is before water passes over it; wet: reached from a basin, whose number it holds besides.
 constexpr std::uint32_t kDry = 0xffffffffu, kOutside = 0xfffffffeu, kWet = 0x80000000u;
 
+// Queue: RadixHeap or LevelQueue.
+template <class Queue>
 class Flood {
  public:
-  Flood(const Image& image, Adjacency adjacency)
+  Flood(const Image& image, Adjacency adjacency, Queue queue)
       : frame_(image.width, image.height),
         perimeter_{image.width, image.height},
         adjacency_(adjacency),
@@ -23,7 +29,8 @@ class Flood {
         level_(padded(image, kAboveAll)),
         basin_(frame_.size(), kOutside),
         parents_(perimeter_.size()),
-        trees_(parents_) {
+        trees_(parents_),
+        shores_(std::move(queue)) {
     for (std::uint32_t y = 0; y < image.height; ++y) std::fill_n(basin_.begin() + at(0, y), image.width, kDry);
   }
 
@@ -33,12 +40,11 @@ class Flood {
       const auto [x, y] = perimeter_.place(i);
       const auto p = static_cast<std::uint32_t>(at(x, y));
       if (basin_[p] != kDry && (basin_[p] & kWet) == 0) continue;
+      if (basin_[p] == kDry) shores_.push(level_[p], p);  // a wet one waits on the shore of what is missing
       basin_[p] = i | kWet;
-      shores_.push(level_[p], p);
     }
     while (!shores_.empty()) {
-      const RadixHeap::Item item = shores_.pop();
-      if ((basin_[item.pixel] & kWet) == 0) continue;  // passed from another shore
+      const auto item = shores_.pop();
       under_water_.push_back(item.pixel);
       while (!under_water_.empty()) {
         const std::uint32_t p = under_water_.back();
@@ -99,7 +105,7 @@ class Flood {
     level_[p] = level;
     for (std::size_t s = 0; s < neighbours_; ++s) {
       const std::uint32_t q = p + steps_[s], other = basin_[q];
-      if (other == basin) continue;
+      if ((other & ~kWet) == basin) continue;
       if (other == kDry) {
         basin_[q] = basin | kWet;
         if (level_[q] <= level)
@@ -121,7 +127,7 @@ class Flood {
   std::vector<std::uint32_t> basin_;
   std::vector<std::uint32_t> parents_;
   UnionFind trees_;
-  RadixHeap shores_;
+  Queue shores_;
   std::vector<std::uint32_t> under_water_;
   std::vector<SpillEdge> spills_;
 };
@@ -139,7 +145,17 @@ std::vector<Height> heights_on(const Perimeter& perimeter, const Image& image) {
 
 BorderFlood flood_from_border(const Image& image, Adjacency adjacency) {
   if (image.size() == 0) return {};
-  return Flood(image, adjacency).run(missing_runs(image, adjacency));
+  constexpr std::uint32_t kMostLevels = 1u << 20;
+  Height low = kAboveAll, top = kNoHeight;
+  for (const Height v : image.values) {
+    low = std::min(low, v == kNoHeight ? kAboveAll : v);
+    top = std::max(top, v);
+  }
+  const ZoneRuns missing = missing_runs(image, adjacency);
+  const std::uint32_t range = static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(low);
+  if (low <= top && range >= kMostLevels) return Flood(image, adjacency, RadixHeap()).run(missing);
+  const std::size_t pixels = PaddedFrame(image.width, image.height).size();
+  return Flood(image, adjacency, LevelQueue(low, low <= top ? range + 1 : 0, pixels)).run(missing);
 }
 
 }  // namespace ilot

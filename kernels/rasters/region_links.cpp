@@ -3,54 +3,59 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <cstring>
-#include <optional>
-#include <span>
+#include <utility>
 
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/nearest.h"
 #include "kernels/rasters/padded.h"
+#include "kernels/rasters/where.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kFar = 0xffffffffu;
-
 // Two neighbours that are nearest to different regions; the ends of the link through them, the first one first.
 struct Meeting {
   std::uint32_t length, end_a, end_b, p, q;  // p on the side of end_a
+  std::uint32_t zone_a, zone_b;              // ZoneNumbers
   auto order() const { return std::tie(length, end_a, end_b, p, q); }
 };
 
-// Distance in steps from side to side to the nearest pixel with a height, and which: 0 and itself where there is one.
-struct Nearest {
-  std::vector<std::uint32_t> distance, end;
-};
+template <class Key>
+void forget_outside(const PaddedFrame& frame, const std::vector<std::uint8_t>& inside, NearestKeys<Key>& nearest) {
+  for (std::uint32_t y = 0; y < frame.height; ++y) {
+    const std::uint8_t* __restrict row = inside.data() + std::size_t{y} * frame.width;
+    Key* __restrict keys = nearest.keys.data() + frame.row(y);
+    for (std::size_t x = 0; x < frame.width; ++x) keys[x] = row[x] != 0 ? keys[x] : nearest.far;
+  }
+}
 
-// Ways go around what does not belong to the image. Waves: all of one distance are known before the next begins.
-Nearest ends_by_waves(const PaddedFrame& frame, const std::vector<Height>& heights,
-                      const std::vector<std::uint8_t>& inside, std::uint32_t reach) {
-  Nearest nearest{std::vector<std::uint32_t>(frame.size(), kFar), std::vector<std::uint32_t>(frame.size(), kFar)};
-  std::vector<std::uint32_t> wave, next;
+// nearest_keys on ways around what does not belong to the image. Waves: all of one distance are known before the next
+// begins.
+template <class Key>
+NearestKeys<Key> keys_by_waves(const PaddedFrame& frame, const Image& heights, const std::vector<std::uint8_t>& outer,
+                               std::uint32_t reach) {
+  NearestKeys<Key> nearest = nearest_keys<Key>(heights, 0, 1);
+  const Key step = Key{1} << nearest.bits;
+  nearest.far = (static_cast<Key>(reach) + 1) << nearest.bits;
+  const std::vector<std::uint8_t> inside = padded<std::uint8_t>(frame.width, frame.height, outer, 0);
   const auto steps = frame.steps();
+  std::vector<std::uint32_t> wave, next;
   for (std::uint32_t p = 0; p < frame.size(); ++p) {
-    if (heights[p] == kNoHeight) continue;
-    nearest.distance[p] = 0;
-    nearest.end[p] = p;
-    bool open = false;
-    for (std::size_t s = 0; s < step_count(Adjacency::four); ++s)
-      open |= inside[p + steps[s]] != 0 && heights[p + steps[s]] == kNoHeight;
-    if (open) wave.push_back(p);
+    Key& key = nearest.keys[p];
+    if (key < step)
+      wave.push_back(p);
+    else
+      key = nearest.far;
   }
   for (std::uint32_t d = 1; d <= reach && !wave.empty(); ++d) {
     next.clear();
     for (const std::uint32_t p : wave) {
       for (std::size_t s = 0; s < step_count(Adjacency::four); ++s) {
         const std::uint32_t q = p + steps[s];
-        if (inside[q] == 0 || nearest.distance[q] < d) continue;
-        if (nearest.distance[q] == kFar) next.push_back(q);
-        nearest.distance[q] = d;
-        nearest.end[q] = std::min(nearest.end[q], nearest.end[p]);
+        const Key through = nearest.keys[p] + step;
+        if (inside[q] == 0 || nearest.keys[q] <= through) continue;
+        if (nearest.keys[q] == nearest.far) next.push_back(q);
+        nearest.keys[q] = through;
       }
     }
     wave.swap(next);
@@ -58,34 +63,50 @@ Nearest ends_by_waves(const PaddedFrame& frame, const std::vector<Height>& heigh
   return nearest;
 }
 
-Nearest nearest_ends(const PaddedFrame& frame, const std::vector<Height>& heights,
-                     const std::vector<std::uint8_t>& inside, bool straight, std::uint32_t reach) {
-  if (!straight) return ends_by_waves(frame, heights, inside, reach);
-  NearestPixels nearest = nearest_pixels({frame.stride, frame.height + 2, heights}, reach);
-  for (std::size_t p = 0; p < inside.size(); ++p)
-    if (inside[p] == 0 || nearest.pixel[p] == kNoNearest) nearest.pixel[p] = nearest.distance[p] = kFar;
-  return {std::move(nearest.distance), std::move(nearest.pixel)};
+template <class Key>
+NearestKeys<Key> keys_of(const PaddedFrame& frame, const LinkWindow& window, std::uint32_t reach) {
+  if (!window.straight) return keys_by_waves<Key>(frame, window.heights, window.inside, reach);
+  NearestKeys<Key> nearest = nearest_keys<Key>(window.heights, reach, 1);
+  forget_outside(frame, window.inside, nearest);
+  return nearest;
 }
 
-// Zones of a window, numbered anew from 0 as they are asked for.
-class Regions {
+// Zones of a window, numbered anew from 0 as they are first asked for. A table with open places, twice as long as what
+// it holds; its order shows nowhere.
+class ZoneNumbers {
  public:
-  explicit Regions(const std::vector<std::uint32_t>& zones) : sorted_(zones) {
-    std::sort(sorted_.begin(), sorted_.end());
-    sorted_.erase(std::unique(sorted_.begin(), sorted_.end()), sorted_.end());
-    parents_.resize(sorted_.size());
-    sets_.emplace(parents_);
+  std::uint32_t number(std::uint32_t zone) {
+    std::size_t at = place_of(zone);
+    if (places_[at].zone == zone) return places_[at].number;
+    if (2 * (count_ + 1) > places_.size()) {
+      grow();
+      at = place_of(zone);
+    }
+    places_[at] = {zone, count_};
+    return count_++;
   }
-  bool unite(std::uint32_t a, std::uint32_t b) { return sets_->unite(number(a), number(b)); }
+  std::uint32_t count() const { return count_; }
 
  private:
-  std::uint32_t number(std::uint32_t zone) const {
-    return static_cast<std::uint32_t>(std::lower_bound(sorted_.begin(), sorted_.end(), zone) - sorted_.begin());
+  struct Place {
+    std::uint32_t zone = 0, number = 0;  // no zone is 0
+  };
+  // Where a zone stands, or the open place that it would take.
+  std::size_t place_of(std::uint32_t zone) const {
+    std::size_t at = zone * 0x9e3779b9u & (places_.size() - 1);
+    while (places_[at].zone != 0 && places_[at].zone != zone) at = (at + 1) & (places_.size() - 1);
+    return at;
   }
-  std::vector<std::uint32_t> sorted_, parents_;
-  std::optional<UnionFind> sets_;
+  void grow() {
+    const std::vector<Place> old = std::exchange(places_, std::vector<Place>(2 * places_.size()));
+    for (const Place& p : old)
+      if (p.zone != 0) places_[place_of(p.zone)] = p;
+  }
+  std::vector<Place> places_ = std::vector<Place>(256);
+  std::uint32_t count_ = 0;
 };
 
+template <class Key>
 class Linking {
  public:
   Linking(const LinkWindow& window, const LinkRegionsParams& params)
@@ -93,74 +114,75 @@ class Linking {
         params_(params),
         frame_(window.heights.width, window.heights.height),
         steps_(frame_.steps()),
-        heights_(padded(window.heights, kNoHeight)),
-        nearest_(nearest_ends(frame_, heights_, padded<std::uint8_t>(frame_.width, frame_.height, window.inside, 0),
-                              window.straight, (params.max_length + 1) / 2)) {}
+        nearest_(keys_of<Key>(frame_, window, (params.max_length + 1) / 2)) {}
 
-  std::vector<RegionLink> run() const {
-    std::vector<Meeting> list = meetings();
-    std::vector<std::uint32_t> met;
-    for (const Meeting& m : list) met.insert(met.end(), {zone_of(m.end_a), zone_of(m.end_b)});
-    Regions regions(met);
+  // Length by length: most meetings are of regions that shorter links have joined.
+  std::vector<RegionLink> run() {
+    find_meetings();
+    std::vector<std::uint32_t> parents(numbers_.count());
+    UnionFind regions(parents);
     std::vector<RegionLink> links;
-    for (const Meeting& m : list)
-      if (regions.unite(zone_of(m.end_a), zone_of(m.end_b))) links.push_back(link(m));
+    for (std::vector<Meeting>& list : meetings_) {
+      std::erase_if(list, [&](const Meeting& m) { return regions.same(m.zone_a, m.zone_b); });
+      std::sort(list.begin(), list.end(), [](const Meeting& a, const Meeting& b) { return a.order() < b.order(); });
+      for (const Meeting& m : list)
+        if (regions.unite(m.zone_a, m.zone_b)) links.push_back(link(m));
+    }
     return links;
   }
 
  private:
-  std::vector<Meeting> meetings() const {
-    std::vector<Meeting> list;
+  void find_meetings() {
+    meetings_.resize(std::size_t{params_.max_length} + 1);
     const std::uint32_t width = frame_.width - std::min(frame_.width, 2 * window_.halo);
-    std::vector<std::uint8_t> differ(std::size_t{width} + 8);
     for (std::uint32_t y = window_.halo; y + window_.halo < frame_.height; ++y) {
       const auto first = static_cast<std::uint32_t>(frame_.row(y) + window_.halo);
-      for (const std::uint32_t step : {1u, frame_.stride}) {
-        find_differing(first, step, width, differ.data());
-        for (std::uint32_t x = 0; x < width; x += 8) {
-          std::uint64_t eight;
-          std::memcpy(&eight, differ.data() + x, 8);
-          for (std::uint32_t i = 0; eight != 0 && i < 8; ++i)
-            if (differ[x + i] != 0) meet(first + x + i, first + x + i + step, list);
-        }
-      }
+      for (const std::uint32_t step : {1u, frame_.stride}) find_meetings(first, step, width);
     }
-    std::sort(list.begin(), list.end(), [](const Meeting& a, const Meeting& b) { return a.order() < b.order(); });
-    return list;
   }
 
-  // differ[x] = 1 where pixel first + x and the one a step on have different ends, not both themselves: neighbours with
-  // heights are of one region, or too far apart in height for a link.
-  void find_differing(std::uint32_t first, std::uint32_t step, std::uint32_t width,
-                      std::uint8_t* __restrict differ) const {
-    const std::uint32_t *a = nearest_.end.data() + first, *b = a + step;
-    const std::uint32_t *da = nearest_.distance.data() + first, *db = da + step;
-    for (std::uint32_t x = 0; x < width; ++x)
-      differ[x] = static_cast<std::uint8_t>((a[x] != b[x]) & (a[x] != kFar) & (b[x] != kFar) & ((da[x] | db[x]) != 0));
+  // Of each of `width` pixels with the one a step on, where they have different ends that are not both themselves:
+  // neighbours with heights are of one region, or too far apart in height for a link.
+  void find_meetings(std::uint32_t first, std::uint32_t step, std::uint32_t width) {
+    const Key *a = nearest_.keys.data() + first, *b = a + step;
+    const Key pixel = (Key{1} << nearest_.bits) - 1, far = nearest_.far;
+    for_each_where(
+        width,
+        [&](std::size_t x) {
+          return (((a[x] ^ b[x]) & pixel) != 0) & (a[x] < far) & (b[x] < far) & ((a[x] | b[x]) > pixel);
+        },
+        [&](std::size_t x) {
+          const auto p = first + static_cast<std::uint32_t>(x);
+          meet(p, p + step);
+        });
   }
 
-  void meet(std::uint32_t p, std::uint32_t q, std::vector<Meeting>& list) const {
-    const std::uint32_t a = nearest_.end[p], b = nearest_.end[q];
-    if (zone_of(a) == zone_of(b)) return;
-    const std::uint32_t length = nearest_.distance[p] + nearest_.distance[q];
-    if (length > params_.max_length || std::abs(heights_[a] - heights_[b]) > params_.step) return;
-    list.push_back(a < b ? Meeting{length, a, b, p, q} : Meeting{length, b, a, q, p});
+  void meet(std::uint32_t p, std::uint32_t q) {
+    const std::uint32_t a = nearest_.pixel(p), b = nearest_.pixel(q), zone_a = zone_of(a), zone_b = zone_of(b);
+    if (zone_a == zone_b) return;
+    const std::uint32_t length = nearest_.distance(p) + nearest_.distance(q);
+    if (length > params_.max_length || std::abs(height_of(a) - height_of(b)) > params_.step) return;
+    const std::uint32_t i = numbers_.number(zone_a), j = numbers_.number(zone_b);
+    meetings_[length].push_back(a < b ? Meeting{length, a, b, p, q, i, j} : Meeting{length, b, a, q, p, j, i});
   }
 
-  std::uint32_t zone_of(std::uint32_t p) const {
-    return window_.zones[std::size_t{p / frame_.stride - 1} * frame_.width + p % frame_.stride - 1];
+  // Of a pixel of the frame, in the window.
+  std::size_t in_window(std::uint32_t p) const {
+    return std::size_t{p / frame_.stride - 1} * frame_.width + p % frame_.stride - 1;
   }
+  std::uint32_t zone_of(std::uint32_t p) const { return window_.zones[in_window(p)]; }
+  Height height_of(std::uint32_t p) const { return window_.heights.values[in_window(p)]; }
 
   // From p to its nearest end, step by step, each time to the first neighbour that is one nearer to the same end.
   std::vector<std::uint32_t> way_home(std::uint32_t p) const {
     std::vector<std::uint32_t> way;
-    while (nearest_.distance[p] > 0) {
+    const Key step = Key{1} << nearest_.bits;
+    while (nearest_.keys[p] >= step) {
       way.push_back(p);
-      std::uint32_t next = kFar;
+      std::uint32_t next = UINT32_MAX;
       for (std::size_t s = 0; s < step_count(Adjacency::four); ++s) {
         const std::uint32_t q = p + steps_[s];
-        if (nearest_.distance[q] + 1 == nearest_.distance[p] && nearest_.end[q] == nearest_.end[p])
-          next = std::min(next, q);
+        if (nearest_.keys[q] + step == nearest_.keys[p]) next = std::min(next, q);
       }
       p = next;
     }
@@ -179,7 +201,7 @@ class Linking {
     way.insert(way.end(), rest.begin(), rest.end());
     RegionLink link{m.length,      in_whole(m.end_a), in_whole(m.end_b), in_whole(m.p),
                     in_whole(m.q), zone_of(m.end_a),  zone_of(m.end_b)};
-    const std::int64_t from = heights_[m.end_a], to = heights_[m.end_b];
+    const std::int64_t from = height_of(m.end_a), to = height_of(m.end_b);
     const auto steps = static_cast<std::int64_t>(way.size()) + 1;
     for (std::size_t i = 0; i < way.size(); ++i) {
       const auto at = static_cast<std::int64_t>(i) + 1;
@@ -192,14 +214,17 @@ class Linking {
   LinkRegionsParams params_;
   PaddedFrame frame_;
   std::array<std::uint32_t, 8> steps_;
-  std::vector<Height> heights_;
-  Nearest nearest_;
+  NearestKeys<Key> nearest_;
+  std::vector<std::vector<Meeting>> meetings_;  // by length
+  ZoneNumbers numbers_;
 };
 
 }  // namespace
 
 std::vector<RegionLink> links_in(const LinkWindow& window, const LinkRegionsParams& params) {
-  return Linking(window, params).run();
+  const std::size_t pixels = PaddedFrame(window.heights.width, window.heights.height).size();
+  return fit_nearest_keys(pixels, (params.max_length + 1) / 2) ? Linking<std::int32_t>(window, params).run()
+                                                               : Linking<std::int64_t>(window, params).run();
 }
 
 }  // namespace ilot

@@ -50,15 +50,17 @@ void TiledFilling::join() {
 
 // What lies below the filling of a pixel of the border, and is joined to it below that, is filled as high: otherwise
 // the spill between their two basins would have let the water out.
-void TiledFilling::raise(std::size_t tile, Image& filled) const {
+bool TiledFilling::raise(std::size_t tile, Image& filled) const {
   const Perimeter perimeter = pixels_.perimeter(tile);
   std::vector<std::uint32_t> raised;
+  bool any = false;
   for (std::uint32_t i = 0; i < perimeter.size(); ++i) {
     const auto [x, y] = perimeter.place(i);
     const auto p = static_cast<std::uint32_t>(y * filled.width + x);
     const Height level = reached_[pixels_.first(tile) + i];
     if (level <= filled.values[p]) continue;
     filled.values[p] = level;
+    any = true;
     raised.push_back(p);
     while (!raised.empty()) {
       const std::uint32_t at = raised.back();
@@ -70,6 +72,7 @@ void TiledFilling::raise(std::size_t tile, Image& filled) const {
       });
     }
   }
+  return any;
 }
 
 void TiledFilling::tell_drained(std::size_t tile, const Image& drained) {

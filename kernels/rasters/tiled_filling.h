@@ -23,7 +23,8 @@ class TiledFilling {
   Image fill(std::size_t tile, const Image& image);
   void join();
   // From what `fill` gave to the values of the whole. Looks at the border and at what is raised.
-  void raise(std::size_t tile, Image& filled) const;
+  // Whether a value changed.
+  bool raise(std::size_t tile, Image& filled) const;
 
   // `drained`: reconstruct_by_erosion of the tile alone, from a marker that is its raised filling but for pixels that
   // are lower.

@@ -90,6 +90,34 @@ struct RadialArgs {
   double* nearest;  // one per row, overwritten
 };
 
+struct LeastArgs {
+  const std::int32_t *first, *second;
+  std::int32_t* out;  // no part of them
+  std::size_t size;
+};
+
+struct StepArgs {
+  const std::int32_t* from;
+  std::int32_t* row;  // lowered to from + step
+  std::size_t size;
+  std::int32_t step;
+};
+
+constexpr std::uint32_t kCodesOfEnds = 2;
+struct NarrowArgs {
+  const std::int32_t* heights;
+  std::uint16_t* codes;
+  std::size_t size;
+  std::int32_t base, none, highest;
+};
+
+struct WidenArgs {
+  const std::uint16_t* codes;
+  std::int32_t* heights;
+  std::size_t size;
+  std::int32_t base, none, highest;
+};
+
 struct Table {
   const char* name;
   void (*count_inliers)(const CountArgs&);
@@ -100,6 +128,10 @@ struct Table {
   std::uint32_t (*shape_hits)(const ShapeArgs&);    // how many points of the leaves
   std::uint32_t (*shape_leaves)(const ShapeArgs&);  // how many leaves
   void (*radial_sums)(const RadialArgs&);
+  void (*least_of_two)(const LeastArgs&);
+  void (*lower_by_step)(const StepArgs&);
+  bool (*narrow_heights)(const NarrowArgs&);  // whether all have a code
+  void (*widen_codes)(const WidenArgs&);
 };
 
 // The table of the best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it;

@@ -14,6 +14,7 @@ constexpr char kName[] = "baseline";
 #include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
 #include "kernels/planes/shape_score.inl"
+#include "kernels/rasters/rows.inl"
 
 #include "kernels/simd/table.inl"
 }  // namespace ilot::simd::baseline

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+
+namespace ilot {
+
+// Which of the cells of so many lattice units side by side holds a coordinate, counted from the first cell's corner:
+// a multiplication for each point in place of a division. Half a unit is added, so that the true quotient is at least
+// half a unit away from any whole number, farther than the product can be off: exact for 0 <= v < 2^50.
+class LatticeCells {
+ public:
+  explicit LatticeCells(std::int64_t units) : per_unit_(1 / static_cast<double>(units)) {}
+
+  std::uint32_t operator()(std::int64_t v) const {
+    return static_cast<std::uint32_t>(static_cast<std::int64_t>((static_cast<double>(v) + 0.5) * per_unit_));
+  }
+
+ private:
+  double per_unit_;
+};
+
+}  // namespace ilot
