@@ -10,9 +10,10 @@
 
 namespace ilot {
 
-// Pixels that at some heights nothing is near, but what is no wider than `widest`: those that touch and have common
-// heights are a column, where they are free over a run of bins of at least `least_run` [Cabo et al. 2014, ISPRS J. 87].
-// `occupancy` of one component, 0 elsewhere. Labels by first pixel; O(n).
+// Pixels that are free at some heights: nothing lies in a ring around them from `widest` on, `apart` wide. Those that
+// touch and are free at common heights are a column, where their bins have a run of at least `least_run` and they are
+// no wider than `widest` [the isolation of Cabo et al. 2014, ISPRS J. 87]: all of what is so narrow, the middle of what
+// is up to twice as wide. `occupancy` of one component, 0 elsewhere. Labels by first pixel; O(n).
 PixelLabels columns_of(const std::vector<Occupancy>& occupancy, std::uint32_t width, std::uint32_t height,
                        const RasterScale& scale, const ColumnParams& params = {});
 

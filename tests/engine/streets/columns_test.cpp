@@ -79,16 +79,16 @@ TEST(Columns, AreCutFromThePartThatHoldsMostOfThem) {
   EXPECT_EQ(s.pixels_of(parts, 1) + 6, s.pixels_of(s.parts, 1));
 }
 
-// What is nothing but a column is a part already.
+// What is little more than a column is no other part.
 TEST(Columns, NothingIsCutOfWhichTooLittleIsLeft) {
   Street s;
   s.stand({20, 15, 4, 4}, kLow | kHigh, 1);
-  s.stand({24, 15, 2, 4}, kLow, 1);
+  s.stand({24, 15, 20, 1}, kLow, 1);
   ASSERT_EQ(s.pixels_of(s.columns(), 1), 16u);
   PixelLabels parts = s.parts;
-  EXPECT_TRUE(cut_columns(s.columns(), 10, parts).empty());
+  EXPECT_TRUE(cut_columns(s.columns(), 21, parts).empty());
   EXPECT_EQ(parts.of, s.parts.of);
-  EXPECT_EQ(cut_columns(s.columns(), 8, parts).size(), 1u);
+  EXPECT_EQ(cut_columns(s.columns(), 20, parts).size(), 1u);
 }
 
 // The tree holds a part as it was before its columns were cut, and all above.
