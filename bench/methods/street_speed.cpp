@@ -98,7 +98,7 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   clock.time("level of the ground", [&] { tiles.spread_level(ArtefactParams{}.ring_reach); });
   clock.time("points above it", [&] {
     params.mean_accumulation = tiles.mean_accumulation();
-    tiles.count_above(ArtefactParams{}.least_height, params.low_height);
+    tiles.count_above(ArtefactParams{}.least_height, params.low_height, StreetView::street);
   });
   clock.time("B5, B6 things", [&] { street.things = find_things(tiles.layers(), scale, params); });
   clock.time("B2 blocks", [&] { street.stretches = find_city_blocks(tiles.layers(), scale); });

@@ -11,6 +11,7 @@
 #include "engine/run/lattice_cells.h"
 #include "engine/store/stretches.h"
 #include "kernels/rasters/nearest.h"
+#include "kernels/rasters/occupancy.h"
 
 namespace ilot {
 namespace {
@@ -216,19 +217,24 @@ void StreetTiles::spread_level(double reach) const {
   layers_.drop("bare");
 }
 
-void StreetTiles::count_above(double least_height, double low_height) const {
+void StreetTiles::count_above(double least_height, double low_height, StreetView view) const {
   const Height least = raster_.scale.units(least_height), low_below = raster_.scale.units(low_height);
+  const auto bin = static_cast<std::uint32_t>(std::max(1, raster_.scale.units(raster_.scale.bin())));
+  const std::uint32_t bins = view == StreetView::street ? kOccupancyBins : 0;
   for_each_tile(raster_.grid, [&](std::size_t tile) {
     const Image level = layer_tile(layers_, "level", tile);
-    Image above = filled_image(kSide, kSide, 0), low = above;
+    Image above = filled_image(kSide, kSide, 0), low = above, occupancy = above;
     for_points(tile, [&](std::size_t pixel, Height z) {
       const Height ground = level.values[pixel];
       if (ground == kNoHeight || z - ground < least) return;
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;
+      if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < bins)
+        occupancy.values[pixel] |= 1 << i;
     });
     layers_.write("above", tile, above);
     layers_.write("low", tile, low);
+    layers_.write("occupancy", tile, occupancy);
   });
 }
 

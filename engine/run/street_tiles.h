@@ -36,8 +36,9 @@ struct PointDensity {
 PointDensity point_density(const Store& store, const PassContext& context);
 
 // Who looks straight down gives each square metre about as many points; who goes along the street gives many times as
-// many to what is upright or near. From the air, where less than a third of the points are crowded: of the clouds at hand
-// 0 to 17 % are that were scanned from the air, an old town with its walls the most, and 72 to 91 % of those from vehicles.
+// many to what is upright or near. From the air, where less than a third of the points are crowded: of the clouds at
+// hand 0 to 17 % are that were scanned from the air, an old town with its walls the most, and 72 to 91 % of those from
+// vehicles.
 StreetView view_of(const PointDensity& density);
 
 // The pixel for a density, in multiples of 5 cm from 5 cm to 1 m. From the street half of the sampling step: what is
@@ -61,8 +62,9 @@ class StreetTiles {
   // the nearest of its pixels; kNoHeight beyond. Of "bare", which is dropped.
   void spread_level(double reach) const;
 
-  // "above": points at least so many metres above the level, "low": those lower than low_height.
-  void count_above(double least_height, double low_height) const;
+  // "above": points at least so many metres above the level, "low": those lower than low_height,
+  // "occupancy": the bins (RasterScale::bin) that hold such points; none from the air, where no side is seen.
+  void count_above(double least_height, double low_height, StreetView view) const;
 
  private:
   void draw(std::size_t tile, std::vector<std::uint8_t>& present);

@@ -200,7 +200,7 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   tiles.spread_level(artefacts.ring_reach);
   const ThingsParams params = things_params(settings, scale, tiles.mean_accumulation());
-  tiles.count_above(settings.least_height, params.low_height);
+  tiles.count_above(settings.least_height, params.low_height, street.view);
   street.things = find_things(tiles.layers(), scale, params);
   street.stretches = find_city_blocks(tiles.layers(), scale);
   return street;

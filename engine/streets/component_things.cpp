@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "engine/streets/columns.h"
+#include "engine/streets/part_contacts.h"
 #include "engine/streets/part_joins.h"
 #include "engine/streets/thing_description.h"
 #include "engine/streets/thing_relations.h"
@@ -51,6 +53,13 @@ void set_passes(const Joins& joins, std::size_t parts, std::vector<Thing>& thing
   }
 }
 
+std::vector<Occupancy> occupancy_of(const ComponentImages& images) {
+  std::vector<Occupancy> out(images.own.size(), 0);
+  for (std::size_t i = 0; i < out.size(); ++i)
+    if (images.own.values[i] != kNoHeight) out[i] = static_cast<Occupancy>(images.patch.occupancy.values[i]);
+  return out;
+}
+
 }  // namespace
 
 std::uint32_t gap_reach(const RasterScale& scale, const ThingsParams& params) {
@@ -63,11 +72,15 @@ ComponentThings things_of_component(const Patch& patch, std::uint32_t component,
   for (std::size_t i = 0; i < images.own.size(); ++i)
     if (static_cast<std::uint32_t>(patch.components.values[i]) != component) images.own.values[i] = kNoHeight;
   images.slope = gradient(images.own, Adjacency::eight);
+  const std::vector<Occupancy> occupancy = occupancy_of(images);
   ComponentThings out{separate_artefacts(images.own, scale, params.separation), {}};
+  const std::uint32_t least = scale.area(params.separation.least_area);
+  const std::vector<ColumnCut> cuts =
+      cut_columns(columns_of(occupancy, out.labels.width, out.labels.height, scale, params.columns), least, out.labels);
   out.things = describe(out.labels, images, scale, params);
   const auto parts = static_cast<std::uint32_t>(out.things.size());
-  const Joins joins =
-      joins_of(out.labels, images.own, 2 * gap_reach(scale, params), params.largest / (scale.pixel * scale.pixel));
+  const Joins joins = joins_of(out.labels, images.own, 2 * gap_reach(scale, params),
+                               params.largest / (scale.pixel * scale.pixel), cuts);
   const std::vector<std::uint32_t> level = levels_of(parts, joins.list);
   out.things.resize(parts + joins.list.size());
   PixelLabels of = out.labels;
@@ -80,6 +93,7 @@ ComponentThings things_of_component(const Patch& patch, std::uint32_t component,
     for (std::size_t i = 0; i < who.size(); ++i) out.things[who[i] - 1] = described[i];
   }
   set_passes(joins, parts, out.things);
+  set_contacts(out.labels, occupancy, joins.list, scale, out.things);
   relate_things(out.things);
   return out;
 }

@@ -24,7 +24,7 @@ struct PixelRect {
 // The layers of a rectangle and of one pixel around it.
 struct Patch {
   std::int64_t x = 0, y = 0;  // of its first pixel
-  Image height, range, accumulation, above, low, components;
+  Image height, range, accumulation, above, low, occupancy, components;
 };
 
 Patch load_patch(const StreetLayers& layers, const PixelRect& r);

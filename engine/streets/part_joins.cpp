@@ -86,6 +86,13 @@ Join best_join(const Sides& sides, double largest) {
   return best;
 }
 
+// What was cut, together again; a pass of 0 where the two do not touch.
+Join cut_join(const Sides& sides, std::uint32_t rest, std::uint32_t column) {
+  const Side& side = sides.at(rest);
+  const auto pass = side.passes.find(column);
+  return {rest, column, pass == side.passes.end() ? 0 : ratio_of(pass->second, side, sides.at(column))};
+}
+
 // Puts the two in place of which `number` stands from now on together.
 const Side& join(const Join& pair, std::uint32_t number, Sides& sides) {
   Side whole = sides.at(pair.a);
@@ -108,16 +115,24 @@ const Side& join(const Join& pair, std::uint32_t number, Sides& sides) {
 
 }  // namespace
 
-Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest) {
+Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest,
+               std::span<const ColumnCut> cuts) {
   Sides sides = sides_of(labels, heights);
   add_gaps(labels, reach, sides);
   Joins joins{{}, std::vector<double>(std::size_t{labels.count} + 1, 0)};
   for (const auto& [a, side] : sides) joins.outer[a] = highest_pass(sides, side);
   std::uint32_t next = labels.count;
-  for (Join best = best_join(sides, largest); best.a != 0; best = best_join(sides, largest)) {
-    joins.list.push_back(best);
-    joins.outer.push_back(highest_pass(sides, join(best, ++next, sides)));
+  const auto add = [&](const Join& pair) {
+    joins.list.push_back(pair);
+    joins.outer.push_back(highest_pass(sides, join(pair, ++next, sides)));
+  };
+  std::map<std::uint32_t, std::uint32_t> together;  // what a part and its columns are by now
+  for (const ColumnCut& cut : cuts) {
+    const std::uint32_t rest = together.try_emplace(cut.rest, cut.rest).first->second;
+    add(cut_join(sides, rest, together.try_emplace(cut.column, cut.column).first->second));
+    together[cut.rest] = next;
   }
+  for (Join best = best_join(sides, largest); best.a != 0; best = best_join(sides, largest)) add(best);
   return joins;
 }
 

@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kBytesPerPixel = 60;  // of what a component or a tile is worked on with
+constexpr std::uint32_t kBytesPerPixel = 80;  // of what a component or a tile is worked on with
 
 PixelRect rect_of(const TileFrame& f) {
   return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
@@ -220,9 +220,10 @@ class ThingFinder {
 }  // namespace
 
 const char* thing_feature_name(std::size_t feature) {
-  static constexpr const char* kOwn[] = {"low share",  "ground share", "roughness", "length",       "width",
-                                         "inner pass", "outer pass",   "fill",      "lesser share", "top step",
-                                         "mean step",  "joined share", "rise",      "joined fill",  "joined length"};
+  static constexpr const char* kOwn[] = {"low share",     "ground share", "roughness", "length",       "width",
+                                         "inner pass",    "outer pass",   "fill",      "lesser share", "top step",
+                                         "mean step",     "joined share", "rise",      "joined fill",  "joined length",
+                                         "upright share", "cell share",   "free run",  "touch share",  "joint share"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

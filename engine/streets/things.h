@@ -27,8 +27,13 @@ enum class ThingFeature : std::uint8_t {
   rise,          // metres that its top is above that of the other
   joined_fill,   // of what joins them
   joined_length,
+  upright_share,  // of the bins of height up to its top, those with a point in any of its pixels; 0 with no occupancy
+  cell_share,     // of these bins in all its pixels, those with a point
+  free_run,       // metres over which it stands and touches nothing, bin upon bin
+  touch_share,    // of the bins that it stands in, those in which it touches another
+  joint_share,    // of a joined thing: of the bins of the part with fewer, those in which its two parts touch; else 1
 };
-constexpr std::size_t kThingFeatures = kComponentFeatures + 15;
+constexpr std::size_t kThingFeatures = kComponentFeatures + 20;
 using ThingFeatures = std::array<double, kThingFeatures>;
 const char* thing_feature_name(std::size_t feature);
 
@@ -44,8 +49,15 @@ struct Thing {
   std::uint32_t parts[2] = {0, 0};  // numbers of the things that this one joins; 0: a thing as it was separated
 };
 
+struct ColumnParams {
+  double widest = 0.4;     // metres, of a column
+  double apart = 0.15;     // metres around it that are free
+  double least_run = 0.6;  // metres of height over which it is free
+};
+
 struct ThingsParams {
   SeparationParams separation;
+  ColumnParams columns;
   double largest = 40;           // square metres; parts are joined to no larger things
   double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
   double low_height = 2;         // metres above the ground
@@ -57,7 +69,7 @@ struct ThingsParams {
 // "above" (points above the ground) and "low" (those lower than low_height) to the layer "things": numbers from 1 in
 // the order of the components' first pixels, and within a component as separate_artefacts numbers them; 0 = none. Pixel
 // by pixel what separate_artefacts makes of the whole. Accumulation and heights are of the pixels with points, the area
-// of all. A component is worked on whole: memory some 60 bytes a pixel of its box.
+// of all. A component is worked on whole: memory some 80 bytes a pixel of its box.
 //
 // Ours: heights that are no nearer to a point than seen_within are left out: links of the ground over shadows climb to
 // what stands at their ends, and would join it. A watershed also parts what is one, as a bicycle from saddle to

@@ -21,6 +21,7 @@ std::vector<Thing> things_of(const Image& height, const Image& points, std::uint
   memory.put("height", height);
   memory.put("range", filled_image(height.width, height.height, 1));
   for (const char* layer : {"accumulation", "above", "low"}) memory.put(layer, points);
+  memory.put("occupancy", filled_image(height.width, height.height, 0));
   return find_things(memory.layers, {});
 }
 
