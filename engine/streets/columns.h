@@ -10,10 +10,10 @@
 
 namespace ilot {
 
-// Pixels that are free at some heights: nothing lies in a ring around them from `widest` on, `apart` wide. Those that
-// touch and are free at common heights are a column, where their bins have a run of at least `least_run` and they are
-// no wider than `widest` [the isolation of Cabo et al. 2014, ISPRS J. 87]: all of what is so narrow, the middle of what
-// is up to twice as wide. `occupancy` of one component, 0 elsewhere. Labels by first pixel; O(n).
+// Where nothing lies in a ring around pixels, from `widest` on and `apart` wide, over a run of bins of at least
+// `least_run`: what hangs together with them in those bins, two pixels being the sampling step, is a column if it is no
+// wider than `widest` [the isolation of Cabo et al. 2014, ISPRS J. 87]. `occupancy` of one component, 0 elsewhere.
+// Labels by first pixel; O(n log of a column).
 PixelLabels columns_of(const std::vector<Occupancy>& occupancy, std::uint32_t width, std::uint32_t height,
                        const RasterScale& scale, const ColumnParams& params = {});
 

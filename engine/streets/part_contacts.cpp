@@ -2,8 +2,10 @@
 #include "engine/streets/part_contacts.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace ilot {
@@ -13,7 +15,7 @@ constexpr int kReach = 2;  // pixels: the sampling step
 
 struct Stand {
   Occupancy bins = 0;
-  double cells = 0, pixels = 0;  // cells: bins of its pixels that hold a point
+  std::array<double, kOccupancyBins> pixels{};  // with a point in that bin
   std::map<std::uint32_t, Occupancy> touching;
 
   Occupancy touched() const {
@@ -38,10 +40,10 @@ Stands stands_of(const PixelLabels& parts, const std::vector<Occupancy>& occupan
       const std::uint32_t a = parts.of[i];
       if (a == 0) continue;
       Stand& stand = stands[a];
-      ++stand.pixels;
       if (occupancy[i] == 0) continue;
       stand.bins |= occupancy[i];
-      stand.cells += std::popcount(occupancy[i]);
+      for (Occupancy rest = occupancy[i]; rest != 0; rest &= rest - 1)
+        ++stand.pixels[static_cast<std::size_t>(std::countr_zero(rest))];
       for (int v = y; v <= std::min(h - 1, y + kReach); ++v)
         for (int u = std::max(0, v == y ? x + 1 : x - kReach); u <= std::min(w - 1, x + kReach); ++u) {
           const auto q = static_cast<std::size_t>(v * w + u);
@@ -61,8 +63,7 @@ const Stand& join(const Join& pair, std::uint32_t number, Stands& stands) {
   Stand whole = std::move(stands.at(pair.a));
   const Stand other = std::move(stands.at(pair.b));
   whole.bins |= other.bins;
-  whole.cells += other.cells;
-  whole.pixels += other.pixels;
+  for (std::size_t bin = 0; bin < kOccupancyBins; ++bin) whole.pixels[bin] += other.pixels[bin];
   for (const auto& [c, bins] : other.touching) whole.touching[c] |= bins;
   whole.touching.erase(pair.a), whole.touching.erase(pair.b);
   stands.erase(pair.a), stands.erase(pair.b);
@@ -79,7 +80,9 @@ void set_stand(const Stand& s, double joint, const RasterScale& scale, Thing& th
   const auto levels = static_cast<double>(std::bit_width(s.bins));
   const Occupancy touched = s.touched();
   set(ThingFeature::upright_share, levels == 0 ? 0 : std::popcount(s.bins) / levels);
-  set(ThingFeature::cell_share, levels == 0 ? 0 : s.cells / (s.pixels * levels));
+  const double most = *std::max_element(s.pixels.begin(), s.pixels.end());
+  const double all = std::accumulate(s.pixels.begin(), s.pixels.end(), 0.0);
+  set(ThingFeature::evenness, levels == 0 ? 0 : all / (most * levels));
   set(ThingFeature::free_run, longest_run(s.bins & ~touched).length * scale.bin());
   set(ThingFeature::touch_share, share(touched, s.bins, 0));
   set(ThingFeature::joint_share, joint);

@@ -223,7 +223,7 @@ const char* thing_feature_name(std::size_t feature) {
   static constexpr const char* kOwn[] = {"low share",     "ground share", "roughness", "length",       "width",
                                          "inner pass",    "outer pass",   "fill",      "lesser share", "top step",
                                          "mean step",     "joined share", "rise",      "joined fill",  "joined length",
-                                         "upright share", "cell share",   "free run",  "touch share",  "joint share"};
+                                         "upright share", "evenness",     "free run",  "touch share",  "joint share"};
   if (feature < kComponentFeatures) return feature_name(static_cast<ComponentFeature>(feature));
   return kOwn[feature - kComponentFeatures];
 }

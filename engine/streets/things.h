@@ -28,7 +28,7 @@ enum class ThingFeature : std::uint8_t {
   joined_fill,   // of what joins them
   joined_length,
   upright_share,  // of the bins of height up to its top, those with a point in any of its pixels; 0 with no occupancy
-  cell_share,     // of these bins in all its pixels, those with a point
+  evenness,       // of what it fills from above, bin by bin: mean number of pixels with a point over the greatest
   free_run,       // metres over which it stands and touches nothing, bin upon bin
   touch_share,    // of the bins that it stands in, those in which it touches another
   joint_share,    // of a joined thing: of the bins of the part with fewer, those in which its two parts touch; else 1

@@ -55,7 +55,7 @@ TEST(Columns, NeitherAHedgeNorAWallNorWhatIsLowIsOne) {
   wall.stand({5, 10, 40, 2}, kLow | kHigh, 1);
   stub.stand({20, 15, 3, 3}, kLow >> 1 & kLow, 1);  // free over 40 cm
   beside.stand({20, 15, 3, 3}, kLow | kHigh, 1);
-  beside.stand({31, 15, 3, 3}, kLow | kHigh, 1);  // 40 cm away, as high
+  beside.stand({31, 15, 10, 3}, kLow | kHigh, 1);  // 40 cm away, as high
   for (const Street& s : {hedge, wall, stub, beside}) EXPECT_EQ(s.columns().count, 0u);
 }
 
@@ -127,8 +127,8 @@ TEST(PartContacts, SayAtWhichHeightsThingsTouch) {
   EXPECT_DOUBLE_EQ(of(1, ThingFeature::touch_share), 5.0 / 17);
   EXPECT_DOUBLE_EQ(of(1, ThingFeature::free_run), 1.2);
   EXPECT_DOUBLE_EQ(of(1, ThingFeature::upright_share), 17.0 / 18);
-  EXPECT_DOUBLE_EQ(of(1, ThingFeature::cell_share), 17.0 / 18);
-  EXPECT_DOUBLE_EQ(of(0, ThingFeature::cell_share), 5.0 / 6);
+  EXPECT_DOUBLE_EQ(of(1, ThingFeature::evenness), 17.0 / 18);  // as many pixels in all of its bins
+  EXPECT_DOUBLE_EQ(of(2, ThingFeature::evenness), (5 * 560 + 12 * 9) / (18.0 * 560));
   EXPECT_DOUBLE_EQ(of(2, ThingFeature::touch_share), 0);
   EXPECT_DOUBLE_EQ(of(2, ThingFeature::free_run), 1.7);
   EXPECT_DOUBLE_EQ(of(2, ThingFeature::joint_share), 1);  // of the hedge's bins all
@@ -151,7 +151,7 @@ TEST(PartContacts, ApartAboveAndBelow) {
   for (const Thing& t : things) {
     EXPECT_DOUBLE_EQ(t.features[joint], 1);
     for (const auto f :
-         {ThingFeature::upright_share, ThingFeature::cell_share, ThingFeature::free_run, ThingFeature::touch_share})
+         {ThingFeature::upright_share, ThingFeature::evenness, ThingFeature::free_run, ThingFeature::touch_share})
       EXPECT_DOUBLE_EQ(t.features[static_cast<std::size_t>(f)], 0);
   }
 }
