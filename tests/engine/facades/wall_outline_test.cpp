@@ -14,7 +14,7 @@ namespace {
 
 using Height = std::function<double(double)>;
 
-double gable(double u) {
+double gable_top(double u) {
   return 3 + 0.6 * (3 - std::abs(u - 3));
 }
 
@@ -81,7 +81,7 @@ TEST(WallOutline, GablesWithinTheirErrors) {
     EXPECT_LT(outline.edges[i].error_m, 0.03);
     for (const double share : {0.0, 0.3, 0.7, 1.0}) {
       const double u = a.u + share * (b.u - a.u), v = a.v + share * (b.v - a.v);
-      EXPECT_LT(std::abs(v - gable(u)) / std::sqrt(1 + 0.36), outline.edges[i].error_m) << i << ' ' << share;
+      EXPECT_LT(std::abs(v - gable_top(u)) / std::sqrt(1 + 0.36), outline.edges[i].error_m) << i << ' ' << share;
     }
   }
 }
@@ -104,7 +104,7 @@ TEST(WallOutline, HiddenStretchesOfASlopeAreOccluded) {
     const Place2 &a = outline.ring[i], &b = outline.ring[(i + 1) % outline.ring.size()];
     if (a.u == b.u || a.v == b.v || a.u > 3.1) continue;
     (outline.edges[i].status == DrawnStatus::seen ? seen : hidden) += a.u - b.u;
-    EXPECT_LT(std::abs(a.v - gable(a.u)), 0.04);
+    EXPECT_LT(std::abs(a.v - gable_top(a.u)), 0.04);
   }
   EXPECT_NEAR(hidden, 0.6, 0.1);
   EXPECT_NEAR(seen, 2.4, 0.1);

@@ -71,7 +71,7 @@ std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, d
   return points;
 }
 
-struct Outcome {
+struct FacadesOutcome {
   int code = 0;
   json record;
   std::vector<Facade> facades;
@@ -80,8 +80,8 @@ struct Outcome {
   std::string drawing;  // of the first facade, as SVG
 };
 
-Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
-                 const std::function<void(RunOptions&)>& change = {}) {
+FacadesOutcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
+                        const std::function<void(RunOptions&)>& change = {}) {
   const TemporaryFolder folder;
   const auto cloud = folder.path() / "wall.las", stations = folder.path() / "stations.csv";
   test::write_cloud(cloud, points);
@@ -98,7 +98,7 @@ Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_st
   if (with_station) options.stations = stations;
   if (change) change(options);
   Progress progress;
-  Outcome out;
+  FacadesOutcome out;
   out.code = run(options, progress);
   std::stringstream text;
   text << std::ifstream(options.output / "run.json").rdbuf();
@@ -125,7 +125,7 @@ std::vector<FacadeElement> windows_of(const Facade& facade) {
 
 TEST(FacadesProduct, FromCloudToPlanHoweverTheWallStands) {
   for (const double heading : {0.0, 33.0, 200.0}) {
-    const Outcome out = run_wall(wall_points(heading), heading, true);
+    const FacadesOutcome out = run_wall(wall_points(heading), heading, true);
     EXPECT_EQ(out.code, 0);
     EXPECT_EQ(out.record["counts"]["facades"]["facades"], 1);
     ASSERT_EQ(out.facades.size(), 1u) << heading;
@@ -157,7 +157,7 @@ TEST(FacadesProduct, AGableIsDrawnAsOne) {
       points.push_back(
           {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
   for (const bool with_station : {true, false}) {
-    const Outcome out = run_wall(points, 0, with_station);
+    const FacadesOutcome out = run_wall(points, 0, with_station);
     ASSERT_EQ(out.facades.size(), 1u);
     const FacadeElement& outline = out.facades[0].elements[0];
     ASSERT_EQ(outline.kind, "outline");
@@ -178,7 +178,7 @@ TEST(FacadesProduct, AGableIsDrawnAsOne) {
 }
 
 TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
-  const Outcome out = run_wall(wall_points(33), 33, true);
+  const FacadesOutcome out = run_wall(wall_points(33), 33, true);
   ASSERT_EQ(out.facades.size(), 1u);
   std::map<std::uint32_t, std::string> kinds;
   for (const FacadeElement& e : out.facades[0].elements) kinds[e.id] = e.kind;
@@ -211,7 +211,7 @@ const FacadeElement& only(const Facade& facade, const std::string& kind) {
 }
 
 TEST(FacadesProduct, EachEdgeSaysWhatSupportsIt) {
-  const Outcome out = run_wall(wall_points(33), 33, true);
+  const FacadesOutcome out = run_wall(wall_points(33), 33, true);
   ASSERT_EQ(out.facades.size(), 1u);
   const FacadeElement &wall = only(out.facades[0], "outline"), &window = only(out.facades[0], "window"),
                       &sill = only(out.facades[0], "sill");
@@ -246,7 +246,7 @@ TEST(FacadesProduct, ABoardInTheStreetHidesAKnownPartOfAJamb) {
   for (const FacadePoint& p : test::scan_wall(wall, kEye, 0.0025).points)
     points.push_back(
         {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
-  const Outcome out = run_wall(points, 0, true);
+  const FacadesOutcome out = run_wall(points, 0, true);
   ASSERT_EQ(out.facades.size(), 1u);
   const auto windows = windows_of(out.facades[0]);
   ASSERT_EQ(windows.size(), 2u);
@@ -259,7 +259,7 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
   const auto points = wall_points(33);
   std::string hash;
   for (const auto& [threads, block_points] : {std::pair{1, 1u << 20}, {3, 1u << 20}, {2, 5000u}}) {
-    const Outcome out = run_wall(points, 33, true, [&, t = threads, b = block_points](RunOptions& o) {
+    const FacadesOutcome out = run_wall(points, 33, true, [&, t = threads, b = block_points](RunOptions& o) {
       o.threads = t;
       o.settings.index.block_points = b;
     });
@@ -270,7 +270,7 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
 }
 
 TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
-  const Outcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) {
+  const FacadesOutcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) {
     o.settings.facades.sections = {2.5};
     o.settings.facades.upright_sections = {1.5, 99};  // there is no wall at 99 m
     o.settings.facades.section_lines = {kEast + 4, kNorth - 3, kEast + 4, kNorth + 3, 0, 0, 9, 9};
@@ -298,7 +298,7 @@ TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
 }
 
 TEST(FacadesProduct, WithoutStationsItWarns) {
-  const Outcome out = run_wall(wall_points(0), 0, false);
+  const FacadesOutcome out = run_wall(wall_points(0), 0, false);
   ASSERT_EQ(out.facades.size(), 1u);
   EXPECT_EQ(windows_of(out.facades[0]).size(), 2u);
   for (const FacadeEdge& e : windows_of(out.facades[0])[0].edges) EXPECT_FALSE(e.occluded_share);
@@ -312,7 +312,7 @@ TEST(FacadesProduct, NoFacadeIsNoFailure) {
   for (std::int64_t x = 0; x < 4000; x += 20)
     for (std::int64_t y = 0; y < 4000; y += 20)
       ground.push_back({651000000 + x, 661000000 + y, static_cast<std::int64_t>(rng.below(4))});
-  const Outcome out = run_wall(ground, 0, false);
+  const FacadesOutcome out = run_wall(ground, 0, false);
   EXPECT_EQ(out.code, 3);
   EXPECT_TRUE(out.facades.empty());
   EXPECT_EQ(out.record["counts"]["facades"]["facades"], 0);
