@@ -66,7 +66,7 @@ TEST(WallOutline, RectanglesStayAsTheyAre) {
 
 // Every corner of a gable, and every place of its slopes within what the edge says.
 TEST(WallOutline, GablesWithinTheirErrors) {
-  const WallOutline outline = outline_of(wall_under(gable));
+  const WallOutline outline = outline_of(wall_under(gable_top));
   const std::vector<Place2> truth{{0, 0}, {6, 0}, {6, 3}, {3, 4.8}, {0, 3}};
   ASSERT_EQ(outline.ring.size(), 5u);
   ASSERT_EQ(outline.edges.size(), 5u);
@@ -98,7 +98,8 @@ TEST(WallOutline, StepsAreUpright) {
 
 // A tree hides a stretch of the slope: the line goes on, and says that nobody saw it.
 TEST(WallOutline, HiddenStretchesOfASlopeAreOccluded) {
-  const WallOutline outline = outline_of(wall_under(gable, [](Place2 p) { return p.u > 1 && p.u < 1.6 && p.v > 2.5; }));
+  const WallOutline outline =
+      outline_of(wall_under(gable_top, [](Place2 p) { return p.u > 1 && p.u < 1.6 && p.v > 2.5; }));
   double seen = 0, hidden = 0;
   for (std::size_t i = 0; i < outline.ring.size(); ++i) {
     const Place2 &a = outline.ring[i], &b = outline.ring[(i + 1) % outline.ring.size()];
