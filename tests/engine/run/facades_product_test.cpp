@@ -40,14 +40,14 @@ std::vector<Index3> wall_points(double heading) {
 }
 
 // What the labelled cloud says of a point, and where that is on the wall, metres.
-struct LabelledPoint {
+struct RowOfCloud {
   double u = 0, v = 0, w = 0;
   std::uint16_t facade = 0;
   std::uint32_t element = 0;
   std::uint8_t label = 0;
 };
 
-std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, double heading) {
+std::vector<RowOfCloud> labelled_points(const std::filesystem::path& cloud, double heading) {
   const auto reader = open_cloud(cloud);
   const RecordLayout& layout = reader->info().layout;
   std::vector<std::byte> records(reader->info().points * layout.record_length);
@@ -61,7 +61,7 @@ std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, d
   };
   const std::uint16_t facade = offset("facade_id"), element = offset("element_id"), label = offset("label");
   const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
-  std::vector<LabelledPoint> points;
+  std::vector<RowOfCloud> points;
   for (std::size_t i = 0; i < valid.size(); ++i) {
     const std::byte* r = records.data() + i * layout.record_length;
     const double x = load<std::int32_t>(r) * 0.001 - kEast, y = load<std::int32_t>(r + 4) * 0.001 - kNorth;
@@ -76,7 +76,7 @@ struct FacadesOutcome {
   json record;
   std::vector<Facade> facades;
   std::set<std::string> files;  // of the facades
-  std::vector<LabelledPoint> points;
+  std::vector<RowOfCloud> points;
   std::string drawing;  // of the first facade, as SVG
 };
 
@@ -184,7 +184,7 @@ TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
   for (const FacadeElement& e : out.facades[0].elements) kinds[e.id] = e.kind;
   std::map<std::string, std::size_t> of_kind;
   std::size_t wrong = 0;
-  for (const LabelledPoint& p : out.points) {
+  for (const RowOfCloud& p : out.points) {
     const bool over_window = (p.u > 1.01 && p.u < 2.09) || (p.u > 3.51 && p.u < 4.59);
     const char* kind = nullptr;
     if (p.w < -0.24) kind = "window";
