@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <vector>
 
@@ -43,7 +42,7 @@ struct Flat {
 void add_rings(std::string& path, const BuildingSurface& s, const std::vector<Flat>& at) {
   for (const auto& ring : s.rings) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-      fmt::format_to(std::back_inserter(path), "{}{:.2f} {:.2f}", i == 0 ? "M" : "L", at[ring[i]].x, at[ring[i]].y);
+      path += fmt::format("{}{:.2f} {:.2f}", i == 0 ? "M" : "L", at[ring[i]].x, at[ring[i]].y);
     path += "Z";
   }
 }
@@ -94,7 +93,7 @@ std::string plan_paths(const Building& building, Vec3 origin) {
   for (const BuildingSurface& s : building.surfaces) {
     if (solid && s.kind != SurfaceKind::roof) continue;
     const std::string fill = solid ? colour_of(s.kind, normal_of(building, s)) : "none";
-    fmt::format_to(std::back_inserter(paths), "<path fill=\"{}\" d=\"", fill);
+    paths += fmt::format("<path fill=\"{}\" d=\"", fill);
     add_rings(paths, s, at);
     paths += "\"/>";
   }
@@ -123,14 +122,14 @@ std::string oblique_drawing(const Building& building, std::span<const Vec3> poin
   std::stable_sort(faces.begin(), faces.end(), [](const Face& a, const Face& b) { return a.depth > b.depth; });
   for (const Face& f : faces) {
     const BuildingSurface& s = building.surfaces[f.surface];
-    fmt::format_to(std::back_inserter(svg), "<path fill=\"{}\" d=\"", colour_of(s.kind, normal_of(building, s)));
+    svg += fmt::format("<path fill=\"{}\" d=\"", colour_of(s.kind, normal_of(building, s)));
     add_rings(svg, s, at);
     svg += "\"/>";
   }
   svg += "<g class=\"points\">";
   for (const Vec3& p : points) {
     const Flat f = view.at(p);
-    fmt::format_to(std::back_inserter(svg), "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1\"/>", f.x, f.y);
+    svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"1\"/>", f.x, f.y);
   }
   return svg + "</g></svg>";
 }

@@ -76,7 +76,7 @@ bool is_finite_number(const Json& value) {
   return value.is_number() && std::isfinite(value.get<double>());
 }
 
-bool is_vector(const Json& list, std::size_t size) {
+bool has_numbers(const Json& list, std::size_t size) {
   return list.is_array() && list.size() == size && std::all_of(list.begin(), list.end(), is_finite_number);
 }
 
@@ -86,8 +86,8 @@ bool is_index(const Json& value, std::size_t limit) {
 
 std::string check_transform(const Json& transform) {
   if (!transform.is_object()) return "transform is no object";
-  if (!is_vector(json_field(transform, "scale"), 3)) return "transform.scale is not three numbers";
-  if (!is_vector(json_field(transform, "translate"), 3)) return "transform.translate is not three numbers";
+  if (!has_numbers(json_field(transform, "scale"), 3)) return "transform.scale is not three numbers";
+  if (!has_numbers(json_field(transform, "translate"), 3)) return "transform.translate is not three numbers";
   return "";
 }
 
@@ -95,7 +95,7 @@ std::string check_metadata(const Json& metadata) {
   if (metadata.is_null()) return "";
   if (!metadata.is_object()) return "metadata is no object";
   const Json& extent = json_field(metadata, "geographicalExtent");
-  if (!extent.is_null() && !is_vector(extent, 6)) return "metadata.geographicalExtent is not six numbers";
+  if (!extent.is_null() && !has_numbers(extent, 6)) return "metadata.geographicalExtent is not six numbers";
   const Json& system = json_field(metadata, "referenceSystem");
   if (!system.is_null() && !system.is_string()) return "metadata.referenceSystem is no text";
   return "";
@@ -116,7 +116,7 @@ std::string check_reference_system(const Json& metadata, const CityJsonHead& hea
 std::string check_vertices(const Json& vertices, bool integers) {
   if (!vertices.is_array()) return "vertices is missing or no list";
   for (std::size_t i = 0; i < vertices.size(); ++i) {
-    if (!is_vector(vertices[i], 3)) return fmt::format("vertex {} is not three numbers", i);
+    if (!has_numbers(vertices[i], 3)) return fmt::format("vertex {} is not three numbers", i);
     for (const Json& c : vertices[i])
       if (integers && !c.is_number_integer()) return fmt::format("vertex {} is not three whole numbers", i);
   }
@@ -189,7 +189,7 @@ std::string check_instance(const Json& geometry, std::size_t vertices, const Cit
   const Json& boundaries = json_field(geometry, "boundaries");
   if (!boundaries.is_array() || boundaries.size() != 1) return "boundaries of an instance is not one vertex";
   if (std::string what = check_nesting(boundaries, 1, vertices, false); !what.empty()) return "boundaries: " + what;
-  return is_vector(json_field(geometry, "transformationMatrix"), 16) ? "" : "transformationMatrix is not 16 numbers";
+  return has_numbers(json_field(geometry, "transformationMatrix"), 16) ? "" : "transformationMatrix is not 16 numbers";
 }
 
 std::string check_type(const std::string_view type, const CityJsonHead& head) {
@@ -218,7 +218,7 @@ std::string check_parts(const Json& object, const CityJsonHead& head) {
   if (const Json& attributes = json_field(object, "attributes"); !attributes.is_null() && !attributes.is_object())
     return "attributes is no object";
   const Json& extent = json_field(object, "geographicalExtent");
-  if (!extent.is_null() && !is_vector(extent, 6)) return "geographicalExtent is not six numbers";
+  if (!extent.is_null() && !has_numbers(extent, 6)) return "geographicalExtent is not six numbers";
   const Json& parents = json_field(object, "parents");
   const std::string_view type = text_of(json_field(object, "type"));
   if (head.version != "1.0" && holds(kSecondLevel, type) && (!parents.is_array() || parents.empty()))

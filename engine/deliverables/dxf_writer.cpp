@@ -19,8 +19,8 @@ constexpr unsigned kFirstHandle = 0x100;  // of layers and entities; those below
 // Group codes and values, one a line.
 class Tags {
  public:
-  void add(int code, std::string_view value) { fmt::format_to(std::back_inserter(text_), "{:3}\n{}\n", code, value); }
-  void add(int code, int value) { fmt::format_to(std::back_inserter(text_), "{:3}\n{}\n", code, value); }
+  void add(int code, std::string_view value) { text_ += fmt::format("{:3}\n{}\n", code, value); }
+  void add(int code, int value) { text_ += fmt::format("{:3}\n{}\n", code, value); }
   void number(int code, double value, int decimals = kCoordinateDecimals) { add(code, decimal(value, decimals)); }
   void point(int code, double x, double y) {
     number(code, x);

@@ -38,18 +38,17 @@ double number_of(const std::string& cell, const std::string& place) {
 }  // namespace
 
 void write_planes_csv(const std::filesystem::path& path, std::span<const Segment> segments) {
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text),
-                 "plane_id,content_id,points,nx,ny,nz,d,epsilon_m,rms_m,centroid_x,centroid_y,centroid_z,min_x,min_y,"
-                 "min_z,max_x,max_y,max_z,area_m2,level_m,up_m,normal_spread_deg,confidence,colour_class,neighbours\n");
+  std::string text =
+      "plane_id,content_id,points,nx,ny,nz,d,epsilon_m,rms_m,centroid_x,centroid_y,centroid_z,min_x,min_y,"
+      "min_z,max_x,max_y,max_z,area_m2,level_m,up_m,normal_spread_deg,confidence,colour_class,neighbours\n";
   for (const Segment& s : segments) {
-    fmt::format_to(std::back_inserter(text), "{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", s.id,
-                   s.content_id, s.points, s.plane.n.x, s.plane.n.y, s.plane.n.z, s.plane.d, s.epsilon_m, s.rms_m,
-                   s.centroid.x, s.centroid.y, s.centroid.z, s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z);
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{},{}\n", s.area_m2, s.level_m, s.up_m,
-                   s.normal_spread_deg, s.confidence, s.colour_class, s.neighbours);
+    text += fmt::format("{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", s.id, s.content_id, s.points,
+                        s.plane.n.x, s.plane.n.y, s.plane.n.z, s.plane.d, s.epsilon_m, s.rms_m, s.centroid.x,
+                        s.centroid.y, s.centroid.z, s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z);
+    text += fmt::format("{},{},{},{},{},{},{}\n", s.area_m2, s.level_m, s.up_m, s.normal_spread_deg, s.confidence,
+                        s.colour_class, s.neighbours);
   }
-  write_whole_file(path, {text.data(), text.size()});
+  write_whole_file(path, text);
 }
 
 std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {

@@ -105,11 +105,11 @@ void check_units(const DxfDrawing& drawing, const char* which) {
     throw Error(std::string(which) + " is not in metres ($INSUNITS 6): scale it first", ExitCode::usage);
 }
 
-nlohmann::ordered_json json_of(const MeanAndSpread& v) {
+nlohmann::ordered_json spread_json(const MeanAndSpread& v) {
   return {{"mean_m", v.mean}, {"sd_m", v.sd}};
 }
 
-nlohmann::ordered_json json_of(const std::vector<VertexControl>& vertices) {
+nlohmann::ordered_json control_json(const std::vector<VertexControl>& vertices) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const VertexControl& v : vertices)
     list.push_back({{"x", v.x}, {"z", v.z}, {"dx_m", v.dx}, {"dz_m", v.dz}, {"dd_m", v.dd}});
@@ -161,13 +161,13 @@ std::string drawing_control_json(const std::vector<LayerControl>& layers) {
                     {"missed", c.missed},
                     {"removed", c.removed},
                     {"moved", c.moved},
-                    {"dx", json_of(c.dx_m)},
-                    {"dz", json_of(c.dz_m)},
-                    {"dd", json_of(c.dd_m)},
-                    {"signed_dx", json_of(c.signed_dx_m)},
-                    {"signed_dz", json_of(c.signed_dz_m)},
+                    {"dx", spread_json(c.dx_m)},
+                    {"dz", spread_json(c.dz_m)},
+                    {"dd", spread_json(c.dd_m)},
+                    {"signed_dx", spread_json(c.signed_dx_m)},
+                    {"signed_dz", spread_json(c.signed_dz_m)},
                     {"largest_m", c.largest_m},
-                    {"vertices", json_of(c.vertices)}});
+                    {"vertices", control_json(c.vertices)}});
   const nlohmann::ordered_json whole{{"drawing", std::move(list)}};
   return whole.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
 }

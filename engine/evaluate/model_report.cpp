@@ -20,7 +20,7 @@ std::string metres(double v) {
   return std::isfinite(v) ? fmt::format("{:.3f}", v) : "missing";
 }
 
-Json number(double v) {
+Json model_number(double v) {
   return std::isfinite(v) ? Json(v) : Json();
 }
 
@@ -30,11 +30,11 @@ std::string row(const char* name, double over_points, const Percentiles& p) {
 }
 
 Json json_of(const Percentiles& p) {
-  return {{"p10", number(p.p10)},
-          {"median", number(p.median)},
-          {"p90", number(p.p90)},
-          {"p95", number(p.p95)},
-          {"largest", number(p.largest)}};
+  return {{"p10", model_number(p.p10)},
+          {"median", model_number(p.median)},
+          {"p90", model_number(p.p90)},
+          {"p95", model_number(p.p95)},
+          {"largest", model_number(p.largest)}};
 }
 
 }  // namespace
@@ -72,10 +72,10 @@ std::string model_json(const ModelEvaluation& e) {
     json["list"].push_back({{"name", b.name},
                             {"points", b.points},
                             {"faces", b.faces},
-                            {"rmse_m", number(b.rmse_m)},
-                            {"trimmed_rmse_m", number(b.trimmed_rmse_m)},
+                            {"rmse_m", model_number(b.rmse_m)},
+                            {"trimmed_rmse_m", model_number(b.trimmed_rmse_m)},
                             {"near_share", b.near_share},
-                            {"largest_m", number(b.largest_m)}});
+                            {"largest_m", model_number(b.largest_m)}});
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -18,7 +18,7 @@ namespace {
 using Json = nlohmann::json;
 
 // A value and where it stands, for messages.
-struct Node {
+struct TruthNode {
   const Json& json;
   std::string place;
 
@@ -26,7 +26,7 @@ struct Node {
 
   bool has(const char* key) const { return json.is_object() && json.contains(key); }
 
-  Node at(const char* key) const {
+  TruthNode at(const char* key) const {
     if (!has(key)) fail(fmt::format("'{}' is missing", key));
     return {json[key], fmt::format("{}.{}", place, key)};
   }
@@ -34,7 +34,7 @@ struct Node {
   template <class Visit>
   void each(Visit visit) const {
     if (!json.is_array()) fail("needs a list");
-    for (std::size_t i = 0; i < json.size(); ++i) visit(Node{json[i], fmt::format("{}[{}]", place, i)});
+    for (std::size_t i = 0; i < json.size(); ++i) visit(TruthNode{json[i], fmt::format("{}[{}]", place, i)});
   }
 
   double number() const {
@@ -60,35 +60,35 @@ struct Node {
 
   Vec3 position() const {
     if (!json.is_array() || json.size() != 3) fail("needs three numbers");
-    return {Node{json[0], place}.number(), Node{json[1], place}.number(), Node{json[2], place}.number()};
+    return {TruthNode{json[0], place}.number(), TruthNode{json[1], place}.number(), TruthNode{json[2], place}.number()};
   }
 
   Ring3 ring() const {
     Ring3 ring;
-    each([&](const Node& corner) { ring.push_back(corner.position()); });
+    each([&](const TruthNode& corner) { ring.push_back(corner.position()); });
     if (ring.size() < 3) fail("needs three corners or more");
     return ring;
   }
 };
 
-TruePlane plane_of(const Node& node) {
+TruePlane plane_of(const TruthNode& node) {
   TruePlane plane{node.at("id").id(), node.has("class") ? node.at("class").text() : "", {}, {}};
-  const Node equation = node.at("plane");
+  const TruthNode equation = node.at("plane");
   std::vector<double> v;
-  equation.each([&](const Node& n) { v.push_back(n.number()); });
+  equation.each([&](const TruthNode& n) { v.push_back(n.number()); });
   const double length = v.size() == 4 ? norm({v[0], v[1], v[2]}) : 0;
   if (!(length > 0)) equation.fail("needs a, b, c, d of a plane");
   plane.plane = {(1 / length) * Vec3{v[0], v[1], v[2]}, v[3] / length};
   if (!node.has("polygons")) return plane;
-  node.at("polygons").each([&](const Node& n) {
+  node.at("polygons").each([&](const TruthNode& n) {
     TruePolygon polygon{n.has("building") ? n.at("building").id() : 0, n.at("ring").ring(), {}};
-    if (n.has("holes")) n.at("holes").each([&](const Node& hole) { polygon.holes.push_back(hole.ring()); });
+    if (n.has("holes")) n.at("holes").each([&](const TruthNode& hole) { polygon.holes.push_back(hole.ring()); });
     plane.polygons.push_back(std::move(polygon));
   });
   return plane;
 }
 
-TrueElement element_of(const Node& node) {
+TrueElement element_of(const TruthNode& node) {
   TrueElement e;
   const auto number = [&](const char* key) { return node.has(key) ? node.at(key).number() : 0.0; };
   const auto id = [&](const char* key) { return node.has(key) ? node.at(key).id() : 0u; };
@@ -104,7 +104,7 @@ TrueElement element_of(const Node& node) {
   return e;
 }
 
-std::map<std::uint32_t, std::string> classes_of(const Node& node) {
+std::map<std::uint32_t, std::string> classes_of(const TruthNode& node) {
   std::map<std::uint32_t, std::string> classes;
   if (!node.json.is_object()) node.fail("needs an object");
   for (const auto& [key, value] : node.json.items()) {
@@ -112,16 +112,16 @@ std::map<std::uint32_t, std::string> classes_of(const Node& node) {
     const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), number);
     if (code != std::errc() || end != key.data() + key.size() || number > 255)
       node.fail(fmt::format("'{}' is no class from 0 to 255", key));
-    classes[number] = Node{value, node.place + "." + key}.text();
+    classes[number] = TruthNode{value, node.place + "." + key}.text();
   }
   return classes;
 }
 
 template <class Item, class Make>
-void read_list(const Node& root, const char* key, std::vector<Item>& out, bool& present, Make make) {
+void read_list(const TruthNode& root, const char* key, std::vector<Item>& out, bool& present, Make make) {
   present = root.has(key) && root.json[key].is_array();
   if (root.has(key) && (present || key != std::string_view("buildings")))  // once a count stood under `buildings`
-    root.at(key).each([&](const Node& node) { out.push_back(make(node)); });
+    root.at(key).each([&](const TruthNode& node) { out.push_back(make(node)); });
 }
 
 }  // namespace
@@ -133,24 +133,25 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   } catch (const Json::exception& fault) {
     throw Error(name + ": broken JSON: " + fault.what());
   }
-  const Node root{json, name};
+  const TruthNode root{json, name};
   if (!json.is_object()) root.fail("needs a JSON object");
   Truth truth;
   bool has_planes = false, has_elements = false;
   if (root.has("classes")) truth.classes = classes_of(root.at("classes"));
   read_list(root, "planes", truth.planes, has_planes, plane_of);
   read_list(root, "elements", truth.elements, has_elements, element_of);
-  read_list(root, "openings", truth.openings, truth.has_openings, [](const Node& n) {
+  read_list(root, "openings", truth.openings, truth.has_openings, [](const TruthNode& n) {
     return TrueOpening{n.at("id").id(), n.has("facade") ? n.at("facade").id() : 0, n.at("ring").ring()};
   });
-  read_list(root, "control_points", truth.control_points, truth.has_control_points, [](const Node& n) {
+  read_list(root, "control_points", truth.control_points, truth.has_control_points, [](const TruthNode& n) {
     return TrueControlPoint{n.at("group").text(), n.has("element") ? n.at("element").id() : 0,
                             n.at("position").position()};
   });
-  read_list(root, "objects", truth.objects, truth.has_objects, [](const Node& n) {
+  read_list(root, "objects", truth.objects, truth.has_objects, [](const TruthNode& n) {
     return TrueObject{n.at("id").id(), n.at("class").text(), n.has("points") ? n.at("points").count() : 0};
   });
-  read_list(root, "buildings", truth.buildings, truth.has_buildings, [](const Node& n) { return n.at("id").id(); });
+  read_list(root, "buildings", truth.buildings, truth.has_buildings,
+            [](const TruthNode& n) { return n.at("id").id(); });
   return truth;
 }
 

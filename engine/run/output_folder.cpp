@@ -23,7 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-json inputs_json(const RunInputs& inputs) {
+json manifest_inputs(const RunInputs& inputs) {
   json list = json::array();
   for (const auto& reader : inputs.readers) {
     const CloudInfo& info = reader->info();
@@ -61,7 +61,7 @@ json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t 
   settings.index.block_points = 0;
   return {{"version", version()},
           {"git_hash", git_hash()},
-          {"inputs", inputs_json(inputs)},
+          {"inputs", manifest_inputs(inputs)},
           {"settings", json::parse(settings_json(settings))},
           {"area", area_json(options.area)},
           {"footprints", file_json(options.footprints)},

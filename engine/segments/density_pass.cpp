@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/pass/pass.h"
-#include "engine/segments/boundary_edges.h"
+#include "engine/segments/boundary_stretches.h"
 
 namespace ilot {
 namespace {

@@ -10,6 +10,7 @@
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/planes/plane_fit.h"
+#include "kernels/planes/remaining_points.h"
 
 namespace ilot {
 namespace {
@@ -23,127 +24,6 @@ constexpr std::size_t kPool = 512;           // candidates kept between planes
 constexpr std::size_t kSample = 1 << 14;     // points that candidates are scored on while more remain
 constexpr int kRefinements = 10;
 constexpr double kExplained = 0.5;  // share of a set within epsilon of an earlier plane that makes it a fringe
-
-// The points still without a plane, compact and in their given order.
-struct Remaining {
-  std::vector<float> x, y, z, nx, ny, nz;
-  std::vector<std::uint32_t> index;  // into the caller's points
-  std::size_t size = 0;
-
-  void add(const Remaining& from, std::size_t i) {
-    x.push_back(from.x[i]);
-    y.push_back(from.y[i]);
-    z.push_back(from.z[i]);
-    nx.push_back(from.nx[i]);
-    ny.push_back(from.ny[i]);
-    nz.push_back(from.nz[i]);
-    index.push_back(from.index[i]);
-    ++size;
-  }
-  void pad() {
-    constexpr std::size_t kPadding = 16;
-    for (auto* v : {&x, &y, &z, &nx, &ny, &nz}) v->resize(size + kPadding, 0.0f);
-  }
-  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
-  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
-};
-
-Remaining with_normals(const OrientedPoints& p) {
-  constexpr std::size_t kPadding = 16;
-  Remaining r;
-  if (p.nx == nullptr) return r;
-  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->reserve(p.points.size + kPadding);
-  for (std::size_t i = 0; i < p.points.size; ++i) {
-    if (p.nx[i] == 0 && p.ny[i] == 0 && p.nz[i] == 0) continue;
-    r.x.push_back(p.points.x[i]);
-    r.y.push_back(p.points.y[i]);
-    r.z.push_back(p.points.z[i]);
-    r.nx.push_back(p.nx[i]);
-    r.ny.push_back(p.ny[i]);
-    r.nz.push_back(p.nz[i]);
-    r.index.push_back(static_cast<std::uint32_t>(i));
-  }
-  r.size = r.index.size();
-  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->resize(r.size + kPadding, 0.0f);
-  return r;
-}
-
-// Takes out the members (positions, ascending).
-void remove(Remaining& r, std::span<const std::uint32_t> members) {
-  std::size_t to = members.empty() ? r.size : members[0];
-  std::size_t next = 0;
-  for (std::size_t i = to; i < r.size; ++i) {
-    if (next < members.size() && members[next] == i) {
-      ++next;
-      continue;
-    }
-    for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) (*v)[to] = (*v)[i];
-    r.index[to++] = r.index[i];
-  }
-  r.size = to;
-}
-
-struct Extent {
-  float min[3]{INFINITY, INFINITY, INFINITY};
-  float max[3]{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3 p) {
-    const double v[3]{p.x, p.y, p.z};
-    for (int axis = 0; axis < 3; ++axis) {
-      min[axis] = std::min(min[axis], static_cast<float>(v[axis]));
-      max[axis] = std::max(max[axis], static_cast<float>(v[axis]));
-    }
-  }
-  bool holds(Vec3 p, std::int64_t margin) const {
-    const double v[3]{p.x, p.y, p.z};
-    const auto m = static_cast<double>(margin);
-    bool inside = true;
-    for (int axis = 0; axis < 3; ++axis)
-      inside = inside && v[axis] >= static_cast<double>(min[axis]) - m && v[axis] <= static_cast<double>(max[axis]) + m;
-    return inside;
-  }
-  // False only where all points of the box lie farther than that from the plane.
-  bool may_reach(const Plane& plane, double distance) const {
-    constexpr double kRounding = 1e-3;
-    const double n[3]{plane.n.x, plane.n.y, plane.n.z};
-    double centre = plane.d, half = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-      centre += n[axis] * 0.5 * (static_cast<double>(min[axis]) + static_cast<double>(max[axis]));
-      half += std::abs(n[axis]) * 0.5 * (static_cast<double>(max[axis]) - static_cast<double>(min[axis]));
-    }
-    return std::abs(centre) <= half + distance + kRounding;
-  }
-  bool meets(const Extent& o, double margin) const {
-    bool meet = true;
-    for (int axis = 0; axis < 3; ++axis) {
-      meet = meet && min[axis] - margin <= static_cast<double>(o.max[axis]) &&
-             o.min[axis] - margin <= static_cast<double>(max[axis]);
-    }
-    return meet;
-  }
-};
-
-// Boxes around every kRun consecutive points: points lie along a space-filling curve, so a plane misses most boxes.
-class RunBoxes {
- public:
-  static constexpr std::size_t kRun = 32;
-
-  // Those of the runs from the point `from` on, made anew.
-  void update(const Remaining& r, std::size_t from) {
-    boxes_.resize((r.size + kRun - 1) / kRun);
-    for (std::size_t b = from / kRun; b < boxes_.size(); ++b) {
-      boxes_[b] = {};
-      for (std::size_t i = b * kRun; i < end(b, r); ++i) boxes_[b].add(r.position(i));
-    }
-  }
-  std::size_t count() const { return boxes_.size(); }
-  static std::size_t end(std::size_t run, const Remaining& r) { return std::min(r.size, (run + 1) * kRun); }
-  const Extent& operator[](std::size_t run) const { return boxes_[run]; }
-
- private:
-  std::vector<Extent> boxes_;
-};
 
 // Hypotheses and how many points of the sample each has now. Ties go to the earlier draw.
 struct Pool {
@@ -262,7 +142,7 @@ class Search {
 
   // Takes the members (positions, ascending) out of the remaining points and of every candidate's count.
   void take_out(const std::vector<std::uint32_t>& members) {
-    Remaining gone;
+    RemainingPoints gone;
     for (const std::uint32_t i : members)
       if (remaining_.index[i] % stride_ == 0) gone.add(remaining_, i);
     gone.pad();
@@ -332,7 +212,7 @@ class Search {
   }
 
   // Of the consensus set, what lies within the connectivity of the box.
-  std::vector<std::uint32_t> consensus_around(const Plane& plane, const Extent& box) const {
+  std::vector<std::uint32_t> consensus_around(const Plane& plane, const PointExtent& box) const {
     std::vector<std::uint32_t> members;
     const auto margin = static_cast<double>(params_.connectivity);
     for (std::size_t run = 0; run < runs_.count(); ++run) {
@@ -362,8 +242,8 @@ class Search {
     return part;
   }
 
-  Extent extent_of(const std::vector<std::uint32_t>& members) const {
-    Extent extent;
+  PointExtent extent_of(const std::vector<std::uint32_t>& members) const {
+    PointExtent extent;
     for (const std::uint32_t i : members) extent.add(remaining_.position(i));
     return extent;
   }
@@ -371,7 +251,7 @@ class Search {
   // Along an edge normals are a mixture, so a strip of points there agrees on a plane of its own although it lies on
   // the surface beside it. Its points are not that surface's because their normals disagree; points whose normals agree
   // are another part of the same plane.
-  bool is_fringe(const std::vector<std::uint32_t>& members, const Extent& extent) const {
+  bool is_fringe(const std::vector<std::uint32_t>& members, const PointExtent& extent) const {
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
       if (!extent.meets(extents_[p], static_cast<double>(params_.connectivity))) continue;
       const Plane& plane = result_.planes[p];
@@ -404,7 +284,7 @@ class Search {
       pool_.drop(candidate);
       return;
     }
-    const Extent extent = extent_of(members);
+    const PointExtent extent = extent_of(members);
     if (!is_fringe(members, extent)) {
       result_.planes.push_back(plane);
       extents_.push_back(extent);
@@ -415,12 +295,12 @@ class Search {
   }
 
   RansacParams params_;
-  Remaining remaining_;
+  RemainingPoints remaining_;
   RunBoxes runs_;  // of the remaining points
   Rng rng_;
   RansacPlanes result_;
-  std::vector<Extent> extents_;  // of the points of each plane
-  Remaining sample_;             // what candidates are counted on
+  std::vector<PointExtent> extents_;  // of the points of each plane
+  RemainingPoints sample_;            // what candidates are counted on
   std::size_t stride_ = 0;
   Pool pool_;
   double needed_hits_ = 0;

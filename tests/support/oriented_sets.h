@@ -10,6 +10,8 @@
 
 namespace ilot::test {
 
+inline constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+
 struct OrientedSet {
   std::vector<float> x, y, z, nx, ny, nz;
   std::size_t size = 0;

@@ -2,6 +2,7 @@
 // Integer point sets for oracles: each kind stresses something else. All Morton sorted, padded as Points asks.
 #pragma once
 #include <algorithm>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,12 @@
 #include "kernels/neighbours/morton.h"
 
 namespace ilot::test {
+
+inline std::vector<std::uint32_t> all_of(std::size_t n) {
+  std::vector<std::uint32_t> indices(n);
+  std::iota(indices.begin(), indices.end(), 0u);
+  return indices;
+}
 
 struct PointSet {
   std::string name;

@@ -28,12 +28,6 @@ struct Neighbours {
   NeighbourLists lists() const { return {indices, k}; }
 };
 
-inline std::vector<std::uint32_t> all_of(std::size_t n) {
-  std::vector<std::uint32_t> indices(n);
-  std::iota(indices.begin(), indices.end(), 0u);
-  return indices;
-}
-
 inline Neighbours neighbours_of(Points points, int k) {
   Neighbours n{std::vector<std::uint32_t>(points.size * static_cast<std::size_t>(k)), static_cast<std::uint32_t>(k)};
   std::vector<std::int64_t> reach2(points.size);

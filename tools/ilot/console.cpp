@@ -55,20 +55,6 @@ int open_log(const std::string& log) {
   return opened;
 }
 
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  ~Descriptor() {
-    if (number_ >= 0) close(number_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number() const { return number_; }
-
- private:
-  int number_;
-};
-
 ProgressOptions console_options(Verbosity verbosity, const std::string& log, int descriptor) {
   ProgressOptions options;
   options.verbosity = verbosity;
@@ -87,9 +73,30 @@ void say(std::string_view text) {
   write_all(STDERR_FILENO, text);
 }
 
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
+  }
+  return text + "\n";
+}
+
 void print(std::string_view text) {
   if (!write_all(STDOUT_FILENO, text)) throw Error(std::string("standard output: ") + std::strerror(errno));
 }
+
+class ConsoleProgress::Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  ~Descriptor() {
+    if (number_ >= 0) close(number_);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number() const { return number_; }
+
+ private:
+  int number_;
+};
 
 struct ConsoleProgress::Parts {
   Parts(Verbosity verbosity, const std::string& log_name)

@@ -16,6 +16,9 @@ void say(std::string_view text);
 // Standard output. Error when it cannot be written.
 void print(std::string_view text);
 
+// The text as one line: control characters are blanks, and the line ends.
+std::string one_line(std::string text);
+
 // Progress on the console and, if asked for, as JSON lines on `log`: a file (replaced), `-` for standard
 // error or `fd:N` for an open descriptor. A timer keeps the line alive. One live line on a terminal; NO_COLOR
 // is respected.
@@ -26,6 +29,7 @@ class ConsoleProgress {
   Progress& get();
 
  private:
+  class Descriptor;
   struct Parts;
   std::unique_ptr<Parts> parts_;
 };

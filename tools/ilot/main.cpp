@@ -43,7 +43,7 @@ std::string version_text(bool json) {
   return all.dump(2) + "\n";
 }
 
-std::string one_line(std::string text) {
+std::string fault_line(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r') c = ' ';
   }
@@ -94,12 +94,12 @@ int main(int argc, char** argv) {
   try {
     return run_command_line(argc, argv);
   } catch (const Error& fault) {
-    say(one_line(fault.what()));
+    say(fault_line(fault.what()));
     return static_cast<int>(fault.code());
   } catch (const std::bad_alloc&) {
-    say(one_line("out of memory: give a smaller --memory or free some"));
+    say(fault_line("out of memory: give a smaller --memory or free some"));
   } catch (const std::exception& fault) {
-    say(one_line(std::string("internal error: ") + fault.what()));
+    say(fault_line(std::string("internal error: ") + fault.what()));
   }
   return static_cast<int>(ExitCode::failed);
 }

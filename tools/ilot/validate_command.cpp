@@ -37,13 +37,6 @@ std::vector<Finding> findings_of(const std::filesystem::path& file, bool quiet) 
   }
 }
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-  }
-  return text + "\n";
-}
-
 bool is_valid(const std::vector<Finding>& findings) {
   return std::none_of(findings.begin(), findings.end(), [](const Finding& f) { return f.severe; });
 }

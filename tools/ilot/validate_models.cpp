@@ -11,13 +11,6 @@
 namespace ilot {
 namespace {
 
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (static_cast<unsigned char>(c) < 32 || c == 127) c = ' ';
-  }
-  return text + "\n";
-}
-
 std::string described(const Fault& fault) {
   return fmt::format("{} {}{}{}", fault.code, validity_code_name(fault.code), fault.where.empty() ? "" : " ",
                      fault.where);

@@ -6,9 +6,9 @@
 
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include "engine/error.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ilot {
@@ -32,20 +32,15 @@ DensityMap small_map() {
   return map;
 }
 
-void write(const std::filesystem::path& folder) {
+void write_density(const std::filesystem::path& folder) {
   DensityFiles files(folder, 0.3048);
   files.add(small_map());
   files.finish();
 }
 
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 TEST(DensityFiles, TheRasterReadsBackAsItWasGiven) {
   const TemporaryFolder folder;
-  write(folder.path() / "density");
+  write_density(folder.path() / "density");
   const GDALDatasetUniquePtr file(
       GDALDataset::Open((folder.path() / "density/plane-000007.tif").c_str(), GDAL_OF_RASTER));
   ASSERT_TRUE(file);
@@ -66,7 +61,7 @@ TEST(DensityFiles, TheRasterReadsBackAsItWasGiven) {
 
 TEST(DensityFiles, ThePictureShowsWhatIsMissingInRed) {
   const TemporaryFolder folder;
-  write(folder.path());
+  write_density(folder.path());
   const GDALDatasetUniquePtr file(GDALDataset::Open((folder.path() / "plane-000007.png").c_str(), GDAL_OF_RASTER));
   ASSERT_TRUE(file);
   ASSERT_EQ(file->GetRasterXSize(), 3 * 480 + 16);
@@ -89,19 +84,19 @@ TEST(DensityFiles, ThePictureShowsWhatIsMissingInRed) {
 
 TEST(DensityFiles, TheTableHasALineAMap) {
   const TemporaryFolder folder;
-  write(folder.path());
-  EXPECT_EQ(bytes_of(folder.path() / "density.csv"),
+  write_density(folder.path());
+  EXPECT_EQ(test::file_bytes(folder.path() / "density.csv"),
             "plane_id,pixel_m,pixels,measured,predicted,ratio_p10,ratio_median,ratio_p90\n"
             "7,0.1524,5,100,100,0.5,0.75,1\n");
 }
 
 TEST(DensityFiles, SameBytesEveryTimeAndNothingBeside) {
   const TemporaryFolder folder;
-  write(folder.path() / "a");
-  write(folder.path() / "b");
+  write_density(folder.path() / "a");
+  write_density(folder.path() / "b");
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "a")) {
-    EXPECT_EQ(bytes_of(entry.path()), bytes_of(folder.path() / "b" / entry.path().filename()));
+    EXPECT_EQ(test::file_bytes(entry.path()), test::file_bytes(folder.path() / "b" / entry.path().filename()));
     ++files;
   }
   EXPECT_EQ(files, 3u);

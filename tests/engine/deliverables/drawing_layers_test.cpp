@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-std::string fault_of(const std::string& text) {
+std::string layers_fault(const std::string& text) {
   try {
     parse_layers(text, "l.toml");
   } catch (const Error& fault) {
@@ -53,24 +53,25 @@ TEST(DrawingLayers, AMappingChangesWhatItNames) {
 }
 
 TEST(DrawingLayers, FaultsAreNamed) {
-  EXPECT_NE(fault_of("[layers.windows]\n").find("layers.windows: nothing of this name is drawn; there are outline"),
+  EXPECT_NE(layers_fault("[layers.windows]\n").find("layers.windows: nothing of this name is drawn; there are outline"),
             std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\nname = \"a/b\"\n").find("name needs"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\nname = \"\"\n").find("name needs"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\ncolour = 256\n").find("colour needs"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\nlineweight_mm = 0.22\n").find("needs a pen"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\npattern = \"wavy\"\n").find("continuous, dashed, dotted"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\nshown = 1\n").find("true or false"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.opening]\nweight = 1\n").find("unknown key 'weight'"), std::string::npos);
-  EXPECT_NE(fault_of("layers = 1\n").find("'layers'"), std::string::npos);
-  EXPECT_NE(fault_of("layers.opening = 1\n").find("needs a table"), std::string::npos);
-  EXPECT_NE(fault_of("preset = \"b\"\n").find("'b' is no set of layers"), std::string::npos);
-  EXPECT_NE(fault_of("[layers\n").find("l.toml:"), std::string::npos);
-  EXPECT_NE(fault_of("# \xC3\xA9\n").find("ASCII"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\nname = \"a/b\"\n").find("name needs"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\nname = \"\"\n").find("name needs"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\ncolour = 256\n").find("colour needs"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\nlineweight_mm = 0.22\n").find("needs a pen"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\npattern = \"wavy\"\n").find("continuous, dashed, dotted"),
+            std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\nshown = 1\n").find("true or false"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.opening]\nweight = 1\n").find("unknown key 'weight'"), std::string::npos);
+  EXPECT_NE(layers_fault("layers = 1\n").find("'layers'"), std::string::npos);
+  EXPECT_NE(layers_fault("layers.opening = 1\n").find("needs a table"), std::string::npos);
+  EXPECT_NE(layers_fault("preset = \"b\"\n").find("'b' is no set of layers"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers\n").find("l.toml:"), std::string::npos);
+  EXPECT_NE(layers_fault("# \xC3\xA9\n").find("ASCII"), std::string::npos);
   // One layer, two colours; names that differ in case alone are one for CAD programs.
-  EXPECT_NE(fault_of("[layers.band]\nname = \"FAC-OPENING\"\n").find("opening and band share"), std::string::npos);
-  EXPECT_NE(fault_of("[layers.lintel]\nname = \"fac-sill\"\n").find("sill and lintel share"), std::string::npos);
-  EXPECT_EQ(fault_of("[layers.lintel]\nname = \"FAC-SILL\"\n"), "none");
+  EXPECT_NE(layers_fault("[layers.band]\nname = \"FAC-OPENING\"\n").find("opening and band share"), std::string::npos);
+  EXPECT_NE(layers_fault("[layers.lintel]\nname = \"fac-sill\"\n").find("sill and lintel share"), std::string::npos);
+  EXPECT_EQ(layers_fault("[layers.lintel]\nname = \"FAC-SILL\"\n"), "none");
   EXPECT_THROW(read_layers("/nowhere/layers.toml"), Error);
 }
 

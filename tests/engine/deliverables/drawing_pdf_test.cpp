@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-Drawing a_drawing() {
+Drawing paper_drawing() {
   Drawing drawing;
   drawing.title =
       "Fa\xC3\xA7"
@@ -25,7 +25,7 @@ Drawing a_drawing() {
 }
 
 TEST(DrawingPdf, ItsTableSaysWhereObjectsBegin) {
-  const std::string pdf = drawing_pdf(a_drawing(), preset_layers("ilot"));
+  const std::string pdf = drawing_pdf(paper_drawing(), preset_layers("ilot"));
   const std::size_t table = std::strtoull(pdf.c_str() + pdf.rfind("startxref\n") + 10, nullptr, 10);
   ASSERT_EQ(pdf.compare(table, 7, "xref\n0 "), 0);
   const std::size_t count = std::strtoull(pdf.c_str() + table + 7, nullptr, 10);
@@ -42,7 +42,7 @@ TEST(DrawingPdf, ItsTableSaysWhereObjectsBegin) {
 }
 
 TEST(DrawingPdf, IsToScaleWithItsLayers) {
-  const std::string pdf = drawing_pdf(a_drawing(), preset_layers("aia"));
+  const std::string pdf = drawing_pdf(paper_drawing(), preset_layers("aia"));
   EXPECT_NE(pdf.find("/MediaBox [0 0 595.276 841.890]"), std::string::npos);
   EXPECT_NE(pdf.find("/Name (A-ELEV-OPNG)"), std::string::npos);
   EXPECT_NE(pdf.find("/OFF [9 0 R ]"), std::string::npos);  // opening, detail, error

@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-Drawing a_drawing() {
+Drawing screen_drawing() {
   Drawing drawing;
   drawing.title =
       "<Fa\xC3\xA7"
@@ -25,7 +25,7 @@ Drawing a_drawing() {
 
 TEST(DrawingSvg, IsToScaleInMillimetres) {
   pugi::xml_document svg;
-  ASSERT_TRUE(svg.load_string(drawing_svg(a_drawing(), preset_layers("ilot")).c_str()));
+  ASSERT_TRUE(svg.load_string(drawing_svg(screen_drawing(), preset_layers("ilot")).c_str()));
   const pugi::xml_node root = svg.child("svg");
   EXPECT_STREQ(root.attribute("width").value(), "210.000mm");
   EXPECT_STREQ(root.attribute("viewBox").value(), "0 0 210.000 297.000");

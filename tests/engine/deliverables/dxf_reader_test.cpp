@@ -12,7 +12,7 @@ std::string entities(const std::string& groups) {
   return "0\nSECTION\n2\nENTITIES\n" + groups + "0\nENDSEC\n0\nEOF\n";
 }
 
-std::string fault_of(const std::string& text) {
+std::string dxf_fault(const std::string& text) {
   try {
     parse_dxf(text, "f.dxf");
   } catch (const Error& fault) {
@@ -65,15 +65,15 @@ TEST(DxfReader, WindowsLinesCommentsAndTrailingBlanks) {
 }
 
 TEST(DxfReader, FaultsNameTheLine) {
-  EXPECT_NE(fault_of("AutoCAD Binary DXF\r\n\x1a").find("binary"), std::string::npos);
-  EXPECT_NE(fault_of("0\nSECTION\n2\nENTITIES\nLINE\n").find("f.dxf:5: needs a group code"), std::string::npos);
-  EXPECT_NE(fault_of("0\nSECTION\n2\nENTITIES\n0\n").find("f.dxf:5: the file ends within a pair"), std::string::npos);
-  EXPECT_NE(fault_of("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nW\n").find("f.dxf:1: this section is not closed"),
+  EXPECT_NE(dxf_fault("AutoCAD Binary DXF\r\n\x1a").find("binary"), std::string::npos);
+  EXPECT_NE(dxf_fault("0\nSECTION\n2\nENTITIES\nLINE\n").find("f.dxf:5: needs a group code"), std::string::npos);
+  EXPECT_NE(dxf_fault("0\nSECTION\n2\nENTITIES\n0\n").find("f.dxf:5: the file ends within a pair"), std::string::npos);
+  EXPECT_NE(dxf_fault("0\nSECTION\n2\nENTITIES\n0\nLINE\n8\nW\n").find("f.dxf:1: this section is not closed"),
             std::string::npos);
-  EXPECT_NE(fault_of("0\nLINE\n").find("outside of a section"), std::string::npos);
-  EXPECT_NE(fault_of("5\nLINE\n").find("needs the beginning of a section"), std::string::npos);
-  EXPECT_NE(fault_of("0\nSECTION\n0\nENDSEC\n").find("without a name"), std::string::npos);
-  EXPECT_EQ(fault_of(""), "none");
+  EXPECT_NE(dxf_fault("0\nLINE\n").find("outside of a section"), std::string::npos);
+  EXPECT_NE(dxf_fault("5\nLINE\n").find("needs the beginning of a section"), std::string::npos);
+  EXPECT_NE(dxf_fault("0\nSECTION\n0\nENDSEC\n").find("without a name"), std::string::npos);
+  EXPECT_EQ(dxf_fault(""), "none");
   EXPECT_THROW(read_dxf("/nowhere.dxf"), Error);
 }
 

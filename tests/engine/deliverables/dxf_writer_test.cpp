@@ -21,7 +21,7 @@ extern "C" void RegisterOGRDXF();
 namespace ilot {
 namespace {
 
-Drawing a_drawing() {
+Drawing layered_drawing() {
   Drawing drawing;
   drawing.sheet = {-1, -1, 10, 10};
   drawing.lines.push_back({DrawingRole::opening, {{0, 0, 0}, {2, 0, 0}, {2, 3, 1}, {0, 3, 0}}, true});
@@ -40,7 +40,7 @@ const DxfEntity& entity(const DxfDrawing& drawing, const std::string& type) {
 }
 
 TEST(DxfWriter, ReadsBack) {
-  const DxfDrawing read = parse_dxf(drawing_dxf(a_drawing(), preset_layers("aia")), "a.dxf");
+  const DxfDrawing read = parse_dxf(drawing_dxf(layered_drawing(), preset_layers("aia")), "a.dxf");
   EXPECT_EQ(read.version, "AC1015");
   EXPECT_EQ(read.units, 6);
   EXPECT_TRUE(read.has_end);
@@ -100,7 +100,7 @@ TEST(DxfWriter, OursAreValidByOurOwnRules) {
 TEST(DxfWriter, GdalReadsItAndItsArcs) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "a.dxf";
-  write_drawing_dxf(path, a_drawing(), preset_layers("ilot"));
+  write_drawing_dxf(path, layered_drawing(), preset_layers("ilot"));
   RegisterOGRDXF();
   const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);

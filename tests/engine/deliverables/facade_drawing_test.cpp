@@ -14,7 +14,7 @@ namespace ilot {
 namespace {
 
 // Two rows of three windows 1 wide and 1.5 high, a door, a band.
-Facade a_facade() {
+Facade drawn_facade() {
   std::vector<FacadeElement> elements;
   for (const double z : {4.0, 7.0})
     for (const double x : {1.0, 4.0, 7.0}) {
@@ -50,7 +50,7 @@ DrawingBox box_of(const DrawingText& text) {
 }
 
 TEST(FacadeDrawing, NumbersLevelsAndChains) {
-  const Drawing drawing = facade_drawing(a_facade());
+  const Drawing drawing = facade_drawing(drawn_facade());
   const auto numbers = texts_of(drawing, DrawingRole::number);
   for (const char* id : {"1", "2", "3", "4", "5", "6", "7", "8"}) EXPECT_EQ(numbers.count(id), 1u) << id;
   EXPECT_EQ(numbers.count("9"), 0u);  // the outline
@@ -68,7 +68,7 @@ TEST(FacadeDrawing, NumbersLevelsAndChains) {
 }
 
 TEST(FacadeDrawing, TextsDoNotOverlapAndStayOffLines) {
-  Facade facade = a_facade();
+  Facade facade = drawn_facade();
   for (int i = 0; i < 40; ++i)
     facade.elements.push_back(drawn("stone", wall_rectangle(0.2 * i, 9, 0.2 * i + 0.2, 9.5)));
   for (std::uint32_t i = 0; i < facade.elements.size(); ++i) facade.elements[i].id = i + 1;
@@ -104,7 +104,7 @@ TEST(FacadeDrawing, TheTitleBlockTellsWhatItIs) {
   params.heights = "NGF-IGN69";
   params.data_date = "2026-05-01";
   params.source = "scan.laz";
-  Facade facade = a_facade();
+  Facade facade = drawn_facade();
   facade.crs = "EPSG:2154";
   facade.elements[0].edges.assign(4, {DrawnStatus::seen, 9, 0.001, 0.004, 0});
   const Drawing drawing = facade_drawing(facade, params);
@@ -112,7 +112,7 @@ TEST(FacadeDrawing, TheTitleBlockTellsWhatItIs) {
        {"12 rue de l'", "Scale 1:100", "CRS: EPSG:2154", "Heights: NGF-IGN69", "Date of data: 2026-05-01",
         "95 % of edges within 4.0 mm", "Source: scan.laz", "90.00 deg from grid north"})
     EXPECT_TRUE(says(drawing, words)) << words;
-  const Drawing bare = facade_drawing(a_facade());
+  const Drawing bare = facade_drawing(drawn_facade());
   for (const char* words : {"Elevation", "CRS: not known", "Date of data: not known", "Accuracy: not known"})
     EXPECT_TRUE(says(bare, words)) << words;
 }

@@ -3,14 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
 #include <set>
 
 #include "engine/deliverables/dxf_reader.h"
 #include "engine/deliverables/facade_json.h"
 #include "engine/evaluate/validate_drawing.h"
 #include "tests/support/facades.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ilot {
@@ -22,12 +21,7 @@ std::set<std::string> files_in(const std::filesystem::path& folder) {
   return names;
 }
 
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
-
-Facade a_facade() {
+Facade filed_facade() {
   FacadeElement window = drawn("window", wall_rectangle(1, 1, 2, 3));
   window.depth_m = -0.2;
   Facade facade = facade_of({window, drawn("sill", wall_rectangle(0.9, 0.9, 2.1, 1))});
@@ -37,7 +31,7 @@ Facade a_facade() {
 
 TEST(FacadeFiles, WritesWhatThereIs) {
   const TemporaryFolder flat, whole;
-  Facade plain = a_facade();
+  Facade plain = filed_facade();
   plain.elements[0].depth_m = 0;
   write_facade_files(flat.path(), plain);
   EXPECT_EQ(files_in(flat.path()), (std::set<std::string>{"facade-012.json", "facade-012.dxf", "facade-012.svg",
@@ -51,7 +45,7 @@ TEST(FacadeFiles, WritesWhatThereIs) {
     const std::vector<ImagePoint> points{{{1.5, 0.1, 2}, {1, 2, 3}}};
     take(points);
   };
-  write_facade_files(whole.path(), a_facade(), params);
+  write_facade_files(whole.path(), filed_facade(), params);
   page.finish();
   EXPECT_EQ(
       files_in(whole.path()),
@@ -59,24 +53,24 @@ TEST(FacadeFiles, WritesWhatThereIs) {
                              "facade-012.obj", "facade-012.stl", "facade-012.png", "facade-012.pgw",
                              "facade-012-section-level-2.00.dxf", "facade-012-section-level-2.00.svg",
                              "facade-012-section-level-2.00.pdf", "facades.html"}));
-  EXPECT_EQ(facade_json(read_facade_json(whole.path() / "facade-012.json")), facade_json(a_facade()));
+  EXPECT_EQ(facade_json(read_facade_json(whole.path() / "facade-012.json")), facade_json(filed_facade()));
   for (const char* name : {"facade-012.dxf", "facade-012-section-level-2.00.dxf"})
     EXPECT_TRUE(validate_drawing_file(whole.path() / name).empty()) << name;
 }
 
 TEST(FacadeFiles, AreTheSameBytesEachTime) {
   const TemporaryFolder once, again;
-  write_facade_files(once.path(), a_facade());
-  write_facade_files(again.path(), a_facade());
+  write_facade_files(once.path(), filed_facade());
+  write_facade_files(again.path(), filed_facade());
   for (const std::string& name : files_in(once.path()))
-    EXPECT_EQ(text_of(once.path() / name), text_of(again.path() / name));
+    EXPECT_EQ(test::file_bytes(once.path() / name), test::file_bytes(again.path() / name));
 }
 
 // DXF and SVG come from one drawing: what one shows the other has, on the layer of the same name.
 TEST(FacadeFiles, DxfAndSvgAgree) {
   const TemporaryFolder folder;
-  write_facade_files(folder.path(), a_facade());
-  const std::string svg = text_of(folder.path() / "facade-012.svg");
+  write_facade_files(folder.path(), filed_facade());
+  const std::string svg = test::file_bytes(folder.path() / "facade-012.svg");
   std::size_t paths = 0, texts = 0, drawn_texts = 0;
   for (std::size_t at = svg.find("<path"); at != std::string::npos; at = svg.find("<path", at + 1)) ++paths;
   for (std::size_t at = svg.find("<text"); at != std::string::npos; at = svg.find("<text", at + 1)) ++texts;

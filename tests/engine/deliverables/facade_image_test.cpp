@@ -49,13 +49,13 @@ FacadeImageParams params_of(double pixel) {
   return params;
 }
 
-Facade a_facade() {
+Facade pictured_facade() {
   return facade_of({drawn("outline", wall_rectangle(0, 0, 1, 1))});
 }
 
 TEST(FacadeImage, PlacesAndColours) {
   const std::vector<ImagePoint> points = a_wall();
-  const FacadeImage image = facade_image(a_facade(), source_of(points, 7), params_of(0.1));
+  const FacadeImage image = facade_image(pictured_facade(), source_of(points, 7), params_of(0.1));
   ASSERT_EQ(image.width, 10u);
   ASSERT_EQ(image.height, 10u);
   EXPECT_EQ(image.points, 10000u);
@@ -69,9 +69,9 @@ TEST(FacadeImage, PlacesAndColours) {
 TEST(FacadeImage, AnyOrderAndAnyPiecesGiveTheSameBytes) {
   std::vector<ImagePoint> points = a_wall();
   points.push_back({{0.505, -0.2, 0.505}, {1, 2, 3}});
-  const FacadeImage once = facade_image(a_facade(), source_of(points, 1000), params_of(0.03));
+  const FacadeImage once = facade_image(pictured_facade(), source_of(points, 1000), params_of(0.03));
   std::reverse(points.begin(), points.end());
-  const FacadeImage turned = facade_image(a_facade(), source_of(points, 13), params_of(0.03));
+  const FacadeImage turned = facade_image(pictured_facade(), source_of(points, 13), params_of(0.03));
   EXPECT_EQ(once.rgba, turned.rgba);
 }
 
@@ -83,7 +83,7 @@ TEST(FacadeImage, TilesAreInvisible) {
     points[i].position.y = 0.0001 * static_cast<double>(i % 977);
   }
   std::erase_if(points, [](const ImagePoint& p) { return p.colour[0] % 5 < 2 || p.colour[1] / 4 % 6 == 0; });
-  Facade facade = a_facade();
+  Facade facade = pictured_facade();
   facade.right = {0.8, 0.6, 0}, facade.out = {0.6, -0.8, 0};
   for (ImagePoint& p : points)
     p.position = p.position.x * facade.right + p.position.z * facade.up + (0.1 - p.position.y) * facade.out;
@@ -107,19 +107,19 @@ TEST(FacadeImage, WhatStandsInFrontHidesTheWallAndWhatIsFarDoesNot) {
   std::vector<ImagePoint> points = a_wall();
   points.push_back({{0.05, -0.2, 0.05}, {1, 2, 3}});  // out of the wall
   points.push_back({{0.95, -5, 0.05}, {9, 9, 9}});    // a car
-  const FacadeImage image = facade_image(a_facade(), source_of(points, 64), params_of(0.1));
+  const FacadeImage image = facade_image(pictured_facade(), source_of(points, 64), params_of(0.1));
   EXPECT_EQ(image.rgba[4 * 90], 1);
   EXPECT_EQ(image.rgba[4 * 99], 200);
 }
 
 TEST(FacadeImage, ThePixelFollowsThePoints) {
   const std::vector<ImagePoint> points = a_wall();
-  EXPECT_EQ(facade_image(a_facade(), source_of(points, 64), params_of(0)).pixel_m, 0.01);
+  EXPECT_EQ(facade_image(pictured_facade(), source_of(points, 64), params_of(0)).pixel_m, 0.01);
   std::vector<ImagePoint> few{points[0], points[5000]};
-  EXPECT_EQ(facade_image(a_facade(), source_of(few, 64), params_of(0)).pixel_m, 1);
+  EXPECT_EQ(facade_image(pictured_facade(), source_of(few, 64), params_of(0)).pixel_m, 1);
   FacadeImageParams bounded = params_of(0.001);
   bounded.most_pixels = 1024;
-  const FacadeImage image = facade_image(a_facade(), source_of(points, 64), bounded);
+  const FacadeImage image = facade_image(pictured_facade(), source_of(points, 64), bounded);
   EXPECT_EQ(image.width * image.height, 1024u);
   EXPECT_EQ(image.pixel_m, 0.032);
 }
@@ -128,7 +128,7 @@ TEST(FacadeImage, ReliefIsLighterInFront) {
   const std::vector<ImagePoint> points{{{0.05, 0, 0.05}, {}}, {{0.15, -0.1, 0.05}, {}}, {{0.25, 0.1, 0.05}, {}}};
   FacadeImageParams params = params_of(0.1);
   params.shade = ImageShade::relief;
-  const FacadeImage image = facade_image(a_facade(), source_of(points, 2), params);
+  const FacadeImage image = facade_image(pictured_facade(), source_of(points, 2), params);
   EXPECT_GT(image.rgba[4 * 91], image.rgba[4 * 90]);
   EXPECT_GT(image.rgba[4 * 90], image.rgba[4 * 92]);
 }
@@ -137,7 +137,7 @@ TEST(FacadeImage, ThePngReadsBackAndLiesWhereTheDrawingIs) {
   const TemporaryFolder folder;
   const auto path = folder.path() / "facade-001.png";
   const std::vector<ImagePoint> points = a_wall();
-  const FacadeImage image = facade_image(a_facade(), source_of(points, 64), params_of(0.1));
+  const FacadeImage image = facade_image(pictured_facade(), source_of(points, 64), params_of(0.1));
   write_facade_image(path, image);
   const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_RASTER));
   ASSERT_TRUE(file);

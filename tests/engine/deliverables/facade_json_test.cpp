@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-Facade a_facade() {
+Facade written_facade() {
   FacadeElement window{1, "window", true, 1, 2, 3, DrawnStatus::completed, "hidden behind its sill", {}, {}, {}};
   window.ring = {{651000.1, 6861000, 1}, {651001.3, 6861000, 1}, {651001.3, 6861000, 2.2}};
   window.edges = {{DrawnStatus::seen, 40, 0.002, 0.004, 0.01, 0.125, 0.75}, {}, {DrawnStatus::occluded, 0, 0, 0.1, 0}};
@@ -25,7 +25,7 @@ Facade a_facade() {
   return {7, "EPSG:2154", {651000, 6861000, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}, 12.5, 9, {window, sill}};
 }
 
-std::string fault_of(const std::string& text) {
+std::string facade_fault(const std::string& text) {
   try {
     parse_facade_json(text, "f.json");
   } catch (const Error& fault) {
@@ -42,9 +42,9 @@ std::string changed(std::string text, const std::string& from, const std::string
 TEST(FacadeJson, ReadsBackWhatItWrote) {
   const TemporaryFolder folder;
   const std::filesystem::path path = folder.path() / "facade-007.json";
-  write_facade_json(path, a_facade());
+  write_facade_json(path, written_facade());
   const Facade read = read_facade_json(path);
-  EXPECT_EQ(facade_json(read), facade_json(a_facade()));
+  EXPECT_EQ(facade_json(read), facade_json(written_facade()));
   EXPECT_EQ(read.id, 7u);
   EXPECT_EQ(read.out.y, -1);
   ASSERT_EQ(read.elements.size(), 2u);
@@ -73,25 +73,26 @@ TEST(FacadeJson, ReadsBackWhatItWrote) {
 }
 
 TEST(FacadeJson, RefusesWhatIsNoFacade) {
-  const std::string good = facade_json(a_facade());
-  ASSERT_EQ(fault_of(good), "none");
-  EXPECT_TRUE(fault_of("{").starts_with("f.json: broken JSON: "));
-  EXPECT_EQ(fault_of("[]"), "f.json: 'type' is missing");
-  EXPECT_EQ(fault_of(changed(good, "\"version\": 1", "\"version\": 2")), "f.json: no facade of version 1");
-  EXPECT_EQ(fault_of(changed(good, "\"completed\"", "\"guessed\"")),
+  const std::string good = facade_json(written_facade());
+  ASSERT_EQ(facade_fault(good), "none");
+  EXPECT_TRUE(facade_fault("{").starts_with("f.json: broken JSON: "));
+  EXPECT_EQ(facade_fault("[]"), "f.json: 'type' is missing");
+  EXPECT_EQ(facade_fault(changed(good, "\"version\": 1", "\"version\": 2")), "f.json: no facade of version 1");
+  EXPECT_EQ(facade_fault(changed(good, "\"completed\"", "\"guessed\"")),
             "f.json.elements[0].status: 'guessed' is no status: seen, completed or occluded");
-  EXPECT_EQ(fault_of(changed(good, "\"points\": 512", "\"points\": -1")),
+  EXPECT_EQ(facade_fault(changed(good, "\"points\": 512", "\"points\": -1")),
             "f.json.elements[0].points: needs a whole number from 0 on");
-  EXPECT_EQ(fault_of(changed(good, "\"width_m\": 12.5", "\"width_m\": null")), "f.json.width_m: needs a finite number");
-  EXPECT_EQ(fault_of(changed(good, "\"row\": 2", "\"row\": 4294967296")),
+  EXPECT_EQ(facade_fault(changed(good, "\"width_m\": 12.5", "\"width_m\": null")),
+            "f.json.width_m: needs a finite number");
+  EXPECT_EQ(facade_fault(changed(good, "\"row\": 2", "\"row\": 4294967296")),
             "f.json.elements[0].row: needs a whole number below 2^32");
-  EXPECT_EQ(fault_of(changed(good, "\"opening\": true", "\"opening\": 1")),
+  EXPECT_EQ(facade_fault(changed(good, "\"opening\": true", "\"opening\": 1")),
             "f.json.elements[0].opening: needs true or false");
-  EXPECT_EQ(fault_of(changed(good, "\"irregularity\"", "\"odd\"")),
+  EXPECT_EQ(facade_fault(changed(good, "\"irregularity\"", "\"odd\"")),
             "f.json.elements[1].region: 'odd' is no region: facade, element or irregularity");
   std::string strange = good;
   strange.replace(strange.rfind("2\n"), 1, "3");
-  EXPECT_EQ(fault_of(strange), "f.json.elements[1].body.faces[0]: names a vertex that is not there");
+  EXPECT_EQ(facade_fault(strange), "f.json.elements[1].body.faces[0]: names a vertex that is not there");
 }
 
 }  // namespace

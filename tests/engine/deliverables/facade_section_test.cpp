@@ -12,7 +12,7 @@ namespace ilot {
 namespace {
 
 // A wall 10 x 6 with a window 0.3 deep from 4 to 6, 2 to 4, and a sill 0.1 before it from 1.8 to 2.
-Facade a_facade() {
+Facade cut_facade() {
   FacadeElement window = drawn("window", wall_rectangle(4, 2, 6, 4));
   window.depth_m = -0.3;
   FacadeElement sill = drawn("sill", wall_rectangle(4, 1.8, 6, 2, -0.1));
@@ -21,7 +21,7 @@ Facade a_facade() {
 }
 
 Drawing cut(const SectionPlane& plane, std::span<const FlatPoint> points = {}) {
-  return section_drawing(a_facade(), plane, facade_faces(a_facade()), points, "here");
+  return section_drawing(cut_facade(), plane, facade_faces(cut_facade()), points, "here");
 }
 
 std::vector<DrawingLine> cuts_of(const Drawing& drawing) {
@@ -32,7 +32,7 @@ std::vector<DrawingLine> cuts_of(const Drawing& drawing) {
 }
 
 TEST(FacadeSection, ALevelOneShowsWallRevealAndPane) {
-  const auto lines = cuts_of(cut(level_section(a_facade(), 3)));
+  const auto lines = cuts_of(cut(level_section(cut_facade(), 3)));
   ASSERT_EQ(lines.size(), 1u);  // one line from end to end
   ASSERT_EQ(lines[0].corners.size(), 8u - 2);
   double deepest = 0, width = 0;
@@ -58,7 +58,7 @@ TEST(FacadeSection, AnUprightOneShowsTheSill) {
 }
 
 TEST(FacadeSection, WithoutAnOutlineTheWallIsTheRectangleAboutAll) {
-  Facade facade = a_facade();
+  Facade facade = cut_facade();
   facade.elements.pop_back();
   const auto edges = cut_faces(facade_faces(facade), level_section(facade, 1.9));
   EXPECT_FALSE(edges.empty());
@@ -66,7 +66,7 @@ TEST(FacadeSection, WithoutAnOutlineTheWallIsTheRectangleAboutAll) {
 }
 
 TEST(FacadeSection, PointsNearTheCutOneACell) {
-  SectionPoints once(level_section(a_facade(), 3), 0.01, 0.01), turned = once;
+  SectionPoints once(level_section(cut_facade(), 3), 0.01, 0.01), turned = once;
   std::vector<Vec3> points;
   for (int i = 0; i < 1000; ++i) points.push_back({i * 0.001 + 0.0005, -0.0005, 3 + (i % 3 - 1) * 0.02});
   once.add(points);
@@ -78,7 +78,7 @@ TEST(FacadeSection, PointsNearTheCutOneACell) {
   EXPECT_NEAR(places[0].y, 0.005 - 0.01 * (places[0].y < 0), 1e-9);
   ASSERT_EQ(turned.places().size(), places.size());
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(turned.places()[i].x, places[i].x);
-  EXPECT_EQ(cut(level_section(a_facade(), 3), places).points.size(), 100u);
+  EXPECT_EQ(cut(level_section(cut_facade(), 3), places).points.size(), 100u);
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace ilot {
 namespace {
 
 // A window 0.28 behind the wall, a sill 0.09 before it (its ring is its front), an arched door.
-Facade a_facade() {
+Facade solid_facade() {
   FacadeElement window = drawn("window", wall_rectangle(1, 2, 2, 4));
   window.depth_m = -0.28;
   FacadeElement sill = drawn("sill", wall_rectangle(0.9, 1.9, 2.1, 2, -0.09));
@@ -36,7 +36,7 @@ double volume(const FacadeSolid& solid) {
 }
 
 TEST(FacadeSolids, SweepsOutAndIn) {
-  const std::vector<FacadeSolid> solids = facade_solids(a_facade());
+  const std::vector<FacadeSolid> solids = facade_solids(solid_facade());
   ASSERT_EQ(solids.size(), 3u);
   EXPECT_NEAR(volume(solids[0]), 1 * 2 * 0.28, 1e-9);  // positive: faces turn outwards
   for (const Vec3& v : solids[0].vertices) EXPECT_TRUE(std::abs(v.y) < 1e-9 || std::abs(v.y - 0.28) < 1e-9);
@@ -82,7 +82,7 @@ TEST(FacadeSolids, IrregularitiesAreMeshesAndNoSolids) {
 
 TEST(FacadeSolids, AreValidByOurOwnRules) {
   const TemporaryFolder folder;
-  Facade facade = a_facade();
+  Facade facade = solid_facade();
   facade.origin = {651000.3, 6861000.7, 35};
   const double s = std::sqrt(0.5);
   facade.right = {s, s, 0};
@@ -101,7 +101,7 @@ TEST(FacadeSolids, AreValidByOurOwnRules) {
 }
 
 TEST(FacadeSolids, StlIsClosedEdgeByEdge) {
-  const std::string stl = solids_stl(facade_solids(a_facade()));
+  const std::string stl = solids_stl(facade_solids(solid_facade()));
   std::map<std::pair<std::string, std::string>, int> edges;
   std::vector<std::string> corners;
   std::size_t facets = 0;

@@ -3,20 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "engine/deliverables/facade_drawing.h"
 #include "tests/support/facades.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ilot {
 namespace {
-
-std::string text_of(const std::filesystem::path& path) {
-  std::ifstream file(path);
-  return std::string(std::istreambuf_iterator<char>(file), {});
-}
 
 std::size_t count(const std::string& text, const std::string& what) {
   std::size_t n = 0;
@@ -24,7 +17,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return n;
 }
 
-Facade a_facade(std::uint32_t id) {
+Facade listed_facade(std::uint32_t id) {
   FacadeElement hidden = drawn("window", wall_rectangle(1, 1, 2, 3), DrawnStatus::occluded);
   hidden.reason = "behind <a van>";
   FacadeElement partly = drawn("door", wall_rectangle(3, 0, 4, 3));
@@ -39,9 +32,9 @@ TEST(FacadesPage, CountsDrawsAndListsWhatIsDoubtful) {
   const TemporaryFolder folder;
   FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"));
   for (const std::uint32_t id : {1, 2})
-    page.add(a_facade(id), facade_drawing(a_facade(id)), SvgUnderlay{"facade-001.png", {0, 0, 7, 4}});
+    page.add(listed_facade(id), facade_drawing(listed_facade(id)), SvgUnderlay{"facade-001.png", {0, 0, 7, 4}});
   page.finish();
-  const std::string html = text_of(folder.path() / "facades.html");
+  const std::string html = test::file_bytes(folder.path() / "facades.html");
   EXPECT_NE(html.find("<h1>Facades: 2</h1>"), std::string::npos);
   EXPECT_NE(html.find("6 elements, 8 edges, of them 2 completed and 0 occluded"), std::string::npos);
   EXPECT_NE(html.find("<tr><td>window</td><td class=\"n\">2</td><td class=\"n\">0</td><td class=\"n\">2</td></tr>"),
@@ -71,7 +64,7 @@ TEST(FacadesPage, TellsOfEdgesThatWereSeenAndHaveNoPoints) {
   window.edges[3].covered_share = 0.4;
   page.add(facade_of({window}), facade_drawing(facade_of({window})), {});
   page.finish();
-  const std::string html = text_of(folder.path() / "facades.html");
+  const std::string html = test::file_bytes(folder.path() / "facades.html");
   EXPECT_NE(html.find("<p>Everything drawn was seen.</p>"), std::string::npos);
   EXPECT_EQ(count(html, "Of 2 edges half has no points"), 1u);
 }
@@ -79,12 +72,12 @@ TEST(FacadesPage, TellsOfEdgesThatWereSeenAndHaveNoPoints) {
 TEST(FacadesPage, IsBounded) {
   const TemporaryFolder folder;
   FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"), 20000);
-  Facade large = a_facade(1);
+  Facade large = listed_facade(1);
   for (int i = 0; i < 300; ++i) large.elements.push_back(large.elements[0]);
   page.add(large, facade_drawing(large), {});
-  for (std::uint32_t id = 2; id < 9; ++id) page.add(a_facade(id), facade_drawing(a_facade(id)), {});
+  for (std::uint32_t id = 2; id < 9; ++id) page.add(listed_facade(id), facade_drawing(listed_facade(id)), {});
   page.finish();
-  const std::string html = text_of(folder.path() / "facades.html");
+  const std::string html = test::file_bytes(folder.path() / "facades.html");
   EXPECT_NE(html.find("200 of 302 are listed"), std::string::npos);
   EXPECT_LT(count(html, "<svg"), 8u);
   EXPECT_EQ(count(html, "<h2>"), 8u);

@@ -24,7 +24,7 @@ std::string building(const std::string& id, const std::string& more = "") {
   return "\"" + id + R"(":{"type":"Building",)" + more + R"("geometry":[{"type":"Solid","lod":"1.2",)" + kCube + "}]}";
 }
 
-std::string fault_of(const std::string& text) {
+std::string model_fault(const std::string& text) {
   try {
     parse_city_json(text, "a.json");
   } catch (const Error& fault) {
@@ -106,7 +106,7 @@ TEST(ModelFile, ReadsSequences) {
   const ModelFile file = parse_city_json(text, "a.jsonl");
   ASSERT_EQ(file.models.size(), 1u);
   EXPECT_NEAR(file.models[0].vertices[3].x, 11, 1e-12);
-  EXPECT_TRUE(fault_of(city("", "[]") + "\n{\"type\":").starts_with("a.json:2: broken JSON"));
+  EXPECT_TRUE(model_fault(city("", "[]") + "\n{\"type\":").starts_with("a.json:2: broken JSON"));
 }
 
 TEST(ModelFile, RefusesBrokenCityJson) {
@@ -114,21 +114,21 @@ TEST(ModelFile, RefusesBrokenCityJson) {
     return city(R"("b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"2","boundaries":)" + boundaries +
                 "}]}");
   };
-  EXPECT_EQ(fault_of(face("[[[0,1,8]]]")), "a.json: a face names a vertex that is none of 8");
-  EXPECT_EQ(fault_of(face("[[[0,1,-1]]]")), "a.json: a face names a vertex that is none of 8");
-  EXPECT_EQ(fault_of(face("[[[0,1,1.5]]]")), "a.json: a face names a vertex that is none of 8");
-  EXPECT_EQ(fault_of(face("[[0,1,2]]")), "a.json: boundaries are not nested as their type asks");
-  EXPECT_EQ(fault_of(face("{}")), "a.json: boundaries are not nested as their type asks");
-  EXPECT_EQ(fault_of(face("[[]]")), "a.json: a face has no ring");
-  EXPECT_EQ(fault_of(face("[[[0,1]]]")), "a.json: a ring has fewer than three corners");
-  EXPECT_EQ(fault_of("[]"), "a.json: neither a CityJSON object nor a CityJSONFeature");
-  EXPECT_EQ(fault_of(city("", "[[0,0]]")), "a.json: a vertex needs three numbers");
-  EXPECT_EQ(fault_of(city("", R"([[0,0,"x"]])")), "a.json: a vertex needs three finite numbers");
-  EXPECT_EQ(fault_of(city("", "7")), "a.json: vertices is missing or no list");
-  EXPECT_EQ(fault_of(R"({"type":"CityJSON","vertices":[]})"), "a.json: CityObjects is missing or no object");
+  EXPECT_EQ(model_fault(face("[[[0,1,8]]]")), "a.json: a face names a vertex that is none of 8");
+  EXPECT_EQ(model_fault(face("[[[0,1,-1]]]")), "a.json: a face names a vertex that is none of 8");
+  EXPECT_EQ(model_fault(face("[[[0,1,1.5]]]")), "a.json: a face names a vertex that is none of 8");
+  EXPECT_EQ(model_fault(face("[[0,1,2]]")), "a.json: boundaries are not nested as their type asks");
+  EXPECT_EQ(model_fault(face("{}")), "a.json: boundaries are not nested as their type asks");
+  EXPECT_EQ(model_fault(face("[[]]")), "a.json: a face has no ring");
+  EXPECT_EQ(model_fault(face("[[[0,1]]]")), "a.json: a ring has fewer than three corners");
+  EXPECT_EQ(model_fault("[]"), "a.json: neither a CityJSON object nor a CityJSONFeature");
+  EXPECT_EQ(model_fault(city("", "[[0,0]]")), "a.json: a vertex needs three numbers");
+  EXPECT_EQ(model_fault(city("", R"([[0,0,"x"]])")), "a.json: a vertex needs three finite numbers");
+  EXPECT_EQ(model_fault(city("", "7")), "a.json: vertices is missing or no list");
+  EXPECT_EQ(model_fault(R"({"type":"CityJSON","vertices":[]})"), "a.json: CityObjects is missing or no object");
   const std::string loop = R"("x":{"type":"BuildingPart","parents":["x"],"geometry":[]})";
-  EXPECT_EQ(fault_of(city(loop)), "none");
-  EXPECT_EQ(fault_of(std::string(100, '[') + std::string(100, ']')), "a.json: values nest too deeply");
+  EXPECT_EQ(model_fault(city(loop)), "none");
+  EXPECT_EQ(model_fault(std::string(100, '[') + std::string(100, ']')), "a.json: values nest too deeply");
 }
 
 TEST(ModelFile, ChoosesByExtension) {

@@ -14,7 +14,7 @@ namespace ilot {
 namespace {
 
 // A wall 10 x 6 in y = 0 with a window 0.3 deep from 4 to 6, 2 to 4. The street lies at y < 0.
-Facade a_facade() {
+Facade sectioned_facade() {
   FacadeElement window = drawn("window", wall_rectangle(4, 2, 6, 4));
   window.depth_m = -0.3;
   return facade_of({window, drawn("outline", wall_rectangle(0, 0, 10, 6))});
@@ -26,14 +26,14 @@ struct Extent {
 
 Extent extent_of_cut(const NamedSection& section) {
   Extent extent;
-  for (const FlatEdge& e : cut_faces(facade_faces(a_facade()), section.plane))
+  for (const FlatEdge& e : cut_faces(facade_faces(sectioned_facade()), section.plane))
     for (const FlatPoint p : {e.a, e.b})
       extent = {std::min(extent.x0, p.x), std::max(extent.x1, p.x), std::min(extent.y0, p.y), std::max(extent.y1, p.y)};
   return extent;
 }
 
 TEST(NamedSections, AnUprightOneHasTheStreetAtItsRight) {
-  const auto sections = named_sections(a_facade(), {{}, {5, 0.5, 10.5, -1}, {}}, 1);
+  const auto sections = named_sections(sectioned_facade(), {{}, {5, 0.5, 10.5, -1}, {}}, 1);
   ASSERT_EQ(sections.size(), 2u) << "beyond its ends there is no wall";
   EXPECT_EQ(sections[0].file, "section-x-5.00");
   EXPECT_EQ(sections[0].title, "Section at x = 5.00");
@@ -47,7 +47,7 @@ TEST(NamedSections, AnUprightOneHasTheStreetAtItsRight) {
 TEST(NamedSections, ALineCutsBetweenItsEndsAlone) {
   // Aslant through the window; along the wall's left half in its reveals; before the wall; one that ends before it.
   const std::vector<double> lines{4, -1, 6, 1, 0, 0.1, 5, 0.1, 0, -1, 10, -1, 5, -3, 5, -0.5};
-  const auto sections = named_sections(a_facade(), {{}, {}, lines}, 1);
+  const auto sections = named_sections(sectioned_facade(), {{}, {}, lines}, 1);
   ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].file, "section-line-1");
   EXPECT_EQ(sections[1].file, "section-line-2");
@@ -61,7 +61,7 @@ TEST(NamedSections, ALineCutsBetweenItsEndsAlone) {
 }
 
 TEST(NamedSections, LevelsAreNamedByTheirHeight) {
-  const auto sections = named_sections(a_facade(), {{3, -0.001}, {}, {}}, 1);
+  const auto sections = named_sections(sectioned_facade(), {{3, -0.001}, {}, {}}, 1);
   ASSERT_EQ(sections.size(), 2u);
   EXPECT_EQ(sections[0].file, "section-level-3.00");
   EXPECT_EQ(sections[1].file, "section-level-0.00");
@@ -71,7 +71,7 @@ TEST(NamedSections, LinesHaveFourNumbersAndALength) {
   EXPECT_NO_THROW(check_section_lines({}));
   EXPECT_THROW(check_section_lines(std::vector<double>{1, 2, 3}), Error);
   EXPECT_THROW(check_section_lines(std::vector<double>{1, 2, 1, 2}), Error);
-  EXPECT_THROW(named_sections(a_facade(), {{}, {}, {1, 2, 3}}, 1), Error);
+  EXPECT_THROW(named_sections(sectioned_facade(), {{}, {}, {1, 2, 3}}, 1), Error);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-std::string fault_of(const std::filesystem::path& path) {
+std::string planes_fault(const std::filesystem::path& path) {
   try {
     read_planes_csv(path);
   } catch (const Error& fault) {
@@ -42,11 +42,12 @@ TEST(PlanesCsv, FindsColumnsByNameAndRefusesFaults) {
   EXPECT_EQ(read[0].id, 9u);
   EXPECT_EQ(read[0].plane.n.z, 1);
   EXPECT_EQ(read[0].centroid.y, 2);
-  EXPECT_TRUE(fault_of(folder.put("b.csv", head + "red,5,1\n")).ends_with("b.csv:2: 3 cells for 9 columns"));
-  EXPECT_TRUE(fault_of(folder.put("c.csv", head + "red,5,1,0,0,3,nan,1,9\n")).ends_with("c.csv:2: 'nan' is no number"));
-  EXPECT_TRUE(fault_of(folder.put("d.csv", head + "red,5,1,0,0,3,2,1,0\n")).ends_with("d.csv:2: bad id or count"));
-  EXPECT_TRUE(fault_of(folder.put("e.csv", "plane_id,d\n")).ends_with("e.csv:1: no column 'nx'"));
-  EXPECT_TRUE(fault_of(folder.path() / "none.csv").ends_with("none.csv: cannot be read"));
+  EXPECT_TRUE(planes_fault(folder.put("b.csv", head + "red,5,1\n")).ends_with("b.csv:2: 3 cells for 9 columns"));
+  EXPECT_TRUE(
+      planes_fault(folder.put("c.csv", head + "red,5,1,0,0,3,nan,1,9\n")).ends_with("c.csv:2: 'nan' is no number"));
+  EXPECT_TRUE(planes_fault(folder.put("d.csv", head + "red,5,1,0,0,3,2,1,0\n")).ends_with("d.csv:2: bad id or count"));
+  EXPECT_TRUE(planes_fault(folder.put("e.csv", "plane_id,d\n")).ends_with("e.csv:1: no column 'nx'"));
+  EXPECT_TRUE(planes_fault(folder.path() / "none.csv").ends_with("none.csv: cannot be read"));
 }
 
 }  // namespace

@@ -4,10 +4,8 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
-#include <fstream>
-#include <iterator>
-
 #include "engine/error.h"
+#include "tests/support/file_bytes.h"
 #include "tests/support/temporary_folder.h"
 
 namespace ilot {
@@ -32,16 +30,11 @@ Outline outline(std::uint32_t id) {
            {{at(20, 0), at(25, 0), at(20, 5)}}}};
 }
 
-void write(const std::filesystem::path& path, const Crs& crs) {
+void write_planes(const std::filesystem::path& path, const Crs& crs) {
   PlanesGpkg file(path, crs);
   file.add(segment(1), outline(1));
   file.add(segment(2), {2, {}});
   file.finish();
-}
-
-std::string bytes_of(const std::filesystem::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TEST(PlanesGpkg, ReadsBackAsItWasGiven) {
@@ -49,7 +42,7 @@ TEST(PlanesGpkg, ReadsBackAsItWasGiven) {
   const auto path = folder.path() / "planes.gpkg";
   Crs crs;
   crs.epsg = 2154;
-  write(path, crs);
+  write_planes(path, crs);
   const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);
   OGRLayer* layer = file->GetLayerByName("planes");
@@ -76,9 +69,9 @@ TEST(PlanesGpkg, ReadsBackAsItWasGiven) {
 
 TEST(PlanesGpkg, SameBytesEveryTime) {
   const TemporaryFolder folder;
-  write(folder.path() / "a.gpkg", {});
-  write(folder.path() / "b.gpkg", {});
-  EXPECT_EQ(bytes_of(folder.path() / "a.gpkg"), bytes_of(folder.path() / "b.gpkg"));
+  write_planes(folder.path() / "a.gpkg", {});
+  write_planes(folder.path() / "b.gpkg", {});
+  EXPECT_EQ(test::file_bytes(folder.path() / "a.gpkg"), test::file_bytes(folder.path() / "b.gpkg"));
 }
 
 TEST(PlanesGpkg, LeavesNothingHalfWritten) {

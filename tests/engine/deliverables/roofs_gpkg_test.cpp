@@ -20,7 +20,7 @@ std::vector<Building> court() {
   return {b};
 }
 
-void write(const std::filesystem::path& path, AttributeStyle style) {
+void write_roofs(const std::filesystem::path& path, AttributeStyle style) {
   Crs crs;
   crs.epsg = 2154;
   RoofsGpkg file(path, crs, style, 1);
@@ -31,7 +31,7 @@ void write(const std::filesystem::path& path, AttributeStyle style) {
 
 TEST(RoofsGpkg, ReadsBackAsItWasGiven) {
   const TemporaryFolder folder;
-  write(folder.path() / "roofs.gpkg", AttributeStyle::plain);
+  write_roofs(folder.path() / "roofs.gpkg", AttributeStyle::plain);
   const GDALDatasetUniquePtr file(GDALDataset::Open((folder.path() / "roofs.gpkg").c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);
   OGRLayer* buildings = file->GetLayerByName("buildings");
@@ -62,7 +62,7 @@ TEST(RoofsGpkg, ReadsBackAsItWasGiven) {
 
 TEST(RoofsGpkg, HasRoofersColumnsInItsStyle) {
   const TemporaryFolder folder;
-  write(folder.path() / "roofs.gpkg", AttributeStyle::roofer);
+  write_roofs(folder.path() / "roofs.gpkg", AttributeStyle::roofer);
   const GDALDatasetUniquePtr file(GDALDataset::Open((folder.path() / "roofs.gpkg").c_str(), GDAL_OF_VECTOR));
   OGRLayer* buildings = file->GetLayerByName("buildings");
   const OGRFeatureUniquePtr gable(buildings->GetNextFeature()), other(buildings->GetNextFeature());
@@ -75,8 +75,8 @@ TEST(RoofsGpkg, HasRoofersColumnsInItsStyle) {
 
 TEST(RoofsGpkg, SameBytesEveryTimeAndNothingUnfinished) {
   const TemporaryFolder folder;
-  write(folder.path() / "a.gpkg", AttributeStyle::plain);
-  write(folder.path() / "b.gpkg", AttributeStyle::plain);
+  write_roofs(folder.path() / "a.gpkg", AttributeStyle::plain);
+  write_roofs(folder.path() / "b.gpkg", AttributeStyle::plain);
   const auto bytes = [&](const char* name) {
     std::ifstream file(folder.path() / name, std::ios::binary);
     return std::string(std::istreambuf_iterator<char>(file), {});

@@ -25,7 +25,7 @@ Read read(const std::string& name, const std::string& text) {
   return r;
 }
 
-std::string fault_of(CityObject (*parse)(std::string_view, const std::string&), const std::string& text) {
+std::string solid_fault(CityObject (*parse)(std::string_view, const std::string&), const std::string& text) {
   try {
     parse(text, "a");
   } catch (const Error& fault) {
@@ -41,10 +41,10 @@ TEST(SolidFile, ReadsOff) {
   const SolidShell& shell = o.primitives[0].solids[0][0];
   ASSERT_EQ(shell.size(), 2u);
   EXPECT_EQ(shell[1].rings, (FaceRings{{0, 2, 3}}));
-  EXPECT_EQ(fault_of(parse_off, "OF\n1 1 1"), "a:1: an OFF file begins with OFF");
-  EXPECT_EQ(fault_of(parse_off, "OFF\n1 1 1\n0 0 0\n3 0 0 7"), "a:4: '7' is no number of a vertex");
-  EXPECT_EQ(fault_of(parse_off, "OFF\n99999999999 1 1\n"), "a:2: '99999999999' is no number of vertices");
-  EXPECT_EQ(fault_of(parse_off, "OFF\n1 0 0\n0 0 nan"), "a:3: 'nan' is no number");
+  EXPECT_EQ(solid_fault(parse_off, "OF\n1 1 1"), "a:1: an OFF file begins with OFF");
+  EXPECT_EQ(solid_fault(parse_off, "OFF\n1 1 1\n0 0 0\n3 0 0 7"), "a:4: '7' is no number of a vertex");
+  EXPECT_EQ(solid_fault(parse_off, "OFF\n99999999999 1 1\n"), "a:2: '99999999999' is no number of vertices");
+  EXPECT_EQ(solid_fault(parse_off, "OFF\n1 0 0\n0 0 nan"), "a:3: 'nan' is no number");
 }
 
 TEST(SolidFile, ReadsPolyWithHolesAndInnerShells) {
@@ -54,7 +54,7 @@ TEST(SolidFile, ReadsPolyWithHolesAndInnerShells) {
   ASSERT_EQ(o.primitives[0].solids[0].size(), 2u);
   EXPECT_EQ(o.primitives[0].solids[0][0][0].rings, (FaceRings{{0, 1, 2}, {2, 1, 0}}));
   EXPECT_EQ(o.primitives[0].solids[0][1][1].rings, (FaceRings{{3, 4, 5}}));
-  EXPECT_EQ(fault_of(parse_poly, "3 3 0 0\n0 0 0 0\n"), "a:3: the file ends too early");
+  EXPECT_EQ(solid_fault(parse_poly, "3 3 0 0\n0 0 0 0\n"), "a:3: the file ends too early");
 }
 
 TEST(SolidFile, ReadsWhatFollowsTheCountsOfThePolyAsNothing) {

@@ -50,7 +50,7 @@ Facade proved(Facade facade, const std::vector<Vec3>& points) {
   return facade;
 }
 
-const FacadeFace& face(const FacadeElement& e, const std::string& name) {
+const FacadeFace& face_of(const FacadeElement& e, const std::string& name) {
   const auto at = std::find_if(e.faces.begin(), e.faces.end(), [&](const FacadeFace& f) { return f.name == name; });
   EXPECT_NE(at, e.faces.end()) << name;
   return *at;
@@ -59,12 +59,12 @@ const FacadeFace& face(const FacadeElement& e, const std::string& name) {
 TEST(FacadeProof, ExactPointsSupportWhatIsDrawnWhereItIs) {
   const Facade facade = proved(a_wall(), points_of_wall());
   const FacadeElement &wall = facade.elements[0], &window = facade.elements[1];
-  EXPECT_EQ(face(wall, "front").points, 400u * 300 - 100 * 140);
-  EXPECT_EQ(face(wall, "front").rms_m, 0);
-  EXPECT_EQ(face(window, "front").points, 100u * 140);
-  EXPECT_EQ(face(window, "left").points, 20u * 140);
-  EXPECT_EQ(face(window, "left").rms_m, 0);
-  EXPECT_EQ(face(window, "top").points, 0u) << "no station saw the soffit";
+  EXPECT_EQ(face_of(wall, "front").points, 400u * 300 - 100 * 140);
+  EXPECT_EQ(face_of(wall, "front").rms_m, 0);
+  EXPECT_EQ(face_of(window, "front").points, 100u * 140);
+  EXPECT_EQ(face_of(window, "left").points, 20u * 140);
+  EXPECT_EQ(face_of(window, "left").rms_m, 0);
+  EXPECT_EQ(face_of(window, "top").points, 0u) << "no station saw the soffit";
   // Three columns of the wall and three rows of the reveal lie within 3 cm; at the corners some of the wall below.
   const FacadeEdge& left = window.edges[3];
   EXPECT_GE(left.points, 6u * 140);
@@ -84,10 +84,10 @@ TEST(FacadeProof, AnEdgeAtTheWrongPlaceHasPointsOffItsSurfaces) {
   for (const double off : {0.01, -0.01}) {
     const Facade facade = proved(a_wall(off), points_of_wall());
     const FacadeElement& window = facade.elements[1];
-    EXPECT_NEAR(face(window, "left").rms_m, 0.01, 0.0005) << off;
+    EXPECT_NEAR(face_of(window, "left").rms_m, 0.01, 0.0005) << off;
     EXPECT_GT(window.edges[3].rms_m, 0.004) << off;
     EXPECT_LT(window.edges[1].rms_m, 1e-9) << "the right edge is where it should be";
-    EXPECT_EQ(face(window, "right").rms_m, 0) << off;
+    EXPECT_EQ(face_of(window, "right").rms_m, 0) << off;
   }
 }
 
@@ -143,8 +143,8 @@ TEST(FacadeProof, ASillIsNotTheWindowAboveIt) {
     points.push_back({1.005 + 0.01 * i, 1, 0.005}), points.push_back({1.005 + 0.01 * i, 0.99, 0.1});
   facade = proved(facade, points);
   EXPECT_EQ(facade.elements[1].edges[0].points, 0u) << "the bottom is hidden behind the sill";
-  EXPECT_EQ(face(facade.elements[2], "top").points, 100u);
-  EXPECT_EQ(face(facade.elements[2], "front").points, 100u);
+  EXPECT_EQ(face_of(facade.elements[2], "top").points, 100u);
+  EXPECT_EQ(face_of(facade.elements[2], "front").points, 100u);
   EXPECT_EQ(facade.elements[2].edges[2].points, 100u);
 }
 

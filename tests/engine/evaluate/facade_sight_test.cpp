@@ -11,7 +11,7 @@ namespace ilot {
 namespace {
 
 // A wall with a window of 1 by 2 m, 0.25 m deep. The wall lies in y = 0, the street before it at y < 0.
-Facade a_wall() {
+Facade a_seen_wall() {
   FacadeElement outline = drawn("outline", wall_rectangle(0, 0, 6, 4));
   outline.region = FacadeRegion::facade;
   outline.edges.assign(4, {});
@@ -29,7 +29,7 @@ SectionFace screen(double out, double x0, double x1, double z0, double z1) {
 }
 
 Facade seen_from(const std::vector<Vec3>& stations, const std::vector<SectionFace>& faces) {
-  Facade facade = a_wall();
+  Facade facade = a_seen_wall();
   measure_sight(stations, LineOfSight(faces), {}, facade);
   return facade;
 }
@@ -66,7 +66,7 @@ TEST(FacadeSight, FacesAreSeenFromTheSideTheyLookTo) {
 }
 
 TEST(FacadeSight, ABodyHidesWhatLiesBehindItself) {
-  Facade facade = a_wall();
+  Facade facade = a_seen_wall();
   facade.elements[1].kind = "protrusion";
   facade.elements[1].opening = false;
   facade.elements[1].depth_m = 0.5;

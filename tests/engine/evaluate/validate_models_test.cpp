@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kCube =
+constexpr const char* kCubeText =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
@@ -34,7 +34,7 @@ std::vector<ObjectValidity> found_in(const std::filesystem::path& path, ModelsVa
 TEST(ValidateModels, CountsObjectsAndCodes) {
   const TemporaryFolder folder;
   ModelsValidity sum;
-  const std::string cube = kCube;
+  const std::string cube = kCubeText;
   const auto file =
       written(folder.path() / "a.obj", "o right\n" + cube + "o open\nf 1 2 3\nf 1 2 3\n" + "o short\nf 1 2\n");
   const auto found = found_in(file, &sum);

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-const Shape kCube = box({0, 0, 0}, {1, 1, 1});
+const Shape kShellCube = box({0, 0, 0}, {1, 1, 1});
 
 Shape without_face(Shape s, std::size_t face) {
   s.faces.erase(s.faces.begin() + static_cast<std::ptrdiff_t>(face));
@@ -16,7 +16,7 @@ Shape without_face(Shape s, std::size_t face) {
 }
 
 TEST(ValidateShell, LatticesFitTheirObjects) {
-  EXPECT_EQ(lattice_of(kCube.vertices).step, 1e-6);
+  EXPECT_EQ(lattice_of(kShellCube.vertices).step, 1e-6);
   const ValidityLattice wide = lattice_of(std::vector<Vec3>{{-1e6, 5, 0}, {1e6, 9, 3}});
   EXPECT_NEAR(wide.step, 1e-4, 1e-18);
   EXPECT_EQ(wide.origin.x, -1e6);
@@ -25,29 +25,29 @@ TEST(ValidateShell, LatticesFitTheirObjects) {
 }
 
 TEST(ValidateShell, FewFaces) {
-  EXPECT_EQ(codes(Shape{kCube.vertices, {kCube.faces[0], kCube.faces[1]}}), Codes{301});
+  EXPECT_EQ(codes(Shape{kShellCube.vertices, {kShellCube.faces[0], kShellCube.faces[1]}}), Codes{301});
 }
 
 TEST(ValidateShell, Holes) {
-  EXPECT_EQ(codes(without_face(kCube, 5)), Codes{302});
+  EXPECT_EQ(codes(without_face(kShellCube, 5)), Codes{302});
 }
 
 TEST(ValidateShell, NoManifolds) {
-  Shape inner_wall = kCube;
+  Shape inner_wall = kShellCube;
   inner_wall.faces.push_back({{0, 2, 6, 4}});  // a third and a fourth face at two edges
   EXPECT_EQ(codes(inner_wall), Codes{303});
-  Shape tip = joined(kCube, box({1, 1, 1}, {2, 2, 2}));  // two cubes that touch in a corner
+  Shape tip = joined(kShellCube, box({1, 1, 1}, {2, 2, 2}));  // two cubes that touch in a corner
   EXPECT_EQ(codes(tip), Codes{303});
-  EXPECT_EQ(codes(joined(kCube, box({1, 1, 0}, {2, 2, 1}))), Codes{303}) << "two cubes that touch in an edge";
+  EXPECT_EQ(codes(joined(kShellCube, box({1, 1, 0}, {2, 2, 1}))), Codes{303}) << "two cubes that touch in an edge";
 }
 
 TEST(ValidateShell, Pieces) {
-  EXPECT_EQ(codes(joined(kCube, box({5, 5, 5}, {6, 6, 6}))), Codes{305});
-  EXPECT_EQ(codes(joined(without_face(kCube, 1), box({5, 5, 5}, {6, 6, 6}))), Codes{305}) << "before holes";
+  EXPECT_EQ(codes(joined(kShellCube, box({5, 5, 5}, {6, 6, 6}))), Codes{305});
+  EXPECT_EQ(codes(joined(without_face(kShellCube, 1), box({5, 5, 5}, {6, 6, 6}))), Codes{305}) << "before holes";
 }
 
 TEST(ValidateShell, FacesThatMeet) {
-  Shape pyramid = kCube;  // the top becomes a pyramid whose tip comes out of the floor
+  Shape pyramid = kShellCube;  // the top becomes a pyramid whose tip comes out of the floor
   pyramid.vertices.push_back({0.5, 0.5, -1});
   pyramid.faces.erase(pyramid.faces.begin() + 1);
   for (const auto& [a, b] : {std::pair(4u, 5u), {5u, 6u}, {6u, 7u}, {7u, 4u}}) pyramid.faces.push_back({{a, b, 8}});
@@ -59,7 +59,7 @@ TEST(ValidateShell, FacesThatMeet) {
 }
 
 TEST(ValidateShell, FacesTheWrongWayRound) {
-  Shape s = kCube;
+  Shape s = kShellCube;
   std::swap(s.faces[3][0][0], s.faces[3][0][2]);
   EXPECT_EQ(codes(s), Codes{307});
 }
@@ -78,7 +78,7 @@ TEST(ValidateShell, FoldsWithinTolerance) {
 }
 
 TEST(ValidateShell, NearVerticesAreOne) {
-  Shape s = kCube;
+  Shape s = kShellCube;
   s.vertices.push_back({1, 1, 1.0005});
   s.faces[3] = {{1, 2, 8, 5}};
   EXPECT_EQ(codes(s), Codes{});
@@ -90,7 +90,7 @@ TEST(ValidateShell, NearVerticesAreOne) {
 }
 
 TEST(ValidateShell, SurfacesAskForLess) {
-  const Shape open = without_face(kCube, 5);
+  const Shape open = without_face(kShellCube, 5);
   EXPECT_EQ(codes(open, PrimitiveKind::composite_surface), Codes{});
   EXPECT_EQ(codes(open, PrimitiveKind::multi_surface), Codes{});
   const Shape apart = joined(open, box({5, 5, 5}, {6, 6, 6}));

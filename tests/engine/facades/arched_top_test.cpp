@@ -8,13 +8,13 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeft = 2, kRight = 3.2, kFoot = 1, kMiddle = (kLeft + kRight) / 2;
+constexpr double kArchLeft = 2, kArchRight = 3.2, kFoot = 1, kMiddle = (kArchLeft + kArchRight) / 2;
 
 // Between the jambs and below the circle.
 FacadeSite with_arch(double centre_u, double centre_v, double radius) {
   return test::scan_wall_open_where([=](double u, double v) {
     const double x = u - centre_u, y = v - centre_v;
-    return u > kLeft && u < kRight && v > kFoot && (v < centre_v || x * x + y * y < radius * radius);
+    return u > kArchLeft && u < kArchRight && v > kFoot && (v < centre_v || x * x + y * y < radius * radius);
   });
 }
 
@@ -37,15 +37,15 @@ TEST(ArchedTop, ASegment) {
 }
 
 TEST(ArchedTop, StraightStaysStraight) {
-  const FacadeSite site =
-      test::scan_wall_open_where([](double u, double v) { return u > kLeft && u < kRight && v > kFoot && v < 3; });
+  const FacadeSite site = test::scan_wall_open_where(
+      [](double u, double v) { return u > kArchLeft && u < kArchRight && v > kFoot && v < 3; });
   const auto openings = find_openings(RaySamples(site));
   ASSERT_EQ(openings.size(), 1u);
   EXPECT_FALSE(openings[0].arc);
 }
 
 TEST(ArchedTop, OneThatRisesFromOneJambAloneIsNone) {
-  const FacadeSite site = with_arch(kRight - 0.2, 1.8, 1);
+  const FacadeSite site = with_arch(kArchRight - 0.2, 1.8, 1);
   const auto openings = find_openings(RaySamples(site));
   ASSERT_EQ(openings.size(), 1u);
   EXPECT_FALSE(openings[0].arc);

@@ -14,7 +14,7 @@ namespace {
 
 using Height = std::function<double(double)>;
 
-double gable(double u) {
+double gable_top(double u) {
   return 3 + 0.6 * (3 - std::abs(u - 3));
 }
 
@@ -66,7 +66,7 @@ TEST(WallOutline, RectanglesStayAsTheyAre) {
 
 // Every corner of a gable, and every place of its slopes within what the edge says.
 TEST(WallOutline, GablesWithinTheirErrors) {
-  const WallOutline outline = outline_of(wall_under(gable));
+  const WallOutline outline = outline_of(wall_under(gable_top));
   const std::vector<Place2> truth{{0, 0}, {6, 0}, {6, 3}, {3, 4.8}, {0, 3}};
   ASSERT_EQ(outline.ring.size(), 5u);
   ASSERT_EQ(outline.edges.size(), 5u);
@@ -81,7 +81,7 @@ TEST(WallOutline, GablesWithinTheirErrors) {
     EXPECT_LT(outline.edges[i].error_m, 0.03);
     for (const double share : {0.0, 0.3, 0.7, 1.0}) {
       const double u = a.u + share * (b.u - a.u), v = a.v + share * (b.v - a.v);
-      EXPECT_LT(std::abs(v - gable(u)) / std::sqrt(1 + 0.36), outline.edges[i].error_m) << i << ' ' << share;
+      EXPECT_LT(std::abs(v - gable_top(u)) / std::sqrt(1 + 0.36), outline.edges[i].error_m) << i << ' ' << share;
     }
   }
 }
@@ -98,13 +98,14 @@ TEST(WallOutline, StepsAreUpright) {
 
 // A tree hides a stretch of the slope: the line goes on, and says that nobody saw it.
 TEST(WallOutline, HiddenStretchesOfASlopeAreOccluded) {
-  const WallOutline outline = outline_of(wall_under(gable, [](Place2 p) { return p.u > 1 && p.u < 1.6 && p.v > 2.5; }));
+  const WallOutline outline =
+      outline_of(wall_under(gable_top, [](Place2 p) { return p.u > 1 && p.u < 1.6 && p.v > 2.5; }));
   double seen = 0, hidden = 0;
   for (std::size_t i = 0; i < outline.ring.size(); ++i) {
     const Place2 &a = outline.ring[i], &b = outline.ring[(i + 1) % outline.ring.size()];
     if (a.u == b.u || a.v == b.v || a.u > 3.1) continue;
     (outline.edges[i].status == DrawnStatus::seen ? seen : hidden) += a.u - b.u;
-    EXPECT_LT(std::abs(a.v - gable(a.u)), 0.04);
+    EXPECT_LT(std::abs(a.v - gable_top(a.u)), 0.04);
   }
   EXPECT_NEAR(hidden, 0.6, 0.1);
   EXPECT_NEAR(seen, 2.4, 0.1);

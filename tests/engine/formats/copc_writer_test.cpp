@@ -44,7 +44,7 @@ std::vector<std::byte> surface(std::size_t count, const RecordLayout& layout, st
   return rows;
 }
 
-CloudSpec spec_of(std::uint8_t format, std::uint16_t extra) {
+CloudSpec copc_spec_of(std::uint8_t format, std::uint16_t extra) {
   CloudSpec spec;
   RecordLayout& layout = spec.like.layout;
   layout.point_format = format;
@@ -112,7 +112,7 @@ TEST(CopcWriter, EveryFormatComesBackAsTheSameSetOfRows) {
   for (std::uint8_t format = 0; format <= 10; ++format) {
     SCOPED_TRACE(int(format));
     const std::uint16_t extra = format % 2 ? 3 : 0;
-    const CloudSpec spec = spec_of(format, extra);
+    const CloudSpec spec = copc_spec_of(format, extra);
     const auto rows = surface(90000, spec.like.layout, format);
     write_copc(folder / "t.copc.laz", spec, rows, 777);
     const auto reader = open_cloud(folder / "t.copc.laz");
@@ -131,7 +131,7 @@ TEST(CopcWriter, EveryFormatComesBackAsTheSameSetOfRows) {
 
 TEST(CopcWriter, BoxesNeedTheRangesThatHoldTheirPoints) {
   const Folder folder;
-  const CloudSpec spec = spec_of(7, 0);
+  const CloudSpec spec = copc_spec_of(7, 0);
   write_copc(folder / "t.copc.laz", spec, surface(300000, spec.like.layout, 5));
   const auto reader = open_cloud(folder / "t.copc.laz");
   const Rows rows = read_all(*reader, 65536);
@@ -149,7 +149,7 @@ TEST(CopcWriter, BoxesNeedTheRangesThatHoldTheirPoints) {
 
 TEST(CopcWriter, InfoRecordStandsFirstAndSaysWhatIsThere) {
   const Folder folder;
-  const CloudSpec spec = spec_of(6, 0);
+  const CloudSpec spec = copc_spec_of(6, 0);
   auto rows = surface(100, spec.like.layout, 8);
   for (std::size_t i = 0; i < 100; ++i)
     store(&rows[i * 30 + 22], i == 50 ? std::nan("") : 1000.0 - static_cast<double>(i));
@@ -171,7 +171,7 @@ TEST(CopcWriter, InfoRecordStandsFirstAndSaysWhatIsThere) {
 
 TEST(CopcWriter, SameBytesForAnyNumberOfThreads) {
   const Folder folder;
-  const CloudSpec spec = spec_of(8, 2);
+  const CloudSpec spec = copc_spec_of(8, 2);
   const auto rows = surface(150000, spec.like.layout, 9);
   for (const int threads : {1, 3})
     with_threads(threads, [&] { write_copc(folder / (std::to_string(threads) + ".copc.laz"), spec, rows); });
@@ -180,7 +180,7 @@ TEST(CopcWriter, SameBytesForAnyNumberOfThreads) {
 
 TEST(CopcWriter, NoPointsAndCoincidentPoints) {
   const Folder folder;
-  const CloudSpec spec = spec_of(6, 0);
+  const CloudSpec spec = copc_spec_of(6, 0);
   write_copc(folder / "none.copc.laz", spec, {});
   const auto none = open_cloud(folder / "none.copc.laz");
   EXPECT_EQ(none->info().points, 0u);
@@ -195,7 +195,7 @@ TEST(CopcWriter, NoPointsAndCoincidentPoints) {
 
 TEST(CopcWriter, WhatDoesNotFitTheMemoryIsRefusedAndNothingStays) {
   const Folder folder;
-  CloudSpec spec = spec_of(6, 0);
+  CloudSpec spec = copc_spec_of(6, 0);
   const CopcOptions options{std::uint64_t{46} * 1000};
   {
     const auto writer = create_copc(folder / "t.copc.laz", spec, options);
@@ -256,7 +256,7 @@ TEST(CopcWriter, AnotherImplementationFindsAllNodesAndPoints) {
     GTEST_SKIP() << "no copc below ILOT_NPM: nothing was compared";
   const Folder folder;
   for (const std::uint8_t format : {1, 6, 7, 8}) {
-    CloudSpec spec = spec_of(format, 0);
+    CloudSpec spec = copc_spec_of(format, 0);
     spec.like.crs.wkt = "PROJCS[\"anything\"]";
     write_copc(folder / "t.copc.laz", spec, surface(100000, spec.like.layout, format));
     const std::size_t nodes = open_cloud(folder / "t.copc.laz")->boundaries().size() - 1;

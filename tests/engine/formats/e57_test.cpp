@@ -12,7 +12,7 @@ namespace {
 
 using namespace test;
 
-struct Opened {
+struct OpenedE57 {
   std::unique_ptr<PointReader> reader;
   Rows rows;
   const RecordLayout& layout() const { return reader->info().layout; }
@@ -32,9 +32,9 @@ struct Opened {
   }
 };
 
-Opened open_bytes(const Folder& folder, const std::string& bytes, std::size_t step = 700) {
+OpenedE57 open_bytes(const Folder& folder, const std::string& bytes, std::size_t step = 700) {
   spill_text(folder / "t.e57", bytes);
-  Opened opened{open_cloud(folder / "t.e57"), {}};
+  OpenedE57 opened{open_cloud(folder / "t.e57"), {}};
   opened.rows = read_all(*opened.reader, step);
   return opened;
 }
@@ -80,7 +80,7 @@ E57Scan large_scan(std::size_t points) {
        integer_field("timeStamp", INT64_MIN, INT64_MAX, time), integer_field("cartesianZ", -50000, 50000, z, scale)}};
 }
 
-void expect_large(const Opened& o, const E57Scan& scan, std::size_t points) {
+void expect_large(const OpenedE57& o, const E57Scan& scan, std::size_t points) {
   ASSERT_EQ(o.rows.valid.size(), points);
   for (std::size_t i = 0; i < points; ++i) {
     ASSERT_EQ(o.rows.valid[i], i % 10 == 3 ? 0 : 1);
@@ -104,7 +104,7 @@ TEST(E57, ScansFollowEachOtherAndCarryTheirNumber) {
   E57Writer writer;
   writer.add(small_scan("one", 1));
   writer.add(small_scan("two", 100));
-  const Opened o = open_bytes(folder, writer.finish(), 1);
+  const OpenedE57 o = open_bytes(folder, writer.finish(), 1);
   EXPECT_EQ(o.reader->info().format, "e57");
   EXPECT_EQ(o.reader->info().points, 4u);
   ASSERT_EQ(o.reader->info().scans.size(), 2u);
@@ -127,7 +127,7 @@ TEST(E57, PosesTurnAndMovePointsAndNormals) {
        single_field("nor:normalX", {1, 0}), single_field("nor:normalY", {0, 1}), single_field("nor:normalZ", {0, 0})}};
   E57Writer writer;
   writer.add(scan);
-  const Opened o = open_bytes(folder, writer.finish());
+  const OpenedE57 o = open_bytes(folder, writer.finish());
   EXPECT_NEAR(o.point(0).x, 1000, 1e-9) << "a quarter turn to the left about z";
   EXPECT_NEAR(o.point(0).y, 2001, 1e-9);
   EXPECT_NEAR(o.point(1).x, 999, 1e-9);
@@ -172,7 +172,7 @@ TEST(E57, RowsAndColumnsOrTheOrderOfPointsTellTheAngularSteps) {
   for (const bool with_grid : {true, false}) {
     SCOPED_TRACE(with_grid);
     const Folder folder;
-    const Opened o = open_bytes(folder, scanned_wall(with_grid));
+    const OpenedE57 o = open_bytes(folder, scanned_wall(with_grid));
     ASSERT_EQ(o.reader->info().stations.size(), 1u);
     const Station& s = o.reader->info().stations[0];
     EXPECT_NEAR(s.azimuth_step, 0.002, 2e-5);
@@ -193,7 +193,7 @@ TEST(E57, SphericalCoordinatesBecomeCartesian) {
        double_field("sphericalElevation", elevation), integer_field("sphericalInvalidState", 0, 2, {0, 0, 0, 0})}};
   E57Writer writer;
   writer.add(scan);
-  const Opened o = open_bytes(folder, writer.finish());
+  const OpenedE57 o = open_bytes(folder, writer.finish());
   for (std::size_t i = 0; i < 3; ++i) {
     EXPECT_NEAR(o.point(i).x, range[i] * std::cos(elevation[i]) * std::cos(azimuth[i]), 5.1e-5);
     EXPECT_NEAR(o.point(i).y, range[i] * std::cos(elevation[i]) * std::sin(azimuth[i]), 5.1e-5);
@@ -238,7 +238,7 @@ TEST(E57, LimitsStretchIntensityAndColourToSixteenBits) {
   E57Writer writer;
   writer.add(scan);
   writer.add(small_scan("without colour", 50));
-  const Opened o = open_bytes(folder, writer.finish());
+  const OpenedE57 o = open_bytes(folder, writer.finish());
   EXPECT_EQ(o.fields(0).intensity, 16384);
   EXPECT_EQ(o.fields(1).intensity, 65535);
   EXPECT_EQ(o.colour(0), (std::array<int, 3>{65535, 65535, 128 * 257}));
@@ -267,7 +267,7 @@ TEST(E57, DamagedPagesEndTheirScanOnly) {
   std::string bytes = writer.finish();
   const std::string sound = bytes;
   bytes[40 * 1024 + 100] = static_cast<char>(bytes[40 * 1024 + 100] ^ 1);
-  const Opened o = open_bytes(folder, bytes);
+  const OpenedE57 o = open_bytes(folder, bytes);
   const CloudInfo& info = o.reader->info();
   EXPECT_EQ(info.declared_points, 5002u);
   EXPECT_GT(info.points, 500u);
@@ -275,7 +275,7 @@ TEST(E57, DamagedPagesEndTheirScanOnly) {
   ASSERT_EQ(o.rows.valid.size(), info.points);
   EXPECT_TRUE(mentions(info.warnings, "the page at byte 40960 is damaged"));
   EXPECT_EQ(o.fields(o.rows.valid.size() - 1).source_id, 2);
-  const Opened whole = open_bytes(folder, sound);
+  const OpenedE57 whole = open_bytes(folder, sound);
   const std::size_t kept = (info.points - 2) * info.layout.record_length;
   const auto end = o.rows.bytes.begin() + static_cast<std::ptrdiff_t>(kept);
   EXPECT_TRUE(std::equal(o.rows.bytes.begin(), end, whole.rows.bytes.begin()));
@@ -313,7 +313,7 @@ TEST(E57, LyingCountsAndOverlapsAreBounded) {
   E57Writer overlapping;
   overlapping.add(large_scan(5000));
   for (int i = 0; i < 1000; ++i) overlapping.claim_again();
-  const Opened o = open_bytes(folder, overlapping.finish());
+  const OpenedE57 o = open_bytes(folder, overlapping.finish());
   EXPECT_EQ(o.reader->info().declared_points, 5000u * 1001);
   EXPECT_LT(o.rows.valid.size(), 5000u * 1001 / 20) << "as much as the file could hold, not as it claims";
   EXPECT_TRUE(mentions(o.reader->info().warnings, "where those of other scans do"));
@@ -351,7 +351,7 @@ TEST(E57, MutationsNeverCrash) {
     if (rng.below(8) == 0) bytes.resize(rng.below(static_cast<std::uint32_t>(bytes.size())));
     if (rng.below(8) != 0) bytes = E57Writer::resealed(bytes, 256);
     try {
-      const Opened o = open_bytes(folder, bytes);
+      const OpenedE57 o = open_bytes(folder, bytes);
       ASSERT_EQ(o.rows.valid.size(), o.reader->info().points);
       ASSERT_LE(o.rows.valid.size(), bytes.size() * 8);
       ++read;
@@ -380,7 +380,7 @@ TEST(E57, RealFiles) {
                        {"A_merged_B.e57", 6, 1, {-44.9522, -1.3493, -0.6077}, {-42.6395, 2.0578, 0.6667}},
                        {"A_B_different_dims.e57", 2, 2, {83.1978, 537.2703, 4.5903}, {84.1740, 538.4684, 4.6287}}};
   for (const Known& known : all) {
-    Opened o{open_cloud(folder / known.name), {}};
+    OpenedE57 o{open_cloud(folder / known.name), {}};
     o.rows = read_all(*o.reader);
     ASSERT_EQ(o.rows.valid.size(), known.points) << known.name;
     EXPECT_EQ(o.reader->info().scans.size(), known.scans) << known.name;

@@ -25,20 +25,20 @@ std::string header(const std::string& data, int points) {
 }
 
 template <class T>
-void put(std::string& out, T value) {
+void put_little(std::string& out, T value) {
   char raw[sizeof value];
   std::memcpy(raw, &value, sizeof value);
   out.append(raw, sizeof value);
 }
 
-std::string binary_file() {
+std::string binary_pcd() {
   std::string text = header("binary", 3);
   for (const float x : {1.f, NAN, 3.f}) {
-    for (const float v : {x, 2.f, 0.5f}) put(text, v);
-    put(text, std::uint32_t{0xFF0180FF});
+    for (const float v : {x, 2.f, 0.5f}) put_little(text, v);
+    put_little(text, std::uint32_t{0xFF0180FF});
     text += "___";
-    put(text, 0.25);
-    put(text, 0.75);
+    put_little(text, 0.25);
+    put_little(text, 0.75);
   }
   return text;
 }
@@ -46,20 +46,20 @@ std::string binary_file() {
 // The same points, field after field, in literal runs only.
 std::string compressed_file() {
   std::string fields, packed, text = header("binary_compressed", 3);
-  for (const float v : {1.f, NAN, 3.f, 2.f, 2.f, 2.f, 0.5f, 0.5f, 0.5f}) put(fields, v);
-  for (int i = 0; i < 3; ++i) put(fields, std::uint32_t{0xFF0180FF});
+  for (const float v : {1.f, NAN, 3.f, 2.f, 2.f, 2.f, 0.5f, 0.5f, 0.5f}) put_little(fields, v);
+  for (int i = 0; i < 3; ++i) put_little(fields, std::uint32_t{0xFF0180FF});
   fields += "_________";
   for (int i = 0; i < 3; ++i) {
-    put(fields, 0.25);
-    put(fields, 0.75);
+    put_little(fields, 0.25);
+    put_little(fields, 0.75);
   }
   for (std::size_t at = 0; at < fields.size(); at += 32) {
     const std::string run = fields.substr(at, 32);
     packed.push_back(static_cast<char>(run.size() - 1));
     packed += run;
   }
-  put(text, static_cast<std::uint32_t>(packed.size()));
-  put(text, static_cast<std::uint32_t>(fields.size()));
+  put_little(text, static_cast<std::uint32_t>(packed.size()));
+  put_little(text, static_cast<std::uint32_t>(fields.size()));
   return text + packed;
 }
 
@@ -78,7 +78,7 @@ TEST(Pcd, LzfCopiesOverlapAndStayInside) {
 
 TEST(Pcd, AllCodingsGiveTheSameRows) {
   const Folder folder;
-  spill_text(folder / "b.pcd", binary_file());
+  spill_text(folder / "b.pcd", binary_pcd());
   spill_text(folder / "c.pcd", compressed_file());
   const auto reader = open_cloud(folder / "b.pcd");
   const RecordLayout& layout = reader->info().layout;
@@ -106,7 +106,7 @@ TEST(Pcd, AllCodingsGiveTheSameRows) {
 
 TEST(Pcd, TruncatedBinaryGivesItsWholePoints) {
   const Folder folder;
-  std::string text = binary_file();
+  std::string text = binary_pcd();
   text.pop_back();
   spill_text(folder / "b.pcd", text);
   const auto reader = open_cloud(folder / "b.pcd");
@@ -116,7 +116,7 @@ TEST(Pcd, TruncatedBinaryGivesItsWholePoints) {
 
 TEST(Pcd, AnyByteMayBeAnything) {
   const Folder folder;
-  const std::string files[] = {binary_file(), compressed_file()};
+  const std::string files[] = {binary_pcd(), compressed_file()};
   Rng rng(4);
   for (int round = 0; round < 1000; ++round) {
     std::string text = files[round % 2];

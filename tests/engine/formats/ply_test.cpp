@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 template <class T>
-void put(std::string& out, T value, bool big) {
+void put_value(std::string& out, T value, bool big) {
   char raw[sizeof value];
   std::memcpy(raw, &value, sizeof value);
   if (big) std::reverse(raw, raw + sizeof value);
@@ -20,7 +20,7 @@ void put(std::string& out, T value, bool big) {
 }
 
 // Two points behind an element with lists.
-std::string binary_file(bool big) {
+std::string binary_ply(bool big) {
   std::string text = std::string("ply\r\nformat binary_") + (big ? "big" : "little") +
                      "_endian 1.0\ncomment x\nelement face 2\nproperty list uchar int vertex_indices\n"
                      "property uchar flag\nelement vertex 2\nproperty double x\nproperty double y\nproperty float z\n"
@@ -28,24 +28,24 @@ std::string binary_file(bool big) {
                      "property int id\nend_header\n";
   for (const int items : {3, 0}) {
     text.push_back(static_cast<char>(items));
-    for (int i = 0; i < items; ++i) put(text, i, big);
+    for (int i = 0; i < items; ++i) put_value(text, i, big);
     text.push_back('f');
   }
   for (const double x : {701362.56, 701363.0}) {
-    put(text, x, big);
-    put(text, 4485513.72, big);
-    put(text, 1.5f, big);
+    put_value(text, x, big);
+    put_value(text, 4485513.72, big);
+    put_value(text, 1.5f, big);
     text += std::string("\xFF\x01\x00", 3);
-    put(text, std::uint16_t{4000}, big);
-    put(text, std::int32_t{-7}, big);
+    put_value(text, std::uint16_t{4000}, big);
+    put_value(text, std::int32_t{-7}, big);
   }
   return text;
 }
 
 TEST(Ply, BothByteOrdersGiveTheSameRows) {
   const Folder folder;
-  spill_text(folder / "little.ply", binary_file(false));
-  spill_text(folder / "big.ply", binary_file(true));
+  spill_text(folder / "little.ply", binary_ply(false));
+  spill_text(folder / "big.ply", binary_ply(true));
   const auto little = open_cloud(folder / "little.ply"), big = open_cloud(folder / "big.ply");
   const RecordLayout& layout = little->info().layout;
   EXPECT_EQ(layout.point_format, 7);
@@ -149,7 +149,7 @@ TEST(Ply, RefusesWithASentence) {
 
 TEST(Ply, AnyByteMayBeAnything) {
   const Folder folder;
-  const std::string good = binary_file(false);
+  const std::string good = binary_ply(false);
   Rng rng(3);
   for (int round = 0; round < 1000; ++round) {
     std::string text = good;

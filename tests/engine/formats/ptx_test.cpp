@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-struct Opened {
+struct OpenedPtx {
   std::unique_ptr<PointReader> reader;
   Rows rows;
   Vec3 point(std::size_t row) const { return world(rows, reader->info().layout, row); }
@@ -22,13 +22,13 @@ struct Opened {
   }
 };
 
-Opened open_file(const std::filesystem::path& path, std::size_t step = 2) {
-  Opened opened{open_cloud(path), {}};
+OpenedPtx open_file(const std::filesystem::path& path, std::size_t step = 2) {
+  OpenedPtx opened{open_cloud(path), {}};
   opened.rows = read_all(*opened.reader, step);
   return opened;
 }
 
-Opened open_text_of(const Folder& folder, const std::string& text, const char* name = "t.ptx") {
+OpenedPtx open_ptx_of(const Folder& folder, const std::string& text, const char* name = "t.ptx") {
   spill_text(folder / name, text);
   return open_file(folder / name);
 }
@@ -38,8 +38,8 @@ constexpr const char* kPlain = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n1 0 0 0\n0 1 0 0\n0 
 
 TEST(Ptx, MatrixMovesRowVectorsAndEmptyCellsAreRejected) {
   const Folder folder;
-  const Opened o =
-      open_text_of(folder, std::string("3\n1\n") + kTurned + "0 0 0 0.5 0 0 0\n1 0 0 1 255 0 128\n0 2 5 0.25 1 2 3\n");
+  const OpenedPtx o =
+      open_ptx_of(folder, std::string("3\n1\n") + kTurned + "0 0 0 0.5 0 0 0\n1 0 0 1 255 0 128\n0 2 5 0.25 1 2 3\n");
   EXPECT_EQ(o.reader->info().format, "ptx");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{0, 1, 1}));
   EXPECT_NEAR(o.point(1).x, 10, 1e-9);
@@ -59,8 +59,8 @@ TEST(Ptx, MatrixMovesRowVectorsAndEmptyCellsAreRejected) {
 
 TEST(Ptx, ScansOfDifferentContentFollowEachOther) {
   const Folder folder;
-  const Opened o = open_text_of(folder, std::string("1\r\n2\r\n") + kPlain + "1 1 1 0.5\n2 2 2 0.5\n\n" + "1\n1\n" +
-                                            kTurned + "1 0 0 0.5 9 9 9\n");
+  const OpenedPtx o = open_ptx_of(folder, std::string("1\r\n2\r\n") + kPlain + "1 1 1 0.5\n2 2 2 0.5\n\n" + "1\n1\n" +
+                                              kTurned + "1 0 0 0.5 9 9 9\n");
   ASSERT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 1, 1}));
   EXPECT_EQ(o.reader->info().scans.size(), 2u);
   EXPECT_EQ(o.reader->info().layout.point_format, 7);
@@ -81,7 +81,7 @@ TEST(Ptx, TheGridTellsTheAngularSteps) {
       std::snprintf(line, sizeof line, "10 %.4f %.4f 0.5\n", 10 * std::tan(a), 10 / std::cos(a) * std::tan(e));
       text += (column * 7 + row) % 9 == 0 ? "0 0 0 0.5\n" : line;
     }
-  const Opened o = open_text_of(folder, text);
+  const OpenedPtx o = open_ptx_of(folder, text);
   ASSERT_EQ(o.reader->info().stations.size(), 1u);
   const Station& s = o.reader->info().stations[0];
   EXPECT_NEAR(s.azimuth_step, 0.002, 2e-5);
@@ -93,22 +93,22 @@ TEST(Ptx, TheGridTellsTheAngularSteps) {
 
 TEST(Ptx, TooFewPointsTellNoSteps) {
   const Folder folder;
-  const Opened o =
-      open_text_of(folder, std::string("2\n2\n") + kPlain + "5 0 0 1\n5 0 0.1 1\n5 0.1 0 1\n5 0.1 0.1 1\n");
+  const OpenedPtx o =
+      open_ptx_of(folder, std::string("2\n2\n") + kPlain + "5 0 0 1\n5 0 0.1 1\n5 0.1 0 1\n5 0.1 0.1 1\n");
   EXPECT_EQ(o.reader->info().stations.at(0).azimuth_step, 0);
 }
 
 TEST(Ptx, MalformedLinesAreRejectedAndCutFilesKeepWhatIsThere) {
   const Folder folder;
-  Opened o = open_text_of(folder, std::string("4\n1\n") + kPlain + "1 1 1 0.5\n1 1\nnan 1 1 0.5\n1 1 1 x\n");
+  OpenedPtx o = open_ptx_of(folder, std::string("4\n1\n") + kPlain + "1 1 1 0.5\n1 1\nnan 1 1 0.5\n1 1 1 x\n");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 0, 0, 0}));
   ASSERT_EQ(o.reader->info().warnings.size(), 1u);
   EXPECT_NE(o.reader->info().warnings[0].find("2 lines"), std::string::npos);
   EXPECT_NE(o.reader->info().warnings[0].find("line 12"), std::string::npos);
-  o = open_text_of(folder, std::string("1000\n1000\n") + kPlain + "1 1 1 0.5\n");
+  o = open_ptx_of(folder, std::string("1000\n1000\n") + kPlain + "1 1 1 0.5\n");
   EXPECT_EQ(o.reader->info().declared_points, 1000000u);
   EXPECT_EQ(o.reader->info().points, 1u);
-  o = open_text_of(folder, std::string("1\n1\n") + kPlain + "1 1 1 0.5\n1\n1\n0 0 0\nrubbish\n");
+  o = open_ptx_of(folder, std::string("1\n1\n") + kPlain + "1 1 1 0.5\n1\n1\n0 0 0\nrubbish\n");
   EXPECT_EQ(o.reader->info().points, 1u);
   EXPECT_EQ(o.reader->info().warnings.size(), 1u);
 }
@@ -135,7 +135,7 @@ TEST(Ptx, MutationsNeverCrash) {
           alphabet[rng.below(static_cast<std::uint32_t>(alphabet.size()))];
     if (rng.below(4) == 0) text.resize(1 + rng.below(static_cast<std::uint32_t>(text.size() - 1)));
     try {
-      const Opened o = open_text_of(folder, text);
+      const OpenedPtx o = open_ptx_of(folder, text);
       ASSERT_EQ(o.rows.valid.size(), o.reader->info().points) << text;
     } catch (const Error&) {
     }
@@ -144,13 +144,13 @@ TEST(Ptx, MutationsNeverCrash) {
 
 TEST(Pts, LaterCountsBeginOtherBlocks) {
   const Folder folder;
-  Opened o = open_text_of(folder, "2\n1 2 3 -2048\n4 5 6 0\n1\n7 8 9 2047\n", "t.pts");
+  OpenedPtx o = open_ptx_of(folder, "2\n1 2 3 -2048\n4 5 6 0\n1\n7 8 9 2047\n", "t.pts");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 1, 1}));
   EXPECT_EQ(o.reader->info().declared_points, 3u);
   EXPECT_NEAR(o.point(2).x, 7, 1e-9);
   EXPECT_TRUE(o.reader->info().warnings.empty());
   EXPECT_EQ(read_all(*o.reader, 3).bytes, o.rows.bytes);
-  o = open_text_of(folder, "2\n1 2 3\n4 5 6\n5\n7 8 9\n", "t.pts");
+  o = open_ptx_of(folder, "2\n1 2 3\n4 5 6\n5\n7 8 9\n", "t.pts");
   EXPECT_EQ(o.reader->info().declared_points, 7u);
   EXPECT_EQ(o.reader->info().points, 3u);
   EXPECT_EQ(o.reader->info().warnings.size(), 1u);
@@ -159,7 +159,7 @@ TEST(Pts, LaterCountsBeginOtherBlocks) {
 TEST(Ptx, RealFiles) {
   ILOT_DATA_OR_SKIP(data);
   const std::filesystem::path folder = data / "conformance/pdal/ptx";
-  Opened o = open_file(folder / "1.2-with-color.ptx", 100);
+  OpenedPtx o = open_file(folder / "1.2-with-color.ptx", 100);
   EXPECT_EQ(std::count(o.rows.valid.begin(), o.rows.valid.end(), 1), 1065);
   EXPECT_NEAR(o.point(0).x, 637012.24, 1e-6);
   o = open_file(folder / "multiple-and-transform.ptx");
@@ -179,7 +179,7 @@ TEST(Pts, RealFiles) {
   const std::pair<const char*, std::size_t> known[] = {
       {"autzen.pts", 10}, {"bunny_8.pts", 9}, {"site_56_8.pts", 8}, {"test.pts", 19}};
   for (const auto& [name, points] : known) {
-    const Opened o = open_file(data / "conformance/pdal/pts" / name, 100);
+    const OpenedPtx o = open_file(data / "conformance/pdal/pts" / name, 100);
     EXPECT_EQ(std::count(o.rows.valid.begin(), o.rows.valid.end(), 1), static_cast<std::ptrdiff_t>(points)) << name;
     EXPECT_TRUE(o.reader->info().warnings.empty()) << name;
   }

@@ -9,7 +9,7 @@ namespace {
 
 using namespace test;
 
-struct Opened {
+struct OpenedText {
   std::unique_ptr<PointReader> reader;
   Rows rows;
   PointFields fields(std::size_t row) const {
@@ -25,16 +25,16 @@ struct Opened {
   Vec3 point(std::size_t row) const { return world(rows, reader->info().layout, row); }
 };
 
-Opened open_text_of(const Folder& folder, const std::string& name, const std::string& text, std::size_t step = 2) {
+OpenedText open_text_of(const Folder& folder, const std::string& name, const std::string& text, std::size_t step = 2) {
   spill_text(folder / name, text);
-  Opened opened{open_cloud(folder / name), {}};
+  OpenedText opened{open_cloud(folder / name), {}};
   opened.rows = read_all(*opened.reader, step);
   return opened;
 }
 
 TEST(Text, NationalCoordinatesKeepTheirDigits) {
   const Folder folder;
-  const Opened o =
+  const OpenedText o =
       open_text_of(folder, "a.xyz", "701362.56 4485513.72 836.41983944702\n836419.83944702 4485513.72 1\n");
   EXPECT_EQ(o.reader->info().points, 2u);
   EXPECT_NEAR(o.point(0).x, 701362.56, 1e-9);
@@ -54,7 +54,7 @@ TEST(Text, SeparatorsHeadersAndLineEndsDoNotMatter) {
                          "# made by hand\n//X Y Z\n2\n1 2 3\n4 5 6\n",
                          "Easting,Northing,Elevation\n+1,2e0,3.0\n4,5,6\n"};
   for (const char* text : texts) {
-    const Opened o = open_text_of(folder, "t.txt", text);
+    const OpenedText o = open_text_of(folder, "t.txt", text);
     ASSERT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 1})) << text;
     EXPECT_EQ(o.point(0).y, 2) << text;
     EXPECT_NEAR(o.point(1).z, 6, 1e-12) << text;
@@ -64,9 +64,9 @@ TEST(Text, SeparatorsHeadersAndLineEndsDoNotMatter) {
 
 TEST(Text, ColumnsFindTheirFields) {
   const Folder folder;
-  const Opened o = open_text_of(folder, "t.csv",
-                                "R,G,B,Z,Y,X,Intensity,Classification,ReturnNumber,GpsTime,Deviation\n"
-                                "255,128,0,3,2,1,700,6,2,123456789.25,0.5\n");
+  const OpenedText o = open_text_of(folder, "t.csv",
+                                    "R,G,B,Z,Y,X,Intensity,Classification,ReturnNumber,GpsTime,Deviation\n"
+                                    "255,128,0,3,2,1,700,6,2,123456789.25,0.5\n");
   const RecordLayout& layout = o.reader->info().layout;
   EXPECT_EQ(layout.point_format, 7);
   EXPECT_EQ(o.point(0).x, 1);
@@ -83,7 +83,7 @@ TEST(Text, ColumnsFindTheirFields) {
 
 TEST(Text, ScalesOfColourAndIntensityFollowTheValues) {
   const Folder folder;
-  Opened o = open_text_of(folder, "a.txt", "1 2 3 0.5 0 0 255\n1 2 3 1 300 0 0\n");
+  OpenedText o = open_text_of(folder, "a.txt", "1 2 3 0.5 0 0 255\n1 2 3 1 300 0 0\n");
   EXPECT_EQ(o.fields(0).intensity, 32768);
   EXPECT_EQ(o.colour(0)[2], 255) << "one value above 255: the colours have 16 bits";
   o = open_text_of(folder, "a.pts", "2\n1 2 3 -2048 1 2 3\n1 2 3 2047 255 0 0\n");
@@ -97,7 +97,7 @@ TEST(Text, ScalesOfColourAndIntensityFollowTheValues) {
 
 TEST(Text, MalformedAndImpossibleRowsAreRejectedAndTheFirstIsNamed) {
   const Folder folder;
-  const Opened o =
+  const OpenedText o =
       open_text_of(folder, "t.xyz", "x y z\n1 2 3\n1 2\n\nnan 2 3\n1 2 inf\n1 2 1e300\n1,,2\n1 2 3x\n7 8 9\n");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 0, 1}));
   ASSERT_EQ(o.reader->info().warnings.size(), 1u);
@@ -147,7 +147,7 @@ TEST(Text, CsvReadsBackAsItWasWritten) {
   const std::string text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   EXPECT_NE(text.find("\n701362.56,4485513.72,-0.001,77,2,3,67,"), std::string::npos) << text;
   EXPECT_NE(text.find(",18446744073709551615\n"), std::string::npos) << text;
-  Opened o{open_cloud(folder / "t.csv"), {}};
+  OpenedText o{open_cloud(folder / "t.csv"), {}};
   o.rows = read_all(*o.reader);
   EXPECT_EQ(o.reader->info().layout.point_format, 8);
   EXPECT_EQ(std::vector(&o.rows.bytes[12], &o.rows.bytes[38]), std::vector(&row[12], &row[38]));

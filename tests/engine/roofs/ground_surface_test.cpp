@@ -25,29 +25,29 @@ Image hillside(std::uint32_t side) {
 }
 
 TEST(GroundSurface, BuildingsDisappearAndTheSlopeStays) {
-  constexpr std::uint32_t kSide = 160;
-  const Image ground = ground_surface(hillside(kSide));
+  constexpr std::uint32_t kGroundSide = 160;
+  const Image ground = ground_surface(hillside(kGroundSide));
   for (std::uint32_t y = 30; y < 130; ++y)
     for (std::uint32_t x = 15; x < 145; ++x)
-      EXPECT_NEAR(ground.values[std::size_t{y} * kSide + x], 100 * x, 2600) << x << " " << y;
-  EXPECT_LT(ground.values[std::size_t{30} * kSide + 26], 100 * 26 + 1500) << "under the house";
-  EXPECT_NEAR(ground.values[std::size_t{120} * kSide + 120], 100 * 120, 60) << "bare ground is as it was";
-  EXPECT_NE(ground.values[std::size_t{8} * kSide + 45], kNoHeight) << "water is filled from around";
+      EXPECT_NEAR(ground.values[std::size_t{y} * kGroundSide + x], 100 * x, 2600) << x << " " << y;
+  EXPECT_LT(ground.values[std::size_t{30} * kGroundSide + 26], 100 * 26 + 1500) << "under the house";
+  EXPECT_NEAR(ground.values[std::size_t{120} * kGroundSide + 120], 100 * 120, 60) << "bare ground is as it was";
+  EXPECT_NE(ground.values[std::size_t{8} * kGroundSide + 45], kNoHeight) << "water is filled from around";
 }
 
 TEST(GroundSurface, PartsWithTheirHaloGiveTheWhole) {
-  constexpr std::uint32_t kSide = 300, kFrom = 130, kTo = 160;
-  const Image whole = hillside(kSide), ground = ground_surface(whole);
+  constexpr std::uint32_t kGroundSide = 300, kFrom = 130, kTo = 160;
+  const Image whole = hillside(kGroundSide), ground = ground_surface(whole);
   constexpr std::uint32_t kPart = kTo - kFrom + 2 * kGroundHalo;
   Image part = filled_image(kPart, kPart, kNoHeight);
   const std::uint32_t low = kFrom - kGroundHalo;
   for (std::uint32_t y = 0; y < kPart; ++y)
     for (std::uint32_t x = 0; x < kPart; ++x)
-      part.values[std::size_t{y} * kPart + x] = whole.values[std::size_t{y + low} * kSide + x + low];
+      part.values[std::size_t{y} * kPart + x] = whole.values[std::size_t{y + low} * kGroundSide + x + low];
   const Image found = ground_surface(part);
   for (std::uint32_t y = kFrom; y < kTo; ++y)
     for (std::uint32_t x = kFrom; x < kTo; ++x)
-      ASSERT_EQ(found.values[std::size_t{y - low} * kPart + x - low], ground.values[std::size_t{y} * kSide + x]);
+      ASSERT_EQ(found.values[std::size_t{y - low} * kPart + x - low], ground.values[std::size_t{y} * kGroundSide + x]);
 }
 
 TEST(GroundSurface, NothingGivesNothing) {

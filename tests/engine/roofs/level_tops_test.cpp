@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kStep = 0.3;
+constexpr double kLevelStep = 0.3;
 
 // A slope with a plane of its own, points every 0.3 m but where a box hides it, and what is put on it.
 struct Roof {
@@ -18,11 +18,11 @@ struct Roof {
   RoofPlanes planes;
 
   Roof() {
-    planes.step = kStep;
+    planes.step = kLevelStep;
     planes.epsilon = 0.08;
     planes.planes.push_back({0, 2, 0, 0, 12, 0});
-    for (double x = 0; x < 6; x += kStep)
-      for (double y = 0; y < 6; y += kStep)
+    for (double x = 0; x < 6; x += kLevelStep)
+      for (double y = 0; y < 6; y += kLevelStep)
         if (x < 2 || x > 3.4 || y < 2 || y > 2.7) add({x, y, 2 * y}, 1);
   }
   void add(Vec3 p, std::uint32_t plane) {

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-SitePolygon square(int x, int y, int side) {
+SitePolygon site_square(int x, int y, int side) {
   return {{{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}}};
 }
 
@@ -23,7 +23,8 @@ void add(Surroundings& around, Vec3 p, PointRole role) {
 }
 
 TEST(SitePoints, APointBelongsToTheOutlineThatHoldsItElseToTheNearest) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 10000), square(10000, 0, 10000), square(20600, 0, 5000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000), site_square(10000, 0, 10000),
+                                          site_square(20600, 0, 5000)};
   const auto around = with_role({{5, 5, 3},        // in the first
                                  {9.9, 5, 3},      // in the first, near the party wall
                                  {10.1, 5, 3},     // in the second
@@ -42,8 +43,8 @@ TEST(SitePoints, APointBelongsToTheOutlineThatHoldsItElseToTheNearest) {
 }
 
 TEST(SitePoints, PointsOnCommonEdgesHaveOneOwner) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 4000), square(4000, 0, 4000), square(0, 4000, 4000),
-                                          square(4000, 4000, 4000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 4000), site_square(4000, 0, 4000),
+                                          site_square(0, 4000, 4000), site_square(4000, 4000, 4000)};
   std::vector<Vec3> points;
   for (int i = 1; i < 8; ++i) points.push_back({4, i * 1.0, 1}), points.push_back({i * 1.0, 4, 1});
   const auto around = with_role(points, PointRole::building);
@@ -54,7 +55,7 @@ TEST(SitePoints, PointsOnCommonEdgesHaveOneOwner) {
 }
 
 TEST(SitePoints, WhereOutlinesOverlapBothHaveThePoint) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 4000), square(2000, 0, 4000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 4000), site_square(2000, 0, 4000)};
   const auto around = with_role({{3, 2, 1}}, PointRole::building);
   EXPECT_EQ(choose_points(around, outlines, 0).building.size(), 1u);
   EXPECT_EQ(choose_points(around, outlines, 1).building.size(), 1u);
@@ -62,7 +63,7 @@ TEST(SitePoints, WhereOutlinesOverlapBothHaveThePoint) {
 
 TEST(SitePoints, ACourtyardIsOutside) {
   const std::vector<SitePolygon> outlines{
-      {square(0, 0, 20000)[0], {{5000, 5000}, {5000, 15000}, {15000, 15000}, {15000, 5000}}}};
+      {site_square(0, 0, 20000)[0], {{5000, 5000}, {5000, 15000}, {15000, 15000}, {15000, 5000}}}};
   Surroundings around;
   add(around, {2, 2, 8}, PointRole::building);
   add(around, {10, 10, 8}, PointRole::building);
@@ -75,7 +76,7 @@ TEST(SitePoints, ACourtyardIsOutside) {
 }
 
 TEST(SitePoints, GroundIsALowQuantileOfThePointsAroundTheOutline) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 10000), square(11000, 0, 10000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000), site_square(11000, 0, 10000)};
   Surroundings around;
   add(around, {5, 5, 9}, PointRole::building);
   for (int i = 0; i <= 100; ++i) add(around, {-1.0, 0.1 * i, 2 + 0.01 * i}, PointRole::ground);
@@ -88,7 +89,7 @@ TEST(SitePoints, GroundIsALowQuantileOfThePointsAroundTheOutline) {
 }
 
 TEST(SitePoints, WithoutGroundTheLowestPointNearTheEdgesCounts) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 10000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000)};
   auto around = with_role({{5, 5, -3}, {0.2, 5, 4}, {9.9, 9, 2.5}, {5, 2, 9}}, PointRole::building);
   SitePoints site = choose_points(around, outlines, 0);
   EXPECT_EQ(site.ground_source, GroundSource::lowest_point);
@@ -100,7 +101,7 @@ TEST(SitePoints, WithoutGroundTheLowestPointNearTheEdgesCounts) {
 }
 
 TEST(SitePoints, WithoutTheClassUnclassifiedPointsThatRiseFromTheGroundAreTaken) {
-  const std::vector<SitePolygon> outlines{square(0, 0, 10000)};
+  const std::vector<SitePolygon> outlines{site_square(0, 0, 10000)};
   Surroundings around;
   add(around, {5, 5, 6}, PointRole::unclassified);
   add(around, {6, 5, 0.5}, PointRole::unclassified);

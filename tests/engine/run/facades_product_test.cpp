@@ -40,14 +40,14 @@ std::vector<Index3> wall_points(double heading) {
 }
 
 // What the labelled cloud says of a point, and where that is on the wall, metres.
-struct LabelledPoint {
+struct RowOfCloud {
   double u = 0, v = 0, w = 0;
   std::uint16_t facade = 0;
   std::uint32_t element = 0;
   std::uint8_t label = 0;
 };
 
-std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, double heading) {
+std::vector<RowOfCloud> labelled_points(const std::filesystem::path& cloud, double heading) {
   const auto reader = open_cloud(cloud);
   const RecordLayout& layout = reader->info().layout;
   std::vector<std::byte> records(reader->info().points * layout.record_length);
@@ -61,7 +61,7 @@ std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, d
   };
   const std::uint16_t facade = offset("facade_id"), element = offset("element_id"), label = offset("label");
   const double c = cos_degrees(heading), s = cos_degrees(heading - 90);
-  std::vector<LabelledPoint> points;
+  std::vector<RowOfCloud> points;
   for (std::size_t i = 0; i < valid.size(); ++i) {
     const std::byte* r = records.data() + i * layout.record_length;
     const double x = load<std::int32_t>(r) * 0.001 - kEast, y = load<std::int32_t>(r + 4) * 0.001 - kNorth;
@@ -71,17 +71,17 @@ std::vector<LabelledPoint> labelled_points(const std::filesystem::path& cloud, d
   return points;
 }
 
-struct Outcome {
+struct FacadesOutcome {
   int code = 0;
   json record;
   std::vector<Facade> facades;
   std::set<std::string> files;  // of the facades
-  std::vector<LabelledPoint> points;
+  std::vector<RowOfCloud> points;
   std::string drawing;  // of the first facade, as SVG
 };
 
-Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
-                 const std::function<void(RunOptions&)>& change = {}) {
+FacadesOutcome run_wall(const std::vector<Index3>& points, double heading, bool with_station,
+                        const std::function<void(RunOptions&)>& change = {}) {
   const TemporaryFolder folder;
   const auto cloud = folder.path() / "wall.las", stations = folder.path() / "stations.csv";
   test::write_cloud(cloud, points);
@@ -98,7 +98,7 @@ Outcome run_wall(const std::vector<Index3>& points, double heading, bool with_st
   if (with_station) options.stations = stations;
   if (change) change(options);
   Progress progress;
-  Outcome out;
+  FacadesOutcome out;
   out.code = run(options, progress);
   std::stringstream text;
   text << std::ifstream(options.output / "run.json").rdbuf();
@@ -125,7 +125,7 @@ std::vector<FacadeElement> windows_of(const Facade& facade) {
 
 TEST(FacadesProduct, FromCloudToPlanHoweverTheWallStands) {
   for (const double heading : {0.0, 33.0, 200.0}) {
-    const Outcome out = run_wall(wall_points(heading), heading, true);
+    const FacadesOutcome out = run_wall(wall_points(heading), heading, true);
     EXPECT_EQ(out.code, 0);
     EXPECT_EQ(out.record["counts"]["facades"]["facades"], 1);
     ASSERT_EQ(out.facades.size(), 1u) << heading;
@@ -157,7 +157,7 @@ TEST(FacadesProduct, AGableIsDrawnAsOne) {
       points.push_back(
           {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
   for (const bool with_station : {true, false}) {
-    const Outcome out = run_wall(points, 0, with_station);
+    const FacadesOutcome out = run_wall(points, 0, with_station);
     ASSERT_EQ(out.facades.size(), 1u);
     const FacadeElement& outline = out.facades[0].elements[0];
     ASSERT_EQ(outline.kind, "outline");
@@ -178,13 +178,13 @@ TEST(FacadesProduct, AGableIsDrawnAsOne) {
 }
 
 TEST(FacadesProduct, PointsSayWhichElementTheyAreOf) {
-  const Outcome out = run_wall(wall_points(33), 33, true);
+  const FacadesOutcome out = run_wall(wall_points(33), 33, true);
   ASSERT_EQ(out.facades.size(), 1u);
   std::map<std::uint32_t, std::string> kinds;
   for (const FacadeElement& e : out.facades[0].elements) kinds[e.id] = e.kind;
   std::map<std::string, std::size_t> of_kind;
   std::size_t wrong = 0;
-  for (const LabelledPoint& p : out.points) {
+  for (const RowOfCloud& p : out.points) {
     const bool over_window = (p.u > 1.01 && p.u < 2.09) || (p.u > 3.51 && p.u < 4.59);
     const char* kind = nullptr;
     if (p.w < -0.24) kind = "window";
@@ -211,7 +211,7 @@ const FacadeElement& only(const Facade& facade, const std::string& kind) {
 }
 
 TEST(FacadesProduct, EachEdgeSaysWhatSupportsIt) {
-  const Outcome out = run_wall(wall_points(33), 33, true);
+  const FacadesOutcome out = run_wall(wall_points(33), 33, true);
   ASSERT_EQ(out.facades.size(), 1u);
   const FacadeElement &wall = only(out.facades[0], "outline"), &window = only(out.facades[0], "window"),
                       &sill = only(out.facades[0], "sill");
@@ -246,7 +246,7 @@ TEST(FacadesProduct, ABoardInTheStreetHidesAKnownPartOfAJamb) {
   for (const FacadePoint& p : test::scan_wall(wall, kEye, 0.0025).points)
     points.push_back(
         {std::llround((kEast + p.u) * 1000), std::llround((kNorth - p.w) * 1000), std::llround(p.v * 1000.0)});
-  const Outcome out = run_wall(points, 0, true);
+  const FacadesOutcome out = run_wall(points, 0, true);
   ASSERT_EQ(out.facades.size(), 1u);
   const auto windows = windows_of(out.facades[0]);
   ASSERT_EQ(windows.size(), 2u);
@@ -259,7 +259,7 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
   const auto points = wall_points(33);
   std::string hash;
   for (const auto& [threads, block_points] : {std::pair{1, 1u << 20}, {3, 1u << 20}, {2, 5000u}}) {
-    const Outcome out = run_wall(points, 33, true, [&, t = threads, b = block_points](RunOptions& o) {
+    const FacadesOutcome out = run_wall(points, 33, true, [&, t = threads, b = block_points](RunOptions& o) {
       o.threads = t;
       o.settings.index.block_points = b;
     });
@@ -270,7 +270,7 @@ TEST(FacadesProduct, NothingDependsOnThreadsOrBlocks) {
 }
 
 TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
-  const Outcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) {
+  const FacadesOutcome out = run_wall(wall_points(0), 0, true, [](RunOptions& o) {
     o.settings.facades.sections = {2.5};
     o.settings.facades.upright_sections = {1.5, 99};  // there is no wall at 99 m
     o.settings.facades.section_lines = {kEast + 4, kNorth - 3, kEast + 4, kNorth + 3, 0, 0, 9, 9};
@@ -298,7 +298,7 @@ TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
 }
 
 TEST(FacadesProduct, WithoutStationsItWarns) {
-  const Outcome out = run_wall(wall_points(0), 0, false);
+  const FacadesOutcome out = run_wall(wall_points(0), 0, false);
   ASSERT_EQ(out.facades.size(), 1u);
   EXPECT_EQ(windows_of(out.facades[0]).size(), 2u);
   for (const FacadeEdge& e : windows_of(out.facades[0])[0].edges) EXPECT_FALSE(e.occluded_share);
@@ -312,7 +312,7 @@ TEST(FacadesProduct, NoFacadeIsNoFailure) {
   for (std::int64_t x = 0; x < 4000; x += 20)
     for (std::int64_t y = 0; y < 4000; y += 20)
       ground.push_back({651000000 + x, 661000000 + y, static_cast<std::int64_t>(rng.below(4))});
-  const Outcome out = run_wall(ground, 0, false);
+  const FacadesOutcome out = run_wall(ground, 0, false);
   EXPECT_EQ(out.code, 3);
   EXPECT_TRUE(out.facades.empty());
   EXPECT_EQ(out.record["counts"]["facades"]["facades"], 0);

@@ -61,7 +61,7 @@ struct Village {
   }
 };
 
-struct Outcome {
+struct RoofsOutcome {
   int code = 0;
   json record;
   std::map<std::string, json> buildings;  // features by id
@@ -75,8 +75,8 @@ std::string text_of(const std::filesystem::path& path) {
   return text.str();
 }
 
-Outcome run_village(const Village& village, const std::string& name,
-                    const std::function<void(RunOptions&)>& change = {}) {
+RoofsOutcome run_village(const Village& village, const std::string& name,
+                         const std::function<void(RunOptions&)>& change = {}) {
   RunOptions options;
   options.inputs = {village.cloud};
   options.output = village.folder.path() / name;
@@ -86,7 +86,7 @@ Outcome run_village(const Village& village, const std::string& name,
   options.threads = 2;
   if (change) change(options);
   Progress progress;
-  Outcome out;
+  RoofsOutcome out;
   out.code = run(options, progress);
   out.record = json::parse(text_of(options.output / "run.json"));
   out.sequence = text_of(options.output / "roofs" / "roofs.city.jsonl");
@@ -100,13 +100,13 @@ Outcome run_village(const Village& village, const std::string& name,
   return out;
 }
 
-double attribute(const Outcome& out, const std::string& id, const char* name) {
+double attribute(const RoofsOutcome& out, const std::string& id, const char* name) {
   return out.buildings.at(id)["CityObjects"][id]["attributes"][name];
 }
 
 TEST(RoofsProduct, EveryFootprintComesBack) {
   const Village village;
-  const Outcome out = run_village(village, "out");
+  const RoofsOutcome out = run_village(village, "out");
   EXPECT_EQ(out.code, static_cast<int>(ExitCode::incomplete));
   EXPECT_EQ(out.ids, (std::vector<std::string>{"1", "2", "10", "far", "line"}));
   const json counts = out.record["counts"]["roofs"];
@@ -131,11 +131,11 @@ TEST(RoofsProduct, EveryFootprintComesBack) {
 
 TEST(RoofsProduct, NothingDependsOnThreadsOrBlocks) {
   const Village village;
-  const Outcome out = run_village(village, "out");
+  const RoofsOutcome out = run_village(village, "out");
   for (const int threads : {1, 3}) {
     for (const std::uint64_t block_points : {256u, 5000u}) {
       const std::string name = "out" + std::to_string(threads) + "-" + std::to_string(block_points);
-      const Outcome again = run_village(village, name, [&](RunOptions& o) {
+      const RoofsOutcome again = run_village(village, name, [&](RunOptions& o) {
         o.threads = threads;
         o.settings.index.block_points = block_points;
       });
@@ -146,8 +146,8 @@ TEST(RoofsProduct, NothingDependsOnThreadsOrBlocks) {
 
 TEST(RoofsProduct, ABuildingAloneIsThatOfTheWhole) {
   const Village village;
-  const Outcome out = run_village(village, "out");
-  const Outcome part = run_village(village, "part", [](RunOptions& o) {
+  const RoofsOutcome out = run_village(village, "out");
+  const RoofsOutcome part = run_village(village, "part", [](RunOptions& o) {
     o.area = Area{84015, 447005, 84025, 447015, {}};
   });
   ASSERT_EQ(part.ids, (std::vector<std::string>{"2"}));
@@ -164,7 +164,7 @@ TEST(RoofsProduct, ABuildingAloneIsThatOfTheWhole) {
 
 TEST(RoofsProduct, PointsKnowTheirBuildingFaceAndLabel) {
   const Village village;
-  const Outcome out = run_village(village, "out");
+  const RoofsOutcome out = run_village(village, "out");
   const auto reader = open_cloud(village.folder.path() / "out" / "points" / "village.laz");
   const RecordLayout& layout = reader->info().layout;
   std::vector<std::byte> rows(reader->info().points * layout.record_length);

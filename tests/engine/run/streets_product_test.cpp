@@ -22,14 +22,14 @@ json record_of(const std::filesystem::path& out) {
   return json::parse(text.str());
 }
 
-struct Outcome {
+struct StreetsOutcome {
   int code = 0;
   json record;
   std::filesystem::path out;
 };
 
-Outcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const std::string& name,
-                  const std::function<void(RunOptions&)>& change = {}) {
+StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const std::string& name,
+                         const std::function<void(RunOptions&)>& change = {}) {
   const auto cloud = folder.path() / "street.las";
   test::write_cloud(cloud, points);
   RunOptions options;
@@ -40,7 +40,7 @@ Outcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& poin
   options.threads = 2;
   if (change) change(options);
   Progress progress;
-  Outcome out{run(options, progress), {}, options.output};
+  StreetsOutcome out{run(options, progress), {}, options.output};
   out.record = record_of(out.out);
   return out;
 }
@@ -66,7 +66,7 @@ std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side 
 
 TEST(StreetsProduct, AllFilesAreThere) {
   const TemporaryFolder folder;
-  const Outcome out = run_cloud(folder, street_points(2, 3), "out");
+  const StreetsOutcome out = run_cloud(folder, street_points(2, 3), "out");
   for (const char* file : {"objects.gpkg", "blocks.gpkg", "range.tif", "accumulation.tif", "ground.tif",
                            "artefacts.tif", "streets.svg", "streets.html"})
     EXPECT_GT(std::filesystem::file_size(out.out / "streets" / file), 0u) << file;
@@ -145,11 +145,12 @@ TEST(StreetsProduct, NothingDependsOnThreadsBlocksOrMemory) {
   for (const auto& [threads, block_points, memory] :
        {Way{1, 1u << 20, 1u << 30}, {3, 1u << 20, 1u << 30}, {2, 5000u, 1u << 30}, {2, 1u << 20, 64u << 20}}) {
     const TemporaryFolder folder;
-    const Outcome out = run_cloud(folder, points, "out", [&, t = threads, b = block_points, m = memory](RunOptions& o) {
-      o.threads = t;
-      o.settings.index.block_points = b;
-      o.memory_bytes = m;
-    });
+    const StreetsOutcome out =
+        run_cloud(folder, points, "out", [&, t = threads, b = block_points, m = memory](RunOptions& o) {
+          o.threads = t;
+          o.settings.index.block_points = b;
+          o.memory_bytes = m;
+        });
     const std::string got = out.record["result_hash"];
     if (hash.empty()) hash = got;
     EXPECT_EQ(got, hash) << threads << " " << block_points;
@@ -191,7 +192,7 @@ TEST(StreetsProduct, CloudsWithoutAStreet) {
       {"no ground", wall}};
   for (const auto& [name, points] : clouds) {
     const TemporaryFolder folder;
-    const Outcome out = run_cloud(folder, points, "out");
+    const StreetsOutcome out = run_cloud(folder, points, "out");
     EXPECT_EQ(out.record["counts"]["streets"]["objects"], 0) << name;
     EXPECT_EQ(out.code, static_cast<int>(ExitCode::incomplete)) << name;
     ASSERT_EQ(out.record["skipped"].size(), 1u) << name;
@@ -253,7 +254,7 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   features += "," + place(900000, 660001, "car");
   const TemporaryFolder folder;
   const auto train = folder.put("labels.geojson", collection(features));
-  const Outcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
+  const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
   ASSERT_FALSE(out.record["warnings"].empty());
   EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
       << out.record["warnings"].dump();

@@ -14,7 +14,7 @@ namespace {
 using test::PlaneStore;
 
 // Lengths in millimetres.
-constexpr std::int64_t kRidge = 16000, kStep = 60;
+constexpr std::int64_t kRidge = 16000, kRidgeStep = 60;
 
 struct Adjacency {
   explicit Adjacency(const PlaneStore& s) : planes(s.joined.planes) {
@@ -33,7 +33,7 @@ struct Adjacency {
 
 std::vector<Index3> gable() {
   std::vector<Index3> points;
-  test::add_surface(points, {kRidge - 3000, 4000, 5000}, {6000, 6000, 0}, kStep, 6,
+  test::add_surface(points, {kRidge - 3000, 4000, 5000}, {6000, 6000, 0}, kRidgeStep, 6,
                     [](double x, double) { return -0.5 * std::abs(x - static_cast<double>(kRidge)); });
   return points;
 }
@@ -57,7 +57,7 @@ TEST(AdjacencyPass, TheFacesOfAGableMeetInTheRidge) {
 
 TEST(AdjacencyPass, AStepHasAHeight) {
   std::vector<Index3> points;
-  test::add_surface(points, {4000, 4000, 5000}, {6000, 6000, 0}, kStep, 4,
+  test::add_surface(points, {4000, 4000, 5000}, {6000, 6000, 0}, kRidgeStep, 4,
                     [](double x, double) { return x < 7000 ? 0 : 130; });
   const Adjacency found{PlaneStore(points)};
   ASSERT_EQ(found.planes.size(), 2u);
@@ -72,8 +72,8 @@ TEST(AdjacencyPass, AStepHasAHeight) {
 
 TEST(AdjacencyPass, PlanesApartDoNotTouch) {
   std::vector<Index3> points;
-  test::add_surface(points, {4000, 4000, 5000}, {3000, 6000, 0}, kStep, 4, [](double, double) { return 0; });
-  test::add_surface(points, {9000, 4000, 5400}, {3000, 6000, 0}, kStep, 4, [](double, double) { return 0; });
+  test::add_surface(points, {4000, 4000, 5000}, {3000, 6000, 0}, kRidgeStep, 4, [](double, double) { return 0; });
+  test::add_surface(points, {9000, 4000, 5400}, {3000, 6000, 0}, kRidgeStep, 4, [](double, double) { return 0; });
   const Adjacency found{PlaneStore(points)};
   EXPECT_EQ(found.planes.size(), 2u);
   EXPECT_TRUE(found.touches.empty());

@@ -44,7 +44,7 @@ std::vector<Index3> house(std::int64_t size, bool raster) {
   return kept;
 }
 
-struct Result {
+struct BoundariesResult {
   std::vector<Outline> outlines;
   std::vector<Index3> where;
   std::vector<std::uint8_t> boundary;
@@ -58,11 +58,11 @@ std::vector<std::uint32_t> every_id(std::size_t planes) {
 
 using Change = std::function<void(BoundaryParams&)>;
 
-Result boundaries(const PlaneStore& s, double tolerance, const Change& change = {}) {
+BoundariesResult boundaries(const PlaneStore& s, double tolerance, const Change& change = {}) {
   label_pass(s.cloud.store(), s.cells, s.found, s.joined, {});
   const auto ranges = neighbour_ranges(s.cloud.store(), s.cells, s.found);
   const auto id = every_id(s.joined.planes.size());
-  Result r;
+  BoundariesResult r;
   BoundaryParams params{1, tolerance, s.joined.planes, id, ranges};
   if (change) change(params);
   boundaries_pass(s.cloud.store(), params, {}, [&](const Outline& o) { r.outlines.push_back(o); });
@@ -133,7 +133,7 @@ TEST(BoundariesPass, BlocksOfAnySizeEqualOneTriangulationOfEachPlane) {
     const auto points = house(6000, raster);
     const PlaneStore whole(points);
     ASSERT_GE(whole.joined.planes.size(), 2u);
-    const Result expected = boundaries(whole, 5);
+    const BoundariesResult expected = boundaries(whole, 5);
     ASSERT_EQ(expected.outlines.size(), whole.joined.planes.size());
     for (std::uint32_t id = 1; id <= expected.outlines.size(); ++id) {
       SCOPED_TRACE("plane " + std::to_string(id));
@@ -143,7 +143,7 @@ TEST(BoundariesPass, BlocksOfAnySizeEqualOneTriangulationOfEachPlane) {
       SCOPED_TRACE("blocks of " + std::to_string(block_points));
       const PlaneStore cut(points, {block_points, 1u << 20, 1});
       EXPECT_GT(cut.cloud.store().blocks().size(), 5u);
-      const Result r = boundaries(cut, 5);
+      const BoundariesResult r = boundaries(cut, 5);
       ASSERT_EQ(r.outlines.size(), expected.outlines.size());
       for (std::size_t i = 0; i < r.outlines.size(); ++i) expect_equal(r.outlines[i], expected.outlines[i]);
       EXPECT_EQ(r.where, expected.where);
@@ -152,7 +152,7 @@ TEST(BoundariesPass, BlocksOfAnySizeEqualOneTriangulationOfEachPlane) {
   }
 }
 
-std::size_t rings_of(const Result& r) {
+std::size_t rings_of(const BoundariesResult& r) {
   std::size_t rings = 0;
   for (const Outline& o : r.outlines)
     for (const auto& part : o.parts) rings += part.size();
@@ -178,11 +178,11 @@ TEST(BoundariesPass, NoChoiceShowsTheBlocks) {
        }},
       {"outside", [](BoundaryParams& p) { p.erosion = Erosion::outside; }}};
   const auto points = house(6000, false);
-  const Result plain = boundaries(PlaneStore(points), 5);
+  const BoundariesResult plain = boundaries(PlaneStore(points), 5);
   for (const auto& [name, change] : choices) {
     SCOPED_TRACE(name);
-    const Result a = boundaries(PlaneStore(points), 5, change);
-    const Result b = boundaries(PlaneStore(points, {1000, 1u << 20, 1}), 5, change);
+    const BoundariesResult a = boundaries(PlaneStore(points), 5, change);
+    const BoundariesResult b = boundaries(PlaneStore(points, {1000, 1u << 20, 1}), 5, change);
     ASSERT_EQ(a.outlines.size(), b.outlines.size());
     for (std::size_t i = 0; i < a.outlines.size(); ++i) expect_equal(a.outlines[i], b.outlines[i]);
     EXPECT_EQ(a.boundary, b.boundary);
@@ -193,7 +193,7 @@ TEST(BoundariesPass, NoChoiceShowsTheBlocks) {
 
 TEST(BoundariesPass, ErodedFromOutsideThereAreNoHoles) {
   const PlaneStore s(house(6000, false));
-  const Result r = boundaries(s, 5, [](BoundaryParams& p) { p.erosion = Erosion::outside; });
+  const BoundariesResult r = boundaries(s, 5, [](BoundaryParams& p) { p.erosion = Erosion::outside; });
   for (const Outline& o : r.outlines) {
     EXPECT_EQ(o.parts.size(), 1u);
     for (const auto& part : o.parts) EXPECT_EQ(part.size(), 1u);
@@ -202,7 +202,7 @@ TEST(BoundariesPass, ErodedFromOutsideThereAreNoHoles) {
 
 TEST(BoundariesPass, ARoofWithTwoOpeningsIsOnePolygonWithTwoHoles) {
   const PlaneStore s(house(6000, false));
-  const Result r = boundaries(s, 5);
+  const BoundariesResult r = boundaries(s, 5);
   const std::size_t roof = std::abs(s.joined.planes[0].plane.n.z) > 0.5 ? 0 : 1;
   ASSERT_EQ(r.outlines[roof].parts.size(), 1u);
   EXPECT_EQ(r.outlines[roof].parts[0].size(), 3u);
@@ -227,7 +227,7 @@ TEST(BoundariesPass, PointsAtOnePlaceShareTheirFlag) {
   const std::size_t n = points.size();
   points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n));
   const PlaneStore s(points, {500, 1u << 20, 1});
-  const Result r = boundaries(s, 0);
+  const BoundariesResult r = boundaries(s, 0);
   const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
   std::size_t flagged = 0;
   for (std::size_t i = 1; i < r.where.size(); ++i) {
@@ -246,7 +246,7 @@ TEST(BoundariesPass, APlaneAlongABorderOfCellsIsNotTorn) {
   const PlaneStore s(points);
   ASSERT_EQ(s.joined.planes.size(), 1u);
   ASSERT_GE(s.cloud.store().blocks().size(), 2u);
-  const Result r = boundaries(s, 0);
+  const BoundariesResult r = boundaries(s, 0);
   expect_equal(r.outlines[0], outline_at_once(s, 1, 0));
   std::size_t edges = 0, around = 0;
   for (std::uint32_t b = 0; b < s.cloud.store().blocks().size(); ++b)
@@ -260,7 +260,7 @@ TEST(BoundariesPass, StretchesOfABlockLeaveNoSeam) {
   const auto points = house(18000, false);
   const PlaneStore s(points);
   ASSERT_GT(points.size(), 80000u);
-  const Result r = boundaries(s, 0);
+  const BoundariesResult r = boundaries(s, 0);
   for (std::uint32_t id = 1; id <= r.outlines.size(); ++id) expect_equal(r.outlines[id - 1], outline_at_once(s, id, 0));
 }
 

@@ -16,7 +16,7 @@ StoredColour colour_at(Index3 p) {
   return p.x < 5000 ? shade << 16 : shade;
 }
 
-std::vector<Index3> scattered(std::size_t n) {
+std::vector<Index3> scattered_points(std::size_t n) {
   Rng rng(3);
   std::vector<Index3> points;
   const auto within = [&](std::uint64_t reach) { return static_cast<std::int64_t>(rng.below(reach)); };
@@ -64,7 +64,7 @@ struct Coloured {
 };
 
 TEST(ColoursPass, EveryPointGetsItsOwnColourInEightBits) {
-  const Coloured c(scattered(5000), 700);
+  const Coloured c(scattered_points(5000), 700);
   ASSERT_GT(c.cloud().blocks().size(), 5u);
   ASSERT_TRUE(colours_pass(c.cloud(), c.files->inputs, {}));
   const auto where = test::positions(c.cloud());
@@ -86,7 +86,7 @@ TEST(ColoursPass, WithoutColoursThereIsNothing) {
 }
 
 TEST(ColoursPass, ThePaletteDependsOnThePointsAlone) {
-  const auto points = scattered(5000);
+  const auto points = scattered_points(5000);
   const Coloured a(points, 700), b(points, 1 << 20, true);
   ASSERT_TRUE(colours_pass(a.cloud(), a.files->inputs, {}));
   ASSERT_TRUE(colours_pass(b.cloud(), b.files->inputs, {}));

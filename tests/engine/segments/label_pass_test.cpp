@@ -11,13 +11,13 @@ namespace {
 
 using test::PlaneStore;
 
-constexpr std::int64_t kRidge = 16000, kStep = 60;
+constexpr std::int64_t kRoofRidge = 16000, kRoofStep = 60;
 
-// A gable roof, 27 degrees, the ridge at x = kRidge: the bisector of its faces is that vertical plane.
-std::vector<Index3> gable() {
+// A gable roof, 27 degrees, the ridge at x = kRoofRidge: the bisector of its faces is that vertical plane.
+std::vector<Index3> roof_gable() {
   std::vector<Index3> points;
-  test::add_surface(points, {kRidge - 3000, 4000, 5000}, {6000, 6000, 0}, kStep, 6,
-                    [](double x, double) { return -0.5 * std::abs(x - static_cast<double>(kRidge)); });
+  test::add_surface(points, {kRoofRidge - 3000, 4000, 5000}, {6000, 6000, 0}, kRoofStep, 6,
+                    [](double x, double) { return -0.5 * std::abs(x - static_cast<double>(kRoofRidge)); });
   return points;
 }
 
@@ -31,7 +31,7 @@ double distance(const JoinedPlane& j, Index3 p) {
 }
 
 TEST(LabelPass, TheBisectorPartsTheFacesOfARidge) {
-  const PlaneStore s(gable());
+  const PlaneStore s(roof_gable());
   ASSERT_EQ(s.joined.planes.size(), 2u);
   label(s);
   const auto where = test::positions(s.cloud.store());
@@ -40,16 +40,16 @@ TEST(LabelPass, TheBisectorPartsTheFacesOfARidge) {
   std::size_t wrong = 0, none = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     none += plane[i] == 0;
-    if (plane[i] == 0 || (plane[i] == left) == (where[i].x < kRidge)) continue;
+    if (plane[i] == 0 || (plane[i] == left) == (where[i].x < kRoofRidge)) continue;
     ++wrong;
-    EXPECT_LT(std::abs(where[i].x - kRidge), 2 * kStep) << i;
+    EXPECT_LT(std::abs(where[i].x - kRoofRidge), 2 * kRoofStep) << i;
   }
   EXPECT_LT(wrong, 20u) << "of 200 within a step of the ridge";
   EXPECT_LT(none, where.size() / 200);
 }
 
 TEST(LabelPass, EpsilonMeansEpsilonAndTheTalliesAgree) {
-  const PlaneStore s(gable());
+  const PlaneStore s(roof_gable());
   const auto tallies = label(s);
   const Store& store = s.cloud.store();
   const auto where = test::positions(store);
@@ -71,7 +71,7 @@ TEST(LabelPass, EpsilonMeansEpsilonAndTheTalliesAgree) {
 }
 
 TEST(LabelPass, DoesNotKnowTheBlocks) {
-  const auto points = gable();
+  const auto points = roof_gable();
   const PlaneStore whole(points), cut(points, {500, 2000, 1});
   const auto a = label(whole), b = label(cut);
   EXPECT_EQ(test::whole_column<std::uint32_t>(whole.cloud.store(), "plane"),
@@ -81,15 +81,15 @@ TEST(LabelPass, DoesNotKnowTheBlocks) {
 }
 
 TEST(LabelPass, PointsThatAreNotWantedGetNone) {
-  const PlaneStore s(gable());
+  const PlaneStore s(roof_gable());
   PassContext context;
-  context.wanted = [](Index3 p) { return p.x < kRidge; };
+  context.wanted = [](Index3 p) { return p.x < kRoofRidge; };
   const auto tallies = label(s, context);
   const auto where = test::positions(s.cloud.store());
   const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
   std::int64_t labelled = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
-    ASSERT_TRUE(where[i].x < kRidge || plane[i] == 0);
+    ASSERT_TRUE(where[i].x < kRoofRidge || plane[i] == 0);
     labelled += plane[i] != 0;
   }
   EXPECT_EQ(tallies[0].moments.n + tallies[1].moments.n, labelled);

@@ -38,17 +38,17 @@ Settings curved() {
   return settings;
 }
 
-struct Result {
+struct ShapesResult {
   JoinedShapes joined;
   std::vector<ShapeTally> tallies;
   std::vector<Index3> where;
   std::vector<std::uint32_t> shape, plane;
 };
 
-Result shapes_of(const PlaneStore& s, const PassContext& context = {}) {
+ShapesResult shapes_of(const PlaneStore& s, const PassContext& context = {}) {
   const Store& store = s.cloud.store();
   label_pass(store, s.cells, s.found, s.joined, context);
-  Result r;
+  ShapesResult r;
   r.joined = join_shapes(store, s.cells);
   r.tallies = shapes_pass(store, s.cells, r.joined, context);
   r.where = test::positions(store);
@@ -60,7 +60,7 @@ Result shapes_of(const PlaneStore& s, const PassContext& context = {}) {
 TEST(ShapesPass, PartsInEightCellsAreOneSphere) {
   const PlaneStore s(ball_on_ground(), {}, curved());
   ASSERT_GE(s.cells.size(), 8u);
-  const Result r = shapes_of(s);
+  const ShapesResult r = shapes_of(s);
   ASSERT_EQ(r.joined.shapes.size(), 1u);
   ASSERT_GE(r.joined.of_segment.size(), 8u) << "each cell has its part";
   const JoinedShape& j = r.joined.shapes[0];
@@ -74,7 +74,7 @@ TEST(ShapesPass, PartsInEightCellsAreOneSphere) {
 
 TEST(ShapesPass, NoPointIsFartherThanEpsilonOrOnAPlaneToo) {
   const PlaneStore s(ball_on_ground(), {}, curved());
-  const Result r = shapes_of(s);
+  const ShapesResult r = shapes_of(s);
   std::uint64_t labelled = 0;
   double squares = 0;
   for (std::size_t i = 0; i < r.where.size(); ++i) {
@@ -95,8 +95,8 @@ TEST(ShapesPass, NoPointIsFartherThanEpsilonOrOnAPlaneToo) {
 }
 
 TEST(ShapesPass, BlocksDoNotShow) {
-  const Result a = shapes_of(PlaneStore(ball_on_ground(), {}, curved()));
-  const Result b = shapes_of(PlaneStore(ball_on_ground(), {1500, 1u << 20, 1}, curved()));
+  const ShapesResult a = shapes_of(PlaneStore(ball_on_ground(), {}, curved()));
+  const ShapesResult b = shapes_of(PlaneStore(ball_on_ground(), {1500, 1u << 20, 1}, curved()));
   EXPECT_EQ(a.where, b.where);
   EXPECT_EQ(a.shape, b.shape);
   ASSERT_EQ(a.tallies.size(), b.tallies.size());
@@ -108,7 +108,7 @@ TEST(ShapesPass, BlocksDoNotShow) {
 TEST(ShapesPass, OnlyPointsThatAreAskedFor) {
   PassContext context;
   context.wanted = [](Index3 p) { return p.x >= 0; };
-  const Result r = shapes_of(PlaneStore(ball_on_ground(), {}, curved()), context);
+  const ShapesResult r = shapes_of(PlaneStore(ball_on_ground(), {}, curved()), context);
   std::size_t labelled = 0;
   for (std::size_t i = 0; i < r.where.size(); ++i) {
     labelled += r.shape[i] != 0;

@@ -11,7 +11,7 @@ namespace {
 
 using test::MemoryLayers;
 
-void stand(Image& image, const test::PixelBox& box, Height value) {
+void fill_box(Image& image, const test::PixelBox& box, Height value) {
   for (std::uint32_t y = box.y; y < box.y + box.height; ++y)
     for (std::uint32_t x = box.x; x < box.x + box.width; ++x) image.values[std::size_t{y} * image.width + x] = value;
 }
@@ -29,10 +29,10 @@ std::vector<Thing> things_of(const Image& height, const Image& points, std::uint
 TEST(Things, LinksOverShadowsJoinNothing) {
   Image height = filled_image(120, 60, kNoHeight), points = filled_image(120, 60, 0);
   for (const std::uint32_t x : {20u, 90u}) {
-    stand(height, {x, 20, 5, 5}, 2000);
-    stand(points, {x, 20, 5, 5}, 9);
+    fill_box(height, {x, 20, 5, 5}, 2000);
+    fill_box(points, {x, 20, 5, 5}, 9);
   }
-  stand(height, {25, 22, 65, 1}, 900);
+  fill_box(height, {25, 22, 65, 1}, 900);
   for (const std::uint32_t side : {32u, 120u}) {
     const std::vector<Thing> things = things_of(height, points, side);
     ASSERT_EQ(things.size(), 2u) << side;

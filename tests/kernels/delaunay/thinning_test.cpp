@@ -18,7 +18,7 @@ struct Shape {
   std::size_t triangles = 0;
 };
 
-Shape shape_of(std::vector<Point2> points, float reach) {
+Shape thinned_shape(std::vector<Point2> points, float reach) {
   Shape s{std::move(points), {}, 0};
   const Triangulation t = delaunay(s.points);
   const auto keep = shape_triangles(t, s.points, {TriangleRule::kCircumradius, std::vector(s.points.size(), reach)});
@@ -75,7 +75,7 @@ TEST(Thinning, VerticesOnEdgesGo) {
   for (std::int32_t x = 0; x < 12; ++x)
     for (std::int32_t y = 0; y < 12; ++y)
       if (x < 4 || x > 7 || y < 4 || y > 7) points.push_back({100 * x, 100 * y});
-  const Shape s = shape_of(points, 71);
+  const Shape s = thinned_shape(points, 71);
   const Polygons thin = thin_rings(s.polygons, s.points, 1);
   EXPECT_EQ(thin.rings, (std::vector<Ring>{{0, 4, 0}, {4, 8, 0}}));  // the hole has cut corners
   expect_thinned(s, thin, 1);
@@ -87,7 +87,7 @@ TEST(Thinning, StaysWithinToleranceAndNeverCrosses) {
   for (int round = 0; round < 20; ++round) {
     std::vector<Point2> points;
     for (int i = 0; i < 600; ++i) points.push_back({test::draw_within(rng, 500), test::draw_within(rng, 500)});
-    const Shape s = shape_of(points, 25 + static_cast<float>(round));
+    const Shape s = thinned_shape(points, 25 + static_cast<float>(round));
     for (const double tolerance : {1.0, 5.0, 60.0}) {
       SCOPED_TRACE("round " + std::to_string(round) + ", tolerance " + std::to_string(tolerance));
       const Polygons thin = thin_rings(s.polygons, s.points, tolerance);
@@ -115,7 +115,7 @@ TEST(Thinning, AStoneLosesItsTriangles) {
   for (std::int32_t x = 0; x <= 120; ++x)
     for (std::int32_t y = 0; y <= 100; ++y)
       points.push_back({500 * x + test::draw_within(rng, 60), 500 * y + test::draw_within(rng, 60)});
-  const Shape s = shape_of(points, 800);
+  const Shape s = thinned_shape(points, 800);
   const Polygons thin = thin_rings(s.polygons, s.points, 100);
   expect_thinned(s, thin, 100);
   const auto left = static_cast<double>(fill_polygons(thin, s.points).size() / 3);

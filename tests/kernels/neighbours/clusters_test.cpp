@@ -11,7 +11,7 @@ namespace ilot {
 namespace {
 
 // Flood over all pairs.
-Clusters brute_force(Points p, std::span<const std::uint32_t> indices, std::int64_t radius) {
+Clusters brute_clusters(Points p, std::span<const std::uint32_t> indices, std::int64_t radius) {
   Clusters c{std::vector<std::uint32_t>(indices.size(), 0xffffffffu), 0};
   for (std::size_t seed = 0; seed < indices.size(); ++seed) {
     if (c.id[seed] != 0xffffffffu) continue;
@@ -51,7 +51,7 @@ TEST(EuclideanClusters, EqualsBruteForce) {
         if (i % 5 != 3) indices.push_back(i);
       for (const std::int64_t radius : {4, 12, 60, 900}) {
         const Clusters got = euclidean_clusters(set.view(), indices, radius);
-        const Clusters want = brute_force(set.view(), indices, radius);
+        const Clusters want = brute_clusters(set.view(), indices, radius);
         EXPECT_EQ(got.count, want.count) << set.name << " r=" << radius;
         EXPECT_EQ(got.id, want.id) << set.name << " r=" << radius;
       }

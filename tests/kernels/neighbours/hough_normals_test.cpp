@@ -14,23 +14,17 @@
 namespace ilot {
 namespace {
 
-std::vector<std::uint32_t> all_of(std::size_t n) {
-  std::vector<std::uint32_t> v(n);
-  std::iota(v.begin(), v.end(), 0u);
-  return v;
-}
-
 std::vector<PackedNormal> run_hough(Points points, int k, std::int64_t max_d2 = kMaxSquaredReach) {
   std::vector<PackedNormal> out(points.size);
   std::vector<std::int64_t> reach2(points.size);
-  hough_normals(build_neighbour_index(points), all_of(points.size), {.k = k, .max_d2 = max_d2}, out, reach2);
+  hough_normals(build_neighbour_index(points), test::all_of(points.size), {.k = k, .max_d2 = max_d2}, out, reach2);
   return out;
 }
 
 std::vector<PackedNormal> run_pca(Points points, int k) {
   std::vector<PackedNormal> out(points.size);
   std::vector<std::int64_t> reach2(points.size);
-  normals(build_neighbour_index(points), all_of(points.size), {k, kMaxSquaredReach}, out, reach2);
+  normals(build_neighbour_index(points), test::all_of(points.size), {k, kMaxSquaredReach}, out, reach2);
   return out;
 }
 
@@ -137,7 +131,7 @@ TEST(HoughNormals, EveryInstructionSetGivesTheSameBits) {
       1, 0,      0, 0,     1, 0, 0, 0, 1,    0.6f,  0.8f, 0,    -0.8f, 0.6f, 0, 0, 0, 1, 0.28f, 0, 0.96f, 0, 1,
       0, -0.96f, 0, 0.28f, 1, 0, 0, 0, 0.6f, -0.8f, 0,    0.8f, 0.6f,  0,    1, 0, 0, 0, 1,     1, 0,     0};
   for (const auto& set : test::point_sets(n)) {
-    const auto queries = all_of(n);
+    const auto queries = test::all_of(n);
     for (const int k : {7, 16, 30, 64}) {
       std::vector<std::uint32_t> list(n * static_cast<std::size_t>(k));
       std::vector<std::int64_t> reach2(n);

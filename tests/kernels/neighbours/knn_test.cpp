@@ -16,12 +16,6 @@ struct Answer {
   std::vector<std::int64_t> reach2;
 };
 
-std::vector<std::uint32_t> all_of(std::size_t n) {
-  std::vector<std::uint32_t> v(n);
-  std::iota(v.begin(), v.end(), 0u);
-  return v;
-}
-
 Answer run_knn(Points points, std::span<const std::uint32_t> queries, const KnnParams& params) {
   const NeighbourIndex index = build_neighbour_index(points);
   Answer a{std::vector<std::uint32_t>(queries.size() * static_cast<std::size_t>(params.k)),
@@ -35,7 +29,7 @@ std::int64_t squared(Points p, std::uint32_t i, std::uint32_t j) {
   return static_cast<std::int64_t>(dx * dx + dy * dy + dz * dz);
 }
 
-Answer brute_force(Points points, std::span<const std::uint32_t> queries, const KnnParams& params) {
+Answer brute_knn(Points points, std::span<const std::uint32_t> queries, const KnnParams& params) {
   Answer a;
   for (const std::uint32_t q : queries) {
     std::vector<std::pair<std::int64_t, std::uint32_t>> all;
@@ -66,11 +60,11 @@ TEST(Knn, ThreePointsByHand) {
 TEST(Knn, EqualsBruteForceOnEverySetSizeAndBound) {
   for (const std::uint32_t n : {1u, 7u, 8u, 9u, 64u, 65u, 700u}) {
     for (const auto& set : test::point_sets(n)) {
-      const auto queries = all_of(n);
+      const auto queries = test::all_of(n);
       for (const KnnParams params : {KnnParams{1, kMaxSquaredReach}, KnnParams{16, kMaxSquaredReach},
                                      KnnParams{30, 400}, KnnParams{64, 2500}, KnnParams{5, 0}}) {
         const Answer got = run_knn(set.view(), queries, params);
-        const Answer want = brute_force(set.view(), queries, params);
+        const Answer want = brute_knn(set.view(), queries, params);
         EXPECT_EQ(got.neighbours, want.neighbours) << set.name << " n=" << n << " k=" << params.k;
         EXPECT_EQ(got.reach2, want.reach2) << set.name << " n=" << n << " k=" << params.k;
       }
@@ -82,7 +76,7 @@ TEST(Knn, ManyDuplicatesOverflowTheCandidateBuffer) {
   const auto set = test::make_set("duplicates", std::vector<Cell3>(100000, Cell3{5, 5, 5}));
   const std::uint32_t queries[] = {0, 50000, 99999};
   const Answer a = run_knn(set.view(), queries, {4, 100});
-  const Answer b = brute_force(set.view(), queries, {4, 100});
+  const Answer b = brute_knn(set.view(), queries, {4, 100});
   EXPECT_EQ(a.neighbours, b.neighbours);
 }
 
@@ -102,8 +96,8 @@ TEST(Knn, PointsAsFarApartAsOffsetsAllow) {
   for (auto* v : {&set.x, &set.y, &set.z}) v->resize(set.size + 16, 0.0f);
   for (const KnnParams params :
        {KnnParams{2, kMaxSquaredReach}, KnnParams{5, kMaxSquaredReach}, KnnParams{6, kMaxSquaredReach}}) {
-    const Answer got = run_knn(set.view(), all_of(set.size), params);
-    const Answer want = brute_force(set.view(), all_of(set.size), params);
+    const Answer got = run_knn(set.view(), test::all_of(set.size), params);
+    const Answer want = brute_knn(set.view(), test::all_of(set.size), params);
     EXPECT_EQ(got.neighbours, want.neighbours) << params.k;
     EXPECT_EQ(got.reach2, want.reach2) << params.k;
   }
@@ -123,8 +117,8 @@ TEST(Knn, EqualsBruteForceWhereDensityJumps) {
   const auto set = test::make_set("jumps", cells);
   for (const KnnParams params :
        {KnnParams{3, kMaxSquaredReach}, KnnParams{16, kMaxSquaredReach}, KnnParams{64, 40000}}) {
-    const Answer got = run_knn(set.view(), all_of(set.size), params);
-    const Answer want = brute_force(set.view(), all_of(set.size), params);
+    const Answer got = run_knn(set.view(), test::all_of(set.size), params);
+    const Answer want = brute_knn(set.view(), test::all_of(set.size), params);
     EXPECT_EQ(got.neighbours, want.neighbours) << params.k;
     EXPECT_EQ(got.reach2, want.reach2) << params.k;
   }
@@ -132,7 +126,7 @@ TEST(Knn, EqualsBruteForceWhereDensityJumps) {
 
 TEST(Knn, OrderOfQueriesDoesNotShow) {
   const auto set = test::point_sets(500)[1];
-  auto queries = all_of(500);
+  auto queries = test::all_of(500);
   const Answer forward = run_knn(set.view(), queries, {8, kMaxSquaredReach});
   std::reverse(queries.begin(), queries.end());
   const Answer backward = run_knn(set.view(), queries, {8, kMaxSquaredReach});
@@ -148,7 +142,7 @@ TEST(Knn, EveryInstructionSetGivesTheSameBits) {
     const NeighbourIndex index = build_neighbour_index(set.view());
     std::vector<const float*> boxes;
     for (const auto& level : index.boxes) boxes.push_back(level.data());
-    const auto queries = all_of(3000);
+    const auto queries = test::all_of(3000);
     std::vector<std::uint32_t> a(3000 * 12), b(3000 * 12);
     std::vector<std::int64_t> ra(3000), rb(3000);
     simd::KnnArgs args{set.x.data(),

@@ -12,13 +12,7 @@
 namespace ilot {
 namespace {
 
-std::vector<std::uint32_t> all_of(std::size_t n) {
-  std::vector<std::uint32_t> v(n);
-  std::iota(v.begin(), v.end(), 0u);
-  return v;
-}
-
-RadiusNeighbours brute_force(Points p, std::span<const std::uint32_t> queries, std::int64_t radius2) {
+RadiusNeighbours brute_radius(Points p, std::span<const std::uint32_t> queries, std::int64_t radius2) {
   RadiusNeighbours r{{0}, {}};
   for (const std::uint32_t q : queries) {
     for (std::uint32_t j = 0; j < p.size; ++j) {
@@ -33,9 +27,9 @@ RadiusNeighbours brute_force(Points p, std::span<const std::uint32_t> queries, s
 TEST(RadiusSearch, IsClosed) {
   const auto set = test::make_set("three", {{0, 0, 0}, {3, 0, 0}, {0, 4, 0}});
   const NeighbourIndex index = build_neighbour_index(set.view());
-  EXPECT_EQ(radius_search(index, all_of(1), 16).index, (std::vector<std::uint32_t>{0, 1, 2}));
-  EXPECT_EQ(radius_search(index, all_of(1), 15).index, (std::vector<std::uint32_t>{0, 1}));
-  EXPECT_EQ(radius_search(index, all_of(1), 0).index, (std::vector<std::uint32_t>{0}));
+  EXPECT_EQ(radius_search(index, test::all_of(1), 16).index, (std::vector<std::uint32_t>{0, 1, 2}));
+  EXPECT_EQ(radius_search(index, test::all_of(1), 15).index, (std::vector<std::uint32_t>{0, 1}));
+  EXPECT_EQ(radius_search(index, test::all_of(1), 0).index, (std::vector<std::uint32_t>{0}));
   EXPECT_EQ(radius_search(index, {}, 0).begin, (std::vector<std::uint64_t>{0}));
 }
 
@@ -44,12 +38,12 @@ TEST(RadiusSearch, EqualsBruteForce) {
   for (const std::uint32_t n : {1u, 7u, 8u, 9u, 65u, 1500u}) {
     for (const auto& set : test::point_sets(n)) {
       const NeighbourIndex index = build_neighbour_index(set.view());
-      auto queries = all_of(n);
+      auto queries = test::all_of(n);
       std::erase_if(queries, [](std::uint32_t q) { return q % 11 == 4; });
       for (const std::int64_t radius2 : {std::int64_t{0}, std::int64_t{90}, std::int64_t{40000}, std::int64_t{1} << 25,
                                          std::int64_t{500000} * 500000, kMaxSquaredReach}) {
         const RadiusNeighbours got = radius_search(index, queries, radius2);
-        const RadiusNeighbours want = brute_force(set.view(), queries, radius2);
+        const RadiusNeighbours want = brute_radius(set.view(), queries, radius2);
         ASSERT_EQ(got.begin, want.begin) << set.name << " n=" << n << " r2=" << radius2;
         ASSERT_EQ(got.index, want.index) << set.name << " n=" << n << " r2=" << radius2;
       }
@@ -65,7 +59,7 @@ TEST(RadiusSearch, EveryInstructionSetGivesTheSameAnswer) {
     const NeighbourIndex index = build_neighbour_index(set.view());
     std::vector<const float*> boxes;
     for (const auto& level : index.boxes) boxes.push_back(level.data());
-    const auto queries = all_of(n);
+    const auto queries = test::all_of(n);
     for (const std::int64_t radius2 : {std::int64_t{2000}, std::int64_t{1} << 24}) {
       std::vector<std::uint32_t> ca(n), cb(n), a(room), b(room);
       simd::RadiusArgs args{set.x.data(),   set.y.data(),

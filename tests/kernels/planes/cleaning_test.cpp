@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+using test::kX, test::kY, test::kZ;
 
 std::vector<std::int64_t> reaches(Points p, int k) {
   std::vector<std::uint32_t> list(p.size * static_cast<std::size_t>(k));

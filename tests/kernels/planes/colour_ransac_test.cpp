@@ -8,13 +8,13 @@
 namespace ilot {
 namespace {
 
-struct Scene {
+struct ColourScene {
   test::OrientedSet set;
   std::vector<std::uint32_t> colour;  // 1 to 4: mostly that of the surface, a tenth is another
 };
 
 // Four walls of a court, each with a colour that mostly tells it from the others, and clutter of all colours.
-Scene court(std::uint64_t key) {
+ColourScene court(std::uint64_t key) {
   test::OrientedSetBuilder b(key);
   const Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, o{3000, 3000, 1000};
   b.add(test::Patch{o, x, z, 60, 40, 20, 2}, 0.1);
@@ -26,7 +26,7 @@ Scene court(std::uint64_t key) {
     const Vec3 n{rng.uniform() - 0.5, rng.uniform() - 0.5, rng.uniform() - 0.5};
     b.add(o + Vec3{1400 * rng.uniform(), 1300 * rng.uniform(), 800 * rng.uniform()}, (1 / norm(n)) * n);
   }
-  Scene s{b.build(), {}};
+  ColourScene s{b.build(), {}};
   for (std::size_t i = 0; i < s.set.size; ++i) {
     const Vec3 p = s.set.position(i) - o;
     const auto other = static_cast<std::uint32_t>(1 + rng.below(4));
@@ -40,7 +40,7 @@ Scene court(std::uint64_t key) {
   return s;
 }
 
-ColourRansacParams params_of(std::uint64_t key) {
+ColourRansacParams colour_params(std::uint64_t key) {
   ColourRansacParams p;
   p.epsilon = 8;
   p.min_points = 1000;
@@ -52,9 +52,9 @@ ColourRansacParams params_of(std::uint64_t key) {
 TEST(ColourRansac, FindsTheWallsWithFewerDraws) {
   std::uint64_t classical = 0, guided = 0;
   for (std::uint64_t key = 1; key <= 5; ++key) {
-    const Scene s = court(key);
-    const auto plain = colour_ransac(s.set.view(), {}, params_of(key));
-    const auto coloured = colour_ransac(s.set.view(), s.colour, params_of(key));
+    const ColourScene s = court(key);
+    const auto plain = colour_ransac(s.set.view(), {}, colour_params(key));
+    const auto coloured = colour_ransac(s.set.view(), s.colour, colour_params(key));
     for (const auto* r : {&plain, &coloured}) {
       test::expect_sound(s.set, r->segments, 8, 1000);
       EXPECT_EQ(r->segments.planes.size(), 4u);
@@ -73,25 +73,25 @@ TEST(ColourRansac, FindsTheWallsWithFewerDraws) {
 }
 
 TEST(ColourRansac, OneColourIsTheClassicalSearch) {
-  const Scene s = court(3);
-  const auto plain = colour_ransac(s.set.view(), {}, params_of(3));
-  const auto one = colour_ransac(s.set.view(), std::vector<std::uint32_t>(s.set.size, 1), params_of(3));
+  const ColourScene s = court(3);
+  const auto plain = colour_ransac(s.set.view(), {}, colour_params(3));
+  const auto one = colour_ransac(s.set.view(), std::vector<std::uint32_t>(s.set.size, 1), colour_params(3));
   EXPECT_EQ(plain.segments.label, one.segments.label);
   EXPECT_EQ(plain.draws, one.draws);
 }
 
 TEST(ColourRansac, KeyAndPointsAreAllThatMatters) {
-  const Scene s = court(4);
-  const auto a = colour_ransac(s.set.view(), s.colour, params_of(5)),
-             b = colour_ransac(s.set.view(), s.colour, params_of(5));
+  const ColourScene s = court(4);
+  const auto a = colour_ransac(s.set.view(), s.colour, colour_params(5)),
+             b = colour_ransac(s.set.view(), s.colour, colour_params(5));
   EXPECT_EQ(a.segments.label, b.segments.label);
   EXPECT_EQ(a.draws, b.draws);
 }
 
 TEST(ColourRansac, DrawsAreCappedAndNothingIsNothing) {
-  EXPECT_TRUE(colour_ransac({}, {}, params_of(1)).segments.planes.empty());
-  const Scene s = court(6);
-  ColourRansacParams params = params_of(1);
+  EXPECT_TRUE(colour_ransac({}, {}, colour_params(1)).segments.planes.empty());
+  const ColourScene s = court(6);
+  ColourRansacParams params = colour_params(1);
   params.max_draws = 16;
   params.min_points = 3;
   params.max_planes = 2;

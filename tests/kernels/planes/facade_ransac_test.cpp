@@ -27,7 +27,7 @@ Facade make_facade(double azimuth, std::uint64_t key) {
   return {b.build(), n};
 }
 
-FacadeRansacParams params_of(std::uint64_t key) {
+FacadeRansacParams facade_params(std::uint64_t key) {
   FacadeRansacParams p;
   p.epsilon = 5;
   p.inclined_gap = 20;
@@ -63,7 +63,7 @@ TEST(FacadeDirection, OppositeNormalsAreOneDirection) {
 TEST(FacadeRansac, TakesInclinedAndParallelPlanesAndLeavesTheRest) {
   for (const double azimuth : {0.0, 30.0, 90.0, 140.0}) {
     const Facade f = make_facade(azimuth, 5);
-    const FacadeSegments r = facade_ransac(f.set.view(), params_of(1));
+    const FacadeSegments r = facade_ransac(f.set.view(), facade_params(1));
     test::expect_sound(f.set, r.segments, 5, 1000);
     EXPECT_EQ(r.inclined, 1u);
     ASSERT_EQ(r.segments.planes.size(), 3u) << azimuth;
@@ -86,11 +86,11 @@ TEST(FacadeRansac, RawNumbersAreTheDocumentsAndDegreesAreSines) {
 }
 
 TEST(FacadeRansac, NothingUprightNothingFound) {
-  EXPECT_TRUE(facade_ransac({}, params_of(1)).segments.planes.empty());
+  EXPECT_TRUE(facade_ransac({}, facade_params(1)).segments.planes.empty());
   test::OrientedSetBuilder b(1);
   b.add(test::Patch{{0, 0, 100}, {1, 0, 0}, {0, 1, 0}, 80, 80, 10, 1});
   const auto set = b.build();
-  const auto r = facade_ransac(set.view(), params_of(1));
+  const auto r = facade_ransac(set.view(), facade_params(1));
   EXPECT_TRUE(r.segments.planes.empty());
   EXPECT_EQ(r.segments.label, std::vector<std::uint32_t>(set.size, 0));
 }

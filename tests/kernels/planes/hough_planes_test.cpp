@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-HoughPlanesParams params_of(double epsilon) {
+HoughPlanesParams hough_params(double epsilon) {
   HoughPlanesParams p;
   p.epsilon = epsilon;
   p.distance_step = 2 * epsilon;
@@ -38,7 +38,7 @@ TEST(HoughPlanes, TinyExactCase) {
   for (std::uint32_t i = 0; i < 25; ++i) cells.push_back({i % 5 * 10, i / 5 * 10, 40});
   cells.push_back({20, 20, 90});
   const auto set = test::make_set("flat", cells);
-  HoughPlanesParams params = params_of(1);
+  HoughPlanesParams params = hough_params(1);
   params.min_points = 20;
   const auto s = hough_planes({set.view()}, params);
   ASSERT_EQ(s.planes.size(), 1u);
@@ -49,7 +49,7 @@ TEST(HoughPlanes, TinyExactCase) {
 TEST(HoughPlanes, TheFacesOfABoxWithAndWithoutNormals) {
   const auto set = test::box_corner(2);
   for (const double vote : {0.0, 0.98}) {
-    HoughPlanesParams params = params_of(12);
+    HoughPlanesParams params = hough_params(12);
     params.min_vote_cos = vote;
     params.min_cos = vote > 0 ? 0.9 : 0;
     const auto s = hough_planes(vote > 0 ? set.view() : OrientedPoints{set.view().points}, params);
@@ -65,18 +65,18 @@ TEST(HoughPlanes, TheFacesOfABoxWithAndWithoutNormals) {
 TEST(HoughPlanes, AnyOrderOfPointsGivesThePlanes) {
   const auto set = test::box_corner(3);
   const auto mixed = test::shuffled(set, 4);
-  HoughPlanesParams params = params_of(12);
+  HoughPlanesParams params = hough_params(12);
   params.min_vote_cos = 0.98;
   const auto a = hough_planes(set.view(), params), b = hough_planes(mixed.set.view(), params);
   EXPECT_EQ(a.label, test::in_original_order(mixed, b.label));
 }
 
 TEST(HoughPlanes, DegenerateInputHasNoPlanes) {
-  EXPECT_TRUE(hough_planes({}, params_of(1)).planes.empty());
+  EXPECT_TRUE(hough_planes({}, hough_params(1)).planes.empty());
   const auto line = test::point_sets(300)[3];
-  EXPECT_TRUE(hough_planes({line.view()}, params_of(1)).planes.empty());
+  EXPECT_TRUE(hough_planes({line.view()}, hough_params(1)).planes.empty());
   const auto place = test::make_set("place", std::vector<Cell3>(300, {5, 5, 5}));
-  EXPECT_TRUE(hough_planes({place.view()}, params_of(1)).planes.empty());
+  EXPECT_TRUE(hough_planes({place.view()}, hough_params(1)).planes.empty());
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ using test::OrientedSet;
 using test::OrientedSetBuilder;
 using test::Patch;
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+using test::kX, test::kY, test::kZ;
 constexpr double kCos25 = 0.9063077870366499;
 
 RansacParams params_of(double epsilon, std::int64_t connectivity, std::uint32_t min_points = 30,

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+using test::kX, test::kY, test::kZ;
 
 TEST(RegionGrowing, AStepPartsRegionsByOffsetAnAngleByNormal) {
   test::OrientedSetBuilder b(1);

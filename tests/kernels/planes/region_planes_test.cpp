@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+using test::kX, test::kY, test::kZ;
 
 Regions one_region(std::size_t n) {
   return {std::vector<std::uint32_t>(n, 1), 1, {0}};

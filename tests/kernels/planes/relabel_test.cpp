@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0};
+using test::kX, test::kY;
 
 test::OrientedSet floor_of(int columns, int rows) {
   test::OrientedSetBuilder b(1);

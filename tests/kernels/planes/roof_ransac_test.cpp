@@ -6,9 +6,9 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0};
+using test::kX, test::kY;
 
-RoofRansacParams params_of(std::uint64_t key) {
+RoofRansacParams roof_params(std::uint64_t key) {
   RoofRansacParams p;
   p.epsilon = 83;  // 1/12 m in millimetres
   p.stray_gap = 1000;
@@ -31,7 +31,7 @@ TEST(RoofRansac, AGableAndItsAnnexeAreThreeFaces) {
   for (const std::uint64_t key : {1, 2, 3, 4}) {
     const auto set = roof(key, 20);
     const auto near = test::neighbours_of(set.view().points, 13);
-    const auto s = roof_ransac(set.view().points, near.lists(), params_of(key));
+    const auto s = roof_ransac(set.view().points, near.lists(), roof_params(key));
     test::expect_sound(set, s, 83, 100);
     ASSERT_EQ(s.planes.size(), 3u) << key;
     std::vector<double> up;
@@ -51,16 +51,16 @@ TEST(RoofRansac, StraysOfTheSamePlaneAreAFaceOfTheirOwn) {
   b.add(test::Patch{{12000, 0, 5000}, kX, kY, 15, 15, 300, 10});
   const auto set = b.build();
   const auto near = test::neighbours_of(set.view().points, 13);
-  const auto s = roof_ransac(set.view().points, near.lists(), params_of(5));
+  const auto s = roof_ransac(set.view().points, near.lists(), roof_params(5));
   EXPECT_EQ(test::label_sizes(s), (std::vector<std::size_t>{0, 400, 225}));
 }
 
 TEST(RoofRansac, KeyAndPointsAreAllThatMatters) {
   const auto set = roof(7, 20);
   const auto near = test::neighbours_of(set.view().points, 13);
-  const auto a = roof_ransac(set.view().points, near.lists(), params_of(1));
-  EXPECT_EQ(a.label, roof_ransac(set.view().points, near.lists(), params_of(1)).label);
-  const auto other = roof_ransac(set.view().points, near.lists(), params_of(2));
+  const auto a = roof_ransac(set.view().points, near.lists(), roof_params(1));
+  EXPECT_EQ(a.label, roof_ransac(set.view().points, near.lists(), roof_params(1)).label);
+  const auto other = roof_ransac(set.view().points, near.lists(), roof_params(2));
   std::size_t moved = 0;
   const auto x = test::canonical(a.label), y = test::canonical(other.label);
   for (std::size_t i = 0; i < set.size; ++i) moved += x[i] != y[i];
@@ -68,14 +68,14 @@ TEST(RoofRansac, KeyAndPointsAreAllThatMatters) {
 }
 
 TEST(RoofRansac, TooFewPointsOrNoPlane) {
-  EXPECT_TRUE(roof_ransac({}, {{}, 13}, params_of(1)).planes.empty());
+  EXPECT_TRUE(roof_ransac({}, {{}, 13}, roof_params(1)).planes.empty());
   for (const auto& set : test::point_sets(127)) {
     const auto near = test::neighbours_of(set.view(), 13);
-    EXPECT_TRUE(roof_ransac(set.view(), near.lists(), params_of(1)).planes.empty()) << set.name;
+    EXPECT_TRUE(roof_ransac(set.view(), near.lists(), roof_params(1)).planes.empty()) << set.name;
   }
   const auto line = test::point_sets(400)[3];
   const auto near = test::neighbours_of(line.view(), 13);
-  EXPECT_TRUE(roof_ransac(line.view(), near.lists(), params_of(1)).planes.empty());
+  EXPECT_TRUE(roof_ransac(line.view(), near.lists(), roof_params(1)).planes.empty());
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kRun = RunNeighbours::kRun;
 
-test::OrientedSet floor_of(int columns, int rows) {
+test::OrientedSet walked_floor(int columns, int rows) {
   test::OrientedSetBuilder b(1);
   b.add(test::Patch{{0, 0, 100}, {1, 0, 0}, {0, 1, 0}, columns, rows, 10, 0});
   return b.build();
@@ -19,7 +19,7 @@ test::OrientedSet floor_of(int columns, int rows) {
 
 TEST(RunNeighbours, AreTheRunsOfAllListedPoints) {
   for (const int rows : {1, 3, 40}) {
-    const auto set = floor_of(33, rows);
+    const auto set = walked_floor(33, rows);
     const auto near = test::neighbours_of(set.view().points, 9);
     const RunNeighbours runs(set.size, near.lists());
     ASSERT_EQ(runs.count(), (set.size + kRun - 1) / kRun);
@@ -37,7 +37,7 @@ TEST(RunNeighbours, AreTheRunsOfAllListedPoints) {
 
 // One point of another label, or of the set: its run is not quiet, nor is any that it lies around; all others are.
 TEST(RunNeighbours, OnePointDisturbsItsSurroundings) {
-  const auto set = floor_of(40, 40);
+  const auto set = walked_floor(40, 40);
   const auto near = test::neighbours_of(set.view().points, 9);
   const RunNeighbours runs(set.size, near.lists());
   std::vector<std::uint32_t> label(set.size, 3);

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
+using test::kX, test::kY, test::kZ;
 constexpr double kCos20 = 0.9396926207859084;
 
 struct Truth {
@@ -76,7 +76,7 @@ bool same_shape(const Shape& got, const Shape& wanted, double at) {
   }
 }
 
-void expect_sound(const test::OrientedSet& set, const ShapeRansacParams& params, const ShapeSegments& found) {
+void expect_sound_shapes(const test::OrientedSet& set, const ShapeRansacParams& params, const ShapeSegments& found) {
   ASSERT_EQ(found.label.size(), set.size);
   std::vector<std::size_t> count(found.shapes.size() + 1, 0);
   for (std::size_t i = 0; i < set.size; ++i) {
@@ -98,7 +98,7 @@ TEST(ShapeRansac, EveryShapeOfARoomIsFoundWithItsParameters) {
   for (const std::uint64_t key : {1, 2, 3}) {
     const Scene scene = make_scene(key);
     const auto found = ransac_shapes(scene.set.view(), scene_params(key));
-    expect_sound(scene.set, scene_params(key), found);
+    expect_sound_shapes(scene.set, scene_params(key), found);
     EXPECT_EQ(found.shapes.size(), scene.truth.size()) << "key " << key;
     for (std::size_t t = 0; t < scene.truth.size(); ++t) {
       const auto hit = std::find_if(found.shapes.begin(), found.shapes.end(), [&](const FoundShape& f) {
@@ -141,7 +141,7 @@ TEST(ShapeRansac, ARotatedRoomHasTheSameShapes) {
   std::swap(turned.ny, turned.nz);
   const auto turn = [](Vec3 v) { return Vec3{v.y, v.z, v.x}; };
   const auto found = ransac_shapes(turned.view(), scene_params(5));
-  expect_sound(turned, scene_params(5), found);
+  expect_sound_shapes(turned, scene_params(5), found);
   EXPECT_EQ(found.shapes.size(), scene.truth.size());
   for (const Truth& t : scene.truth) {
     Shape wanted = t.shape;
@@ -173,7 +173,7 @@ TEST(ShapeRansac, LargeSetsAreSearchedOnAShareOfTheirPoints) {
   params.epsilon = 5;
   params.connectivity = 50;
   const auto found = ransac_shapes(set.view(), params);
-  expect_sound(set, params, found);
+  expect_sound_shapes(set, params, found);
   ASSERT_EQ(found.shapes.size(), 2u);
   EXPECT_GT(found.shapes[0].points, 149000u);
   EXPECT_GT(found.shapes[1].points, 49000u);

@@ -5,33 +5,12 @@
 
 #include <cstdlib>
 
-#include "tests/support/small_images.h"
+#include "tests/support/flooded_zones.h"
 
 namespace ilot {
 namespace {
 
 using test::kAdjacencies;
-
-// Oracle: floods from the pixels in their order.
-PixelLabels flooded_zones(const Image& image, Height lambda, Adjacency adjacency) {
-  PixelLabels labels{image.width, image.height, 0, std::vector<std::uint32_t>(image.size(), 0)};
-  for (std::size_t start = 0; start < image.size(); ++start) {
-    if (image.values[start] == kNoHeight || labels.of[start] != 0) continue;
-    std::vector<std::size_t> open{start};
-    labels.of[start] = ++labels.count;
-    while (!open.empty()) {
-      const std::size_t p = open.back();
-      open.pop_back();
-      for (const std::size_t q : test::neighbours_of(image.width, image.height, p, adjacency)) {
-        if (image.values[q] == kNoHeight || labels.of[q] != 0) continue;
-        if (std::llabs(std::int64_t{image.values[p]} - image.values[q]) > lambda) continue;
-        labels.of[q] = labels.count;
-        open.push_back(q);
-      }
-    }
-  }
-  return labels;
-}
 
 TEST(FlatZones, StepsByHand) {
   const Image image{4,
@@ -48,7 +27,8 @@ TEST(FlatZones, EqualFloods) {
   for (const auto& [name, image] : test::small_images()) {
     for (const Adjacency adjacency : kAdjacencies) {
       for (const Height lambda : {0, 1, 40, 300, (1 << 30) - 1}) {
-        const PixelLabels got = flat_zones(image, lambda, adjacency), want = flooded_zones(image, lambda, adjacency);
+        const PixelLabels got = flat_zones(image, lambda, adjacency),
+                          want = test::flooded_zones(image, lambda, adjacency);
         ASSERT_EQ(got.of, want.of) << name << " lambda " << lambda;
         ASSERT_EQ(got.count, want.count) << name;
       }

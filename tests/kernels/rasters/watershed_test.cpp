@@ -21,7 +21,7 @@ PixelLabels random_markers(const Image& image, std::uint32_t one_in, std::uint64
 }
 
 // Oracle: the definition, level by level, step by step, over all pixels at once.
-std::vector<std::uint32_t> flooded(const Image& relief, const PixelLabels& markers, Adjacency adjacency) {
+std::vector<std::uint32_t> basins_of(const Image& relief, const PixelLabels& markers, Adjacency adjacency) {
   std::vector<std::uint32_t> labels = markers.of;
   for (std::size_t i = 0; i < labels.size(); ++i)
     if (relief.values[i] == kNoHeight) labels[i] = 0;
@@ -59,7 +59,7 @@ TEST(Watershed, EqualsItsDefinition) {
     for (const Adjacency adjacency : kAdjacencies) {
       for (const std::uint32_t one_in : {4u, 25u, 150u}) {
         const PixelLabels markers = random_markers(image, one_in, one_in);
-        ASSERT_EQ(watershed(image, markers, adjacency).of, flooded(image, markers, adjacency)) << name;
+        ASSERT_EQ(watershed(image, markers, adjacency).of, basins_of(image, markers, adjacency)) << name;
       }
     }
   }

@@ -15,10 +15,10 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kRecord = 35;
+constexpr std::size_t kDistrictRecord = 35;
 
-DistrictScan plan(std::initializer_list<const char*> settings, std::uint64_t seed = 1,
-                  std::optional<std::uint64_t> points = {}) {
+DistrictScan plan_district(std::initializer_list<const char*> settings, std::uint64_t seed = 1,
+                           std::optional<std::uint64_t> points = {}) {
   SceneValues values(district_options());
   for (const char* setting : settings) values.set(setting);
   return plan_district(values, seed, points);
@@ -39,42 +39,42 @@ Vec3 position(const std::byte* record) {
 }
 
 TEST(DistrictScan, SameBytesForAnyNumberOfThreads) {
-  const DistrictScan scan = plan({"scene.area_km2=0.2", "scene.density=2"});
+  const DistrictScan scan = plan_district({"scene.area_km2=0.2", "scene.density=2"});
   const std::vector<std::byte> one = records_of(scan, 1);
-  EXPECT_GT(one.size() / kRecord, 300000u);
+  EXPECT_GT(one.size() / kDistrictRecord, 300000u);
   for (int threads : {2, 3, 8}) EXPECT_TRUE(records_of(scan, threads) == one) << threads;
-  EXPECT_FALSE(records_of(plan({"scene.area_km2=0.2", "scene.density=2"}, 2), 1) == one);
+  EXPECT_FALSE(records_of(plan_district({"scene.area_km2=0.2", "scene.density=2"}, 2), 1) == one);
 }
 
 TEST(DistrictScan, GivesExactlyThePointsAskedFor) {
   for (std::uint64_t points : {1u, 1000u, 12345u, 300000u})
     for (const char* trees : {"scene.trees=0", "scene.trees=15", "scene.trees=60"})
-      EXPECT_EQ(records_of(plan({trees}, 3, points), 2).size(), points * kRecord) << points << trees;
+      EXPECT_EQ(records_of(plan_district({trees}, 3, points), 2).size(), points * kDistrictRecord) << points << trees;
   // Around the size from which crowns are relied upon, whatever the town.
   for (std::uint64_t seed = 0; seed < 12; ++seed)
     for (const char* trees : {"scene.trees=4", "scene.trees=15", "scene.trees=60"})
-      EXPECT_EQ(records_of(plan({"scene.density=1", trees}, seed, 10100 + 3000 * seed), 2).size(),
-                (10100 + 3000 * seed) * kRecord)
+      EXPECT_EQ(records_of(plan_district({"scene.density=1", trees}, seed, 10100 + 3000 * seed), 2).size(),
+                (10100 + 3000 * seed) * kDistrictRecord)
           << seed << trees;
 }
 
 TEST(DistrictScan, PulsesHaveTheDensityAskedFor) {
   for (double density : {1.0, 12.0, 40.0}) {
-    DistrictScan scan = plan({"scene.area_km2=0.02", "scene.trees=0"});
+    DistrictScan scan = plan_district({"scene.area_km2=0.02", "scene.trees=0"});
     scan.flight.density = density;
-    const double points = static_cast<double>(records_of(scan, 2).size() / kRecord);
+    const double points = static_cast<double>(records_of(scan, 2).size() / kDistrictRecord);
     EXPECT_NEAR(points / 20000, density, 0.02 * density);
   }
 }
 
 TEST(DistrictScan, PointsLieOnTheirTruePlanes) {
-  const DistrictScan scan = plan({"scene.area_km2=0.05", "scene.density=6"});
+  const DistrictScan scan = plan_district({"scene.area_km2=0.05", "scene.density=6"});
   const Plane ground = District(scan.district).ground().plane();
   double squares = 0;
   std::uint64_t counted = 0;
   std::set<std::uint32_t> seen;
   scan_district(scan, [&](const ScannedCell& item) {
-    for (std::size_t at = 0; at < item.records.size(); at += kRecord) {
+    for (std::size_t at = 0; at < item.records.size(); at += kDistrictRecord) {
       const std::byte* record = &item.records[at];
       const std::uint32_t id = true_plane_of(record);
       const auto surface = static_cast<Surface>(load<std::uint8_t>(record + 30));
@@ -108,7 +108,7 @@ TEST(DistrictScan, PointsLieOnTheirTruePlanes) {
 }
 
 TEST(DistrictScan, RangeNoiseHasTheStandardDeviationAskedForAlongTheRay) {
-  DistrictScan scan = plan({"scene.area_km2=0.01", "scene.trees=0", "scene.jitter=0"});
+  DistrictScan scan = plan_district({"scene.area_km2=0.01", "scene.trees=0", "scene.jitter=0"});
   scan.noise = 0.05;
   DistrictScan quiet = scan;
   quiet.noise = 0;
@@ -124,17 +124,17 @@ TEST(DistrictScan, RangeNoiseHasTheStandardDeviationAskedForAlongTheRay) {
     sum += along;
     squares += along * along;
     sideways = std::max(sideways, norm(shift - along * pulse.ray.direction));
-    at += kRecord;
+    at += kDistrictRecord;
   });
   ASSERT_EQ(at, noisy.size());
-  const double n = static_cast<double>(at / kRecord);
+  const double n = static_cast<double>(at / kDistrictRecord);
   EXPECT_NEAR(sum / n, 0, 5 * 0.05 / std::sqrt(n));
   EXPECT_NEAR(std::sqrt(squares / n), 0.05, 5 * 0.05 / std::sqrt(2 * n));
   EXPECT_LT(sideways, 0.0018);  // two roundings to the millimetre grid, at most sqrt(3) / 2 each
 }
 
 TEST(DistrictScan, PlaneIdsAreDenseAndRisingOverCells) {
-  const DistrictScan scan = plan({"scene.area_km2=0.3", "scene.density=0.2"});
+  const DistrictScan scan = plan_district({"scene.area_km2=0.3", "scene.density=0.2"});
   std::uint32_t plane = kGroundPlane + 1, building = 1;
   scan_district(scan, [&](const ScannedCell& item) {
     EXPECT_EQ(item.first_plane, plane);
@@ -147,12 +147,12 @@ TEST(DistrictScan, PlaneIdsAreDenseAndRisingOverCells) {
 
 TEST(DistrictScan, EchoesOfAPulseAreCountedInOrder) {
   std::uint64_t several = 0;
-  scan_district(plan({"scene.area_km2=0.05", "scene.trees=60"}), [&](const ScannedCell& item) {
+  scan_district(plan_district({"scene.area_km2=0.05", "scene.trees=60"}), [&](const ScannedCell& item) {
     for (std::size_t at = 0; at < item.records.size();) {
       const PointFields first = decode_fields({&item.records[at], 30}, 6);
       ASSERT_EQ(first.return_number, 1);
       double height = 1e9;
-      for (int echo = 1; echo <= first.return_count; ++echo, at += kRecord) {
+      for (int echo = 1; echo <= first.return_count; ++echo, at += kDistrictRecord) {
         ASSERT_LT(at, item.records.size());
         const PointFields f = decode_fields({&item.records[at], 30}, 6);
         ASSERT_EQ(f.return_number, echo);
@@ -168,7 +168,7 @@ TEST(DistrictScan, EchoesOfAPulseAreCountedInOrder) {
 
 std::string message_of(std::initializer_list<const char*> settings, std::optional<std::uint64_t> points = {}) {
   try {
-    plan(settings, 0, points);
+    plan_district(settings, 0, points);
   } catch (const Error& error) {
     EXPECT_EQ(error.code(), ExitCode::usage);
     return error.what();

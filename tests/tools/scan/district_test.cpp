@@ -16,7 +16,7 @@
 namespace ilot::scan {
 namespace {
 
-DistrictScan town(std::uint64_t seed) {
+DistrictScan district_town(std::uint64_t seed) {
   SceneValues values(district_options());
   values.set("scene.area_km2=0.1");
   values.set("scene.density=4");
@@ -45,7 +45,7 @@ double nearest_ring(const Ray& ray, const Cell& cell, const Ground& ground) {
 }
 
 TEST(District, NoRayPassesThroughAWallOrRoof) {
-  const DistrictScan scan = town(5);
+  const DistrictScan scan = district_town(5);
   const District district(scan.district);
   const FlightPlan flight(scan.flight, district.ground(), scan.district.seed);
   Cell cell = district.build_cell(1);
@@ -67,7 +67,7 @@ TEST(District, NoRayPassesThroughAWallOrRoof) {
 }
 
 TEST(District, NoRayOfOneCellMeetsAnother) {
-  const DistrictScan scan = town(6);
+  const DistrictScan scan = district_town(6);
   const District district(scan.district);
   ASSERT_EQ(district.cell_count(), 4u);
   const FlightPlan flight(scan.flight, district.ground(), scan.district.seed);
@@ -84,7 +84,7 @@ TEST(District, NoRayOfOneCellMeetsAnother) {
 }
 
 TEST(District, CellsArePureAndNeighbourhoodsDiffer) {
-  const District district(town(7).district);
+  const District district(district_town(7).district);
   const Cell a = district.build_cell(2), again = district.build_cell(2), b = district.build_cell(3);
   ASSERT_EQ(a.faces.size(), again.faces.size());
   for (std::size_t i = 0; i < a.faces.size(); ++i) EXPECT_EQ(a.faces[i].plane.d, again.faces[i].plane.d);
@@ -92,7 +92,7 @@ TEST(District, CellsArePureAndNeighbourhoodsDiffer) {
 }
 
 TEST(District, HousesStandApartOrSideBySideAndBelowTheLimit) {
-  const DistrictScan scan = town(8);
+  const DistrictScan scan = district_town(8);
   const District district(scan.district);
   for (std::uint64_t index = 0; index < district.cell_count(); ++index) {
     const Cell cell = district.build_cell(index);
@@ -112,7 +112,7 @@ TEST(District, HousesStandApartOrSideBySideAndBelowTheLimit) {
 }
 
 TEST(District, FacesLookOutwardsAreFlatAndShareAPlaneOnlyWhereCoplanar) {
-  const District district(town(9).district);
+  const District district(district_town(9).district);
   std::size_t shared = 0;
   for (std::uint64_t index = 0; index < district.cell_count(); ++index) {
     const Cell cell = district.build_cell(index);

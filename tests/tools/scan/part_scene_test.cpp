@@ -10,7 +10,7 @@
 namespace ilot::scan {
 namespace {
 
-Vec3 random_place(Rng& rng, Vec3 about, double reach) {
+Vec3 place_about(Rng& rng, Vec3 about, double reach) {
   return about +
          Vec3{reach * (2 * rng.uniform() - 1), reach * (2 * rng.uniform() - 1), reach * (2 * rng.uniform() - 1)};
 }
@@ -20,7 +20,7 @@ std::vector<Part> clutter(Vec3 about) {
   Rng rng(11);
   std::vector<Part> parts;
   for (int i = 0; i < 150; ++i) {
-    const Vec3 p = random_place(rng, about, 30);
+    const Vec3 p = place_about(rng, about, 30);
     const double size = 0.02 + 5 * rng.uniform();
     switch (i % 4) {
       case 0:
@@ -47,7 +47,7 @@ TEST(PartScene, FindsWhatBruteForceFinds) {
     Rng rng(2);
     int met = 0;
     for (int i = 0; i < 20000; ++i) {
-      const Vec3 from = random_place(rng, about, 60), way = random_place(rng, about, 30) - from;
+      const Vec3 from = place_about(rng, about, 60), way = place_about(rng, about, 30) - from;
       const Ray ray{from, (1 / norm(way)) * way};
       const auto quick = scene.cast(ray);
       std::optional<PartHit> slow;
@@ -70,13 +70,13 @@ TEST(PartScene, CandidatesOfTheAxisServeTheWholeBeam) {
   std::vector<Candidate> candidates;
   int met = 0;
   for (int i = 0; i < 20000; ++i) {
-    const Vec3 from = random_place(rng, {0, 0, 0}, 60), way = random_place(rng, {0, 0, 0}, 30) - from;
+    const Vec3 from = place_about(rng, {0, 0, 0}, 60), way = place_about(rng, {0, 0, 0}, 30) - from;
     const Ray axis{from, (1 / norm(way)) * way};
     wide.candidates(axis, candidates);
     ASSERT_TRUE(std::is_sorted(candidates.begin(), candidates.end(),
                                [](const Candidate& a, const Candidate& b) { return a.enters < b.enters; }));
     // Diverges by at most reach within 150 m.
-    const Vec3 aside = random_place(rng, axis.direction, 0.7 * reach / 150);
+    const Vec3 aside = place_about(rng, axis.direction, 0.7 * reach / 150);
     const Ray ray{from, (1 / norm(aside)) * aside};
     const auto shared = wide.nearest(ray, candidates), own = exact.cast(ray);
     ASSERT_EQ(shared.has_value(), own.has_value());

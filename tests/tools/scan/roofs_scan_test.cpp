@@ -21,9 +21,9 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kRecord = 45;
+constexpr std::size_t kRoofsRecord = 45;
 
-RoofsScan plan(std::initializer_list<const char*> settings, std::optional<std::uint64_t> points = {}) {
+RoofsScan plan_roofs(std::initializer_list<const char*> settings, std::optional<std::uint64_t> points = {}) {
   SceneValues values(roofs_options());
   for (const char* setting : settings) values.set(setting);
   return plan_roofs(values, 3, points);
@@ -39,21 +39,21 @@ std::vector<std::byte> records_of(const RoofsScan& scan, const RoofTown& town, i
 }
 
 TEST(RoofsScan, SameBytesForAnyNumberOfThreads) {
-  const RoofsScan scan = plan({"scene.buildings=40", "scene.density=3"});
+  const RoofsScan scan = plan_roofs({"scene.buildings=40", "scene.density=3"});
   const RoofTown town = build_roof_town(scan.town);
   const std::vector<std::byte> one = records_of(scan, town, 1);
-  EXPECT_GT(one.size() / kRecord, 40000u);
+  EXPECT_GT(one.size() / kRoofsRecord, 40000u);
   for (int threads : {2, 3}) EXPECT_TRUE(records_of(scan, town, threads) == one) << threads;
 }
 
 TEST(RoofsScan, AboutAsManyPointsAsAskedFor) {
   for (const char* trees : {"scene.trees=0", "scene.trees=25", "scene.trees=50"}) {
-    RoofsScan scan = plan({"scene.buildings=60", trees}, 150000);
+    RoofsScan scan = plan_roofs({"scene.buildings=60", trees}, 150000);
     const RoofTown town = build_roof_town(scan.town);
     scan.flight.density = density_for(town, *scan.points);
-    EXPECT_NEAR(static_cast<double>(records_of(scan, town, 2).size() / kRecord), 150000, 3000) << trees;
+    EXPECT_NEAR(static_cast<double>(records_of(scan, town, 2).size() / kRoofsRecord), 150000, 3000) << trees;
   }
-  EXPECT_THROW(plan({"scene.density=3"}, 1000), Error);
+  EXPECT_THROW(plan_roofs({"scene.density=3"}, 1000), Error);
 }
 
 // Distance along the ray to the nearest flat face or to the ground, by brute force over all polygons.
@@ -74,7 +74,7 @@ double nearest_face(const Ray& ray, const RoofTown& town) {
 }
 
 TEST(RoofsScan, RaysMeetTheFacesOfTheSolids) {
-  const RoofsScan scan = plan({"scene.buildings=25", "scene.trees=0", "scene.chimneys=1", "scene.density=2"});
+  const RoofsScan scan = plan_roofs({"scene.buildings=25", "scene.trees=0", "scene.chimneys=1", "scene.density=2"});
   const RoofTown town = build_roof_town(scan.town);
   const RoofsScene scene = make_roofs_scene(town);
   const RayScene rays(scene.solids, town.crowns, {town.area.x1 / 2, town.area.y1 / 2, 50});
@@ -144,17 +144,17 @@ TEST_F(RoofsFile, PointsLieOnTheirTruePlanes) {
 
   const auto reader = open_cloud(path_);
   const std::uint64_t n = reader->info().points;
-  std::vector<std::byte> records(n * kRecord);
+  std::vector<std::byte> records(n * kRoofsRecord);
   std::vector<std::uint8_t> valid(n);
   ASSERT_EQ(reader->read(0, records, valid), n);
   EXPECT_EQ(counts_[0].second, n);
   double squares = 0, across = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const RecordTruth t = truth_of(&records[i * kRecord]);
+    const RecordTruth t = truth_of(&records[i * kRoofsRecord]);
     ASSERT_EQ(t.true_plane == 0, t.true_class == 4);
     if (t.true_plane == 0) continue;
     ++counted[t.true_plane];
-    const Vec3 p = place_of(&records[i * kRecord], reader->info().layout) + kSceneOrigin;
+    const Vec3 p = place_of(&records[i * kRoofsRecord], reader->info().layout) + kSceneOrigin;
     const double distance = signed_distance(planes.at(t.true_plane), p);
     ASSERT_LT(std::abs(distance), 6 * 0.02 + 0.001);
     if (t.true_class == 2) {

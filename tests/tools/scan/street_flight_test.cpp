@@ -14,9 +14,9 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kRecord = 45;
+constexpr std::size_t kFlightRecord = 45;
 
-StreetFlight plan(std::initializer_list<const char*> settings, std::uint64_t seed = 0) {
+StreetFlight plan_flight(std::initializer_list<const char*> settings, std::uint64_t seed = 0) {
   SceneValues values(street_flight_options());
   for (const char* setting : settings) values.set(setting);
   return plan_street_flight(values, seed);
@@ -33,32 +33,32 @@ std::vector<std::byte> records_of(const StreetFlight& flight, const StreetStage&
 }
 
 TEST(StreetFlight, SameBytesForAnyNumberOfThreads) {
-  const StreetFlight flight = plan({"scene.blocks=2", "scene.density=5"});
+  const StreetFlight flight = plan_flight({"scene.blocks=2", "scene.density=5"});
   const StreetStage stage = set_stage(flight);
   const std::vector<std::byte> one = records_of(flight, stage, 1);
-  EXPECT_GT(one.size() / kRecord, 20000u);
+  EXPECT_GT(one.size() / kFlightRecord, 20000u);
   for (const int threads : {2, 3}) EXPECT_TRUE(records_of(flight, stage, threads) == one) << threads;
 }
 
 TEST(StreetFlight, AboutAsManyPointsAsAskedFor) {
-  StreetFlight flight = plan({"scene.blocks=3"});
+  StreetFlight flight = plan_flight({"scene.blocks=3"});
   const StreetStage stage = set_stage(flight);
   for (const std::uint64_t points : {50000u, 200000u}) {
     fit_points(flight, stage, points);
-    const auto n = static_cast<double>(records_of(flight, stage, 2).size() / kRecord);
+    const auto n = static_cast<double>(records_of(flight, stage, 2).size() / kFlightRecord);
     EXPECT_NEAR(n, static_cast<double>(points), 0.1 * static_cast<double>(points));
   }
 }
 
 // Truth and points agree: planes, boxes of objects, the classes' names; the road is seen as densely as asked for.
 TEST(StreetFlight, PointsLieWhereTheTruthSays) {
-  const StreetFlight flight = plan({"scene.blocks=6", "scene.density=10", "scene.mirrored=0"});
+  const StreetFlight flight = plan_flight({"scene.blocks=6", "scene.density=10", "scene.mirrored=0"});
   const StreetStage stage = set_stage(flight);
   const std::vector<std::byte> records = records_of(flight, stage, 2);
   const RecordLayout layout = coloured_layout(0.001);
   std::map<int, int> of_class;
   int on_road = 0, second = 0;
-  for (std::size_t at = 0; at < records.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records.size(); at += kFlightRecord) {
     const RecordTruth t = truth_of(&records[at]);
     const Vec3 p = scene_to_street(place_of(&records[at], layout));
     ++of_class[t.true_class];
@@ -84,10 +84,11 @@ TEST(StreetFlight, PointsLieWhereTheTruthSays) {
 TEST(StreetFlight, SomeCarsAreDark) {
   std::map<std::uint32_t, int> bright, dark;
   for (auto* points : {&bright, &dark}) {
-    const StreetFlight flight = plan({"scene.blocks=6", points == &dark ? "scene.mirrored=0.9" : "scene.mirrored=0"});
+    const StreetFlight flight =
+        plan_flight({"scene.blocks=6", points == &dark ? "scene.mirrored=0.9" : "scene.mirrored=0"});
     const StreetStage stage = set_stage(flight);
     const std::vector<std::byte> records = records_of(flight, stage, 2);
-    for (std::size_t at = 0; at < records.size(); at += kRecord)
+    for (std::size_t at = 0; at < records.size(); at += kFlightRecord)
       if (const RecordTruth t = truth_of(&records[at]); t.true_class == static_cast<int>(StreetClass::car))
         ++(*points)[t.true_element];
   }

@@ -19,9 +19,9 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kRecord = 45;
+constexpr std::size_t kStreetRecord = 45;
 
-StreetScan plan(std::initializer_list<const char*> settings, std::uint64_t seed = 0) {
+StreetScan plan_street(std::initializer_list<const char*> settings, std::uint64_t seed = 0) {
   SceneValues values(street_options());
   for (const char* setting : settings) values.set(setting);
   return plan_street_scan(values, seed);
@@ -37,20 +37,20 @@ std::vector<std::byte> records_of(const StreetScan& scan, const StreetStage& sta
 }
 
 TEST(StreetScan, SameBytesForAnyNumberOfThreads) {
-  StreetScan scan = plan({"scene.blocks=2", "scene.profiles=2", "scene.step=1"});
+  StreetScan scan = plan_street({"scene.blocks=2", "scene.profiles=2", "scene.step=1"});
   const StreetStage stage = set_stage(scan);
   const std::vector<std::byte> one = records_of(scan, stage, 1);
-  EXPECT_GT(one.size() / kRecord, 50000u);
+  EXPECT_GT(one.size() / kStreetRecord, 50000u);
   for (int threads : {2, 3}) EXPECT_TRUE(records_of(scan, stage, threads) == one) << threads;
 }
 
 TEST(StreetScan, AboutAsManyPointsAsAskedFor) {
-  StreetScan scan = plan({"scene.blocks=3"});
+  StreetScan scan = plan_street({"scene.blocks=3"});
   const StreetStage stage = set_stage(scan);
   for (std::uint64_t points : {50000u, 400000u}) {
     StreetScan fitted = scan;
     fit_points(fitted, stage, points);
-    const auto n = static_cast<double>(records_of(fitted, stage, 2).size() / kRecord);
+    const auto n = static_cast<double>(records_of(fitted, stage, 2).size() / kStreetRecord);
     EXPECT_NEAR(n, static_cast<double>(points), 0.02 * static_cast<double>(points));
     // Both spacings are scaled alike.
     EXPECT_NEAR(fitted.drive.profiles * fitted.drive.step_deg, scan.drive.profiles * scan.drive.step_deg, 1e-9);
@@ -59,13 +59,13 @@ TEST(StreetScan, AboutAsManyPointsAsAskedFor) {
 
 // On a bare stretch of road the points of one head lie as far apart as the profiles and the step say.
 TEST(StreetScan, ProfilesAndPulsesAreSpacedAsAskedFor) {
-  StreetScan scan = plan({"scene.blocks=1", "scene.profiles=4", "scene.step=0.5", "scene.noise=0", "scene.slope=0",
-                          "scene.trees=0", "scene.turned=0"});
+  StreetScan scan = plan_street({"scene.blocks=1", "scene.profiles=4", "scene.step=0.5", "scene.noise=0",
+                                 "scene.slope=0", "scene.trees=0", "scene.turned=0"});
   const StreetStage stage = set_stage(scan);
   std::map<int, std::vector<Vec3>> turns;  // of head 1, by profile
   const std::vector<std::byte> records = records_of(scan, stage, 2);
   const RecordLayout layout = coloured_layout(0.001);
-  for (std::size_t at = 0; at < records.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records.size(); at += kStreetRecord) {
     const PointFields f = decode_fields({&records[at], 36}, 7);
     const Vec3 p = scene_to_street(place_of(&records[at], layout));
     // Right below: the road ahead of the first block.
@@ -88,7 +88,7 @@ TEST(StreetScan, ProfilesAndPulsesAreSpacedAsAskedFor) {
 class SparseStreet : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    scan_ = plan({"scene.profiles=4", "scene.step=0.8"});
+    scan_ = plan_street({"scene.profiles=4", "scene.step=0.8"});
     stage_ = set_stage(scan_);
     records_ = records_of(scan_, stage_, 2);
   }
@@ -107,7 +107,7 @@ std::vector<std::byte> SparseStreet::records_;
 TEST_F(SparseStreet, EveryObjectAndEveryClassHasPoints) {
   std::vector<int> on_object(stage_.objects.size() + 1);
   std::map<int, int> of_class;
-  for (std::size_t at = 0; at < records_.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records_.size(); at += kStreetRecord) {
     const RecordTruth t = truth_of(&records_[at]);
     ++on_object[t.true_element];
     ++of_class[t.true_class];
@@ -121,7 +121,7 @@ TEST_F(SparseStreet, EveryObjectAndEveryClassHasPoints) {
 
 TEST_F(SparseStreet, PointsLieOnTheirPlanesAndInTheirBoxes) {
   const RecordLayout layout = coloured_layout(0.001);
-  for (std::size_t at = 0; at < records_.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records_.size(); at += kStreetRecord) {
     const RecordTruth t = truth_of(&records_[at]);
     const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     if (t.true_plane > 0) {
@@ -139,7 +139,7 @@ TEST_F(SparseStreet, PointsLieOnTheirPlanesAndInTheirBoxes) {
 TEST_F(SparseStreet, NoRayPassesThroughAWall) {
   const RecordLayout layout = coloured_layout(0.001);
   int beside = 0;
-  for (std::size_t at = 0; at < records_.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records_.size(); at += kStreetRecord) {
     const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     const double out = std::abs(p.y), skin = 6 * 0.008 + 0.002;
     if (out < kHalfStreet + kReveal + skin || out > kHalfStreet + kHouseDepth - skin) continue;
@@ -192,7 +192,7 @@ TEST_F(SparseStreet, CarsThrowShadowsOnThePavement) {
   const double tangent = tan_deg(scan_.drive.turned_deg);
   std::map<std::pair<int, int>, int> ground;  // points per 10 cm
   const RecordLayout layout = coloured_layout(0.001);
-  for (std::size_t at = 0; at < records_.size(); at += kRecord) {
+  for (std::size_t at = 0; at < records_.size(); at += kStreetRecord) {
     if (truth_of(&records_[at]).true_class != static_cast<int>(StreetClass::ground)) continue;
     const Vec3 p = scene_to_street(place_of(&records_[at], layout));
     ++ground[{static_cast<int>(std::floor(p.x * 10)), static_cast<int>(std::floor(p.y * 10))}];

@@ -18,7 +18,7 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kRecord = 45;
+constexpr std::size_t kStepsRecord = 45;
 
 // Millimetres in the scene, where the street lies aslant.
 struct StreetCloud {
@@ -36,7 +36,7 @@ StreetCloud scanned(std::initializer_list<const char*> settings) {
   StreetCloud cloud;
   with_threads(2, [&] {
     scan_street(scan, stage, [&](std::span<const std::byte> records) {
-      for (std::size_t at = 0; at < records.size(); at += kRecord) {
+      for (std::size_t at = 0; at < records.size(); at += kStepsRecord) {
         const Vec3 p = place_of(&records[at], layout);
         cloud.x.push_back(static_cast<float>(std::floor(1000 * p.x)));
         cloud.y.push_back(static_cast<float>(std::floor(1000 * p.y)));

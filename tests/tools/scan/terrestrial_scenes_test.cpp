@@ -18,14 +18,14 @@ namespace {
 
 using Plan = TerrestrialScan (*)(const SceneValues&, std::uint64_t);
 
-TerrestrialScan plan(Plan make, std::span<const SceneOption> options,
-                     std::initializer_list<const char*> settings = {}) {
+TerrestrialScan plan_scene(Plan make, std::span<const SceneOption> options,
+                           std::initializer_list<const char*> settings = {}) {
   SceneValues values(options);
   for (const char* setting : settings) values.set(setting);
   return make(values, 0);
 }
 
-std::vector<std::byte> bytes_of(const TerrestrialScan& scan, int threads = 2) {
+std::vector<std::byte> scene_bytes(const TerrestrialScan& scan, int threads = 2) {
   std::vector<std::byte> all;
   with_threads(threads, [&] {
     scan_terrestrial(
@@ -46,30 +46,30 @@ double points_at_default(TerrestrialScan scan, std::uint64_t sparse) {
   const double step = scan.scene.stations[0].step_horizontal_deg;
   fit_points(scan, sparse);
   const double scaled = scan.scene.stations[0].step_horizontal_deg;
-  return static_cast<double>(bytes_of(scan).size() / 45) * (scaled / step) * (scaled / step);
+  return static_cast<double>(scene_bytes(scan).size() / 45) * (scaled / step) * (scaled / step);
 }
 
 TEST(TerrestrialScenes, HaveTheSizesOfTheDocuments) {
-  EXPECT_NEAR(points_at_default(plan(plan_facade_haussmann, facade_haussmann_options()), 300000), 19e6, 1.9e6);
-  EXPECT_NEAR(points_at_default(plan(plan_building, building_options()), 300000), 36325675, 3.6e6);
+  EXPECT_NEAR(points_at_default(plan_scene(plan_facade_haussmann, facade_haussmann_options()), 300000), 19e6, 1.9e6);
+  EXPECT_NEAR(points_at_default(plan_scene(plan_building, building_options()), 300000), 36325675, 3.6e6);
 }
 
 TEST(TerrestrialScenes, SameBytesForAnyNumberOfThreads) {
-  for (TerrestrialScan scan : {plan(plan_shapes, shapes_options(), {"scene.step=0.3"}),
-                               plan(plan_building, building_options(), {"scene.step=0.6"}),
-                               plan(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.25"})}) {
-    const std::vector<std::byte> one = bytes_of(scan, 1);
+  for (TerrestrialScan scan : {plan_scene(plan_shapes, shapes_options(), {"scene.step=0.3"}),
+                               plan_scene(plan_building, building_options(), {"scene.step=0.6"}),
+                               plan_scene(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.25"})}) {
+    const std::vector<std::byte> one = scene_bytes(scan, 1);
     EXPECT_GT(one.size() / 45, 20000u);
-    for (int threads : {2, 3}) EXPECT_TRUE(bytes_of(scan, threads) == one) << threads;
+    for (int threads : {2, 3}) EXPECT_TRUE(scene_bytes(scan, threads) == one) << threads;
   }
 }
 
 // Every labelled point lies on its plane within six standard deviations of the range, the mixing that noise hides and
 // the angles' noise at grazing incidence; shapes as well.
 TEST(TerrestrialScenes, PointsLieOnTheirTruePlanesAndShapes) {
-  for (TerrestrialScan scan : {plan(plan_shapes, shapes_options(), {"scene.step=0.2"}),
-                               plan(plan_building, building_options(), {"scene.step=0.4"}),
-                               plan(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.15"})}) {
+  for (TerrestrialScan scan : {plan_scene(plan_shapes, shapes_options(), {"scene.step=0.2"}),
+                               plan_scene(plan_building, building_options(), {"scene.step=0.4"}),
+                               plan_scene(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.15"})}) {
     std::map<std::uint32_t, Plane> planes;
     std::map<std::uint32_t, TrueShape> shapes;
     for (const TruePlane& p : scan.scene.planes) EXPECT_TRUE(planes.emplace(p.id, p.plane).second);
@@ -78,7 +78,7 @@ TEST(TerrestrialScenes, PointsLieOnTheirTruePlanesAndShapes) {
       EXPECT_EQ(planes.count(s.id), 0u);
     }
     std::size_t on_planes = 0, on_shapes = 0;
-    for_each_point(bytes_of(scan), scan.grid, [&](Vec3 p, const RecordTruth& truth) {
+    for_each_point(scene_bytes(scan), scan.grid, [&](Vec3 p, const RecordTruth& truth) {
       if (truth.true_plane == 0) return;
       double distance = 0;
       if (const auto plane = planes.find(truth.true_plane); plane != planes.end()) {
@@ -102,9 +102,9 @@ TEST(TerrestrialScenes, PointsLieOnTheirTruePlanesAndShapes) {
 }
 
 TEST(TerrestrialScenes, ShapesOfEachKindStandAboveAndBelow500Points) {
-  const TerrestrialScan scan = plan(plan_shapes, shapes_options());
+  const TerrestrialScan scan = plan_scene(plan_shapes, shapes_options());
   std::map<std::uint32_t, std::size_t> points;
-  for_each_point(bytes_of(scan), scan.grid, [&](Vec3, const RecordTruth& truth) { ++points[truth.true_plane]; });
+  for_each_point(scene_bytes(scan), scan.grid, [&](Vec3, const RecordTruth& truth) { ++points[truth.true_plane]; });
   std::map<std::string, std::set<bool>> sides;
   for (const TrueShape& s : scan.scene.shapes) sides[s.kind].insert(points[s.id] > 500);
   for (const TruePlane& p : scan.scene.planes) sides["plane"].insert(points[p.id] > 500);
@@ -113,7 +113,7 @@ TEST(TerrestrialScenes, ShapesOfEachKindStandAboveAndBelow500Points) {
 }
 
 TEST(TerrestrialScenes, TheBuildingHasBulgesOfTwoToSixCentimetres) {
-  const TerrestrialScan scan = plan(plan_building, building_options(), {"scene.step=0.2", "scene.noise=0"});
+  const TerrestrialScan scan = plan_scene(plan_building, building_options(), {"scene.step=0.2", "scene.noise=0"});
   std::map<std::uint32_t, double> rise, highest;
   std::map<std::uint32_t, std::uint32_t> facade_of;
   std::map<std::uint32_t, Plane> facades;  // by facade, in the order of their walls
@@ -127,7 +127,7 @@ TEST(TerrestrialScenes, TheBuildingHasBulgesOfTwoToSixCentimetres) {
     if (p.surface_class == "facade") facades[++facade] = p.plane;
   ASSERT_EQ(facades.size(), 4u);
   EXPECT_GE(rise.size(), 10u);
-  for_each_point(bytes_of(scan), scan.grid, [&](Vec3 p, const RecordTruth& truth) {
+  for_each_point(scene_bytes(scan), scan.grid, [&](Vec3 p, const RecordTruth& truth) {
     if (truth.true_class != static_cast<std::uint8_t>(BuildingClass::bulge)) return;
     const double out = signed_distance(facades.at(facade_of.at(truth.true_element)), p);
     highest[truth.true_element] = std::max(highest[truth.true_element], out);
@@ -142,7 +142,7 @@ TEST(TerrestrialScenes, TheBuildingHasBulgesOfTwoToSixCentimetres) {
 }
 
 TEST(TerrestrialScenes, RoundArchesHaveTheirArcsInTheTruth) {
-  const TerrestrialScene scene = plan(plan_facade_haussmann, facade_haussmann_options()).scene;
+  const TerrestrialScene scene = plan_scene(plan_facade_haussmann, facade_haussmann_options()).scene;
   int round = 0;
   for (const TrueElement& e : scene.elements) {
     if (e.arcs.empty()) continue;

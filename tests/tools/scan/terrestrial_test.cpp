@@ -50,19 +50,20 @@ std::vector<Seen> points_of(const TerrestrialScan& scan) {
   return points;
 }
 
-TerrestrialScan plan(TerrestrialScan (*make)(const SceneValues&, std::uint64_t), std::span<const SceneOption> options,
-                     std::initializer_list<const char*> settings = {}, std::uint64_t seed = 0) {
+TerrestrialScan plan_terrestrial(TerrestrialScan (*make)(const SceneValues&, std::uint64_t),
+                                 std::span<const SceneOption> options, std::initializer_list<const char*> settings = {},
+                                 std::uint64_t seed = 0) {
   SceneValues values(options);
   for (const char* setting : settings) values.set(setting);
   return make(values, seed);
 }
 
 TerrestrialScan stones(std::initializer_list<const char*> settings = {}) {
-  return plan(plan_stones, stones_options(), settings);
+  return plan_terrestrial(plan_stones, stones_options(), settings);
 }
 
 TerrestrialScan restoration(std::initializer_list<const char*> settings = {}) {
-  return plan(plan_facade_restoration, facade_restoration_options(), settings);
+  return plan_terrestrial(plan_facade_restoration, facade_restoration_options(), settings);
 }
 
 void silence(BeamParams& beam) {
@@ -159,7 +160,7 @@ TEST(Terrestrial, AngleNoiseMovesPointsByTheAngleAskedFor) {
 }
 
 TEST(Terrestrial, RegistrationMovesAllPointsOfAStationAlike) {
-  TerrestrialScan exact = plan(plan_shapes, shapes_options(), {"scene.step=0.5"}), moved = exact;
+  TerrestrialScan exact = plan_terrestrial(plan_shapes, shapes_options(), {"scene.step=0.5"}), moved = exact;
   moved.registration = 0.01;
   const std::vector<Seen> a = points_of(exact), b = points_of(moved);
   ASSERT_EQ(a.size(), b.size());
@@ -189,9 +190,9 @@ TEST(Terrestrial, IntensityFallsWithTheSquareOfTheRangeAndWithTheCosine) {
 TEST(Terrestrial, NoRayPassesThroughAWall) {
   for (TerrestrialScan scan :
        {restoration({"scene.step=0.4"}), stones({"scene.step=0.15"}),
-        plan(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.8", "scene.bays=3"}),
-        plan(plan_building, building_options(), {"scene.step=1"}),
-        plan(plan_shapes, shapes_options(), {"scene.step=0.8"})}) {
+        plan_terrestrial(plan_facade_haussmann, facade_haussmann_options(), {"scene.step=0.8", "scene.bays=3"}),
+        plan_terrestrial(plan_building, building_options(), {"scene.step=1"}),
+        plan_terrestrial(plan_shapes, shapes_options(), {"scene.step=0.8"})}) {
     silence(scan.beam);
     std::size_t checked = 0;
     for (const Seen& p : points_of(scan)) {

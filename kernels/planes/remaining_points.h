@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a search for planes has left to look at: the points without a plane, and boxes by which a plane passes over
+// most.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "kernels/planes/plane_score.h"
+
+namespace ilot {
+
+// The points still without a plane, compact and in their given order.
+struct RemainingPoints {
+  std::vector<float> x, y, z, nx, ny, nz;
+  std::vector<std::uint32_t> index;  // into the caller's points
+  std::size_t size = 0;
+
+  void add(const RemainingPoints& from, std::size_t i) {
+    x.push_back(from.x[i]);
+    y.push_back(from.y[i]);
+    z.push_back(from.z[i]);
+    nx.push_back(from.nx[i]);
+    ny.push_back(from.ny[i]);
+    nz.push_back(from.nz[i]);
+    index.push_back(from.index[i]);
+    ++size;
+  }
+  // Room behind the last point for kernels that read whole vectors.
+  void pad() {
+    constexpr std::size_t kPadding = 16;
+    for (auto* v : {&x, &y, &z, &nx, &ny, &nz}) v->resize(size + kPadding, 0.0f);
+  }
+  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
+  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
+  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+};
+
+// Those of the points that have a normal. O(n).
+RemainingPoints with_normals(const OrientedPoints& points);
+
+// Takes out the members (positions, ascending); the others keep their order. O(n) from the first member on.
+void remove(RemainingPoints& points, std::span<const std::uint32_t> members);
+
+// The box around points, as their coordinates.
+struct PointExtent {
+  float min[3]{INFINITY, INFINITY, INFINITY};
+  float max[3]{-INFINITY, -INFINITY, -INFINITY};
+
+  void add(Vec3 p) {
+    const double v[3]{p.x, p.y, p.z};
+    for (int axis = 0; axis < 3; ++axis) {
+      min[axis] = std::min(min[axis], static_cast<float>(v[axis]));
+      max[axis] = std::max(max[axis], static_cast<float>(v[axis]));
+    }
+  }
+  bool holds(Vec3 p, std::int64_t margin) const {
+    const double v[3]{p.x, p.y, p.z};
+    const auto m = static_cast<double>(margin);
+    bool inside = true;
+    for (int axis = 0; axis < 3; ++axis)
+      inside = inside && v[axis] >= static_cast<double>(min[axis]) - m && v[axis] <= static_cast<double>(max[axis]) + m;
+    return inside;
+  }
+  // False only where all points of the box lie farther than that from the plane.
+  bool may_reach(const Plane& plane, double distance) const {
+    constexpr double kRounding = 1e-3;
+    const double n[3]{plane.n.x, plane.n.y, plane.n.z};
+    double centre = plane.d, half = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+      centre += n[axis] * 0.5 * (static_cast<double>(min[axis]) + static_cast<double>(max[axis]));
+      half += std::abs(n[axis]) * 0.5 * (static_cast<double>(max[axis]) - static_cast<double>(min[axis]));
+    }
+    return std::abs(centre) <= half + distance + kRounding;
+  }
+  bool meets(const PointExtent& o, double margin) const {
+    bool meet = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      meet = meet && min[axis] - margin <= static_cast<double>(o.max[axis]) &&
+             o.min[axis] - margin <= static_cast<double>(max[axis]);
+    }
+    return meet;
+  }
+};
+
+// Boxes around every kRun consecutive points: points lie along a space-filling curve, so a plane misses most boxes.
+class RunBoxes {
+ public:
+  static constexpr std::size_t kRun = 32;
+
+  // Those of the runs from the point `from` on, made anew.
+  void update(const RemainingPoints& r, std::size_t from) {
+    boxes_.resize((r.size + kRun - 1) / kRun);
+    for (std::size_t b = from / kRun; b < boxes_.size(); ++b) {
+      boxes_[b] = {};
+      for (std::size_t i = b * kRun; i < end(b, r); ++i) boxes_[b].add(r.position(i));
+    }
+  }
+  std::size_t count() const { return boxes_.size(); }
+  static std::size_t end(std::size_t run, const RemainingPoints& r) { return std::min(r.size, (run + 1) * kRun); }
+  const PointExtent& operator[](std::size_t run) const { return boxes_[run]; }
+
+ private:
+  std::vector<PointExtent> boxes_;
+};
+
+}  // namespace ilot

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a file holds, all of it.
+#pragma once
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+namespace ilot::test {
+
+inline std::string file_bytes(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace ilot::test
