@@ -15,7 +15,7 @@ Image enclosed(const Image& image, const TileGrid& grid, std::size_t at) {
   memory.put("filled", image);
   TileZones zones(memory.layers, "zones");
   for (std::size_t t = 0; t < grid.count(); ++t)
-    if (grid.has(t)) zones.find(t, layer_tile(memory.layers, "filled", t), 0);
+    if (grid.has(t)) zones.find(t, layer_tile(memory.layers, "filled", t), 0, ZoneFalls::left_out);
   zones.join(0);
   const std::size_t tile = at / grid.width / grid.side * grid.columns() + at % grid.width / grid.side;
   const auto label = static_cast<std::size_t>(memory.whole("zones").values[at]);

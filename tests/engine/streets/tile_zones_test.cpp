@@ -18,7 +18,8 @@ constexpr Height kLambda = 2;
 TileZones found_zones(const test::MemoryLayers& memory, const Image& image) {
   TileZones zones(memory.layers, "zones");
   const TileGrid& grid = memory.layers.grid;
-  for (std::size_t t = 0; t < grid.count(); ++t) zones.find(t, test::tiles_of(image, grid)(t), kLambda);
+  for (std::size_t t = 0; t < grid.count(); ++t)
+    zones.find(t, test::tiles_of(image, grid)(t), kLambda, ZoneFalls::counted);
   zones.join(kLambda);
   return zones;
 }
