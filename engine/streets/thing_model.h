@@ -92,9 +92,8 @@ ThingModel train_things(std::span<const ThingSample> samples, const ThingTrainin
 // Classes: pairwise probabilities coupled as Wu, Lin and Weng (2004) do it in their second method, times how common the
 // classes are. Called an object where its weight is greater than that of being none, then by the most probable class.
 // Objects that are farther from their class than anything that the machine was trained on are `other`, as probable as
-// any class. `parts` of each thing, or
-// none where no thing joins others. Many at once are several times faster than one by one, and get the same bits.
-// O(things (support vectors + trees)), on the threads of the calling arena.
+// any class. `parts` of each thing, or none where no thing joins others. Many at once are several times faster than one
+// by one, and get the same bits. O(things (support vectors + trees)), on the threads of the calling arena.
 std::vector<ThingClass> classify_things(const ThingModel& model, std::span<const ThingFeatures> things,
                                         std::span<const ThingParts> parts = {});
 ThingClass classify_thing(const ThingModel& model, const ThingFeatures& features);
