@@ -45,15 +45,16 @@ std::size_t LazExtender::appended_length() const {
   return std::size_t{output_.plan().layout.record_length} - before_.record_length;
 }
 
-LazExtender::Chunk LazExtender::extend(const laz::ChunkPlace& place, std::span<const std::byte> records,
+LazExtender::Chunk LazExtender::extend(std::size_t chunk, std::span<const std::byte> records,
                                        std::span<const std::byte> appended) const {
+  const laz::ChunkPlace& place = input_.index.chunks[chunk];
   std::vector<std::byte> bytes(place.bytes);
-  Chunk chunk;
+  Chunk out;
   if (input_.file.read_at(place.offset, bytes) != bytes.size() ||
-      !laz::extend_chunk(input_.compression.layout, bytes, records, appended, chunk.bytes))
+      !laz::extend_chunk(input_.compression.layout, bytes, records, appended, out.bytes))
     throw Error(input_.file.path().string() + ": can no longer be read in full; the file changed during the run");
-  chunk.statistics.add(records, before_);
-  return chunk;
+  out.statistics.add(records, before_);
+  return out;
 }
 
 }  // namespace ilot

@@ -24,8 +24,6 @@ class LazExtender {
   static std::unique_ptr<LazExtender> open(const PointReader& input, const std::filesystem::path& path,
                                            const CloudSpec& spec);
 
-  // The chunks of the input, which are those of the output.
-  std::span<const laz::ChunkPlace> chunks() const { return input_.index.chunks; }
   // Bytes of a row's new fields.
   std::size_t appended_length() const;
 
@@ -33,10 +31,10 @@ class LazExtender {
     std::vector<std::byte> bytes;
     PointStatistics statistics;
   };
-  // Thread-safe. `records`: the rows of the chunk, decoded at least to their heights (kFieldZ); `appended`: as many
-  // rows of appended_length() bytes. Throws Error when the input has changed since it was opened.
-  Chunk extend(const laz::ChunkPlace& place, std::span<const std::byte> records,
-               std::span<const std::byte> appended) const;
+  // The chunk of that number, one for each two boundaries() of the input. Thread-safe. `records`: its rows, decoded at
+  // least to their heights (kFieldZ); `appended`: as many rows of appended_length() bytes. Throws Error when the input
+  // has changed since it was opened.
+  Chunk extend(std::size_t chunk, std::span<const std::byte> records, std::span<const std::byte> appended) const;
 
   // Chunks in order, by one thread; nothing appears before finish().
   void append(const Chunk& chunk) { output_.append(chunk.bytes, chunk.statistics); }

@@ -130,10 +130,11 @@ class Labeller {
  private:
   // Each chunk of the input becomes one of the output, of which only our fields are coded.
   std::uint64_t extend(LazExtender& output) const {
+    const std::vector<std::uint64_t> bounds = input_.boundaries();
     input_.limit_to(kFieldZ);
     const std::uint64_t labelled = by_stretches(
-        output.chunks(), output.appended_length(),
-        [&](const laz::ChunkPlace& place, const Stretch& s) { return output.extend(place, s.rows, s.appended); },
+        bounds, output.appended_length(),
+        [&](std::size_t chunk, const Stretch& s) { return output.extend(chunk, s.rows, s.appended); },
         [&](const LazExtender::Chunk& chunk) { output.append(chunk); });
     input_.limit_to(kAllFields);
     output.finish();
@@ -142,37 +143,37 @@ class Labeller {
 
   std::uint64_t copy(PointWriter& output) const {
     const std::uint64_t points = input_.info().points;
-    std::vector<laz::ChunkPlace> places;
-    for (std::uint64_t first = 0; first < points; first += kStretch)
-      places.push_back({first, std::min(kStretch, points - first), 0, 0});
+    std::vector<std::uint64_t> bounds{0};
+    while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + kStretch, points));
     const std::size_t length = input_.info().layout.record_length, ours = output.record_length() - length;
     const std::uint64_t labelled = by_stretches(
-        places, ours, [&](const laz::ChunkPlace&, const Stretch& s) { return joined_rows(s, length, ours); },
+        bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours); },
         [&](const std::vector<std::byte>& rows) { output.write(rows); });
     output.finish();
     return labelled;
   }
 
-  // Reads, labels and prepares in parallel, a few stretches at a time, and puts what was prepared in order.
+  // Reads, labels and prepares the stretches between bounds in parallel, a few at a time, and puts what was prepared in
+  // order.
   template <class Prepare, class Put>
-  std::uint64_t by_stretches(std::span<const laz::ChunkPlace> places, std::size_t appended_length,
-                             const Prepare& prepare, const Put& put) const {
+  std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, const Prepare& prepare,
+                             const Put& put) const {
     const std::size_t together = input_.random_access() ? 2 * static_cast<std::size_t>(thread_count()) : 1;
-    std::vector<std::invoke_result_t<Prepare, const laz::ChunkPlace&, const Stretch&>> prepared(together);
+    std::vector<std::invoke_result_t<Prepare, std::size_t, const Stretch&>> prepared(together);
     std::vector<std::uint64_t> labelled(together);
     std::uint64_t all = 0;
-    for (std::size_t at = 0; at < places.size(); at += together) {
+    for (std::size_t at = 0; at + 1 < bounds.size(); at += together) {
       stop_if_asked();
-      const auto batch = places.subspan(at, std::min(together, places.size() - at));
-      parallel_for(batch.size(), [&](std::size_t i) {
-        const Stretch s = read_stretch(batch[i].first, batch[i].points, appended_length);
+      const std::size_t count = std::min(together, bounds.size() - 1 - at);
+      parallel_for(count, [&](std::size_t i) {
+        const Stretch s = read_stretch(bounds[at + i], bounds[at + i + 1] - bounds[at + i], appended_length);
         labelled[i] = s.labelled;
-        prepared[i] = prepare(batch[i], s);
+        prepared[i] = prepare(at + i, s);
       });
-      for (std::size_t i = 0; i < batch.size(); ++i) {
+      for (std::size_t i = 0; i < count; ++i) {
         put(prepared[i]);
         all += labelled[i];
-        context_.advance(batch[i].points);
+        context_.advance(bounds[at + i + 1] - bounds[at + i]);
       }
     }
     return all;

@@ -84,13 +84,15 @@ void extend_file(PointReader& input, const std::filesystem::path& path) {
   ASSERT_NE(extender, nullptr);
   ASSERT_EQ(extender->appended_length(), 5u);
   input.limit_to(kFieldZ);
-  for (const laz::ChunkPlace& place : extender->chunks()) {
-    std::vector<std::byte> rows(place.points * input.info().layout.record_length), appended;
-    std::vector<std::uint8_t> valid(place.points);
-    ASSERT_EQ(input.read(place.first, rows, valid), place.points);
-    for (std::size_t i = 0; i < place.points; ++i)
-      for (const std::byte b : ours(place.first + i)) appended.push_back(b);
-    extender->append(extender->extend(place, rows, appended));
+  const std::vector<std::uint64_t> bounds = input.boundaries();
+  for (std::size_t chunk = 0; chunk + 1 < bounds.size(); ++chunk) {
+    const std::uint64_t first = bounds[chunk], count = bounds[chunk + 1] - first;
+    std::vector<std::byte> rows(count * input.info().layout.record_length), appended;
+    std::vector<std::uint8_t> valid(count);
+    ASSERT_EQ(input.read(first, rows, valid), count);
+    for (std::size_t i = 0; i < count; ++i)
+      for (const std::byte b : ours(first + i)) appended.push_back(b);
+    extender->append(extender->extend(chunk, rows, appended));
   }
   input.limit_to(kAllFields);
   extender->finish();
