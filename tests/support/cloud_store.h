@@ -17,8 +17,10 @@ constexpr double kUnit = 0.001;
 
 // Raw coordinates are lattice coordinates, so they must fit 32 bits. Without classes all are 0.
 inline void write_cloud(const std::filesystem::path& path, const std::vector<Index3>& points,
-                        const std::vector<std::uint8_t>& classes = {}) {
+                        const std::vector<std::uint8_t>& classes = {}, std::uint8_t point_format = 0) {
   CloudSpec spec;
+  spec.like.layout.point_format = point_format;
+  spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(point_format));
   spec.like.layout.scale = {kUnit, kUnit, kUnit};
   const std::size_t length = spec.like.layout.record_length;
   std::vector<std::byte> records(points.size() * length);
@@ -29,7 +31,7 @@ inline void write_cloud(const std::filesystem::path& path, const std::vector<Ind
     f.z = static_cast<std::int32_t>(points[i].z);
     f.intensity = static_cast<std::uint16_t>(i);
     if (!classes.empty()) f.classification = classes[i];
-    encode_fields(f, std::span(records).subspan(i * length, length), 0);
+    encode_fields(f, std::span(records).subspan(i * length, length), point_format);
   }
   const auto writer = create_cloud(path, spec);
   writer->write(records);

@@ -113,26 +113,11 @@ TEST(LabelledClouds, NoInputOverwritesTheOutputOfAnother) {
 TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
   const TemporaryFolder folder;
   const auto points = test::points_over_tiles(3000, 4);
-  CloudSpec spec;
-  spec.like.layout.point_format = 7;
-  spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(7));
-  spec.like.layout.scale = {test::kUnit, test::kUnit, test::kUnit};
-  const std::size_t length = spec.like.layout.record_length;
-  std::vector<std::byte> records(points.size() * length);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    PointFields f;
-    f.x = static_cast<std::int32_t>(points[i].x);
-    f.y = static_cast<std::int32_t>(points[i].y);
-    f.z = static_cast<std::int32_t>(points[i].z);
-    f.intensity = static_cast<std::uint16_t>(i);
-    f.classification = static_cast<std::uint8_t>(i % 7);
-    encode_fields(f, std::span(records).subspan(i * length, length), 7);
-  }
+  std::vector<std::uint8_t> classes(points.size());
+  for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = static_cast<std::uint8_t>(i % 7);
   std::vector<Rows> outputs;
   for (const char* name : {"c.las", "c.laz"}) {
-    const auto writer = create_cloud(folder.path() / name, spec);
-    writer->write(records);
-    writer->finish();
+    test::write_cloud(folder.path() / name, points, classes, 7);
     const test::FilesStore files(folder.path(), {name}, 900);
     write_labels(*files.cloud);
     const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), true};
@@ -141,7 +126,7 @@ TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
     outputs.push_back(read_rows(*open_cloud(folder.path() / "out" / "c.laz")));
     std::filesystem::remove_all(folder.path() / "store");
   }
-  EXPECT_EQ(outputs[0].length, length + 21);
+  EXPECT_EQ(outputs[0].length, standard_size(7) + 21);
   EXPECT_EQ(outputs[0].count, points.size());
   EXPECT_TRUE(outputs[0].bytes == outputs[1].bytes);
 }
