@@ -163,7 +163,7 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
     write_column<Block>(done, blocks);
   }
   fs::remove_all(folder / "runs");
-  ColumnReader(rejected_path).read<std::uint64_t>(0, rejected);
+  ColumnReader<std::uint64_t>(rejected_path).read(0, rejected);
   return {Store(folder, params.unit, read_column<Block>(done)), rejected};
 }
 

@@ -28,8 +28,8 @@ struct Occupied {
 };
 
 Occupied occupied_of(const Store& store, std::uint32_t block, int cell_bits) {
-  const auto roles = store.read<PointRole>(block, "role");
-  const auto codes = store.read<std::uint64_t>(block, "codes");
+  const auto roles = store.read(block, columns::kRole);
+  const auto codes = store.read(block, columns::kCodes);
   Occupied o;
   for (std::size_t i = 0; i < roles.size(); ++i) {
     if (roles[i] != PointRole::building) continue;
@@ -150,8 +150,8 @@ class Outliner {
   std::vector<Vec3> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     std::vector<Vec3> points;
     for (const Slice& s : plan_view(store_, clusters_[cluster].box, {}).slices) {
-      const auto codes = store_.read<std::uint64_t>(s.block, "codes", s.first, s.count);
-      const auto of = store_.read<std::uint32_t>(s.block, "cluster", s.first, s.count);
+      const auto codes = store_.read(s.block, columns::kCodes, s.first, s.count);
+      const auto of = store_.read(s.block, columns::kCluster, s.first, s.count);
       const Tile tile = store_.blocks()[s.block].node.tile;
       for (std::size_t i = 0; i < codes.size(); ++i) {
         if (of[i] != cluster + 1) continue;
@@ -178,8 +178,7 @@ std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& 
   const double distance = choose_distance(store, settings, context, record);
   const std::uint64_t fewest = choose_points(distance, settings, record);
   const double unit = store.unit() * context.metres_per_unit;
-  const ClusterParams params{"role", static_cast<std::uint8_t>(PointRole::building),
-                             std::max<std::int64_t>(1, std::llround(distance / unit))};
+  const ClusterParams params{PointRole::building, std::max<std::int64_t>(1, std::llround(distance / unit))};
   const std::vector<CloudCluster> clusters = clusters_pass(store, params, context);
   const Outliner outliner(store, clusters, context.metres_per_unit, distance);
   ClustersRecord& told = record.clusters.emplace();

@@ -34,9 +34,9 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
   site.points.reserve(most);
   if (work.told) site.from.reserve(most);
   for_each_stretch(work.store, plan.slices, [&](const Stretch& s) {
-    const auto planes = s.read<std::uint32_t>(work.store, "plane");
+    const auto planes = s.read(work.store, columns::kPlane);
     std::vector<StationNumber> stations;
-    if (work.told) stations = s.read<StationNumber>(work.store, "station");
+    if (work.told) stations = s.read(work.store, columns::kStation);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const Vec3 p = into.of(s.position(i));
       if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
@@ -149,7 +149,7 @@ PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
     std::vector<ImagePoint> points;
     for_each_stretch(work.store, plan_view(work.store, box, {}).slices, [&](const Stretch& s) {
       std::vector<StoredColour> colours(s.codes.size(), 0);
-      if (work.store.has(s.block, "colour")) colours = s.read<StoredColour>(work.store, "colour");
+      if (work.store.has(s.block, columns::kColour)) colours = s.read(work.store, columns::kColour);
       points.clear();
       for (std::size_t i = 0; i < colours.size(); ++i) {
         const Index3 p = s.position(i);

@@ -155,9 +155,9 @@ class LabelledFacade {
 
 void label_block(const FacadeWork& work, std::uint32_t block, std::span<const LabelledFacade> facades,
                  const std::vector<std::vector<std::uint32_t>>& of_block, const PassContext& context) {
-  const auto codes = work.store.read<std::uint64_t>(block, "codes");
+  const auto codes = work.store.read(block, columns::kCodes);
   std::vector<StationNumber> stations;
-  if (work.told) stations = work.store.read<StationNumber>(block, "station");
+  if (work.told) stations = work.store.read(block, columns::kStation);
   const std::uint32_t only = work.stations.size() == 1 ? 0 : kNoStation;
   std::vector<FacadeLabel> labels(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
@@ -169,7 +169,7 @@ void label_block(const FacadeWork& work, std::uint32_t block, std::span<const La
       if (labels[i].facade != 0) break;
     }
   }
-  work.store.write<FacadeLabel>(block, "facade", labels);
+  work.store.write(block, columns::kFacade, labels);
 }
 
 }  // namespace

@@ -134,7 +134,7 @@ bool tell_stations(const Store& store, const RunInputs& inputs, const PassContex
 
 // The column "colour", which images are painted with; false where no input has colours.
 bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
-  return store.has(0, "colour") || colours_pass(store, inputs.readers, context);
+  return store.has(0, columns::kColour) || colours_pass(store, inputs.readers, context);
 }
 
 // What facades are to each other, and to walls that are none, once all are known.

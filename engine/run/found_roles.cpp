@@ -161,7 +161,7 @@ class RoleFinder {
       const Image& ground;
       std::vector<HighPoints>& pixels;
       Columns stretch(const Stretch& s) const {
-        return {s.read<PackedNormal>(store, "normals"), s.read<std::uint8_t>(store, "echoes")};
+        return {s.read(store, columns::kNormals), s.read(store, columns::kEchoes)};
       }
       void point(Index3 p, const Columns& columns, std::size_t i) const {
         const std::int64_t x = raster.pixel(p.x) - tile.second * kTilePixels + kMaskHalo;
@@ -192,8 +192,8 @@ class RoleFinder {
   };
 
   RoleCounts rewrite(std::uint32_t block) const {
-    auto roles = store_.read<PointRole>(block, "role");
-    const auto codes = store_.read<std::uint64_t>(block, "codes");
+    auto roles = store_.read(block, columns::kRole);
+    const auto codes = store_.read(block, columns::kCodes);
     std::map<TileKey, Found> tiles;
     RoleCounts counts{};
     for (std::size_t i = 0; i < roles.size(); ++i) {
@@ -210,7 +210,7 @@ class RoleFinder {
       }
       ++counts[static_cast<std::size_t>(roles[i])];
     }
-    store_.write<PointRole>(block, "role", roles);
+    store_.write(block, columns::kRole, roles);
     return counts;
   }
 

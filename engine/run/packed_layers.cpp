@@ -69,7 +69,7 @@ void PackedLayers::read(const char* layer, std::size_t tile, const TileFrame& pa
   std::vector<std::uint16_t> loaded;
   if (packed->words.empty() && last > first) {
     loaded.resize(last - first);
-    ColumnReader(path(key)).read<std::uint16_t>(first, loaded);
+    ColumnReader<std::uint16_t>(path(key)).read(first, loaded);
   }
   unpack(*packed,
          loaded.empty() ? std::span(packed->words).subspan(first, last - first) : std::span(std::as_const(loaded)),

@@ -14,11 +14,11 @@ RoleCounts write_roles(const Store& store, const std::array<PointRole, 256>& rol
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     std::vector<PointRole> column;
-    for (const std::uint8_t code : store.read<std::uint8_t>(block, "class")) {
+    for (const std::uint8_t code : store.read(block, columns::kClass)) {
       column.push_back(roles[code]);
       ++counts[i][static_cast<std::size_t>(roles[code])];
     }
-    store.write<PointRole>(block, "role", column);
+    store.write(block, columns::kRole, column);
   });
   RoleCounts all{};
   for (const RoleCounts& c : counts)

@@ -50,7 +50,7 @@ std::vector<RoofLabel> RoofLabels::of_block(std::uint32_t block) const {
   std::vector<StoredLabel> stored;
   for (const Run& run : runs_[block]) {
     stored.resize(run.count);
-    ColumnReader(path(run.batch)).read<StoredLabel>(run.first, stored);
+    ColumnReader<StoredLabel>(path(run.batch)).read(run.first, stored);
     for (const StoredLabel& s : stored)
       if (labels[s.point].unit == 0) labels[s.point] = s.label;
   }
@@ -67,7 +67,7 @@ void RoofLabels::write_columns(const PassContext& context,
     const std::vector<PointLabel> others = of_others(block);
     for (std::size_t p = 0; p < labels.size(); ++p)
       if (labels[p].unit == 0) labels[p].label = others[p];
-    store_.write<RoofLabel>(block, "roof", labels);
+    store_.write(block, columns::kRoof, labels);
   });
 }
 

@@ -336,8 +336,8 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
 
 // Points of no building: those that the cloud says are ground.
 std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext& context, std::uint32_t block) {
-  const auto roles = work.store.read<PointRole>(block, "role");
-  const auto codes = context.wanted ? work.store.read<std::uint64_t>(block, "codes") : std::vector<std::uint64_t>{};
+  const auto roles = work.store.read(block, columns::kRole);
+  const auto codes = context.wanted ? work.store.read(block, columns::kCodes) : std::vector<std::uint64_t>{};
   std::vector<PointLabel> labels(roles.size(), PointLabel::none);
   const Tile tile = work.store.blocks()[block].node.tile;
   for (std::size_t i = 0; i < roles.size(); ++i) {

@@ -15,51 +15,51 @@ constexpr std::uint32_t kRowSample = 1024;
 
 void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams& params,
                      std::span<const std::uint32_t> sorted) {
-  const auto plane = store.read<std::uint32_t>(block, "plane");
-  const auto boundary = store.read<std::uint8_t>(block, "boundary");
+  const auto plane = store.read(block, columns::kPlane);
+  const auto boundary = store.read(block, columns::kBoundary);
   std::vector<std::uint32_t> shape(sorted.size());
   if (!params.final_shape.empty()) {
-    shape = store.read<std::uint32_t>(block, "shape");
+    shape = store.read(block, columns::kShape);
     for (std::uint32_t& s : shape) s = params.final_shape[s];
   }
   std::vector<PackedNormal> normals(sorted.size());
-  if (params.write_normals) normals = store.read<PackedNormal>(block, "normals");
+  if (params.write_normals) normals = store.read(block, columns::kNormals);
   std::vector<PlaneLabel> rows(sorted.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     const std::uint32_t from = sorted[i];
     rows[i] = {params.final_id[plane[from]], shape[from], normals[from], boundary[from]};
   }
-  store.write<PlaneLabel>(block, "rows", rows);
+  store.write(block, columns::kPlaneRows, rows);
 }
 
 template <class T>
-void sort_column(const Store& store, std::uint32_t block, const char* column, const char* as,
+void sort_column(const Store& store, std::uint32_t block, const Column<T>& column, const Column<T>& as,
                  std::span<const std::uint32_t> sorted) {
-  const auto labels = store.read<T>(block, column);
+  const auto labels = store.read(block, column);
   std::vector<T> rows(labels.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
-  store.write<T>(block, as, rows);
+  store.write(block, as, rows);
 }
 
 // "row_order" is written first: whoever looks for finished blocks asks for what is written last.
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
-  const auto order = store.read<InputOrder>(block, "order");
+  const auto order = store.read(block, columns::kOrder);
   const std::vector<std::uint32_t> sorted = points_by_row(store, block, order);
   std::vector<InputOrder> orders(order.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
-  store.write<InputOrder>(block, "row_order", orders);
+  store.write(block, columns::kRowOrder, orders);
   if (params.with_planes) sort_plane_rows(store, block, params, sorted);
-  if (params.with_streets) sort_column<StreetLabel>(store, block, "street", "street_rows", sorted);
-  if (params.with_facades) sort_column<FacadeLabel>(store, block, "facade", "facade_rows", sorted);
-  if (params.with_roofs) sort_column<RoofLabel>(store, block, "roof", "roof_rows", sorted);
+  if (params.with_streets) sort_column(store, block, columns::kStreet, columns::kStreetRows, sorted);
+  if (params.with_facades) sort_column(store, block, columns::kFacade, columns::kFacadeRows, sorted);
+  if (params.with_roofs) sort_column(store, block, columns::kRoof, columns::kRoofRows, sorted);
 }
 
 // What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
 template <class T>
-void collect(const Store& store, std::uint32_t block, const char* column, std::uint32_t from,
+void collect(const Store& store, std::uint32_t block, const Column<T>& column, std::uint32_t from,
              std::span<const InputOrder> orders, InputOrder first, std::span<T> labels) {
   std::vector<T> rows(orders.size());
-  ColumnReader(store.path(block, column)).read<T>(from, rows);
+  store.open(block, column).read(from, rows);
   for (std::size_t i = 0; i < orders.size(); ++i)
     if (orders[i] >= first && orders[i] < first + labels.size()) labels[orders[i] - first] = rows[i];
 }
@@ -71,11 +71,11 @@ void rows_pass(const Store& store, const LabelParams& params, const PassContext&
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const char* last = params.with_roofs     ? "roof_rows"
-                       : params.with_facades ? "facade_rows"
-                       : params.with_streets ? "street_rows"
-                                             : "rows";
-    if (!store.has(block, last)) sort_rows(store, block, params);
+    const bool done = params.with_roofs     ? store.has(block, columns::kRoofRows)
+                      : params.with_facades ? store.has(block, columns::kFacadeRows)
+                      : params.with_streets ? store.has(block, columns::kStreetRows)
+                                            : store.has(block, columns::kPlaneRows);
+    if (!done) sort_rows(store, block, params);
   });
 }
 
@@ -83,13 +83,11 @@ std::vector<BlockRows> sample_rows(const Store& store) {
   std::vector<BlockRows> all(store.blocks().size());
   for (std::uint32_t b = 0; b < all.size(); ++b) {
     all[b].points = store.blocks()[b].points;
-    const ColumnReader reader(store.path(b, "row_order"));
+    const auto reader = store.open(b, columns::kRowOrder);
     for (std::uint32_t i = 0; i < all[b].points; i += kRowSample) {
-      InputOrder order = 0;
-      reader.read<InputOrder>(i, std::span(&order, 1));
-      all[b].samples.push_back(order);
+      all[b].samples.push_back(reader.at(i));
     }
-    reader.read<InputOrder>(all[b].points - 1, std::span(&all[b].last, 1));
+    all[b].last = reader.at(all[b].points - 1);
   }
   return all;
 }
@@ -111,11 +109,11 @@ StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& b
         static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
     const auto to = std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample);
     orders.resize(to - from);
-    ColumnReader(store.path(b, "row_order")).read<InputOrder>(from, orders);
-    if (params.with_planes) collect<PlaneLabel>(store, b, "rows", from, orders, first, labels.planes);
-    if (params.with_roofs) collect<RoofLabel>(store, b, "roof_rows", from, orders, first, labels.roofs);
-    if (params.with_streets) collect<StreetLabel>(store, b, "street_rows", from, orders, first, labels.streets);
-    if (params.with_facades) collect<FacadeLabel>(store, b, "facade_rows", from, orders, first, labels.facades);
+    store.open(b, columns::kRowOrder).read(from, orders);
+    if (params.with_planes) collect(store, b, columns::kPlaneRows, from, orders, first, std::span(labels.planes));
+    if (params.with_roofs) collect(store, b, columns::kRoofRows, from, orders, first, std::span(labels.roofs));
+    if (params.with_streets) collect(store, b, columns::kStreetRows, from, orders, first, std::span(labels.streets));
+    if (params.with_facades) collect(store, b, columns::kFacadeRows, from, orders, first, std::span(labels.facades));
   }
   return labels;
 }
@@ -126,16 +124,16 @@ std::uint64_t count_labelled(const Store& store, const LabelParams& params, cons
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const auto column = [&]<class T>(bool made, const char* name, std::vector<T>& values) {
-      if (made) values = store.read<T>(block, name);
+    const auto column = [&]<class T>(bool made, const Column<T>& name, std::vector<T>& values) {
+      if (made) values = store.read(block, name);
     };
     std::vector<std::uint32_t> plane, shape;
     StretchLabels labels;
-    column(params.with_planes, "plane", plane);
-    column(params.with_planes && !params.final_shape.empty(), "shape", shape);
-    column(params.with_roofs, "roof", labels.roofs);
-    column(params.with_streets, "street", labels.streets);
-    column(params.with_facades, "facade", labels.facades);
+    column(params.with_planes, columns::kPlane, plane);
+    column(params.with_planes && !params.final_shape.empty(), columns::kShape, shape);
+    column(params.with_roofs, columns::kRoof, labels.roofs);
+    column(params.with_streets, columns::kStreet, labels.streets);
+    column(params.with_facades, columns::kFacade, labels.facades);
     labels.planes.resize(plane.size());
     for (std::size_t p = 0; p < plane.size(); ++p) {
       labels.planes[p].plane = params.final_id[plane[p]];

@@ -51,7 +51,7 @@ Read read_points(const SiteWork& work, const IndexBox& box, Index3 anchor_mm) {
   const Axis x(anchor_mm.x, step), y(anchor_mm.y, step);
   Read read;
   for_each_stretch(work.store, plan_view(work.store, box, {}).slices, [&](const Stretch& s) {
-    const auto roles = s.read<PointRole>(work.store, "role");
+    const auto roles = s.read(work.store, columns::kRole);
     for (std::uint32_t i = 0; i < roles.size(); ++i) {
       const Index3 p = s.position(i);
       if (!box.contains(p)) continue;

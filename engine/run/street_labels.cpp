@@ -82,14 +82,14 @@ void write_street_labels(const Store& store, const StreetTiles& tiles, const Thi
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint + kBytesOfTiles, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const auto codes = store.read<std::uint64_t>(block, "codes");
+    const auto codes = store.read(block, columns::kCodes);
     Verdict verdict(tiles, things, least_height);
     std::vector<StreetLabel> labels(codes.size());
     for (std::size_t p = 0; p < codes.size(); ++p) {
       const Index3 at = index_of({store.blocks()[block].node.tile, codes[p]});
       if (!context.wanted || context.wanted(at)) labels[p] = verdict.of(at);
     }
-    store.write<StreetLabel>(block, "street", labels);
+    store.write(block, columns::kStreet, labels);
     context.advance(codes.size());
   });
 }

@@ -83,8 +83,8 @@ std::vector<Touch> touches_in(const Store& store, const Cell& cell, std::int64_t
     const Tile tile = store.blocks()[s.block].node.tile;
     for (std::uint32_t done = 0; done < s.count; done += kBatch) {
       const std::uint32_t n = std::min(kBatch, s.count - done);
-      const auto codes = store.read<std::uint64_t>(s.block, "codes", s.first + done, n);
-      const auto labels = store.read<std::uint32_t>(s.block, "plane", s.first + done, n);
+      const auto codes = store.read(s.block, columns::kCodes, s.first + done, n);
+      const auto labels = store.read(s.block, columns::kPlane, s.first + done, n);
       for (std::uint32_t i = 0; i < n; ++i) {
         const std::uint32_t id = final_id[labels[i]];
         if (id == 0) continue;

@@ -42,7 +42,7 @@ std::vector<SeamEdge> read_edges(const Store& store, const std::vector<RunOfBloc
   std::size_t at = 0;
   for (const RunOfBlock& r : runs) {
     const auto part = std::span(edges).subspan(at, r.run.count);
-    ColumnReader(store.path(r.block, "seam_edges")).read<SeamEdge>(r.run.first, part);
+    store.open(r.block, columns::kSeamEdges).read(r.run.first, part);
     for (SeamEdge& e : part) e.region += regions;
     regions += r.run.regions;
     at += part.size();
@@ -142,12 +142,11 @@ void write_flags(const Store& store, const std::vector<std::uint64_t>& first, co
   for (const Block& b : store.blocks()) tasks.push_back({b.points * std::uint64_t{32}, b.points});
   run_pass(tasks, budget, [&](std::size_t i) {
     const auto b = static_cast<std::uint32_t>(i);
-    if (store.has(b, "boundary")) return;
+    if (store.has(b, columns::kBoundary)) return;
     std::vector<std::uint8_t> flags(store.blocks()[b].points);
     for (std::uint32_t p = 0; p < flags.size(); ++p) flags[p] = is_vertex[first[b] + p] ? 1 : 0;
-    for (const Coincident& c : read_column<Coincident>(store.path(b, "coincident")))
-      flags[c.point] = is_vertex[c.kept] ? 1 : 0;
-    store.write<std::uint8_t>(b, "boundary", flags);
+    for (const Coincident& c : store.read(b, columns::kCoincident)) flags[c.point] = is_vertex[c.kept] ? 1 : 0;
+    store.write(b, columns::kBoundary, flags);
   });
 }
 
@@ -160,7 +159,7 @@ void edges_of_blocks(const Store& store, const BoundaryWork& work, const PassCon
   });
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "seam_edges")) write_seam_edges(store, block, work);
+    if (!store.has(block, columns::kSeamEdges)) write_seam_edges(store, block, work);
     context.advance(store.blocks()[block].points);
   });
 }
@@ -184,7 +183,7 @@ void boundaries_pass(const Store& store, const BoundaryParams& params, const Pas
   edges_of_blocks(store, work, context);
   std::vector<std::vector<RunOfBlock>> runs(params.planes.size() + 1);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
-    for (const SeamRun& r : read_column<SeamRun>(store.path(b, "seam_runs"))) runs[r.plane].push_back({b, r});
+    for (const SeamRun& r : store.read(b, columns::kSeamRuns)) runs[r.plane].push_back({b, r});
   std::vector<bool> is_vertex(store.points());
   const std::uint64_t budget = context.budget_bytes - std::min(context.budget_bytes / 2, store.points() / 8);
   for (std::size_t done = 1; done < runs.size(); done += kPlanesTogether) {

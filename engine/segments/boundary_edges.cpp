@@ -183,9 +183,9 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
     if (n == kNoEdge) n = runs.back().regions++;
     edges[i].region = n;
   }
-  store.write<Coincident>(block, "coincident", coincident);
-  store.write<SeamRun>(block, "seam_runs", runs);
-  store.write<SeamEdge>(block, "seam_edges", edges);
+  store.write(block, columns::kCoincident, coincident);
+  store.write(block, columns::kSeamRuns, runs);
+  store.write(block, columns::kSeamEdges, edges);
 }
 
 }  // namespace ilot

@@ -43,7 +43,7 @@ struct Cutter {
 };
 
 std::vector<Stretch> cut_block(const Store& store, std::uint32_t block, std::uint32_t most, std::int64_t across) {
-  const auto codes = store.read<std::uint64_t>(block, "codes");
+  const auto codes = store.read(block, columns::kCodes);
   const Block& b = store.blocks()[block];
   Cutter cutter{block, most, codes, b.box.grown(across), {}};
   cutter.cut(b.node, 0, b.points);
@@ -130,7 +130,7 @@ Surroundings::Surroundings(const Store& store, const Stretch& stretch, const Bou
   IndexBox box;
   view_ = plan_surroundings(store, stretch, work, box);
   load_points(store, view_);
-  plane_ = load_column<std::uint32_t>(store, view_, "plane");
+  plane_ = load_column(store, view_, columns::kPlane);
   for (std::uint32_t i = 0; i < plane_.size(); ++i)
     plane_[i] = box.contains(view_.position(i)) ? work.params.final_id[plane_[i]] : 0;
   for (const Slice& s : view_.slices)

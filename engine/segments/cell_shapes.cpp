@@ -60,11 +60,11 @@ void write_cell_shapes(const Store& store, const Cell& cell, const CellPoints& c
     for (std::uint32_t i = 0; i < cp.size; ++i)
       if (cp.core[i]) out.labels.push_back(number[found.label[i]]);
   const Header header{out.shapes.size(), out.samples.size(), out.labels.size()};
-  ColumnWriter writer(path_of(store, cell));
-  writer.append<Header>(std::span(&header, 1));
-  writer.append<CellShape>(out.shapes);
-  writer.append<Place>(out.samples);
-  writer.append<std::uint32_t>(out.labels);
+  RecordWriter writer(path_of(store, cell));
+  writer.append(std::as_bytes(std::span(&header, 1)));
+  writer.append(std::as_bytes(std::span(out.shapes)));
+  writer.append(std::as_bytes(std::span(out.samples)));
+  writer.append(std::as_bytes(std::span(out.labels)));
   writer.commit();
 }
 
@@ -72,19 +72,19 @@ CellShapes read_cell_shapes(const Store& store, const Cell& cell, CellPart part)
   CellShapes out;
   const std::filesystem::path path = path_of(store, cell);
   if (!std::filesystem::exists(path)) return out;
-  const ColumnReader reader(path);
+  const RecordReader reader(path);
   Header header;
-  reader.read<Header>(0, std::span(&header, 1));
+  reader.read(0, std::as_writable_bytes(std::span(&header, 1)));
   out.shapes.resize(header.shapes);
   std::uint64_t at = sizeof header;
-  reader.read_bytes(at, std::as_writable_bytes(std::span(out.shapes)));
+  reader.read(at, std::as_writable_bytes(std::span(out.shapes)));
   at += header.shapes * sizeof(CellShape);
   if (part == CellPart::shapes) {
     out.samples.resize(header.samples);
-    reader.read_bytes(at, std::as_writable_bytes(std::span(out.samples)));
+    reader.read(at, std::as_writable_bytes(std::span(out.samples)));
   } else {
     out.labels.resize(header.labels);
-    reader.read_bytes(at + header.samples * sizeof(Place), std::as_writable_bytes(std::span(out.labels)));
+    reader.read(at + header.samples * sizeof(Place), std::as_writable_bytes(std::span(out.labels)));
   }
   return out;
 }

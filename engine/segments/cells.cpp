@@ -40,13 +40,11 @@ int cell_level(double unit_metres) {
 }
 
 // First point of the slice whose code is not below `code`.
-std::uint32_t lower_bound(const ColumnReader& codes, const CellSlice& s, std::uint64_t code) {
+std::uint32_t lower_bound(const ColumnReader<std::uint64_t>& codes, const CellSlice& s, std::uint64_t code) {
   std::uint32_t lo = s.first, hi = s.first + s.count;
   while (lo < hi) {
     const std::uint32_t middle = lo + (hi - lo) / 2;
-    std::uint64_t value = 0;
-    codes.read<std::uint64_t>(middle, std::span(&value, 1));
-    if (value < code) {
+    if (codes.at(middle) < code) {
       lo = middle + 1;
     } else {
       hi = middle;
@@ -80,7 +78,7 @@ class Cutter {
       if (!child.node.contains(block)) continue;
       return give(child, s);
     }
-    const ColumnReader codes(store_.path(s.block, "codes"));
+    const auto codes = store_.open(s.block, columns::kCodes);
     CellSlice rest = s;
     for (std::size_t octant = 0; octant < 8 && rest.count > 0; ++octant) {
       const std::uint32_t end = rest.first + rest.count;
@@ -152,9 +150,9 @@ CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& 
   CellPoints cp;
   reserve(cp, std::min<std::uint64_t>(plan.size, cell.points + 2 * std::uint64_t{kCellPoints}));
   for_each_stretch(store, plan.slices, [&](const Stretch& s) {
-    const auto normals = s.read<PackedNormal>(store, "normals");
+    const auto normals = s.read(store, columns::kNormals);
     std::vector<StoredColour> colours;
-    if (!palette.centre.empty()) colours = s.read<StoredColour>(store, "colour");
+    if (!palette.centre.empty()) colours = s.read(store, columns::kColour);
     for (std::size_t i = 0; i < s.codes.size(); ++i) {
       const Index3 p = s.position(i);
       if (!around.contains(p)) continue;

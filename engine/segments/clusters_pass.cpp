@@ -53,10 +53,10 @@ std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block
   view.slices.push_back({block, 0, b.points, 0});
   view.size = b.points;
   load_points(store, view);
-  const auto values = store.read<std::uint8_t>(block, params.column);
+  const auto roles = store.read(block, columns::kRole);
   std::vector<std::uint32_t> chosen, part(b.points, 0);
   for (std::uint32_t i = 0; i < b.points; ++i)
-    if (values[i] == params.value) chosen.push_back(i);
+    if (roles[i] == params.role) chosen.push_back(i);
   std::vector<Index3> positions;
   for (const std::uint32_t i : chosen) positions.push_back(view.position(i));
   const Clusters found = in_plan(view, chosen, params.radius);
@@ -65,7 +65,7 @@ std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block
     add(clusters[found.id[i]], positions[i]);
     part[chosen[i]] = found.id[i] + 1;
   }
-  store.write<std::uint32_t>(block, "cluster_part", part);
+  store.write(block, columns::kClusterPart, part);
   return clusters;
 }
 
@@ -79,7 +79,7 @@ std::vector<Pair> links_of_block(const Store& store, std::uint32_t block, const 
   View view = load_view(store, box, store.blocks()[block].node.min_corner());
   std::vector<std::uint32_t> chosen, part_of_chosen;
   for (const Slice& s : view.slices) {
-    const auto parts = store.read<std::uint32_t>(s.block, "cluster_part", s.first, s.count);
+    const auto parts = store.read(s.block, columns::kClusterPart, s.first, s.count);
     for (std::uint32_t i = 0; i < s.count; ++i) {
       if (parts[i] == 0) continue;
       chosen.push_back(s.at + i);
@@ -144,9 +144,9 @@ std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams&
     }
   }
   for_each_block(store, context, 0, [&](std::uint32_t b) {
-    auto column = store.read<std::uint32_t>(b, "cluster_part");
+    auto column = store.read(b, columns::kClusterPart);
     for (std::uint32_t& c : column) c = c == 0 ? 0 : number[first[b] + c - 1] + 1;
-    store.write<std::uint32_t>(b, "cluster", column);
+    store.write(b, columns::kCluster, column);
     context.advance(store.blocks()[b].points);
   });
   return clusters;

@@ -2,7 +2,6 @@
 // Euclidean clusters over all blocks [D1]: what hangs together in plan is one, wherever blocks end.
 #pragma once
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "engine/pass/context.h"
@@ -11,8 +10,7 @@
 namespace ilot {
 
 struct ClusterParams {
-  std::string column;       // u8 per point
-  std::uint8_t value = 0;   // points with this value in it are clustered
+  PointRole role{};         // points of this role (column "role") are clustered
   std::int64_t radius = 1;  // lattice units; points so near to each other in plan (closed) are in one cluster
 };
 

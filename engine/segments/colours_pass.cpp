@@ -46,7 +46,7 @@ bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointRea
   std::vector<int> shifts(inputs.size(), 0);
   for (const RowStretch& s : rows.stretches())
     if (rows.sum(s).r > 255) shifts[s.file] = 8;
-  rows.gather("colour", kNoColour, context, [&](const RawColour& c, std::size_t file) {
+  rows.gather(columns::kColour, kNoColour, context, [&](const RawColour& c, std::size_t file) {
     const auto byte = [&](std::uint16_t v) { return static_cast<StoredColour>(v >> shifts[file]); };
     return byte(c.r) << 16 | byte(c.g) << 8 | byte(c.b);
   });
@@ -78,8 +78,8 @@ ColourPalette colour_palette(const Store& store, std::uint32_t k, std::uint64_t 
     const std::uint32_t points = store.blocks()[block].points;
     for (std::uint32_t first = 0; first < points; first += kRows) {
       const auto n = std::min(kRows, points - first);
-      const auto codes = store.read<std::uint64_t>(block, "codes", first, n);
-      const auto colours = store.read<StoredColour>(block, "colour", first, n);
+      const auto codes = store.read(block, columns::kCodes, first, n);
+      const auto colours = store.read(block, columns::kColour, first, n);
       for (std::size_t i = 0; i < n; ++i) {
         if (colours[i] == kNoColour || mix64(codes[i]) % stride != 0) continue;
         r.push_back(static_cast<std::uint8_t>(colours[i] >> 16));

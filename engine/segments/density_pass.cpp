@@ -134,10 +134,10 @@ struct Hit {
 
 std::vector<Hit> hits_of(const Store& store, std::uint32_t block, const std::vector<std::uint32_t>& map_of,
                          const std::vector<Draft>& drafts) {
-  const auto plane = store.read<std::uint32_t>(block, "plane");
+  const auto plane = store.read(block, columns::kPlane);
   std::vector<Hit> hits;
   if (std::none_of(plane.begin(), plane.end(), [&](std::uint32_t p) { return map_of[p] != 0; })) return hits;
-  const auto codes = store.read<std::uint64_t>(block, "codes");
+  const auto codes = store.read(block, columns::kCodes);
   const Tile tile = store.blocks()[block].node.tile;
   for (std::size_t i = 0; i < plane.size(); ++i) {
     if (map_of[plane[i]] == 0) continue;

@@ -86,7 +86,7 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
   const std::int64_t reach = own_cells.widest_connectivity;
   const Block& b = store.blocks()[block];
   const View view = load_view(store, b.box.grown(reach), b.node.min_corner());
-  const auto labels = load_column<std::uint32_t>(store, view, "segment");
+  const auto labels = load_column(store, view, columns::kSegment);
   const BorderPoints border = border_points(view, labels, range_of_block(view, block), cells, planes, reach);
   const NeighbourIndex index = build_neighbour_index(border.points());
   const auto reach_of = [&](std::uint32_t i) { return planes.cells[planes.cell_of[border.segment[i]]].connectivity; };
@@ -187,15 +187,15 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
     tasks.push_back({points_around(store, b, block_cells[b]) * kBytesPerPoint, store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "contacts")) {
+    if (!store.has(block, columns::kContacts)) {
       const auto contacts = block_contacts(store, block, block_cells[block], cells, planes);
-      store.write<Contact>(block, "contacts", contacts);
+      store.write(block, columns::kContacts, contacts);
     }
     context.advance(store.blocks()[block].points / 2);  // the other half when the labels are decided
   });
   std::vector<Contact> all;
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block) {
-    const auto part = read_column<Contact>(store.path(block, "contacts"));
+    const auto part = store.read(block, columns::kContacts);
     all.insert(all.end(), part.begin(), part.end());
   }
   std::sort(all.begin(), all.end(),

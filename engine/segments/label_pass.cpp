@@ -14,6 +14,12 @@
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
+
+struct StoredPlaneTally {
+  std::uint32_t plane = 0;
+  PlaneTally tally;
+};
+
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 72;
@@ -21,11 +27,6 @@ constexpr int kVoters = 13;                        // the point itself and its 1
 constexpr int kLeastVotes = 2;                     // for a plane to be a candidate
 constexpr double kAgreeing2 = 0.8213938048432696;  // squared cosine of 25 degrees
 constexpr double kStrictly = 1 - 1e-6;             // rounding of coordinates and of float32 stays within epsilon
-
-struct StoredTally {
-  std::uint32_t plane = 0;
-  PlaneTally tally;
-};
 
 struct Vote {
   std::uint32_t plane = 0;
@@ -60,7 +61,7 @@ class BlockLabels {
         palette_(palette) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
-    before_ = load_column<std::uint32_t>(store, view_, "segment");
+    before_ = load_column(store, view_, columns::kSegment);
     for (std::uint32_t& s : before_) s = s == 0 ? 0 : joined.of_segment[s - 1];
     own_ = range_of_block(view_, block);
     plane_.resize(b.points);
@@ -82,10 +83,10 @@ class BlockLabels {
     }
   }
 
-  std::vector<StoredTally> tallies() const {
+  std::vector<StoredPlaneTally> tallies() const {
     std::map<std::uint32_t, PlaneTally> by_plane;
-    const auto codes = store_.read<std::uint64_t>(block_, "codes");
-    const auto normals = store_.read<PackedNormal>(block_, "normals");
+    const auto codes = store_.read(block_, columns::kCodes);
+    const auto normals = store_.read(block_, columns::kNormals);
     std::uint32_t last = 0;  // neighbours in the list mostly share their plane
     PlaneTally* of_last = nullptr;
     PlaneFrame frame;
@@ -108,14 +109,14 @@ class BlockLabels {
       t.box.max = {std::max(t.box.max.x, p.x), std::max(t.box.max.y, p.y), std::max(t.box.max.z, p.z)};
     }
     add_colours(by_plane);
-    std::vector<StoredTally> list;
+    std::vector<StoredPlaneTally> list;
     for (const auto& [plane, tally] : by_plane) list.push_back({plane, tally});
     return list;
   }
 
   void write() const {
-    store_.write<StoredTally>(block_, "tally", tallies());
-    store_.write<std::uint32_t>(block_, "plane", plane_);
+    store_.write(block_, columns::kTally, tallies());
+    store_.write(block_, columns::kPlane, plane_);
   }
 
  private:
@@ -142,7 +143,7 @@ class BlockLabels {
 
   void add_colours(std::map<std::uint32_t, PlaneTally>& by_plane) const {
     if (palette_.centre.empty()) return;
-    const auto colours = store_.read<StoredColour>(block_, "colour");
+    const auto colours = store_.read(block_, columns::kColour);
     for (std::size_t i = 0; i < plane_.size(); ++i) {
       const std::uint32_t c = plane_[i] == 0 ? 0 : palette_.class_of(colours[i]);
       if (c != 0) ++by_plane[plane_[i]].colours[c - 1];
@@ -238,7 +239,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
     tasks.push_back({points_around(store, b, block_cells[b]) * kBytesPerPoint, store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "plane")) {
+    if (!store.has(block, columns::kPlane)) {
       BlockLabels labels(store, block, block_cells[block], cell_planes, joined, context, palette);
       labels.decide();
       labels.write();
@@ -247,8 +248,7 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
   });
   std::vector<PlaneTally> tallies(joined.planes.size());
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
-    for (const StoredTally& t : read_column<StoredTally>(store.path(block, "tally")))
-      add(tallies[t.plane - 1], t.tally);
+    for (const StoredPlaneTally& t : store.read(block, columns::kTally)) add(tallies[t.plane - 1], t.tally);
   return tallies;
 }
 

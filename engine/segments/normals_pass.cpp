@@ -48,7 +48,7 @@ std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& 
   std::vector<Chunk> chunks;
   for (const std::uint32_t block : store.blocks_in(IndexBox{p, p}.grown(radius))) {
     const Index3 c = corner(store.blocks()[block].node.tile);
-    const auto boxes = read_column<ChunkBox>(store.path(block, "chunks"));
+    const auto boxes = store.read(block, columns::kChunks);
     for (std::uint32_t i = 0; i < boxes.size(); ++i) {
       const std::int64_t d2 = squared_distance(boxes[i], {p.x - c.x, p.y - c.y, p.z - c.z});
       if (d2 <= params.max_d2) chunks.push_back({d2, block, i * kChunkPoints});
@@ -61,7 +61,7 @@ std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& 
     if (nearest.size() == k && chunk.d2 > nearest.front()) break;
     const Block& b = store.blocks()[chunk.block];
     const auto codes =
-        store.read<std::uint64_t>(chunk.block, "codes", chunk.first, std::min(kChunkPoints, b.points - chunk.first));
+        store.read(chunk.block, columns::kCodes, chunk.first, std::min(kChunkPoints, b.points - chunk.first));
     for (const std::uint64_t code : codes) {
       const Index3 q = index_of({b.node.tile, code});
       const std::int64_t dx = q.x - p.x, dy = q.y - p.y, dz = q.z - p.z;
@@ -155,14 +155,14 @@ class BlockNormals {
   }
 
   Index3 position(std::uint32_t point) const {
-    const auto code = store_.read<std::uint64_t>(block_, "codes", point, 1);
+    const auto code = store_.read(block_, columns::kCodes, point, 1);
     return index_of({store_.blocks()[block_].node.tile, code[0]});
   }
 
   IndexBox box_of(std::span<const std::uint32_t> points) const {
     const Block& b = store_.blocks()[block_];
     if (points.size() == b.points) return b.box;
-    const auto codes = store_.read<std::uint64_t>(block_, "codes", points.front(), points.back() - points.front() + 1);
+    const auto codes = store_.read(block_, columns::kCodes, points.front(), points.back() - points.front() + 1);
     IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
     for (const std::uint32_t i : points) {
       const Index3 p = index_of({b.node.tile, codes[i - points.front()]});
@@ -208,9 +208,9 @@ void normals_pass(const Store& store, const NormalsSettings& settings, const Pas
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint * 3 / 2, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "normals")) {
+    if (!store.has(block, columns::kNormals)) {
       const auto result = BlockNormals(store, block, params, context.task_points).compute();
-      store.write<PackedNormal>(block, "normals", result);
+      store.write(block, columns::kNormals, result);
     }
     context.advance(store.blocks()[block].points);
   });

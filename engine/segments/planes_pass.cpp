@@ -197,16 +197,21 @@ CellResult solve(const Store& store, const Cell& cell, const Settings& settings,
 }
 
 void write_cell(const Store& store, const Cell& cell, const CellResult& r) {
-  ColumnWriter writer(cell_path(store, cell));
-  writer.append<StoredCell>(std::span(&r.header, 1));
-  writer.append<CellPlane>(r.planes);
-  writer.append<std::uint32_t>(r.labels);
+  RecordWriter writer(cell_path(store, cell));
+  writer.append(std::as_bytes(std::span(&r.header, 1)));
+  writer.append(std::as_bytes(std::span(r.planes)));
+  writer.append(std::as_bytes(std::span(r.labels)));
   writer.commit();
 }
 
-void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
+StoredCell header_of(const RecordReader& reader) {
   StoredCell header;
-  ColumnReader(cell_path(store, cells[cell])).read<StoredCell>(0, std::span(&header, 1));
+  reader.read(0, std::as_writable_bytes(std::span(&header, 1)));
+  return header;
+}
+
+void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t cell, CellPlanes& all) {
+  const StoredCell header = header_of(RecordReader(cell_path(store, cells[cell])));
   all.cells[cell] = {static_cast<std::uint32_t>(all.cell_of.size()),
                      static_cast<std::uint32_t>(header.planes),
                      header.connectivity,
@@ -228,16 +233,16 @@ void write_segments(const Store& store, const std::vector<Cell>& cells, const Ce
   for (const Block& b : store.blocks()) tasks.push_back({b.points * 8ull, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (store.has(block, "segment")) return;
+    if (store.has(block, columns::kSegment)) return;
     std::vector<std::uint32_t> segment(store.blocks()[block].points);
     for (const CellPiece& p : pieces[block]) {
       const auto part = std::span(segment).subspan(p.slice.first, p.slice.count);
       const std::uint64_t labels = sizeof(StoredCell) + all.cells[p.cell].plane_count * sizeof(CellPlane);
-      ColumnReader(cell_path(store, cells[p.cell]))
-          .read_bytes(labels + p.offset * sizeof(std::uint32_t), std::as_writable_bytes(part));
+      RecordReader(cell_path(store, cells[p.cell]))
+          .read(labels + p.offset * sizeof(std::uint32_t), std::as_writable_bytes(part));
       for (std::uint32_t& label : part) label += label == 0 ? 0 : all.cells[p.cell].first_plane;
     }
-    store.write<std::uint32_t>(block, "segment", segment);
+    store.write(block, columns::kSegment, segment);
   });
 }
 
@@ -263,11 +268,10 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
 }
 
 std::vector<CellPlane> read_cell_planes(const Store& store, const Cell& cell) {
-  const ColumnReader reader(cell_path(store, cell));
-  StoredCell header;
-  reader.read<StoredCell>(0, std::span(&header, 1));
+  const RecordReader reader(cell_path(store, cell));
+  const StoredCell header = header_of(reader);
   std::vector<CellPlane> planes(header.planes);
-  reader.read_bytes(sizeof header, std::as_writable_bytes(std::span(planes)));
+  reader.read(sizeof header, std::as_writable_bytes(std::span(planes)));
   return planes;
 }
 

@@ -56,29 +56,25 @@ class RowValues {
     for (const auto& input : inputs_) input->limit_to(kAllFields);
   }
 
-  Value sum(const RowStretch& s) const {
-    Value sum{};
-    ColumnReader(path(s)).template read<Value>(s.count, std::span(&sum, 1));
-    return sum;
-  }
+  Value sum(const RowStretch& s) const { return ColumnReader<Value>(path(s)).at(s.count); }
 
   // Writes a column of every block that has none: stored(value, file) of each point, `none` of those whose input is not
   // wanted.
   template <class Stored, class ToStored>
-  void gather(const char* column, Stored none, const PassContext& context, const ToStored& stored) const {
+  void gather(const Column<Stored>& column, Stored none, const PassContext& context, const ToStored& stored) const {
     constexpr std::uint64_t kBytesPerPoint = 40;
     std::vector<PassTask> tasks;
     for (const Block& b : store_.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
     run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
       const auto block = static_cast<std::uint32_t>(i);
       if (store_.has(block, column)) return;
-      const auto order = store_.template read<InputOrder>(block, "order");
+      const auto order = store_.read(block, columns::kOrder);
       std::vector<Stored> values(order.size(), none);
       Rising rows(*this);
       for (const std::uint32_t p : points_by_row(store_, block, order))
         if (const Value* value = rows.at(file_of(order[p]), row_of(order[p])))
           values[p] = stored(*value, static_cast<std::size_t>(file_of(order[p])));
-      store_.template write<Stored>(block, column, values);
+      store_.write(block, column, values);
     });
   }
 
@@ -98,7 +94,7 @@ class RowValues {
     std::vector<std::uint8_t> valid(kRows);
     std::vector<Value> values;
     Value sum{};
-    ColumnWriter writer(path(s));
+    ColumnWriter<Value> writer(path(s));
     for (std::uint64_t done = 0; done < s.count; done += kRows) {
       const std::uint64_t n = std::min(kRows, s.count - done);
       const std::span rows = std::span(records).first(n * layout.record_length);
@@ -109,9 +105,9 @@ class RowValues {
         values[i] = value_of(rows.subspan(i * layout.record_length, layout.record_length), layout);
         if (valid[i] != 0) add(sum, values[i]);
       }
-      writer.append<Value>(values);
+      writer.append(values);
     }
-    writer.append<Value>(std::span(&sum, 1));
+    writer.append(std::span(&sum, 1));
     writer.commit();
   }
 
@@ -128,7 +124,7 @@ class RowValues {
       if (row < first_ || row >= first_ + window_.size()) {
         first_ = row;
         window_.resize(std::min(kRows, s.first + s.count - row));
-        ColumnReader(all_.path(s)).template read<Value>(row - s.first, window_);
+        ColumnReader<Value>(all_.path(s)).read(row - s.first, window_);
       }
       return &window_[row - first_];
     }

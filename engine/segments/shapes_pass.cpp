@@ -12,6 +12,12 @@
 #include "kernels/planes/shape_fit.h"
 
 namespace ilot {
+
+struct StoredShapeTally {
+  std::uint32_t shape = 0;
+  ShapeTally tally;
+};
+
 namespace {
 
 constexpr double kAgreement = 0.5;  // root mean square of each part from the common shape, in epsilons
@@ -152,11 +158,6 @@ class Joiner {
   std::vector<std::uint32_t> first_;
 };
 
-struct StoredTally {
-  std::uint32_t shape = 0;
-  ShapeTally tally;
-};
-
 // Signed distance of a point from a shape over its epsilon, which it must not exceed.
 double share_of_epsilon(const JoinedShape& j, Index3 p) {
   return view_of(j.shape, {static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
@@ -167,8 +168,8 @@ double share_of_epsilon(const JoinedShape& j, Index3 p) {
 
 void label_block(const Store& store, std::uint32_t block, const std::vector<Cell>& cells,
                  const std::vector<CellPiece>& pieces, const JoinedShapes& joined, const PassContext& context) {
-  const auto codes = store.read<std::uint64_t>(block, "codes");
-  const auto plane = store.read<std::uint32_t>(block, "plane");
+  const auto codes = store.read(block, columns::kCodes);
+  const auto plane = store.read(block, columns::kPlane);
   const Tile tile = store.blocks()[block].node.tile;
   std::vector<std::uint32_t> shape(codes.size(), 0);
   std::map<std::uint32_t, ShapeTally> tallies;
@@ -192,10 +193,10 @@ void label_block(const Store& store, std::uint32_t block, const std::vector<Cell
       t.box.max = {std::max(t.box.max.x, p.x), std::max(t.box.max.y, p.y), std::max(t.box.max.z, p.z)};
     }
   }
-  std::vector<StoredTally> stored;
+  std::vector<StoredShapeTally> stored;
   for (const auto& [s, t] : tallies) stored.push_back({s, t});
-  store.write<StoredTally>(block, "shape_tally", stored);
-  store.write<std::uint32_t>(block, "shape", shape);
+  store.write(block, columns::kShapeTally, stored);
+  store.write(block, columns::kShape, shape);
 }
 
 }  // namespace
@@ -211,11 +212,11 @@ std::vector<ShapeTally> shapes_pass(const Store& store, const std::vector<Cell>&
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    if (!store.has(block, "shape")) label_block(store, block, cells, pieces[block], joined, context);
+    if (!store.has(block, columns::kShape)) label_block(store, block, cells, pieces[block], joined, context);
   });
   std::vector<ShapeTally> sums(joined.shapes.size());
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
-    for (const auto& [shape, t] : read_column<StoredTally>(store.path(block, "shape_tally"))) {
+    for (const auto& [shape, t] : store.read(block, columns::kShapeTally)) {
       ShapeTally& sum = sums[shape - 1];
       sum.points += t.points;
       sum.content_id += t.content_id;

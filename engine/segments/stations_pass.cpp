@@ -25,19 +25,18 @@ std::vector<std::vector<StationNumber>> tables_of(const std::vector<InputStation
 }
 
 // Inputs of one station need not be read: their files are enough.
-void gather_by_file(const Store& store, const std::vector<InputStations>& told, const char* column,
+void gather_by_file(const Store& store, const std::vector<InputStations>& told, const Column<StationNumber>& column,
                     const PassContext& context) {
   constexpr std::uint64_t kBytesPerPoint = 10;
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const auto order = store.read<InputOrder>(block, "order");
-    auto values = store.has(block, column) ? store.read<StationNumber>(block, column)
-                                           : std::vector<StationNumber>(order.size(), 0);
+    const auto order = store.read(block, columns::kOrder);
+    auto values = store.has(block, column) ? store.read(block, column) : std::vector<StationNumber>(order.size(), 0);
     for (std::size_t p = 0; p < order.size(); ++p)
       if (const StationNumber all = told[file_of(order[p])].of_all) values[p] = all;
-    store.write<StationNumber>(block, column, values);
+    store.write(block, column, values);
   });
 }
 
@@ -46,7 +45,7 @@ StationTally count(const Store& store, const PassContext& context) {
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * sizeof(StationNumber), b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    for (const StationNumber s : store.read<StationNumber>(static_cast<std::uint32_t>(i), "station"))
+    for (const StationNumber s : store.read(static_cast<std::uint32_t>(i), columns::kStation))
       ++(s != 0 ? tallies[i].told : tallies[i].untold);
   });
   StationTally all;
@@ -64,12 +63,12 @@ StationTally stations_pass(const Store& store, const std::vector<std::unique_ptr
   });
   if (!rows.empty()) {
     rows.read(kFieldSource, context, source_of, [](std::uint16_t&, std::uint16_t) {});
-    rows.gather("station", StationNumber{0}, context,
+    rows.gather(columns::kStation, StationNumber{0}, context,
                 [&](std::uint16_t source, std::size_t file) { return tables[file][source]; });
   }
   if (std::any_of(told.begin(), told.end(), [](const InputStations& input) { return input.of_all != 0; }) ||
       rows.empty())
-    gather_by_file(store, told, "station", context);
+    gather_by_file(store, told, columns::kStation, context);
   return count(store, context);
 }
 

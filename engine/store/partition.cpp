@@ -12,7 +12,8 @@ namespace ilot {
 namespace {
 
 // First position in [range.first, range.end) whose code is not below `code`.
-std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& points, const RunRange& range, std::uint64_t code) {
+std::uint64_t lower_bound(const SortedRun& run, const ColumnReader<KeyValue>& points, const RunRange& range,
+                          std::uint64_t code) {
   std::uint64_t lo = range.first, hi = range.end;
   const std::uint64_t first_sample = (lo + kRunSample - 1) / kRunSample;
   const std::uint64_t last_sample = (hi + kRunSample - 1) / kRunSample;
@@ -23,7 +24,7 @@ std::uint64_t lower_bound(const SortedRun& run, const ColumnReader& points, cons
   if (it != end) hi = std::min(hi, static_cast<std::uint64_t>(it - run.samples.begin()) * kRunSample);
   if (lo == hi) return lo;
   std::vector<KeyValue> page(hi - lo);
-  points.read<KeyValue>(lo, page);
+  points.read(lo, page);
   const auto below = [](const KeyValue& point, std::uint64_t c) { return point.key < c; };
   return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code, below) - page.begin());
 }
@@ -42,7 +43,7 @@ class Planner {
     for (int octant = 0; octant < 8; ++octant)
       children[static_cast<std::size_t>(octant)].node = block.node.child(octant);
     for (const RunRange& range : block.ranges) {
-      const ColumnReader points(with_suffix(runs_[range.run].stem, ".points"));
+      const ColumnReader<KeyValue> points(with_suffix(runs_[range.run].stem, ".points"));
       std::uint64_t first = range.first;
       for (std::size_t octant = 0; octant < 8; ++octant) {
         const std::uint64_t end = octant == 7 ? range.end
@@ -69,7 +70,7 @@ std::span<KeyValue> merge(const PlannedBlock& plan, std::span<const SortedRun> r
   std::uint64_t at = 0;
   for (const RunRange& range : plan.ranges) {
     const std::uint64_t n = range.end - range.first;
-    ColumnReader(with_suffix(runs[range.run].stem, ".points")).read<KeyValue>(range.first, points.subspan(at, n));
+    ColumnReader<KeyValue>(with_suffix(runs[range.run].stem, ".points")).read(range.first, points.subspan(at, n));
     at += n;
   }
   if (plan.ranges.size() > 1) sort_pairs(points, memory.subspan(plan.points));
@@ -94,16 +95,15 @@ std::vector<ChunkBox> chunk_boxes(std::span<const KeyValue> points) {
 }
 
 // Writes a value of each point as a column, through a small buffer.
-template <class Get>
-void write_values(const std::filesystem::path& path, std::span<const KeyValue> points, const Get& get) {
-  using T = decltype(get(points[0]));
+template <class T, class Get>
+void write_values(const std::string& stem, const Column<T>& column, std::span<const KeyValue> points, const Get& get) {
   constexpr std::size_t kBuffer = 1 << 13;
-  ColumnWriter file(path);
+  ColumnWriter<T> file(stem + column.info.name);
   std::vector<T> buffer(kBuffer);
   for (std::size_t first = 0; first < points.size(); first += kBuffer) {
     const std::size_t n = std::min(kBuffer, points.size() - first);
     for (std::size_t i = 0; i < n; ++i) buffer[i] = get(points[first + i]);
-    file.append<T>(std::span<const T>(buffer).first(n));
+    file.append(std::span<const T>(buffer).first(n));
   }
   file.commit();
 }
@@ -146,13 +146,13 @@ Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, Cla
   const std::span<const KeyValue> points = merge(plan, runs, {memory.get(), 2 * plan.points});
   const std::vector<ChunkBox> chunks = chunk_boxes(points);
   const std::string stem = folder / (plan.node.name() + ".");
-  write_values(stem + "codes", points, [](const KeyValue& p) { return p.key; });
-  write_values(stem + "order", points, [](const KeyValue& p) { return order_of(p.value); });
+  write_values(stem, columns::kCodes, points, [](const KeyValue& p) { return p.key; });
+  write_values(stem, columns::kOrder, points, [](const KeyValue& p) { return order_of(p.value); });
   if (classes == ClassColumns::written) {
-    write_values(stem + "class", points, [](const KeyValue& p) { return class_of(p.value); });
-    write_values(stem + "echoes", points, [](const KeyValue& p) { return echoes_of(p.value); });
+    write_values(stem, columns::kClass, points, [](const KeyValue& p) { return class_of(p.value); });
+    write_values(stem, columns::kEchoes, points, [](const KeyValue& p) { return echoes_of(p.value); });
   }
-  write_column<ChunkBox>(stem + "chunks", chunks);
+  write_column<ChunkBox>(stem + columns::kChunks.info.name, chunks);
   return {plan.node, static_cast<std::uint32_t>(plan.points), bounds(chunks, plan.node.tile)};
 }
 

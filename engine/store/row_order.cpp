@@ -6,9 +6,9 @@
 namespace ilot {
 
 std::vector<std::uint32_t> points_by_row(const Store& store, std::uint32_t block, std::span<const InputOrder> order) {
-  if (store.has(block, "sorted")) return store.read<std::uint32_t>(block, "sorted");
+  if (store.has(block, columns::kSorted)) return store.read(block, columns::kSorted);
   std::vector<std::uint32_t> sorted = sorted_order(order);
-  store.write<std::uint32_t>(block, "sorted", sorted);
+  store.write(block, columns::kSorted, sorted);
   return sorted;
 }
 

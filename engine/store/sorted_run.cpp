@@ -37,7 +37,7 @@ class Gatherer {
 
 // Sorts tile by tile and frees each as soon as it is written.
 void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) {
-  ColumnWriter file(with_suffix(run.stem, ".points"));
+  ColumnWriter<KeyValue> file(with_suffix(run.stem, ".points"));
   std::uint64_t written = 0;
   for (auto& [tile, points] : tiles) {
     const std::uint64_t n = points.size();
@@ -45,7 +45,7 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) 
     run.tiles.push_back({tile, written, written + n});
     const std::uint64_t to_sample = (kRunSample - written % kRunSample) % kRunSample;
     for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points[i].key);
-    file.append<KeyValue>(points);
+    file.append(points);
     written += n;
     std::vector<KeyValue>().swap(points);
   }
@@ -53,12 +53,12 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) 
 }
 
 void write_table(const SortedRun& run) {
-  ColumnWriter table(with_suffix(run.stem, ".table"));
+  RecordWriter table(with_suffix(run.stem, ".table"));
   const std::uint64_t sizes[2]{run.tiles.size(), run.samples.size()};
-  table.append<std::uint64_t>(sizes);
-  table.append<std::uint64_t>(run.rejected);
-  table.append<RunTile>(run.tiles);
-  table.append<std::uint64_t>(run.samples);
+  table.append(std::as_bytes(std::span(sizes)));
+  table.append(std::as_bytes(std::span(run.rejected)));
+  table.append(std::as_bytes(std::span(run.tiles)));
+  table.append(std::as_bytes(std::span(run.samples)));
   table.commit();
 }
 
@@ -121,12 +121,12 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
 std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem) {
   const auto path = with_suffix(stem, ".table");
   if (!std::filesystem::exists(path)) return std::nullopt;
-  const ColumnReader reader(path);
+  const RecordReader reader(path);
   SortedRun run{stem, {}, {}, {}};
   std::uint64_t sizes[2];
   std::uint64_t at = 0;
   const auto take = [&](auto span) {
-    reader.read_bytes(at, std::as_writable_bytes(span));
+    reader.read(at, std::as_writable_bytes(span));
     at += span.size_bytes();
   };
   take(std::span(sizes));

@@ -15,12 +15,8 @@ std::vector<std::uint32_t> Store::blocks_in(const IndexBox& box) const {
   return found;
 }
 
-std::filesystem::path Store::path(std::uint32_t block, std::string_view column) const {
-  return folder_ / "blocks" / (blocks_[block].node.name() + "." + std::string(column));
-}
-
-bool Store::has(std::uint32_t block, std::string_view column) const {
-  return std::filesystem::exists(path(block, column));
+std::filesystem::path Store::file(std::uint32_t block, const char* column) const {
+  return folder_ / "blocks" / (blocks_[block].node.name() + "." + column);
 }
 
 }  // namespace ilot

@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "engine/store/column_file.h"
+#include "engine/store/columns.h"
 #include "engine/store/lattice.h"
 
 namespace ilot {
@@ -20,8 +20,7 @@ struct Block {
 
 // Blocks on disk: one immutable file per block and column. Which points fall into which block is never visible in a
 // result; the global order of points (tile, code) is.
-// Columns: "codes" u64 Morton codes, "order" u64 input order (InputOrder), "chunks" ChunkBox per 1,024 points; where
-// the index was asked for them "class" u8 and "echoes" u8 (kOneOfSeveral, kNotTheLast); and those that passes add.
+// Columns: engine/store/columns.h.
 class Store {
  public:
   Store(std::filesystem::path folder, double unit, std::vector<Block> blocks);
@@ -34,25 +33,42 @@ class Store {
   // Blocks whose points may lie in the box, in global order. O(blocks).
   std::vector<std::uint32_t> blocks_in(const IndexBox& box) const;
 
-  bool has(std::uint32_t block, std::string_view column) const;
-  std::filesystem::path path(std::uint32_t block, std::string_view column) const;
+  template <class T>
+  bool has(std::uint32_t block, const Column<T>& column) const {
+    return std::filesystem::exists(path(block, column));
+  }
+  template <class T>
+  std::filesystem::path path(std::uint32_t block, const Column<T>& column) const {
+    return file(block, column.info.name);
+  }
 
   template <class T>
-  void write(std::uint32_t block, std::string_view column, std::span<const T> values) const {
+  void write(std::uint32_t block, const Column<T>& column, std::span<const T> values) const {
     write_column<T>(path(block, column), values);
   }
   template <class T>
-  std::vector<T> read(std::uint32_t block, std::string_view column, std::uint32_t first, std::uint32_t count) const {
-    std::vector<T> values(count);
-    ColumnReader(path(block, column)).read<T>(first, values);
-    return values;
+  void write(std::uint32_t block, const Column<T>& column, const std::vector<T>& values) const {
+    write_column<T>(path(block, column), values);
   }
   template <class T>
-  std::vector<T> read(std::uint32_t block, std::string_view column) const {
-    return read<T>(block, column, 0, blocks_[block].points);
+  ColumnReader<T> open(std::uint32_t block, const Column<T>& column) const {
+    return ColumnReader<T>(path(block, column));
+  }
+  template <class T>
+  std::vector<T> read(std::uint32_t block, const Column<T>& column, std::uint64_t first, std::uint64_t count) const {
+    std::vector<T> values(count);
+    open(block, column).read(first, values);
+    return values;
+  }
+  // All values: of the block's points, or as many as were written.
+  template <class T>
+  std::vector<T> read(std::uint32_t block, const Column<T>& column) const {
+    return read_column<T>(path(block, column));
   }
 
  private:
+  std::filesystem::path file(std::uint32_t block, const char* column) const;
+
   std::filesystem::path folder_;
   double unit_;
   std::vector<Block> blocks_;

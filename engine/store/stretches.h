@@ -20,8 +20,8 @@ struct Stretch {
 
   // Another column of the same points.
   template <class T>
-  std::vector<T> read(const Store& store, std::string_view column) const {
-    return store.read<T>(block, column, first, static_cast<std::uint32_t>(codes.size()));
+  std::vector<T> read(const Store& store, const Column<T>& column) const {
+    return store.read(block, column, first, static_cast<std::uint32_t>(codes.size()));
   }
 };
 
@@ -31,11 +31,11 @@ template <class Visit>
 void for_each_stretch(const Store& store, std::span<const Slice> slices, const Visit& visit) {
   std::vector<std::uint64_t> codes;
   for (const Slice& s : slices) {
-    const ColumnReader reader(store.path(s.block, "codes"));
+    const auto reader = store.open(s.block, columns::kCodes);
     const Tile tile = store.blocks()[s.block].node.tile;
     for (std::uint32_t done = 0; done < s.count; done += kStretchPoints) {
       codes.resize(std::min(kStretchPoints, s.count - done));
-      reader.read<std::uint64_t>(s.first + done, codes);
+      reader.read(s.first + done, codes);
       visit(Stretch{s.block, s.first + done, tile, codes});
     }
   }

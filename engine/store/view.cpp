@@ -20,7 +20,7 @@ bool meets(const ChunkBox& c, Index3 tile_corner, const IndexBox& box) {
 void plan_block(const Store& store, std::uint32_t block, const IndexBox& box, View& view) {
   const Block& b = store.blocks()[block];
   if (box.contains(b.box.min) && box.contains(b.box.max)) return append_slice(view, block, 0, b.points);
-  const auto chunks = read_column<ChunkBox>(store.path(block, "chunks"));
+  const auto chunks = store.read(block, columns::kChunks);
   const Index3 tile_corner = corner(b.node.tile);
   for (std::uint32_t c = 0; c < chunks.size(); ++c) {
     if (!meets(chunks[c], tile_corner, box)) continue;
@@ -51,13 +51,13 @@ void load_points(const Store& store, View& view) {
   for (auto* v : {&view.x, &view.y, &view.z}) v->assign(view.size + kPadding, 0.0f);
   std::vector<std::uint64_t> codes;
   for (const Slice& s : view.slices) {
-    const ColumnReader reader(store.path(s.block, "codes"));
+    const auto reader = store.open(s.block, columns::kCodes);
     const Index3 c = corner(store.blocks()[s.block].node.tile);
     const Index3 from{c.x - view.anchor.x, c.y - view.anchor.y, c.z - view.anchor.z};
     constexpr std::uint32_t kBatch = 1 << 14;
     for (std::uint32_t done = 0; done < s.count; done += kBatch) {
       codes.resize(std::min(kBatch, s.count - done));
-      reader.read<std::uint64_t>(s.first + done, codes);
+      reader.read(s.first + done, codes);
       for (std::size_t i = 0; i < codes.size(); ++i) {
         const Cell3 cell = morton_cell(codes[i]);
         const std::size_t at = s.at + done + i;

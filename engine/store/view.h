@@ -43,10 +43,10 @@ inline View load_view(const Store& store, const IndexBox& box, Index3 anchor) {
 
 // Another column of the same points, in the order of the view.
 template <class T>
-std::vector<T> load_column(const Store& store, const View& view, std::string_view column) {
+std::vector<T> load_column(const Store& store, const View& view, const Column<T>& column) {
   std::vector<T> values(view.size);
   for (const Slice& s : view.slices)
-    ColumnReader(store.path(s.block, column)).read<T>(s.first, std::span(values).subspan(s.at, s.count));
+    store.open(s.block, column).read(s.first, std::span(values).subspan(s.at, s.count));
   return values;
 }
 

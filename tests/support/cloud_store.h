@@ -88,10 +88,10 @@ class CloudStore {
 
 // A column of the whole store, in global order.
 template <class T>
-std::vector<T> whole_column(const Store& store, const char* column) {
+std::vector<T> whole_column(const Store& store, const Column<T>& column) {
   std::vector<T> all;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    const auto part = store.read<T>(b, column);
+    const auto part = store.read(b, column);
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
@@ -100,7 +100,7 @@ std::vector<T> whole_column(const Store& store, const char* column) {
 inline std::vector<Index3> positions(const Store& store) {
   std::vector<Index3> all;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
-    for (const std::uint64_t code : store.read<std::uint64_t>(b, "codes"))
+    for (const std::uint64_t code : store.read(b, columns::kCodes))
       all.push_back(index_of({store.blocks()[b].node.tile, code}));
   return all;
 }

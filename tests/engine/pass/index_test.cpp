@@ -80,10 +80,10 @@ TEST(Index, AnOctreeSavesReadingButChangesNothing) {
     const std::string name = std::to_string(round);
     const Indexed with = index(octree, params, folder / ("with" + name));
     const Indexed without = index(folder / "plain.las", params, folder / ("without" + name));
-    EXPECT_EQ(test::whole_column<std::uint64_t>(with.result.store, "codes"),
-              test::whole_column<std::uint64_t>(without.result.store, "codes"));
-    EXPECT_EQ(test::whole_column<InputOrder>(with.result.store, "order"),
-              test::whole_column<InputOrder>(without.result.store, "order"));
+    EXPECT_EQ(test::whole_column(with.result.store, columns::kCodes),
+              test::whole_column(without.result.store, columns::kCodes));
+    EXPECT_EQ(test::whole_column(with.result.store, columns::kOrder),
+              test::whole_column(without.result.store, columns::kOrder));
     EXPECT_EQ(with.result.rejected, without.result.rejected);
     EXPECT_EQ(with.accounted(), all);
     EXPECT_EQ(with.advanced, all);

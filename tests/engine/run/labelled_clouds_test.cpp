@@ -21,14 +21,14 @@ void write_labels(const Store& store) {
     std::vector<std::uint32_t> plane;
     std::vector<PackedNormal> normal;
     std::vector<std::uint8_t> boundary;
-    for (const InputOrder order : store.read<InputOrder>(b, "order")) {
+    for (const InputOrder order : store.read(b, columns::kOrder)) {
       plane.push_back(plane_of(order));
       normal.push_back({static_cast<std::int16_t>(row_of(order) % 30000), -32767, 0, 0});
       boundary.push_back(row_of(order) % 3 == 0);
     }
-    store.write<std::uint32_t>(b, "plane", plane);
-    store.write<PackedNormal>(b, "normals", normal);
-    store.write<std::uint8_t>(b, "boundary", boundary);
+    store.write(b, columns::kPlane, plane);
+    store.write(b, columns::kNormals, normal);
+    store.write(b, columns::kBoundary, boundary);
   }
 }
 

@@ -34,7 +34,7 @@ TEST(RoofLabels, EveryPointHasTheLabelOfItsFirstUnit) {
     return std::vector<PointLabel>(store.blocks()[block].points, PointLabel::ground);
   });
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    const auto column = store.read<RoofLabel>(b, "roof");
+    const auto column = store.read(b, columns::kRoof);
     for (std::uint32_t i = 0; i < column.size(); ++i) {
       const auto entry = wanted.find({b, i});
       const std::uint32_t unit = entry == wanted.end() ? 0 : entry->second;

@@ -67,7 +67,7 @@ BoundariesResult boundaries(const PlaneStore& s, double tolerance, const Change&
   if (change) change(params);
   boundaries_pass(s.cloud.store(), params, {}, [&](const Outline& o) { r.outlines.push_back(o); });
   r.where = test::positions(s.cloud.store());
-  r.boundary = test::whole_column<std::uint8_t>(s.cloud.store(), "boundary");
+  r.boundary = test::whole_column(s.cloud.store(), columns::kBoundary);
   return r;
 }
 
@@ -90,7 +90,7 @@ void expect_equal(const Outline& a, const Outline& b) {
 Outline outline_at_once(const PlaneStore& s, std::uint32_t id, double tolerance) {
   const Store& store = s.cloud.store();
   const auto where = test::positions(store);
-  const auto plane = test::whole_column<std::uint32_t>(store, "plane");
+  const auto plane = test::whole_column(store, columns::kPlane);
   std::vector<std::int64_t> farthest;  // all blocks' points one after the other
   for (const auto& block : neighbour_ranges(store, s.cells, s.found))
     for (const NeighbourRange& r : block) farthest.insert(farthest.end(), r.count, r.farthest * 4);
@@ -228,7 +228,7 @@ TEST(BoundariesPass, PointsAtOnePlaceShareTheirFlag) {
   points.insert(points.end(), points.begin(), points.begin() + static_cast<std::ptrdiff_t>(n));
   const PlaneStore s(points, {500, 1u << 20, 1});
   const BoundariesResult r = boundaries(s, 0);
-  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  const auto plane = test::whole_column(s.cloud.store(), columns::kPlane);
   std::size_t flagged = 0;
   for (std::size_t i = 1; i < r.where.size(); ++i) {
     if (r.where[i] == r.where[i - 1] && plane[i] == plane[i - 1]) {
@@ -250,7 +250,7 @@ TEST(BoundariesPass, APlaneAlongABorderOfCellsIsNotTorn) {
   expect_equal(r.outlines[0], outline_at_once(s, 1, 0));
   std::size_t edges = 0, around = 0;
   for (std::uint32_t b = 0; b < s.cloud.store().blocks().size(); ++b)
-    edges += read_column<SeamEdge>(s.cloud.store().path(b, "seam_edges")).size();
+    edges += read_column<SeamEdge>(s.cloud.store().path(b, columns::kSeamEdges)).size();
   for (const std::uint8_t flag : r.boundary) around += flag;
   EXPECT_LT(edges, around + around / 10) << "edges inside would be given by both sides";
 }

@@ -31,7 +31,7 @@ void expect_partition(const Store& store, const std::vector<Cell>& cells) {
       EXPECT_EQ(s.first, next[s.block]) << "slices follow each other in their block";
       next[s.block] = s.first + s.count;
       count += s.count;
-      for (const std::uint64_t code : store.read<std::uint64_t>(s.block, "codes", s.first, s.count))
+      for (const std::uint64_t code : store.read(s.block, columns::kCodes, s.first, s.count))
         ASSERT_TRUE(cells[c].node.box().contains(index_of({store.blocks()[s.block].node.tile, code})));
     }
     EXPECT_EQ(count, cells[c].points);
@@ -68,8 +68,8 @@ PackedNormal normal_of(std::uint64_t code) {
 void write_normals(const Store& store) {
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
     std::vector<PackedNormal> normals;
-    for (const std::uint64_t code : store.read<std::uint64_t>(b, "codes")) normals.push_back(normal_of(code));
-    store.write<PackedNormal>(b, "normals", normals);
+    for (const std::uint64_t code : store.read(b, columns::kCodes)) normals.push_back(normal_of(code));
+    store.write(b, columns::kNormals, normals);
   }
 }
 

@@ -26,28 +26,32 @@ std::vector<Index3> clumps(std::uint64_t key) {
   return points;
 }
 
+constexpr PointRole kChosen{4};
+
 void mark(const Store& store) {
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    std::vector<std::uint8_t> role;
-    for (const InputOrder order : store.read<InputOrder>(b, "order")) role.push_back(row_of(order) % 3 == 0 ? 9 : 4);
-    store.write<std::uint8_t>(b, "role", role);
+    std::vector<PointRole> role;
+    for (const InputOrder order : store.read(b, columns::kOrder))
+      role.push_back(row_of(order) % 3 == 0 ? PointRole{9} : kChosen);
+    store.write(b, columns::kRole, role);
   }
 }
 
 // Oracle: all pairs.
-std::vector<std::uint32_t> brute_force(const std::vector<Index3>& points, const std::vector<std::uint8_t>& role,
+std::vector<std::uint32_t> brute_force(const std::vector<Index3>& points, const std::vector<PointRole>& role,
                                        std::int64_t radius) {
   std::vector<std::uint32_t> parent(points.size());
   UnionFind sets(parent);
   for (std::uint32_t i = 0; i < points.size(); ++i)
     for (std::uint32_t j = 0; j < i; ++j) {
       const std::int64_t dx = points[i].x - points[j].x, dy = points[i].y - points[j].y;
-      if (role[i] == 4 && role[j] == 4 && dx * dx + dy * dy <= radius * radius) sets.unite(i, j);
+      if (role[i] == kChosen && role[j] == kChosen && dx * dx + dy * dy <= radius * radius) sets.unite(i, j);
     }
   std::map<std::uint32_t, std::uint32_t> number;
   std::vector<std::uint32_t> id(points.size(), 0);
   for (std::uint32_t i = 0; i < points.size(); ++i)
-    if (role[i] == 4) id[i] = number.emplace(sets.find(i), static_cast<std::uint32_t>(number.size()) + 1).first->second;
+    if (role[i] == kChosen)
+      id[i] = number.emplace(sets.find(i), static_cast<std::uint32_t>(number.size()) + 1).first->second;
   return id;
 }
 
@@ -58,10 +62,10 @@ TEST(ClustersPass, IsThatOfAllPointsWhateverTheBlocks) {
     const test::CloudStore cloud(points, {block_points, 1u << 20, 1});
     const Store& store = cloud.store();
     mark(store);
-    const auto clusters = clusters_pass(store, {"role", 4, kRadius}, {});
+    const auto clusters = clusters_pass(store, {kChosen, kRadius}, {});
     const auto positions = test::positions(store);
-    const auto column = test::whole_column<std::uint32_t>(store, "cluster");
-    EXPECT_EQ(column, brute_force(positions, test::whole_column<std::uint8_t>(store, "role"), kRadius));
+    const auto column = test::whole_column(store, columns::kCluster);
+    EXPECT_EQ(column, brute_force(positions, test::whole_column(store, columns::kRole), kRadius));
     ASSERT_GT(clusters.size(), 3u);
     std::vector<std::uint64_t> counts(clusters.size());
     for (std::size_t i = 0; i < column.size(); ++i) {

@@ -68,7 +68,7 @@ TEST(ColoursPass, EveryPointGetsItsOwnColourInEightBits) {
   ASSERT_GT(c.cloud().blocks().size(), 5u);
   ASSERT_TRUE(colours_pass(c.cloud(), c.files->inputs, {}));
   const auto where = test::positions(c.cloud());
-  const auto colour = test::whole_column<StoredColour>(c.cloud(), "colour");
+  const auto colour = test::whole_column(c.cloud(), columns::kColour);
   std::size_t none = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     none += colour[i] == kNoColour;
@@ -82,7 +82,7 @@ TEST(ColoursPass, EveryPointGetsItsOwnColourInEightBits) {
 TEST(ColoursPass, WithoutColoursThereIsNothing) {
   const test::CloudStore cloud({{1, 2, 3}, {4, 5, 6}});
   EXPECT_FALSE(colours_pass(cloud.store(), cloud.inputs(), {}));
-  EXPECT_FALSE(cloud.store().has(0, "colour"));
+  EXPECT_FALSE(cloud.store().has(0, columns::kColour));
 }
 
 TEST(ColoursPass, ThePaletteDependsOnThePointsAlone) {

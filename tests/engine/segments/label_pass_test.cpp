@@ -35,7 +35,7 @@ TEST(LabelPass, TheBisectorPartsTheFacesOfARidge) {
   ASSERT_EQ(s.joined.planes.size(), 2u);
   label(s);
   const auto where = test::positions(s.cloud.store());
-  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  const auto plane = test::whole_column(s.cloud.store(), columns::kPlane);
   const std::uint32_t left = s.joined.planes[0].plane.n.x < 0 ? 1 : 2;
   std::size_t wrong = 0, none = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
@@ -53,7 +53,7 @@ TEST(LabelPass, EpsilonMeansEpsilonAndTheTalliesAgree) {
   const auto tallies = label(s);
   const Store& store = s.cloud.store();
   const auto where = test::positions(store);
-  const auto plane = test::whole_column<std::uint32_t>(store, "plane");
+  const auto plane = test::whole_column(store, columns::kPlane);
   std::vector<Moments> wanted(s.joined.planes.size());
   for (std::size_t i = 0; i < where.size(); ++i) {
     if (plane[i] == 0) {
@@ -74,8 +74,8 @@ TEST(LabelPass, DoesNotKnowTheBlocks) {
   const auto points = roof_gable();
   const PlaneStore whole(points), cut(points, {500, 2000, 1});
   const auto a = label(whole), b = label(cut);
-  EXPECT_EQ(test::whole_column<std::uint32_t>(whole.cloud.store(), "plane"),
-            test::whole_column<std::uint32_t>(cut.cloud.store(), "plane"));
+  EXPECT_EQ(test::whole_column(whole.cloud.store(), columns::kPlane),
+            test::whole_column(cut.cloud.store(), columns::kPlane));
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t p = 0; p < a.size(); ++p) EXPECT_EQ(a[p].content_id, b[p].content_id);
 }
@@ -86,7 +86,7 @@ TEST(LabelPass, PointsThatAreNotWantedGetNone) {
   context.wanted = [](Index3 p) { return p.x < kRoofRidge; };
   const auto tallies = label(s, context);
   const auto where = test::positions(s.cloud.store());
-  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  const auto plane = test::whole_column(s.cloud.store(), columns::kPlane);
   std::int64_t labelled = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     ASSERT_TRUE(where[i].x < kRoofRidge || plane[i] == 0);

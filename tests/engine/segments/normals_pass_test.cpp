@@ -68,7 +68,7 @@ TEST_P(NormalsPassOf, EqualsOneSearchOverAllPoints) {
     PassContext context;
     context.task_points = c.task_points;
     normals_pass(cloud.store(), {c.k, c.max_radius, false}, context);
-    const auto got = test::whole_column<PackedNormal>(cloud.store(), "normals");
+    const auto got = test::whole_column(cloud.store(), columns::kNormals);
     const auto wanted = over_all(sorted, c.k, static_cast<std::int64_t>(c.max_radius * 1000));
     ASSERT_EQ(got.size(), wanted.size());
     std::size_t wrong = 0, none = 0;
@@ -89,10 +89,10 @@ TEST(NormalsPass, KeepsWhatAnEarlierRunWroteAndCountsEveryPoint) {
   PassContext context;
   context.advance = [&](std::uint64_t n) { told += n; };
   const std::vector<PackedNormal> mark(cloud.store().blocks()[1].points, PackedNormal{1, 2, 3, 4});
-  cloud.store().write<PackedNormal>(1, "normals", mark);
+  cloud.store().write(1, columns::kNormals, mark);
   normals_pass(cloud.store(), {}, context);
   EXPECT_EQ(told, cloud.store().points());
-  EXPECT_EQ(cloud.store().read<PackedNormal>(1, "normals"), mark);
+  EXPECT_EQ(cloud.store().read(1, columns::kNormals), mark);
 }
 
 TEST(NormalsPass, ThePointsOfTwoAndOfOne) {
@@ -100,8 +100,7 @@ TEST(NormalsPass, ThePointsOfTwoAndOfOne) {
        {std::vector<Index3>{{5, 5, 5}}, std::vector<Index3>{{0, 0, 0}, {-1, -1, -1}}}) {
     const CloudStore cloud(points);
     normals_pass(cloud.store(), {}, {});
-    for (const PackedNormal& n : test::whole_column<PackedNormal>(cloud.store(), "normals"))
-      EXPECT_EQ(n, PackedNormal{});
+    for (const PackedNormal& n : test::whole_column(cloud.store(), columns::kNormals)) EXPECT_EQ(n, PackedNormal{});
   }
 }
 

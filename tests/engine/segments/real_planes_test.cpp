@@ -40,7 +40,7 @@ LabelPairs compare(const Labelled& scene) {
                    [&](std::size_t a, std::size_t b) { return key_of(scene.points[a]) < key_of(scene.points[b]); });
   const test::PlaneStore s(scene.points);
   label_pass(s.cloud.store(), s.cells, s.found, s.joined, {});
-  const auto plane = test::whole_column<std::uint32_t>(s.cloud.store(), "plane");
+  const auto plane = test::whole_column(s.cloud.store(), columns::kPlane);
   LabelPairs pairs;
   for (std::size_t i = 0; i < order.size(); ++i) pairs.add(scene.labels[order[i]], plane[i]);
   return pairs;

@@ -52,8 +52,8 @@ ShapesResult shapes_of(const PlaneStore& s, const PassContext& context = {}) {
   r.joined = join_shapes(store, s.cells);
   r.tallies = shapes_pass(store, s.cells, r.joined, context);
   r.where = test::positions(store);
-  r.shape = test::whole_column<std::uint32_t>(store, "shape");
-  r.plane = test::whole_column<std::uint32_t>(store, "plane");
+  r.shape = test::whole_column(store, columns::kShape);
+  r.plane = test::whole_column(store, columns::kPlane);
   return r;
 }
 

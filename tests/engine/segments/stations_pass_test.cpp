@@ -61,8 +61,8 @@ TEST(StationsPass, EveryPointGetsItsStation) {
   // The second input says nothing of the source 700, the last one is one station's whatever its rows say.
   const StationTally tally = stations_pass(s.cloud(), s.files->inputs, {by_source, by_source, none, all}, {});
   const auto where = test::positions(s.cloud());
-  const auto order = test::whole_column<InputOrder>(s.cloud(), "order");
-  const auto station = test::whole_column<StationNumber>(s.cloud(), "station");
+  const auto order = test::whole_column(s.cloud(), columns::kOrder);
+  const auto station = test::whole_column(s.cloud(), columns::kStation);
   std::uint64_t told = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     const std::uint64_t file = file_of(order[i]);
@@ -79,8 +79,7 @@ TEST(StationsPass, BlocksAreInvisible) {
   const std::vector<InputStations> told(4, InputStations{0, {{1, 1}, {700, 2}}});
   stations_pass(small.cloud(), small.files->inputs, told, {});
   stations_pass(large.cloud(), large.files->inputs, told, {});
-  EXPECT_EQ(test::whole_column<StationNumber>(small.cloud(), "station"),
-            test::whole_column<StationNumber>(large.cloud(), "station"));
+  EXPECT_EQ(test::whole_column(small.cloud(), columns::kStation), test::whole_column(large.cloud(), columns::kStation));
 }
 
 TEST(StationsPass, OneStationAFileNeedsNoReading) {
@@ -90,8 +89,8 @@ TEST(StationsPass, OneStationAFileNeedsNoReading) {
   const StationTally tally = stations_pass(s.cloud(), s.files->inputs, told, {});
   EXPECT_EQ(tally.untold, 0u);
   EXPECT_FALSE(std::filesystem::exists(s.cloud().folder() / "sources"));
-  const auto order = test::whole_column<InputOrder>(s.cloud(), "order");
-  const auto station = test::whole_column<StationNumber>(s.cloud(), "station");
+  const auto order = test::whole_column(s.cloud(), columns::kOrder);
+  const auto station = test::whole_column(s.cloud(), columns::kStation);
   for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(station[i], file_of(order[i]) + 1);
 }
 

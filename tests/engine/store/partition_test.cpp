@@ -25,7 +25,7 @@ IndexBox bounds(std::span<const Index3> points) {
 }
 
 void expect_chunk_boxes(const Store& store, std::uint32_t b, std::span<const Index3> points) {
-  const auto chunks = read_column<ChunkBox>(store.path(b, "chunks"));
+  const auto chunks = store.read(b, columns::kChunks);
   ASSERT_EQ(chunks.size(), (points.size() + kChunkPoints - 1) / kChunkPoints);
   const Index3 c = corner(store.blocks()[b].node.tile);
   for (std::size_t i = 0; i < chunks.size(); ++i) {
@@ -39,8 +39,8 @@ void expect_chunk_boxes(const Store& store, std::uint32_t b, std::span<const Ind
 
 void expect_block(const Store& store, std::uint32_t b, std::uint64_t block_points) {
   const Block& block = store.blocks()[b];
-  const auto codes = store.read<std::uint64_t>(b, "codes");
-  EXPECT_EQ(ColumnReader(store.path(b, "codes")).size(), block.points * sizeof(std::uint64_t));
+  const auto codes = store.read(b, columns::kCodes);
+  EXPECT_EQ(store.open(b, columns::kCodes).size(), block.points);
   EXPECT_TRUE(std::is_sorted(codes.begin(), codes.end()));
   EXPECT_TRUE(block.points <= block_points || codes.front() == codes.back()) << "only points in one place may be more";
   std::vector<Index3> points;
@@ -66,7 +66,7 @@ TEST_P(PartitionOf, EveryInputPointOnceInGlobalOrderWhateverTheBlocks) {
     EXPECT_TRUE(last.tile != node.tile || last.last_code() < node.first_code) << "blocks overlap";
   }
   EXPECT_EQ(test::positions(store), test::in_global_order(points));
-  const auto order = test::whole_column<InputOrder>(store, "order");
+  const auto order = test::whole_column(store, columns::kOrder);
   const auto where = test::positions(store);
   std::vector<bool> seen(points.size());
   for (std::size_t i = 0; i < order.size(); ++i) {

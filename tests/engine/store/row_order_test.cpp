@@ -13,8 +13,8 @@ TEST(RowOrder, RisesAndIsKept) {
   const Store& store = cloud.store();
   ASSERT_GT(store.blocks().size(), 2u);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    const auto order = store.read<InputOrder>(b, "order");
-    EXPECT_FALSE(store.has(b, "sorted"));
+    const auto order = store.read(b, columns::kOrder);
+    EXPECT_FALSE(store.has(b, columns::kSorted));
     const auto points = points_by_row(store, b, order);
     ASSERT_EQ(points.size(), order.size());
     for (std::size_t i = 1; i < points.size(); ++i) EXPECT_LT(order[points[i - 1]], order[points[i]]);

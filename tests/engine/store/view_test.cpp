@@ -37,7 +37,7 @@ TEST(View, EqualsTheFilterOfAllPointsForAnyBoxAndBlocks) {
     const CloudStore cloud(points, {block_points, 1u << 20, 2});
     const Store& store = cloud.store();
     const auto all = test::positions(store);
-    const auto order = test::whole_column<InputOrder>(store, "order");
+    const auto order = test::whole_column(store, columns::kOrder);
     Rng rng(block_points);
     for (int round = 0; round < 40; ++round) {
       const Index3 centre = all[rng.below(all.size())];
@@ -45,7 +45,7 @@ TEST(View, EqualsTheFilterOfAllPointsForAnyBoxAndBlocks) {
       const IndexBox box = IndexBox{centre, centre}.grown(reach);
       const View view = load_view(store, box, centre);
       expect_aligned(store, view);
-      const auto view_order = load_column<InputOrder>(store, view, "order");
+      const auto view_order = load_column(store, view, columns::kOrder);
       std::vector<InputOrder> wanted, found;
       for (std::size_t i = 0; i < all.size(); ++i)
         if (box.contains(all[i])) wanted.push_back(order[i]);
@@ -83,7 +83,7 @@ TEST(View, KnowsWhereABlockLies) {
     const View view = load_view(store, store.blocks()[b].box.grown(50), store.blocks()[b].node.min_corner());
     const PointRange range = range_of_block(view, b);
     ASSERT_EQ(range.end - range.begin, store.blocks()[b].points);
-    const auto codes = store.read<std::uint64_t>(b, "codes");
+    const auto codes = store.read(b, columns::kCodes);
     for (std::uint32_t i = range.begin; i < range.end; ++i)
       ASSERT_EQ(key_of(position(view, i)).code, codes[i - range.begin]);
   }
