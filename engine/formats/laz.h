@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAZ: LAS with compressed points, in chunks that decode independently. Reads every compressor but items of
-// version 1; COPC files read like any other. Writes what LASzip writes for the same points, byte for byte.
+// LAZ: LAS with compressed points, in chunks that decode independently. Reads every compressor and every version of
+// its items; COPC files read like any other. Writes what LASzip writes for the same points, byte for byte.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,8 +17,8 @@
 namespace ilot {
 
 // Takes a file that parse_las says is compressed. boundaries() are the chunks' first points. Reads are
-// thread-safe, each with a decoder of its own from a pool (2 to 3 MB and the compressed chunk); a read that
-// goes on where another ended does not decode again. A damaged chunk ends a read before its first point; the
+// thread-safe, each with a decoder of its own from a pool (2 to 4 MB; for formats 6 to 10 the compressed chunk too); a
+// read that goes on where another ended does not decode again. A damaged chunk ends a read before its first point; the
 // next chunk can be read again. Files without a table of chunks (unfinished, cut off) are scanned for whole
 // chunks when opened; those of one single stream (compressor 1) are always decoded once, and are not random
 // access. Throws Error when no point can be read.

@@ -5,17 +5,19 @@
 
 #include "engine/error.h"
 #include "engine/formats/laz.h"
+#include "engine/formats/laz/chunk_source.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kSkipBlock = 512;  // points decoded at a time to get to the first one wanted
+// What is decoded at a time to get to the first point wanted: so many points, and so many bytes, at most.
+constexpr std::uint64_t kSkipBlock = 512, kSkipBytes = 64 * 1024;
 
 // A decoder in the middle of a chunk, ready to go on.
 struct Cursor {
-  explicit Cursor(const laz::ChunkLayout& layout) : decoder(layout) {}
-  laz::ChunkDecoder decoder;
-  std::vector<std::byte> chunk, skipped;
+  Cursor(const InputFile& file, const laz::ChunkLayout& layout) : source(file, layout) {}
+  laz::ChunkSource source;
+  std::vector<std::byte> skipped;
   std::uint64_t at = UINT64_MAX;   // next point
   std::uint64_t end = UINT64_MAX;  // of the chunk
 };
@@ -76,7 +78,7 @@ class LazReader final : public PointReader {
   // One that stands at `first`, if there is.
   std::unique_ptr<Cursor> borrow(std::uint64_t first) {
     const std::lock_guard lock(mutex_);
-    if (idle_.empty()) return std::make_unique<Cursor>(compression_.layout);
+    if (idle_.empty()) return std::make_unique<Cursor>(*file_, compression_.layout);
     auto it = std::find_if(idle_.begin(), idle_.end(), [&](const auto& c) { return c->at == first; });
     if (it == idle_.end()) it = idle_.begin();
     std::unique_ptr<Cursor> cursor = std::move(*it);
@@ -93,15 +95,15 @@ class LazReader final : public PointReader {
     const auto after = std::upper_bound(index_.chunks.begin(), index_.chunks.end(), point,
                                         [](std::uint64_t p, const laz::ChunkPlace& chunk) { return p < chunk.first; });
     const laz::ChunkPlace& place = *(after - 1);
-    c.chunk.resize(place.bytes);
-    if (file_->read_at(place.offset, c.chunk) != place.bytes) return false;
-    if (!c.decoder.begin(c.chunk, place.points, fields_)) return false;
+    if (!c.source.begin(place.offset, place.bytes, place.points, fields_)) return false;
     c.at = place.first;
     c.end = place.first + place.points;
-    c.skipped.resize(std::min(point - c.at, kSkipBlock) * info_.layout.record_length);
+    const std::uint64_t length = info_.layout.record_length;
+    const std::uint64_t most = std::clamp<std::uint64_t>(kSkipBytes / length, 1, kSkipBlock);
+    c.skipped.resize(std::min(point - c.at, most) * length);
     while (c.at < point) {
-      const std::uint64_t block = std::min(kSkipBlock, point - c.at);
-      if (!advance(c, std::span(c.skipped).first(block * info_.layout.record_length))) return false;
+      const std::uint64_t block = std::min(most, point - c.at);
+      if (!advance(c, std::span(c.skipped).first(block * length))) return false;
     }
     return true;
   }
@@ -110,7 +112,7 @@ class LazReader final : public PointReader {
   bool advance(Cursor& c, std::span<std::byte> records) {
     c.at += records.size() / info_.layout.record_length;
     const bool ended = c.at == c.end;
-    const bool whole = c.decoder.next(records) && (!ended || compression_.one_stream || c.decoder.ended_well());
+    const bool whole = c.source.next(records) && (!ended || compression_.one_stream || c.source.ended_well());
     if (ended || !whole) c.at = c.end = UINT64_MAX;
     return whole;
   }

@@ -11,7 +11,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   if (size < 5) return 0;
   const auto format = static_cast<std::uint8_t>(data[0] % 11);
   const auto length = static_cast<std::uint16_t>(standard_size(format) + data[1] % 5);
-  const auto version = static_cast<std::uint8_t>(format < 6 ? 2 : 3 + (data[1] >> 7));
+  const auto version = static_cast<std::uint8_t>((format < 6 ? 1 : 3) + (data[1] >> 7));
   const std::size_t points = 1 + data[2] + 256u * (data[3] & 3u);
   const std::uint32_t fields = data[4] == 0 ? kAllFields : data[4] * 16u;
   // Decoders outlive chunks, as in a run: what one chunk leaves behind must not matter to the next.

@@ -15,7 +15,7 @@ namespace ilot::laz {
 struct ChunkLayout {
   std::uint8_t point_format = 0;     // 0-5: one stream for all; 6-10: a stream for each attribute
   std::uint16_t record_length = 20;  // bytes, at least the format's standard size; the rest are extra bytes
-  std::uint8_t item_version = 2;     // 2 (formats 0-5), 3 or 4 (formats 6-10)
+  std::uint8_t item_version = 2;     // 1 (before 2011) or 2 (formats 0-5), 3 or 4 (formats 6-10)
   bool layered() const { return point_format >= 6; }
 };
 
@@ -34,11 +34,15 @@ class ChunkDecoder {
   // nothing tells its size): see consumed().
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields = kAllFields);
 
+  // Chunks of formats 0-5 may be read a window at a time: `rest` begins with the chunk's byte number consumed(), takes
+  // the place of what begin() was given, and must stay until the last next().
+  void go_on(std::span<const std::byte> rest);
+
   // Decodes the next records.size() / record_length points. False: the chunk is damaged, the records are
   // worthless. O(points), about 25 to 60 ns each; the result is the same for any cut into calls.
   bool next(std::span<std::byte> records);
 
-  // Bytes of the chunk; known when all its points are decoded (layered chunks: from begin() on).
+  // Bytes of the chunk that the points so far have used up (layered chunks: all of it, from begin() on).
   std::size_t consumed() const;
 
   // All points decoded: each stream ended where it should. False tells damage that next() could not see.

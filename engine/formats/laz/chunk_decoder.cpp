@@ -24,6 +24,7 @@ class ChunkDecoder::Implementation {
  public:
   virtual ~Implementation() = default;
   virtual bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields) = 0;
+  virtual void go_on(std::span<const std::byte> rest) = 0;
   virtual bool next(std::byte* records, std::size_t count) = 0;
   virtual std::size_t consumed() const = 0;
   virtual bool ended_well() const = 0;
@@ -59,28 +60,38 @@ class ChunkDecoder::Implementation {
 
 namespace {
 
+template <class Items>
 class PointwiseDecoder final : public ChunkDecoder::Implementation {
  public:
   explicit PointwiseDecoder(const ChunkLayout& layout)
-      : Implementation(layout.record_length), codec_(std::make_unique<PointwiseCodec<Decoder>>(layout)) {}
+      : Implementation(layout.record_length), codec_(std::make_unique<PointwiseCodec<Items>>(layout)) {}
 
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t) override {
     if (chunk.size() < record_length_ + 4) return false;
     restart(chunk, points);
     decoder_.start(chunk, chunk.subspan(record_length_), epoch_);
     codec_->start(chunk.data());
+    first_.assign(chunk.begin(), chunk.begin() + static_cast<std::ptrdiff_t>(record_length_));
+    chunk_ = first_;
+    end_ = chunk.size();
     return true;
+  }
+  void go_on(std::span<const std::byte> rest) override {
+    end_ = consumed() + rest.size();
+    decoder_.move_to(rest);
   }
   bool next(std::byte* records, std::size_t count) override {
     for (std::size_t i = 0; i < count; ++i) codec_->code(decoder_, records + i * record_length_);
     return !decoder_.overrun();
   }
   std::size_t consumed() const override { return record_length_ + decoder_.consumed(); }
-  bool ended_well() const override { return !decoder_.overrun() && consumed() == chunk_.size(); }
+  bool ended_well() const override { return !decoder_.overrun() && consumed() == end_; }
 
  private:
   Decoder decoder_;
-  std::unique_ptr<PointwiseCodec<Decoder>> codec_;
+  std::unique_ptr<PointwiseCodec<Items>> codec_;
+  std::vector<std::byte> first_;  // the raw point, which outlives its window
+  std::size_t end_ = 0;           // of the chunk, as far as it was given
 };
 
 class LayeredDecoder final : public ChunkDecoder::Implementation {
@@ -104,6 +115,7 @@ class LayeredDecoder final : public ChunkDecoder::Implementation {
     codec_.start(chunk_.data());
     return true;
   }
+  void go_on(std::span<const std::byte>) override {}  // its streams are side by side: the chunk is given whole
   bool next(std::byte* records, std::size_t count) override {
     for (std::size_t i = 0; i < count; ++i) codec_.code(records + i * record_length_);
     for (const Stream<Decoder>& s : codec_.streams()) {
@@ -131,8 +143,10 @@ class LayeredDecoder final : public ChunkDecoder::Implementation {
 ChunkDecoder::ChunkDecoder(const ChunkLayout& layout) {
   if (layout.layered()) {
     implementation_ = std::make_unique<LayeredDecoder>(layout);
+  } else if (layout.item_version == 1) {
+    implementation_ = std::make_unique<PointwiseDecoder<ItemsV1<Decoder>>>(layout);
   } else {
-    implementation_ = std::make_unique<PointwiseDecoder>(layout);
+    implementation_ = std::make_unique<PointwiseDecoder<ItemsV2<Decoder>>>(layout);
   }
 }
 ChunkDecoder::~ChunkDecoder() = default;
@@ -141,6 +155,9 @@ ChunkDecoder& ChunkDecoder::operator=(ChunkDecoder&&) noexcept = default;
 
 bool ChunkDecoder::begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields) {
   return points > 0 && implementation_->begin(chunk, points, fields);
+}
+void ChunkDecoder::go_on(std::span<const std::byte> rest) {
+  implementation_->go_on(rest);
 }
 bool ChunkDecoder::next(std::span<std::byte> records) {
   return implementation_->fill(records);

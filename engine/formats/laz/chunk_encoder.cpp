@@ -29,10 +29,11 @@ void append(std::vector<std::byte>& out, std::uint32_t v) {
   append(out, bytes);
 }
 
+template <class Items>
 class PointwiseEncoder final : public ChunkEncoder::Implementation {
  public:
   explicit PointwiseEncoder(const ChunkLayout& layout)
-      : record_length_(layout.record_length), codec_(std::make_unique<PointwiseCodec<Encoder>>(layout)) {}
+      : record_length_(layout.record_length), codec_(std::make_unique<PointwiseCodec<Items>>(layout)) {}
 
   void encode(std::span<const std::byte> records, std::vector<std::byte>& out) override {
     encoder_.start(++epoch_);
@@ -47,7 +48,7 @@ class PointwiseEncoder final : public ChunkEncoder::Implementation {
  private:
   std::size_t record_length_;
   Encoder encoder_;
-  std::unique_ptr<PointwiseCodec<Encoder>> codec_;
+  std::unique_ptr<PointwiseCodec<Items>> codec_;
 };
 
 class LayeredEncoder final : public ChunkEncoder::Implementation {
@@ -112,8 +113,10 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
 ChunkEncoder::ChunkEncoder(const ChunkLayout& layout) {
   if (layout.layered()) {
     implementation_ = std::make_unique<LayeredEncoder>(layout);
+  } else if (layout.item_version == 1) {
+    implementation_ = std::make_unique<PointwiseEncoder<ItemsV1<Encoder>>>(layout);
   } else {
-    implementation_ = std::make_unique<PointwiseEncoder>(layout);
+    implementation_ = std::make_unique<PointwiseEncoder<ItemsV2<Encoder>>>(layout);
   }
 }
 ChunkEncoder::~ChunkEncoder() = default;

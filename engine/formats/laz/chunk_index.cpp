@@ -5,12 +5,14 @@
 
 #include "engine/cloud/record.h"
 #include "engine/error.h"
+#include "engine/formats/laz/chunk_source.h"
 
 namespace ilot::laz {
 
 namespace {
 
-constexpr std::uint64_t kScanBlock = 1024;  // points decoded between two looks at the stream's end
+constexpr std::uint64_t kScanBlock = 1024;        // points decoded between two looks at the stream's end, at most
+constexpr std::uint64_t kScanBytes = 256 * 1024;  // and their bytes
 
 class Indexer {
  public:
@@ -115,33 +117,27 @@ class Indexer {
 
   // Streams tell their end only by being decoded. A single stream that breaks off keeps its whole points.
   void scan_streams(std::uint64_t offset, std::uint64_t chunk_size, bool keep_part) {
-    ChunkDecoder decoder(layout_);
-    std::vector<std::byte> bytes;
+    ChunkSource source(file_, layout_);
     while (index_.points < declared_ && offset < file_.size()) {
-      const std::uint64_t points = std::min(chunk_size, declared_ - index_.points);
-      read_stream(offset, points, bytes);
-      const std::uint64_t whole = count_whole(decoder, bytes, points);
+      const std::uint64_t points = std::min(chunk_size, declared_ - index_.points), left = file_.size() - offset;
+      const std::uint64_t whole = count_whole(source, offset, left, points);
       if (whole < points && !keep_part) break;
-      if (whole > 0) add(whole, offset, whole < points ? bytes.size() : decoder.consumed());
+      if (whole > 0) add(whole, offset, whole < points ? left : source.consumed());
       if (whole < points) break;
-      offset += decoder.consumed();
+      offset += source.consumed();
     }
     if (keep_part && index_.points < declared_) index_.warning = "its stream of points breaks off";
   }
 
-  void read_stream(std::uint64_t offset, std::uint64_t points, std::vector<std::byte>& bytes) const {
-    const std::uint64_t left = file_.size() - offset, point = 4u * layout_.record_length;
-    bytes.resize(points > left / point ? left : points * point + 64 > left ? left : points * point + 64);
-    bytes.resize(file_.read_at(offset, bytes));
-  }
-
-  // Points before the stream runs out, to a multiple of kScanBlock.
-  std::uint64_t count_whole(ChunkDecoder& decoder, std::span<const std::byte> bytes, std::uint64_t points) const {
-    if (!decoder.begin(bytes, points)) return 0;
-    std::vector<std::byte> records(std::min(points, kScanBlock) * layout_.record_length);
-    for (std::uint64_t done = 0; done < points; done += kScanBlock) {
-      const std::uint64_t block = std::min(kScanBlock, points - done);
-      if (!decoder.next(std::span(records).first(block * layout_.record_length))) return done;
+  // Points before the stream runs out, to a multiple of the block.
+  std::uint64_t count_whole(ChunkSource& source, std::uint64_t offset, std::uint64_t bytes,
+                            std::uint64_t points) const {
+    if (!source.begin(offset, bytes, points)) return 0;
+    const std::uint64_t most = std::clamp<std::uint64_t>(kScanBytes / layout_.record_length, 1, kScanBlock);
+    std::vector<std::byte> records(std::min(points, most) * layout_.record_length);
+    for (std::uint64_t done = 0; done < points; done += most) {
+      const std::uint64_t block = std::min(most, points - done);
+      if (!source.next(std::span(records).first(block * layout_.record_length))) return done;
     }
     return points;
   }

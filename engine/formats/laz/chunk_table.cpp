@@ -29,7 +29,7 @@ enum ItemType : std::uint16_t {
   kByte14 = 14
 };
 
-// The items of a point format, with today's versions.
+// The items of a point format, in the layout's version; waveform packets of formats 4 and 5 have version 1 only.
 std::vector<Item> items_of(const ChunkLayout& layout) {
   const std::uint8_t f = layout.point_format;
   const std::uint16_t v = layout.item_version;
@@ -40,9 +40,9 @@ std::vector<Item> items_of(const ChunkLayout& layout) {
     if (f == 8 || f == 10) items.push_back({kRgbNir14, 8, v});
     if (f >= 9) items.push_back({kWave14, 29, v});
   } else {
-    items.push_back({kPoint10, 20, 2});
-    if (gps_time_offset(f)) items.push_back({kGps11, 8, 2});
-    if (rgb_offset(f)) items.push_back({kRgb12, 6, 2});
+    items.push_back({kPoint10, 20, v});
+    if (gps_time_offset(f)) items.push_back({kGps11, 8, v});
+    if (rgb_offset(f)) items.push_back({kRgb12, 6, v});
     if (f >= 4) items.push_back({kWave13, 29, 1});
   }
   const auto extra = static_cast<std::uint16_t>(layout.record_length - standard_size(f));
@@ -57,10 +57,10 @@ std::string check_item(const Item& found, const Item& expected, bool layered) {
     return "has " + name + " of " + std::to_string(found.size) + " bytes where the point format wants type " +
            std::to_string(expected.type) + " of " + std::to_string(expected.size);
   }
-  const bool wave = found.type == kWave13;
-  if (found.version == 1 && !wave) return "uses items of version 1 (before 2011); rewrite the file with a newer LASzip";
   const bool known = layered ? found.version >= 2 && found.version <= 4 : found.version == expected.version;
-  return known ? "" : "has unknown version " + std::to_string(found.version) + " of " + name;
+  if (known) return "";
+  if (!layered && (found.version == 1 || found.version == 2) && found.type != kWave13) return "mixes versions of items";
+  return "has unknown version " + std::to_string(found.version) + " of " + name;
 }
 
 std::string check_frame(std::span<const std::byte> payload, bool layered) {
@@ -103,8 +103,9 @@ ParsedCompression parse_laszip_record(std::span<const std::byte> payload, std::u
   layout = {point_format, record_length, static_cast<std::uint8_t>(point_format >= 6 ? 3 : 2)};
   out.problem = check_frame(payload, layout.layered());
   if (!out.problem.empty()) return out;
-  const std::vector<Item> expected = items_of(layout);
   const auto count = load<std::uint16_t>(payload.data() + 32);
+  if (!layout.layered() && count > 0 && item_at(payload, 0).version == 1) layout.item_version = 1;
+  const std::vector<Item> expected = items_of(layout);
   for (std::size_t i = 0; i < count && out.problem.empty(); ++i) {
     const Item found = item_at(payload, i);
     out.problem = check_item(found, i < expected.size() ? expected[i] : Item{0, 0, 0}, layout.layered());
@@ -125,7 +126,7 @@ std::vector<std::byte> laszip_record(const Compression& compression) {
   const std::vector<Item> items = items_of(compression.layout);
   std::vector<std::byte> payload(kFixedRecord + kItemBytes * items.size());
   std::byte* p = payload.data();
-  store(p, compression.layout.layered() ? kLayered : kChunked);
+  store(p, compression.layout.layered() ? kLayered : compression.one_stream ? kOneStream : kChunked);
   store(p + 4, std::uint8_t{3});
   store(p + 5, std::uint8_t{4});
   store(p + 6, std::uint16_t{3});

@@ -31,8 +31,7 @@ struct ParsedCompression {
 ParsedCompression parse_laszip_record(std::span<const std::byte> payload, std::uint8_t point_format,
                                       std::uint16_t record_length);
 
-// The payload that tells readers how chunks of this layout are written. Items of the layout's version if layered,
-// else 2.
+// The payload that tells readers how chunks of this layout are written.
 std::vector<std::byte> laszip_record(const Compression& compression);
 
 struct ChunkEntry {

@@ -26,7 +26,7 @@ class Decoder {
     begin_ = at_ = reinterpret_cast<const std::uint8_t*>(stream.data());
     stream_end_ = begin_ + stream.size();
     memory_end_ = reinterpret_cast<const std::uint8_t*>(memory.data()) + memory.size();
-    missing_ = 0;
+    before_ = missing_ = 0;
     epoch_ = epoch;
     length_ = 0xFFFFFFFFu;
     value_ = next_four();
@@ -35,8 +35,15 @@ class Decoder {
     skip(4);
   }
 
+  // Goes on in `memory`, all of which is of this stream and which begins with its byte number consumed().
+  void move_to(std::span<const std::byte> memory) {
+    before_ += static_cast<std::size_t>(at_ - begin_);
+    begin_ = at_ = reinterpret_cast<const std::uint8_t*>(memory.data());
+    stream_end_ = memory_end_ = begin_ + memory.size();
+  }
+
   // Bytes that the symbols so far have used up; more than the stream's size when it is damaged.
-  std::size_t consumed() const { return static_cast<std::size_t>(at_ - begin_) + missing_; }
+  std::size_t consumed() const { return before_ + static_cast<std::size_t>(at_ - begin_) + missing_; }
   bool overrun() const { return at_ > stream_end_ || missing_ != 0 || corrupt_; }
 
   template <std::uint32_t kCapacity>
@@ -122,7 +129,7 @@ class Decoder {
   const std::uint8_t* memory_end_ = nullptr;
   std::uint32_t epoch_ = 0;
   bool corrupt_ = false;
-  std::size_t missing_ = 0;
+  std::size_t before_ = 0, missing_ = 0;
   const std::uint8_t* begin_ = nullptr;
   const std::uint8_t* stream_end_ = nullptr;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Integers as correctors to a prediction: the number of bits k of the corrector by one of kContexts models,
-// then its high 8 bits by a model of k, then the rest raw. Values are taken modulo 2^kBits (16 or 32).
+// then its high 8 bits by a model of k, then the rest raw. Values are taken modulo 2^kBits (8, 16 or 32).
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -11,19 +11,26 @@ namespace ilot::laz {
 
 template <class Coder, std::uint32_t kBits, std::uint32_t kContexts>
 class IntegerCodec {
-  static_assert(kBits == 16 || kBits == 32);
+  static_assert(kBits == 8 || kBits == 16 || kBits == 32);
 
  public:
-  // Encodes `real` (or decodes it); returns it. For 16 bits the result is in [0, 65535].
+  using LengthModel = typename Coder::template Model<kBits + 1>;
+
+  // Encodes `real` (or decodes it); returns it. For 8 and 16 bits the result is in [0, 2^kBits - 1].
   std::int32_t code(Coder& coder, std::int32_t predicted, std::int32_t real, std::uint32_t context) {
+    return code(coder, predicted, real, lengths_[context]);
+  }
+  // The same with a model of the caller's for the number of bits, where the number of contexts is not fixed.
+  std::int32_t code(Coder& coder, std::int32_t predicted, std::int32_t real, LengthModel& lengths) {
     std::uint32_t corrector = 0;
     if constexpr (Coder::kEncodes) {
       corrector = static_cast<std::uint32_t>(real) - static_cast<std::uint32_t>(predicted);
+      if constexpr (kBits == 8) corrector = static_cast<std::uint32_t>(static_cast<std::int8_t>(corrector));
       if constexpr (kBits == 16) corrector = static_cast<std::uint32_t>(static_cast<std::int16_t>(corrector));
     }
-    corrector = code_corrector(coder, corrector, context);
+    corrector = code_corrector(coder, corrector, lengths);
     const std::uint32_t sum = static_cast<std::uint32_t>(predicted) + corrector;
-    return static_cast<std::int32_t>(kBits == 16 ? sum & 0xFFFF : sum);
+    return static_cast<std::int32_t>(kBits == 32 ? sum : sum & ((1u << (kBits % 32)) - 1));
   }
 
   // Bits of the last corrector: a context for others.
@@ -39,8 +46,8 @@ class IntegerCodec {
     return static_cast<std::uint32_t>(std::bit_width(positive ? corrector - 1 : 0u - corrector));
   }
 
-  [[gnu::always_inline]] std::uint32_t code_corrector(Coder& coder, std::uint32_t corrector, std::uint32_t context) {
-    k_ = coder.symbol(lengths_[context], bits_of(corrector));
+  [[gnu::always_inline]] std::uint32_t code_corrector(Coder& coder, std::uint32_t corrector, LengthModel& lengths) {
+    k_ = coder.symbol(lengths, bits_of(corrector));
     if (k_ == 0) return coder.bit(zero_or_one_, corrector);
     if (k_ == 32) return 0x80000000u;
     const bool negative = static_cast<std::int32_t>(corrector) < 0;
@@ -60,8 +67,8 @@ class IntegerCodec {
 
   std::uint32_t k_;
   BitModel zero_or_one_;
-  typename Coder::template Model<kBits + 1> lengths_[kContexts];
-  HighModel high_[kBits == 32 ? 31 : 16];
+  LengthModel lengths_[kContexts];
+  HighModel high_[kBits == 32 ? 31 : kBits];
 };
 
 }  // namespace ilot::laz

@@ -3,20 +3,42 @@
 #pragma once
 #include <cstdint>
 #include <type_traits>
-#include <vector>
 
 #include "engine/cloud/record.h"
 #include "engine/formats/laz/chunk.h"
 #include "engine/formats/laz/colour.h"
+#include "engine/formats/laz/colour_v1.h"
+#include "engine/formats/laz/extra_bytes_codec.h"
 #include "engine/formats/laz/gps_time.h"
+#include "engine/formats/laz/gps_time_v1.h"
 #include "engine/formats/laz/point10.h"
+#include "engine/formats/laz/point10_v1.h"
 #include "engine/formats/laz/wavepacket.h"
 
 namespace ilot::laz {
 
-template <class Coder>
+// The codecs of a version of items; waveform packets have one only.
+template <class C>
+struct ItemsV1 {  // before 2011
+  using Coder = C;
+  using Core = Point10CodecV1<C>;
+  using GpsTime = GpsTimeCodecV1<C>;
+  using Colour = RgbCodecV1<C>;
+  using ExtraBytes = ExtraBytesCodec<C, ByteIntegers<C>>;
+};
+template <class C>
+struct ItemsV2 {
+  using Coder = C;
+  using Core = Point10Codec<C>;
+  using GpsTime = GpsTimeCodec<C, true>;
+  using Colour = RgbCodec<C>;
+  using ExtraBytes = ExtraBytesCodec<C, ByteDifferences<C>>;
+};
+
+template <class Items>
 class PointwiseCodec {
  public:
+  using Coder = typename Items::Coder;
   using Byte = std::conditional_t<Coder::kEncodes, const std::byte, std::byte>;
 
   explicit PointwiseCodec(const ChunkLayout& layout)
@@ -26,8 +48,7 @@ class PointwiseCodec {
                          ? static_cast<std::uint32_t>(standard_size(layout.point_format) - kWavepacketSize)
                          : 0),
         extra_offset_(static_cast<std::uint32_t>(standard_size(layout.point_format))),
-        last_extra_(layout.record_length - extra_offset_),
-        extra_(last_extra_.size()) {}
+        extra_(layout.record_length - extra_offset_) {}
 
   void start(const std::byte* first) {
     core_.start(load<Point10>(first));
@@ -35,9 +56,7 @@ class PointwiseCodec {
     if (rgb_offset_) last_rgb_ = load<Rgb>(first + rgb_offset_);
     if (wave_offset_) last_wave_ = Wavepacket::from(first + wave_offset_);
     wave_.start();
-    for (std::size_t i = 0; i < last_extra_.size(); ++i) {
-      last_extra_[i] = std::to_integer<std::uint8_t>(first[extra_offset_ + i]);
-    }
+    extra_.start(first + extra_offset_);
   }
 
   void code(Coder& coder, Byte* record) {
@@ -48,7 +67,7 @@ class PointwiseCodec {
     if (gps_offset_) code_gps(coder, record + gps_offset_);
     if (rgb_offset_) code_rgb(coder, record + rgb_offset_);
     if (wave_offset_) code_wave(coder, record + wave_offset_);
-    for (std::size_t i = 0; i < extra_.size(); ++i) code_extra(coder, i, record[extra_offset_ + i]);
+    extra_.code(coder, record + extra_offset_);
   }
 
  private:
@@ -74,21 +93,13 @@ class PointwiseCodec {
     last_wave_ = w;
     if constexpr (!kEncodes) w.to(at);
   }
-  void code_extra(Coder& coder, std::size_t i, Byte& byte) {
-    std::uint32_t difference = 0;
-    if constexpr (kEncodes) difference = (static_cast<std::uint32_t>(byte) - last_extra_[i]) & 255u;
-    last_extra_[i] = static_cast<std::uint8_t>(last_extra_[i] + coder.symbol(extra_[i], difference));
-    if constexpr (!kEncodes) byte = static_cast<std::byte>(last_extra_[i]);
-  }
-
   std::uint32_t gps_offset_, rgb_offset_, wave_offset_, extra_offset_;  // 0: absent
   Rgb last_rgb_{};
   Wavepacket last_wave_{};
-  std::vector<std::uint8_t> last_extra_;
-  std::vector<typename Coder::template Model<256>> extra_;
-  Point10Codec<Coder> core_{};
-  GpsTimeCodec<Coder, true> gps_{};
-  RgbCodec<Coder> rgb_{};
+  typename Items::ExtraBytes extra_;
+  typename Items::Core core_{};
+  typename Items::GpsTime gps_{};
+  typename Items::Colour rgb_{};
   WavepacketCodec<Coder> wave_{};
 };
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/formats/laz/chunk.h"
 
+#include "engine/formats/laz/point10_v1.h"
+
 #include "tests/engine/formats/laz_fixtures.h"
 
 namespace ilot::laz {
@@ -20,8 +22,9 @@ std::vector<ChunkLayout> all_layouts() {
   for (std::uint8_t format = 0; format <= 10; ++format) {
     for (const std::uint16_t extra : {0, 1, 13}) {
       const auto length = static_cast<std::uint16_t>(standard_size(format) + extra);
-      layouts.push_back({format, length, static_cast<std::uint8_t>(format < 6 ? 2 : 3)});
-      if (format >= 6) layouts.push_back({format, length, 4});
+      const bool layered = format >= 6;
+      for (const int version : {layered ? 3 : 1, layered ? 4 : 2})
+        layouts.push_back({format, length, static_cast<std::uint8_t>(version)});
     }
   }
   return layouts;
@@ -61,6 +64,28 @@ TEST(LazChunk, RoundTripOfEveryFormat) {
       EXPECT_EQ(chunk, encoded(layout, records)) << "a used encoder must write what a new one does";
     }
   }
+}
+
+// No file at hand has such bytes, so that the words of the format stand here once more: all of them by one codec of
+// 8 bits, with a context for each.
+TEST(LazChunk, ExtraBytesOfVersion1AreIntegersOf8Bits) {
+  constexpr std::size_t kLength = 23, kCore = 20;
+  const auto records = PointMaker({0, kLength, 1}, 21).make(500);
+  Encoder encoder;
+  encoder.start(1);
+  const auto core = std::make_unique<Point10CodecV1<Encoder>>();
+  const auto bytes = std::make_unique<IntegerCodec<Encoder, 8, kLength - kCore>>();
+  core->start(load<Point10>(records.data()));
+  for (std::size_t at = kLength; at < records.size(); at += kLength) {
+    core->code(encoder, load<Point10>(&records[at]));
+    for (std::uint32_t i = 0; i < kLength - kCore; ++i)
+      bytes->code(encoder, std::to_integer<std::int32_t>(records[at - kLength + kCore + i]),
+                  std::to_integer<std::int32_t>(records[at + kCore + i]), i);
+  }
+  std::vector<std::byte> expected(records.begin(), records.begin() + kLength);
+  const auto stream = encoder.finish();
+  expected.insert(expected.end(), stream.begin(), stream.end());
+  EXPECT_EQ(encoded({0, kLength, 1}, records), expected);
 }
 
 TEST(LazChunk, CutIntoCallsAnyhow) {
@@ -165,13 +190,7 @@ TEST(LazChunk, RealChunksComeBackByteForByte) {
   for (const auto& path : test::laz_files(data)) {
     if (path.string().find("broken_") != std::string::npos) continue;
     SCOPED_TRACE(path);
-    std::unique_ptr<OpenedLaz> laz;
-    try {
-      laz = std::make_unique<OpenedLaz>(path);
-    } catch (const Error& e) {
-      EXPECT_NE(std::string(e.what()).find("version 1"), std::string::npos) << e.what();
-      continue;
-    }
+    const auto laz = std::make_unique<OpenedLaz>(path);
     ++files;
     const ChunkLayout& layout = laz->compression.layout;
     ChunkDecoder decoder(layout);

@@ -163,13 +163,56 @@ TEST(Laz, TableMayBeNamedAtTheEndOrNotAtAll) {
   }
 }
 
+// As compressors before 2011 wrote them: one stream without a table, items of version 1.
+std::vector<std::byte> in_version_1(const std::vector<std::byte>& file, const CloudSpec& spec,
+                                    std::span<const std::byte> rows) {
+  const auto points = load<std::uint32_t>(&file[las::kPointOffset]);
+  std::vector<std::byte> out(file.begin(), file.begin() + points);
+  const RecordLayout& l = spec.like.layout;
+  const laz::ChunkLayout layout{l.point_format, l.record_length, 1};
+  const auto record = laz::laszip_record({layout, true});
+  std::copy(record.begin(), record.end(), out.end() - static_cast<std::ptrdiff_t>(record.size()));
+  laz::ChunkEncoder(layout).encode(rows, out);
+  return out;
+}
+
+TEST(Laz, ReadsFilesFromBefore2011) {
+  const Folder folder;
+  for (std::uint8_t format = 0; format <= 5; ++format) {
+    for (const std::uint16_t extra : {0, 3}) {
+      SCOPED_TRACE(testing::Message() << "format " << int(format) << " extra " << extra);
+      const CloudSpec spec = spec_of(format, extra);
+      const std::size_t length = spec.like.layout.record_length;
+      const auto rows = points_of(spec, 5000);
+      write_file(folder / "new.laz", spec, rows);
+      auto bytes = in_version_1(slurp(folder / "new.laz"), spec, rows);
+      spill(folder / "old.laz", bytes);
+      const auto reader = open_cloud(folder / "old.laz");
+      EXPECT_TRUE(reader->info().warnings.empty());
+      EXPECT_FALSE(reader->random_access());
+      EXPECT_TRUE(read_all(*reader, 777).bytes == rows);
+
+      const auto points = load<std::uint32_t>(&bytes[las::kPointOffset]);
+      bytes.resize(points + (bytes.size() - points) / 2);
+      spill(folder / "cut.laz", bytes);
+      const auto cut = open_cloud(folder / "cut.laz");
+      EXPECT_EQ(cut->info().warnings.size(), 1u);
+      EXPECT_GT(cut->info().points, 1000u);
+      const auto read = read_all(*cut).bytes;
+      ASSERT_EQ(read.size(), cut->info().points * length);
+      EXPECT_EQ(std::memcmp(read.data(), rows.data(), read.size()), 0);
+    }
+  }
+}
+
 TEST(Laz, DamagedFilesNeverCrash) {
   const Folder folder;
   Rng rng(5);
-  for (const std::uint8_t format : {3, 8}) {
-    const CloudSpec spec = spec_of(format, 1);
-    write_file(folder / "a.laz", spec, points_of(spec, 700), 100);
-    const auto whole = slurp(folder / "a.laz");
+  for (const int kind : {3, 8, 1}) {  // a point format; 1: of before 2011
+    const CloudSpec spec = spec_of(static_cast<std::uint8_t>(kind), 1);
+    const auto rows = points_of(spec, 700);
+    write_file(folder / "a.laz", spec, rows, 100);
+    const auto whole = kind == 1 ? in_version_1(slurp(folder / "a.laz"), spec, rows) : slurp(folder / "a.laz");
     for (int round = 0; round < 400; ++round) {
       auto bytes = whole;
       if (round % 4 == 0) bytes.resize(rng.below(bytes.size()));
@@ -207,14 +250,17 @@ TEST(Laz, BrokenConformanceFilesAreRefusedWithAReason) {
 
 TEST(Laz, UncompressedTwinsHoldTheSamePoints) {
   ILOT_DATA_OR_SKIP(data);
-  const std::pair<const char*, const char*> twins[] = {{"laz-rs/point10.laz", "laz-rs/point10.las"},
-                                                       {"laz-rs/point-time.laz", "laz-rs/point-time.las"},
-                                                       {"laz-rs/point-color.laz", "laz-rs/point-color.las"},
-                                                       {"laz-rs/point-time-color.laz", "laz-rs/point-time-color.las"},
-                                                       {"laz-rs/extra-bytes.laz", "laz-rs/extra-bytes.las"},
-                                                       {"pdal/laszip/laszip-generated.laz", "pdal/laszip/basefile.las"},
-                                                       {"pdal/laszip/liblas-generated.laz", "pdal/laszip/basefile.las"},
-                                                       {"pdal/laz/simple.laz", "pdal/las/simple.las"}};
+  const std::pair<const char*, const char*> twins[] = {
+      {"laz-rs/point10.laz", "laz-rs/point10.las"},
+      {"laz-rs/point-time.laz", "laz-rs/point-time.las"},
+      {"laz-rs/point-color.laz", "laz-rs/point-color.las"},
+      {"laz-rs/point-time-color.laz", "laz-rs/point-time-color.las"},
+      {"laz-rs/extra-bytes.laz", "laz-rs/extra-bytes.las"},
+      {"pdal/laszip/laszip-generated.laz", "pdal/laszip/basefile.las"},
+      {"pdal/laszip/liblas-generated.laz", "pdal/laszip/basefile.las"},
+      {"pdal/laz/simple.laz", "pdal/las/simple.las"},
+      {"laz-rs/point-version-1-point-wise.laz", "laz-rs/point-version-1-point-wise.las"},
+      {"pdal/laz/simple-laszip-compressor-version-1.2r0.laz", "pdal/las/simple.las"}};
   for (const auto& [laz, las] : twins) {
     SCOPED_TRACE(laz);
     const auto a = open_cloud(data / "conformance" / laz), b = open_cloud(data / "conformance" / las);
