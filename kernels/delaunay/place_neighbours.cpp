@@ -16,13 +16,15 @@ constexpr std::size_t kMostAround = 192;  // places that a query looks at in cel
 constexpr std::int32_t kMostRings = 4;    // of cells around its own
 constexpr std::size_t kPlacesPerCell = 2;
 
-// The finest level at which occupied cells hold kPlacesPerCell places on average.
+constexpr int kTopLevel = 31;  // one cell for all: codes are below 2^62
+
+// The finest level at which occupied cells hold kPlacesPerCell places on average; kTopLevel for fewer places.
 int level_of(const PlaneOrder& order) {
-  std::array<std::size_t, 33> starts{};  // per level the first places of cells that a finer level does not start
+  std::array<std::size_t, kTopLevel> starts{};  // per level the first places of cells that a finer level does not start
   for (std::size_t i = 1; i < order.codes.size(); ++i)
     ++starts[static_cast<std::size_t>((std::bit_width(order.codes[i] ^ order.codes[i - 1]) - 1) / 2)];
   std::size_t occupied = 1;
-  int level = 32;
+  int level = kTopLevel;
   for (; level > 0; --level) {
     occupied += starts[static_cast<std::size_t>(level) - 1];
     if (occupied * kPlacesPerCell > order.codes.size()) break;
