@@ -13,7 +13,8 @@ LAYER_SEES = {
     "tests": {"tests", "tools", "engine", "kernels"},
 }
 # Folders of the engine by height: a folder sees itself and what is lower.
-HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "visibility": 4,
+HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
+          "visibility": 4,
           "segments": 4, "deliverables": 4, "evaluate": 5, "roofs": 6, "facades": 6, "streets": 6, "run": 7}
 EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/version.h", "engine/whole_file.h", "engine/pass/stop.h"}
 PRODUCTS = {"roofs", "facades", "streets"}

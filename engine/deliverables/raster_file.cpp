@@ -12,6 +12,8 @@ extern "C" void GDALRegister_GTiff();
 namespace ilot {
 namespace {
 
+constexpr GIntBig kCacheBytes = 4 << 20;  // a tile is written at once: GDAL's share of the machine is not asked for
+
 void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 }  // namespace
@@ -28,6 +30,7 @@ RasterFile::RasterFile(const std::filesystem::path& path, const RasterPlace& pla
                        const Crs& crs)
     : dataset_(std::make_unique<Dataset>()) {
   CPLSetErrorHandler(keep_silent);
+  GDALSetCacheMax64(kCacheBytes);
   dataset_->path = path;
   GDALRegister_GTiff();
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");

@@ -3,18 +3,29 @@
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <cassert>
-#include <memory>
 #include <span>
 #include <utility>
-
-#include "engine/store/column_file.h"
 
 namespace ilot {
 namespace {
 
+constexpr std::uint64_t kBytesOfEntry = 160;  // of an image in memory, its blocks' heads included
+
 std::uint64_t bytes_of(const PackedImage& packed) {
-  return packed.words.size() * sizeof(std::uint16_t);
+  return packed.words.size() * sizeof(std::uint16_t) + packed.rows.size() * sizeof(std::uint32_t) + kBytesOfEntry;
+}
+
+// Rows and words as they stand in the file, rows [first, end] of them.
+PackedImage loaded(const ScratchFile& file, std::uint64_t offset, std::uint32_t height, const TileFrame& part) {
+  PackedImage packed;
+  packed.rows.resize(std::size_t{part.height} + 1);
+  file.read(offset + part.y * sizeof(std::uint32_t), std::as_writable_bytes(std::span(packed.rows)));
+  const std::uint64_t words = offset + (std::uint64_t{height} + 1) * sizeof(std::uint32_t);
+  packed.words.resize(packed.rows.back() - packed.rows.front());
+  file.read(words + packed.rows.front() * sizeof(std::uint16_t), std::as_writable_bytes(std::span(packed.words)));
+  return packed;
 }
 
 }  // namespace
@@ -26,66 +37,98 @@ PackedLayers::PackedLayers(std::filesystem::path folder, std::uint64_t budget_by
 }
 
 PackedLayers::~PackedLayers() {
+  layers_.clear();
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
-  tiles_.clear();
   malloc_trim(0);  // rows are small blocks that the allocator would keep, and --memory counts them
 }
 
-std::filesystem::path PackedLayers::path(const Key& key) const {
-  return folder_ / (key.first + "_" + std::to_string(key.second));
+std::shared_ptr<ScratchFile> PackedLayers::file_of(const std::string& layer) {
+  auto& file = layers_[layer].file;
+  if (file == nullptr) file = std::make_shared<ScratchFile>(folder_ / layer);
+  return file;
+}
+
+std::uint64_t PackedLayers::appended(ScratchFile& file, const PackedImage& packed) {
+  std::vector<std::byte> bytes;
+  for (const auto part : {std::as_bytes(std::span(packed.rows)), std::as_bytes(std::span(packed.words))})
+    bytes.insert(bytes.end(), part.begin(), part.end());
+  return file.append(bytes);
+}
+
+void PackedLayers::put(const std::string& layer, std::size_t tile, Entry entry) {
+  std::vector<Entry>& tiles = layers_[layer].tiles;
+  if (tiles.size() <= tile) tiles.resize(tile + 1);
+  if (tiles[tile].image != nullptr) held_ -= bytes_of(*tiles[tile].image);
+  tiles[tile] = std::move(entry);
 }
 
 void PackedLayers::write(const char* layer, std::size_t tile, const Image& image) {
   auto packed = std::make_shared<PackedImage>(packed_image(image));
-  const Key key{layer, tile};
-  const std::uint64_t bytes = bytes_of(*packed);
+  Entry entry{nullptr, 0, image.height, packed->base, packed->wide};
   std::unique_lock lock(mutex_);
-  auto& entry = tiles_[key];
-  if (entry != nullptr) held_ -= bytes_of(*entry);
-  if (held_ + bytes <= budget_) {
-    held_ += bytes;
-    entry = std::move(packed);
+  if (held_ + bytes_of(*packed) <= budget_) {
+    held_ += bytes_of(*packed);
+    entry.image = std::move(packed);
+    put(layer, tile, std::move(entry));
     return;
   }
-  entry = nullptr;
+  const std::shared_ptr<ScratchFile> file = file_of(layer);
   lock.unlock();
-  write_column<std::uint16_t>(path(key), packed->words);
-  std::vector<std::uint16_t>().swap(packed->words);  // "= {}" would keep the memory
+  entry.offset = appended(*file, *packed);
   lock.lock();
-  tiles_[key] = std::move(packed);
+  put(layer, tile, std::move(entry));
 }
 
 void PackedLayers::read(const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) const {
-  const Key key{layer, tile};
-  std::shared_ptr<const PackedImage> packed;
+  Entry entry;
+  std::shared_ptr<ScratchFile> file;
   {
     const std::lock_guard lock(mutex_);
-    const auto entry = tiles_.find(key);
-    assert(entry != tiles_.end());
-    packed = entry->second;
+    const Layer& of = layers_.at(layer);
+    assert(tile < of.tiles.size());
+    entry = of.tiles[tile];
+    file = of.file;
   }
-  const std::uint32_t first = packed->rows[part.y], last = packed->rows[part.y + part.height];
-  std::vector<std::uint16_t> loaded;
-  if (packed->words.empty() && last > first) {
-    loaded.resize(last - first);
-    ColumnReader<std::uint16_t>(path(key)).read(first, loaded);
+  if (part.height == 0) return;
+  if (entry.image != nullptr) {
+    const std::uint32_t first = entry.image->rows[part.y], last = entry.image->rows[part.y + part.height];
+    unpack(*entry.image, std::span(entry.image->words).subspan(first, last - first), part, out);
+    return;
   }
-  unpack(*packed,
-         loaded.empty() ? std::span(packed->words).subspan(first, last - first) : std::span(std::as_const(loaded)),
-         part, out);
+  PackedImage packed = loaded(*file, entry.offset, entry.height, part);
+  packed.base = entry.base;
+  packed.wide = entry.wide;
+  unpack(packed, packed.words, {part.x, 0, part.width, part.height}, out);
+}
+
+std::uint64_t PackedLayers::unused() const {
+  const std::lock_guard lock(mutex_);
+  return budget_ - held_;
+}
+
+void PackedLayers::spill(std::uint64_t bytes) {
+  const std::lock_guard lock(mutex_);
+  const std::uint64_t from_unused = std::min(bytes, budget_ - held_);
+  const std::uint64_t target = held_ - std::min(held_, bytes - from_unused);
+  for (auto& [name, layer] : layers_)
+    for (Entry& entry : layer.tiles) {
+      if (held_ <= target) break;
+      if (entry.image == nullptr) continue;
+      entry.offset = appended(*file_of(name), *entry.image);
+      held_ -= bytes_of(*entry.image);
+      entry.image = nullptr;
+    }
+  budget_ = std::min(budget_ - from_unused, std::max(held_, target));
 }
 
 void PackedLayers::drop(const char* layer) {
   const std::lock_guard lock(mutex_);
-  for (auto entry = tiles_.lower_bound({layer, 0}); entry != tiles_.end() && entry->first.first == layer;) {
-    held_ -= bytes_of(*entry->second);
-    if (entry->second->words.empty()) {
-      std::error_code ignored;
-      std::filesystem::remove(path(entry->first), ignored);
-    }
-    entry = tiles_.erase(entry);
-  }
+  const auto found = layers_.find(layer);
+  if (found == layers_.end()) return;
+  for (const Entry& entry : found->second.tiles)
+    if (entry.image != nullptr) held_ -= bytes_of(*entry.image);
+  layers_.erase(found);
 }
 
 }  // namespace ilot

@@ -105,6 +105,7 @@ PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std
                          Progress& progress) {
   PassContext context;
   context.budget_bytes = memory_for_blocks(options);
+  context.memory_bytes = options.memory_bytes;
   context.task_points = 2 * block_points;
   context.metres_per_unit = inputs.crs.metres_per_unit;
   context.advance = [&progress](std::uint64_t points) { progress.advance(points); };

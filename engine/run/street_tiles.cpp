@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/street_tiles.h"
 
-#include <malloc.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <mutex>
 
+#include "engine/error.h"
 #include "engine/pass/pass.h"
+#include "engine/report/progress.h"
 #include "engine/run/lattice_cells.h"
 #include "engine/store/stretches.h"
 #include "kernels/rasters/nearest.h"
@@ -18,11 +21,15 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-constexpr double kShareOfLayers = 0.15;      // of the budget, for packed layers
-constexpr double kShareOfTiles = 0.35;       // for the work on tiles; the rest: zones, borders, things, the allocator's
-constexpr std::uint64_t kBytesDrawn = 16;    // per pixel of a tile that is drawn
-constexpr double kFinestPixel = 0.05;        // metres
-constexpr int kCoarsest = 20;                // times that
+// Tiles between two sites, at least: far more than any step looks beyond a tile (links of 10 m, lines of facades that
+// go on in the next window of 200 m), whatever the pixel; at 5 cm 1.6 km.
+constexpr std::int64_t kWidestGap = 64;
+constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;  // in a direction
+constexpr double kShareOfLayers = 0.15;                            // of the budget, for packed layers
+constexpr std::uint64_t kBytesDrawn = 16;                          // per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesOfStretch = 1u << 20;                // of points as they are read, their chunks included
+constexpr double kFinestPixel = 0.05;                              // metres
+constexpr int kCoarsest = 20;                                      // times that
 constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is empty then, e to the power of minus this
 constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
 constexpr std::uint32_t kCrowded = 4;        // times the median
@@ -39,18 +46,6 @@ void for_points_in(const Store& store, const IndexBox& box, const Take& take) {
     for (std::size_t i = 0; i < s.codes.size(); ++i)
       if (const Index3 p = s.position(i); box.contains(p)) take(p);
   });
-}
-
-// Windows of a lattice of squares that may hold points: row, column.
-std::vector<std::pair<std::int64_t, std::int64_t>> windows_of(const Store& store, std::int64_t side) {
-  std::vector<std::pair<std::int64_t, std::int64_t>> windows;
-  for (const Block& b : store.blocks())
-    for (std::int64_t row = floor_divided(b.box.min.y, side); row <= floor_divided(b.box.max.y, side); ++row)
-      for (std::int64_t column = floor_divided(b.box.min.x, side); column <= floor_divided(b.box.max.x, side); ++column)
-        windows.emplace_back(row, column);
-  std::sort(windows.begin(), windows.end());
-  windows.erase(std::unique(windows.begin(), windows.end()), windows.end());
-  return windows;
 }
 
 std::uint64_t share_of(const PassContext& context, double share) {
@@ -95,21 +90,20 @@ PointDensity point_density(const Store& store, const PassContext& context) {
   constexpr std::int64_t kCells = 64;
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
   const LatticeCells cell_of(cell);
-  const auto windows = windows_of(store, side);
-  std::vector<std::map<std::uint32_t, std::uint64_t>> counts(windows.size());
-  const std::vector<PassTask> tasks(windows.size(), {context.task_points * sizeof(std::uint64_t), 0});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    const std::int64_t row = windows[i].first, column = windows[i].second;
+  const std::vector<PointWindow> windows = windows_with_points(store, context, side);
+  std::map<std::uint32_t, std::uint64_t> all;  // cells by their number of points
+  std::mutex mutex;
+  const std::vector<PassTask> tasks(windows.size(), {kBytesOfStretch, 0});
+  run_pass(tasks, context.budget_bytes / 4, [&](std::size_t i) {
+    const auto [row, column] = windows[i];
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
         store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
         [&](Index3 p) { ++cells[std::size_t{cell_of(p.y - row * side)} * kCells + cell_of(p.x - column * side)]; });
+    const std::lock_guard lock(mutex);
     for (const std::uint32_t n : cells)
-      if (n > 0) ++counts[i][n];
+      if (n > 0) ++all[n];
   });
-  std::map<std::uint32_t, std::uint64_t> all;
-  for (const auto& some : counts)
-    for (const auto& [n, cells] : some) all[n] += cells;
   const double metres = static_cast<double>(cell) * store.unit() * context.metres_per_unit;
   return density_of(all, metres * metres);
 }
@@ -125,37 +119,48 @@ double pixel_for(double density, StreetView view) {
   return kFinestPixel * times;
 }
 
+double StreetRaster::crs(const FoldedAxis& axis, double at) const {
+  const auto tile = static_cast<std::int64_t>(std::floor(at / grid.side));
+  const std::int64_t origin = (axis.lattice(tile) - tile) * grid.side;
+  return (static_cast<double>(origin) + at) * static_cast<double>(pixel) * unit;
+}
+
+std::int64_t StreetRaster::folded_pixel(const FoldedAxis& axis, std::int64_t lattice) const {
+  const std::int64_t at = floor_divided(lattice, pixel), tile = floor_divided(at, grid.side);
+  const std::int64_t folded = axis.folded(tile);
+  return folded < 0 ? -1 : at + (folded - tile) * grid.side;
+}
+
+std::size_t StreetRaster::tile_over(Index3 p) const {
+  return grid.tile_at(rows.folded(floor_divided(p.y, tile_units())), columns.folded(floor_divided(p.x, tile_units())));
+}
+
+PointWindow StreetRaster::window(std::size_t tile) const {
+  const TilePlace place = grid.place(tile);
+  return {rows.lattice(place.row), columns.lattice(place.column)};
+}
+
+Index3 StreetRaster::corner(std::size_t tile) const {
+  const PointWindow at = window(tile);
+  return {at.column * tile_units(), at.row * tile_units(), 0};
+}
+
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
-    : store_(store), context_(context), packed_(store.folder() / "streets", share_of(context, kShareOfLayers)) {
+    : store_(store),
+      context_(context),
+      packed_(store.folder() / "streets", share_of(context, kShareOfLayers)),
+      runner_(context, packed_) {
   raster_.pixel = whole_units(store, context, pixel_metres);
   raster_.unit = store.unit();
   const double metres = store.unit() * context.metres_per_unit;
   raster_.scale = {metres, metres * static_cast<double>(raster_.pixel)};
-  const std::int64_t side = raster_.pixel * kSide;
-  const auto windows = windows_of(store, side);
-  std::int64_t first = INT64_MAX, last = INT64_MIN;
-  for (const auto& [row, column] : windows) first = std::min(first, column), last = std::max(last, column);
-  const std::int64_t rows = windows.back().first - windows.front().first + 1;
-  raster_.x = first * kSide;
-  raster_.y = windows.front().first * kSide;
-  raster_.grid = {
-      static_cast<std::uint32_t>((last - first + 1) * kSide), static_cast<std::uint32_t>(rows * kSide), kSide, {}};
-  std::vector<std::uint8_t> present(raster_.grid.count(), 0);
-  std::vector<std::size_t> tiles;
-  for (const auto& [row, column] : windows)
-    tiles.push_back(static_cast<std::size_t>((row - windows.front().first) * raster_.grid.columns() + column - first));
-  const auto run = [budget = share_of(context, kShareOfTiles)](std::span<const std::uint64_t> bytes,
-                                                               const std::function<void(std::size_t)>& body) {
-    std::vector<PassTask> tasks;
-    for (const std::uint64_t b : bytes) tasks.push_back({b, b});
-    run_pass(tasks, budget, body);
-    malloc_trim(0);  // what lies freed between packed rows goes back to the system, which --memory counts
+  plan();
+  raster_.grid.run = [this](std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) {
+    runner_.run(bytes, body);
   };
-  const std::uint64_t of_points = context.task_points * sizeof(std::uint64_t);  // of a block that is read
-  const std::vector<std::uint64_t> bytes(tiles.size(), kBytesDrawn * kSide * kSide + of_points);
-  run(bytes, [&](std::size_t i) { draw(tiles[i], present); });
-  raster_.grid.present = std::move(present);
-  raster_.grid.run = run;
+  raster_.grid.need = [this](std::uint64_t bytes) { runner_.need(bytes); };
+  const std::vector<std::uint64_t> bytes(raster_.grid.count(), kBytesDrawn * kSide * kSide + kBytesOfStretch);
+  run_tasks(raster_.grid, bytes, [&](std::size_t tile) { draw(tile); });
   layers_ = {raster_.grid,
              [this](const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) {
                packed_.read(layer, tile, part, out);
@@ -164,19 +169,39 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
              [this](const char* layer) { packed_.drop(layer); }};
 }
 
+void StreetTiles::plan() {
+  raster_.grid.side = kSide;
+  const std::vector<PointWindow> windows = windows_with_points(store_, context_, raster_.tile_units());
+  std::vector<std::int64_t> rows, columns;
+  for (const auto& [row, column] : windows) rows.push_back(row), columns.push_back(column);
+  std::sort(columns.begin(), columns.end());
+  raster_.rows = FoldedAxis(rows, kWidestGap);
+  raster_.columns = FoldedAxis(columns, kWidestGap);
+  const std::int64_t width = raster_.columns.size() * kSide, height = raster_.rows.size() * kSide;
+  if (std::max(width, height) > kMostPixels)
+    throw Error(
+        fmt::format("streets: the points are spread over {} tiles of {:.0f} m that do not touch, which is more "
+                    "than a raster can hold: give a larger streets.pixel, or a part of them (--bounds)",
+                    grouped(windows.size()), kSide * raster_.scale.pixel));
+  raster_.grid.width = static_cast<std::uint32_t>(width);
+  raster_.grid.height = static_cast<std::uint32_t>(height);
+  for (const auto& [row, column] : windows)
+    raster_.grid.tiles.push_back({static_cast<std::uint32_t>(raster_.rows.folded(row)),
+                                  static_cast<std::uint32_t>(raster_.columns.folded(column))});
+}
+
 // take(pixel in the tile, z)
 template <class Take>
 void StreetTiles::for_points(std::size_t tile, const Take& take) const {
-  const TileFrame frame = tile_frame(raster_.grid, tile);
-  const std::int64_t pixel = raster_.pixel, x0 = (raster_.x + frame.x) * pixel, y0 = (raster_.y + frame.y) * pixel;
-  const IndexBox box{{x0, y0, -kFar}, {x0 + pixel * kSide - 1, y0 + pixel * kSide - 1, kFar}};
-  const LatticeCells pixel_of(pixel);
-  for_points_in(store_, box, [&](Index3 p) {
-    take(std::size_t{pixel_of(p.y - y0)} * kSide + pixel_of(p.x - x0), static_cast<Height>(p.z));
+  const Index3 corner = raster_.corner(tile);
+  const std::int64_t last = raster_.tile_units() - 1;
+  const LatticeCells pixel_of(raster_.pixel);
+  for_points_in(store_, {{corner.x, corner.y, -kFar}, {corner.x + last, corner.y + last, kFar}}, [&](Index3 p) {
+    take(std::size_t{pixel_of(p.y - corner.y)} * kSide + pixel_of(p.x - corner.x), height_of(p.z));
   });
 }
 
-void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) {
+void StreetTiles::draw(std::size_t tile) {
   Image range = filled_image(kSide, kSide, kNoHeight), accumulation = filled_image(kSide, kSide, 0);
   std::uint64_t points = 0;
   for_points(tile, [&](std::size_t pixel, Height z) {
@@ -184,8 +209,6 @@ void StreetTiles::draw(std::size_t tile, std::vector<std::uint8_t>& present) {
     ++accumulation.values[pixel];
     ++points;
   });
-  if (points == 0) return;
-  present[tile] = 1;
   packed_.write("range", tile, range);
   packed_.write("accumulation", tile, accumulation);
   context_.advance(points);

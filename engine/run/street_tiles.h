@@ -1,32 +1,53 @@
 // SPDX-License-Identifier: Apache-2.0
 // The images of a street on disk, and what is drawn in them from the points.
 #pragma once
+#include <algorithm>
+
 #include "engine/pass/context.h"
 #include "engine/run/packed_layers.h"
+#include "engine/run/tile_runner.h"
 #include "engine/settings/settings.h"
 #include "engine/store/store.h"
 #include "engine/streets/raster_scale.h"
 #include "engine/streets/street_layers.h"
+#include "engine/tiles/folded_axis.h"
+#include "engine/tiles/point_windows.h"
 
 namespace ilot {
 
-// Where the images lie: pixels of whole lattice units with corners at multiples of them, tiles at multiples of their
-// side, so that all runs share one raster.
+// Where the images are: pixels of whole lattice units with corners at multiples of them, tiles at multiples of their
+// side, so that all runs share one raster. Long stretches without a tile are left out of the numbers of pixels
+// (FoldedAxis); distances between sites that far apart are asked for nowhere but in CRS coordinates.
 struct StreetRaster {
-  std::int64_t pixel = 50;    // lattice units
-  std::int64_t x = 0, y = 0;  // of the first pixel, in pixels
+  std::int64_t pixel = 50;   // lattice units
+  FoldedAxis columns, rows;  // of tiles
   RasterScale scale;
   double unit = 0.001;  // CRS units of a lattice unit
   TileGrid grid;
 
-  double crs_x(double pixel_x) const { return (static_cast<double>(x) + pixel_x) * static_cast<double>(pixel) * unit; }
-  double crs_y(double pixel_y) const { return (static_cast<double>(y) + pixel_y) * static_cast<double>(pixel) * unit; }
-  std::int64_t column(std::int64_t lattice_x) const { return floor_divided(lattice_x) - x; }
-  std::int64_t row(std::int64_t lattice_y) const { return floor_divided(lattice_y) - y; }
+  double crs_x(double pixel_x) const { return crs(columns, pixel_x); }
+  double crs_y(double pixel_y) const { return crs(rows, pixel_y); }
+  // The pixel that holds a coordinate; -1 where there is none.
+  std::int64_t column(std::int64_t lattice_x) const { return folded_pixel(columns, lattice_x); }
+  std::int64_t row(std::int64_t lattice_y) const { return folded_pixel(rows, lattice_y); }
+  // The tile over a point, kNoTile where there is none.
+  std::size_t tile_over(Index3 p) const;
+  // Of a tile on the lattice of tiles.
+  PointWindow window(std::size_t tile) const;
+  // Lattice units of a tile's first pixel.
+  Index3 corner(std::size_t tile) const;
+  std::int64_t tile_units() const { return pixel * grid.side; }
 
  private:
-  std::int64_t floor_divided(std::int64_t v) const { return v >= 0 ? v / pixel : -((pixel - 1 - v) / pixel); }
+  double crs(const FoldedAxis& axis, double at) const;
+  std::int64_t folded_pixel(const FoldedAxis& axis, std::int64_t lattice) const;
 };
+
+// Heights of lattice points; what is farther from 0 than heights may be, as a stray point is, counts as just so far.
+inline Height height_of(std::int64_t z) {
+  constexpr std::int64_t kMost = (std::int64_t{1} << 30) - 1;
+  return static_cast<Height>(std::clamp(z, -kMost, kMost));
+}
 
 // How many points cells of a square metre hold that hold any.
 struct PointDensity {
@@ -48,7 +69,8 @@ double pixel_for(double density, StreetView view);
 
 class StreetTiles {
  public:
-  // Plans the raster and draws "range" and "accumulation"; tiles without a point are absent.
+  // Plans the raster and draws "range" and "accumulation"; tiles without a point are absent. Throws Error where tiles
+  // are so many that their pixels have no numbers (2^31 in a direction).
   StreetTiles(const Store& store, const PassContext& context, double pixel_metres);
 
   const StreetRaster& raster() const { return raster_; }
@@ -67,7 +89,8 @@ class StreetTiles {
   void count_above(double least_height, double low_height, StreetView view) const;
 
  private:
-  void draw(std::size_t tile, std::vector<std::uint8_t>& present);
+  void plan();
+  void draw(std::size_t tile);
   template <class Take>
   void for_points(std::size_t tile, const Take& take) const;
 
@@ -75,6 +98,7 @@ class StreetTiles {
   const PassContext& context_;
   StreetRaster raster_;
   PackedLayers packed_;
+  TileRunner runner_;
   StreetLayers layers_;
 };
 

@@ -24,9 +24,11 @@ std::string name_of(PointLabel label) {
 // The separated thing nearest to a place; 0 = none.
 std::uint32_t part_at(const FoundStreet& street, Vec3 place) {
   const StreetRaster& raster = street.tiles->raster();
-  const auto column = static_cast<std::int64_t>(std::floor(place.x / raster.unit / static_cast<double>(raster.pixel)));
-  const auto row = static_cast<std::int64_t>(std::floor(place.y / raster.unit / static_cast<double>(raster.pixel)));
-  const std::int64_t x = column - raster.x, y = row - raster.y;
+  const auto pixel_of = [&](double v) {
+    return static_cast<std::int64_t>(std::floor(v / raster.unit / static_cast<double>(raster.pixel)));
+  };
+  const std::int64_t x = raster.column(pixel_of(place.x) * raster.pixel),
+                     y = raster.row(pixel_of(place.y) * raster.pixel);
   const auto reach = std::int64_t{raster.scale.pixels(kNear)};
   if (!raster.grid.holds(x, y)) return 0;
   const auto side = static_cast<std::uint32_t>(2 * reach + 1);

@@ -6,11 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/deliverables/raster_file.h"
 #include "engine/deliverables/street_map.h"
 #include "engine/deliverables/streets_gpkg.h"
 #include "engine/run/street_labels.h"
+#include "engine/run/street_rasters.h"
 #include "engine/run/street_training.h"
+#include "engine/run/stretch_index.h"
 #include "engine/streets/tiled_artefacts.h"
 #include "engine/streets/whole_things.h"
 #include "engine/whole_file.h"
@@ -18,9 +19,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarFromStreet = 30;      // metres from a line of facades; objects beyond are of no block
 constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
-constexpr float kNone = -9999;             // pixels without a height
 constexpr std::uint64_t kLeastPoints = 3;  // of an object [B7]
 constexpr double kPixelsOfThing = 4;       // of a thing at least
 
@@ -40,31 +39,8 @@ Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
 }
 
-// The block of a place: that of the nearest line of facades, nearest along it.
-void set_block(const std::vector<StreetStretch>& stretches, const RasterScale& scale, double x, double y,
-               StreetObject& object) {
-  double nearest = kFarFromStreet;
-  for (std::size_t s = 0; s < stretches.size(); ++s) {
-    const StreetStretch& stretch = stretches[s];
-    const double px = (x - stretch.x) * scale.pixel, py = (y - stretch.y) * scale.pixel;
-    const double along = px * stretch.dx + py * stretch.dy;
-    const double across = std::abs(py * stretch.dx - px * stretch.dy);
-    const double beyond = std::max({0.0, -along, along - stretch.length});
-    const double distance = std::sqrt(across * across + beyond * beyond);
-    if (distance >= nearest) continue;
-    nearest = distance;
-    double least = INFINITY;
-    for (std::size_t b = 0; b < stretch.blocks.size(); ++b) {
-      const double outside = std::max({0.0, stretch.blocks[b].from - along, along - stretch.blocks[b].to});
-      if (outside >= least) continue;
-      least = outside;
-      object.stretch = static_cast<std::uint32_t>(s + 1);
-      object.block = static_cast<std::uint32_t>(b + 1);
-    }
-  }
-}
-
-StreetObject object_of(const FoundStreet& street, const Thing& thing, const ThingClass& what) {
+StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const Thing& thing,
+                       const ThingClass& what) {
   const StreetRaster& raster = street.tiles->raster();
   StreetObject o;
   o.label = what.label;
@@ -77,7 +53,9 @@ StreetObject object_of(const FoundStreet& street, const Thing& thing, const Thin
   o.heading_deg = thing.heading_deg;
   o.area_m2 = thing.features[static_cast<std::size_t>(ComponentFeature::area)];
   o.points = thing.points;
-  set_block(street.stretches, raster.scale, thing.x, thing.y, o);
+  const BlockAddress address = blocks.address(thing.x, thing.y);
+  o.stretch = address.stretch;
+  o.block = address.block;
   return o;
 }
 
@@ -106,52 +84,6 @@ void add_parts(const FoundStreet& street, StreetPlan& plan) {
     for (std::size_t g = 0; g < street.stretches[s].gaps.size(); ++g)
       plan.gaps.push_back(part_of(s, g, street.stretches[s].gaps[g]));
   }
-}
-
-// A layer as a GeoTIFF, north up; `value` of a pixel, NaN for none.
-void write_raster(const StreetTiles& tiles, const std::filesystem::path& path, RasterValue kind, double nodata,
-                  const Crs& crs, const std::function<std::vector<float>(std::size_t tile)>& values) {
-  const StreetRaster& raster = tiles.raster();
-  const TileGrid& grid = raster.grid;
-  RasterFile file(path,
-                  {raster.crs_x(0), raster.crs_y(grid.height), static_cast<double>(raster.pixel) * raster.unit,
-                   grid.width, grid.height},
-                  kind, nodata, crs);
-  for (std::size_t tile = 0; tile < grid.count(); ++tile) {
-    if (!grid.has(tile)) continue;
-    const TileFrame frame = tile_frame(grid, tile);
-    const std::vector<float> rows = values(tile);
-    std::vector<float> turned(rows.size());
-    for (std::uint32_t y = 0; y < frame.height; ++y)
-      std::copy_n(rows.begin() + static_cast<std::ptrdiff_t>(std::size_t{y} * frame.width), frame.width,
-                  turned.begin() + static_cast<std::ptrdiff_t>(std::size_t{frame.height - 1 - y} * frame.width));
-    file.write(frame.x, grid.height - frame.y - frame.height, frame.width, frame.height, turned);
-  }
-  file.finish();
-}
-
-void write_rasters(const StreetTiles& tiles, const std::filesystem::path& folder, const Crs& crs) {
-  const double unit = tiles.raster().unit;
-  const auto heights = [&](const char* layer, double per_unit, const char* where) {
-    return [&tiles, layer, per_unit, where](std::size_t tile) {
-      const Image image = layer_tile(tiles.layers(), layer, tile);
-      const Image mask = where == nullptr ? Image{} : layer_tile(tiles.layers(), where, tile);
-      std::vector<float> out(image.size(), kNone);
-      for (std::size_t i = 0; i < image.size(); ++i)
-        if (image.values[i] != kNoHeight && (where == nullptr || mask.values[i] == 1))
-          out[i] = static_cast<float>(image.values[i] * per_unit);
-      return out;
-    };
-  };
-  const auto counts = [&](std::size_t tile) {
-    const Image image = layer_tile(tiles.layers(), "accumulation", tile);
-    return std::vector<float>(image.values.begin(), image.values.end());
-  };
-  write_raster(tiles, folder / "range.tif", RasterValue::real, kNone, crs, heights("range", unit, nullptr));
-  write_raster(tiles, folder / "accumulation.tif", RasterValue::whole, 0, crs, counts);
-  write_raster(tiles, folder / "ground.tif", RasterValue::real, kNone, crs, heights("level", unit, "mask"));
-  write_raster(tiles, folder / "artefacts.tif", RasterValue::real, kNone, crs,
-               heights("height", tiles.raster().scale.unit, nullptr));
 }
 
 void record_choices(const StreetsSettings& settings, const FoundStreet& street, RunRecord& record) {
@@ -221,10 +153,11 @@ void make_streets(const Store& store, const Settings& settings, const std::files
   const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
   StreetPlan plan;
   std::vector<std::uint32_t> object_of_thing(street.things.size() + 1, 0);
+  const StretchIndex blocks(street.stretches, street.tiles->raster().scale);
   const double unit = store.unit();
   for (std::size_t i = 0; i < street.things.size(); ++i) {
     if (taken[i] == 0 || !is_object(classes[i].label) || street.things[i].points < kLeastPoints) continue;
-    StreetObject object = object_of(street, street.things[i], classes[i]);
+    StreetObject object = object_of(street, blocks, street.things[i], classes[i]);
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
@@ -242,7 +175,7 @@ void make_streets(const Store& store, const Settings& settings, const std::files
   write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);
   write_objects_gpkg(folder / "objects.gpkg", plan, crs);
   write_blocks_gpkg(folder / "blocks.gpkg", plan, crs);
-  write_rasters(*street.tiles, folder, crs);
+  write_street_rasters(*street.tiles, folder, crs);
   write_street_map(folder, plan, context.metres_per_unit);
   record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
   progress.end_stage();

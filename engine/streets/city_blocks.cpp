@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 
-#include "kernels/core/parallel.h"
 #include "kernels/core/union_find.h"
 #include "kernels/rasters/hough_lines.h"
 #include "kernels/rasters/profile.h"
@@ -13,6 +12,7 @@
 namespace ilot {
 namespace {
 
+constexpr std::uint64_t kBytesSought = 12;  // per pixel of a window in which lines are sought
 constexpr std::uint32_t kLinesInWindow = 6;
 constexpr double kSameDirection = 0.99966;  // cosine of 1.5 degrees
 constexpr Height kHeaviest = 1 << 20;       // of a pixel's votes
@@ -53,6 +53,8 @@ Line line_of(const LineSums& s) {
   return {-dy, dx, dy * mx - dx * my};
 }
 
+using WindowKey = std::pair<std::int64_t, std::int64_t>;  // row, column
+
 struct WindowLine {
   std::int64_t row = 0, column = 0;  // of its window
   Line line;
@@ -83,39 +85,56 @@ class BlockFinder {
   void gather() {
     std::vector<std::vector<FacadePixel>> of_tile(layers_.grid.count());
     for_each_tile(layers_.grid, [&](std::size_t tile) { of_tile[tile] = facade_pixels(tile); });
+    std::map<WindowKey, std::size_t> sizes;
     for (const auto& list : of_tile)
-      for (const FacadePixel& p : list) windows_[{p.y / window_, p.x / window_}].push_back(p);
+      for (const FacadePixel& p : list) ++sizes[window_of(p)];
+    for (auto& list : of_tile) {
+      for (const FacadePixel& p : list) {
+        std::vector<FacadePixel>& window = windows_[window_of(p)];
+        if (window.empty()) window.reserve(sizes[window_of(p)]);
+        window.push_back(p);
+      }
+      std::vector<FacadePixel>().swap(list);
+    }
   }
+  WindowKey window_of(const FacadePixel& p) const { return {p.y / window_, p.x / window_}; }
 
   std::vector<FacadePixel> facade_pixels(std::size_t tile) const {
     const TileFrame frame = tile_frame(layers_.grid, tile);
     const Image range = layer_tile(layers_, "range", tile), mask = layer_tile(layers_, "mask", tile),
                 level = layer_tile(layers_, "level", tile), accumulation = layer_tile(layers_, "accumulation", tile);
     const Height least = scale_.units(params_.least_facade);
-    std::map<std::pair<std::int32_t, std::int32_t>, FacadePixel> found;
+    const std::uint32_t x0 = frame.x / factor_, y0 = frame.y / factor_;
+    const std::uint32_t columns = (frame.x + frame.width - 1) / factor_ - x0 + 1;
+    const std::uint32_t rows = (frame.y + frame.height - 1) / factor_ - y0 + 1;
+    Image weights = filled_image(columns, rows, 0), heights = weights;
     std::size_t i = 0;
     for (std::uint32_t y = 0; y < frame.height; ++y) {
       for (std::uint32_t x = 0; x < frame.width; ++x, ++i) {
         if (mask.values[i] == 1 || range.values[i] == kNoHeight || level.values[i] == kNoHeight) continue;
         const Height height = range.values[i] - level.values[i];
         if (height < least) continue;
-        const auto cx = static_cast<std::int32_t>((frame.x + x) / factor_);
-        const auto cy = static_cast<std::int32_t>((frame.y + y) / factor_);
-        FacadePixel& p = found.try_emplace({cy, cx}, FacadePixel{cx, cy, 0, 0}).first->second;
-        p.weight = std::min(kHeaviest, p.weight + accumulation.values[i]);
-        p.height = std::max(p.height, height);
+        const std::size_t c = std::size_t{(frame.y + y) / factor_ - y0} * columns + (frame.x + x) / factor_ - x0;
+        weights.values[c] = std::min(kHeaviest, weights.values[c] + accumulation.values[i]);
+        heights.values[c] = std::max(heights.values[c], height);
       }
     }
     std::vector<FacadePixel> list;
-    for (const auto& entry : found) list.push_back(entry.second);
+    for (std::uint32_t c = 0; c < weights.size(); ++c)
+      if (heights.values[c] > 0)
+        list.push_back({static_cast<std::int32_t>(x0 + c % columns), static_cast<std::int32_t>(y0 + c / columns),
+                        weights.values[c], heights.values[c]});
+    list.shrink_to_fit();
     return list;
   }
 
   std::vector<WindowLine> window_lines() const {
-    std::vector<const std::pair<const std::pair<std::int64_t, std::int64_t>, std::vector<FacadePixel>>*> windows;
+    std::vector<const std::pair<const WindowKey, std::vector<FacadePixel>>*> windows;
     for (const auto& entry : windows_) windows.push_back(&entry);
     std::vector<std::vector<WindowLine>> found(windows.size());
-    parallel_for(windows.size(), [&](std::size_t i) {
+    const std::vector<std::uint64_t> bytes(windows.size(),
+                                           static_cast<std::uint64_t>(window_ * window_) * kBytesSought);
+    run_tasks(layers_.grid, bytes, [&](std::size_t i) {
       const auto& [key, pixels] = *windows[i];
       const std::int64_t x0 = key.second * window_, y0 = key.first * window_;
       Image weights = filled_image(static_cast<std::uint32_t>(window_), static_cast<std::uint32_t>(window_), 0);
@@ -176,9 +195,16 @@ class BlockFinder {
   std::vector<std::vector<std::size_t>> chains_of(const std::vector<WindowLine>& lines) const {
     std::vector<std::uint32_t> parents(lines.size());
     UnionFind sets(parents);
+    std::map<WindowKey, std::vector<std::uint32_t>> of_window;
+    for (std::uint32_t i = 0; i < lines.size(); ++i) of_window[{lines[i].row, lines[i].column}].push_back(i);
     for (std::uint32_t i = 0; i < lines.size(); ++i)
-      for (std::uint32_t j = 0; j < i; ++j)
-        if (goes_on(lines[i], lines[j])) sets.unite(i, j);
+      for (std::int64_t row = lines[i].row - 1; row <= lines[i].row; ++row)
+        for (std::int64_t column = lines[i].column - 1; column <= lines[i].column + 1; ++column) {
+          const auto beside = of_window.find({row, column});
+          if (beside == of_window.end()) continue;
+          for (const std::uint32_t j : beside->second)
+            if (j < i && goes_on(lines[i], lines[j])) sets.unite(i, j);
+        }
     std::map<std::uint32_t, std::vector<std::size_t>> by_root;
     for (std::uint32_t i = 0; i < lines.size(); ++i) by_root[sets.find(i)].push_back(i);
     std::vector<std::vector<std::size_t>> chains;
@@ -245,6 +271,11 @@ class BlockFinder {
     for (const ProfileCut& c : profile_cuts(profile, scale_.units(params_.depth))) {
       const double width = (c.to - c.from + 1) * pixel_;
       if (c.floor >= least || width < params_.least_gap) continue;
+      if (c.from < begin) {  // valleys that overlap are one: a low top between them belongs to both
+        begin = std::max<std::size_t>(begin, c.to + 1);
+        stretch.gaps.back().to = static_cast<double>(begin) * pixel_;
+        continue;
+      }
       add_block(c.from);
       stretch.gaps.push_back({c.from * pixel_, (c.to + 1) * pixel_, 0});
       begin = c.to + 1;
@@ -258,7 +289,7 @@ class BlockFinder {
   std::uint32_t factor_;
   double pixel_;         // metres, of the coarse image
   std::int64_t window_;  // coarse pixels
-  std::map<std::pair<std::int64_t, std::int64_t>, std::vector<FacadePixel>> windows_;
+  std::map<WindowKey, std::vector<FacadePixel>> windows_;
 };
 
 }  // namespace

@@ -90,7 +90,7 @@ class Enclosing {
 }  // namespace
 
 void find_enclosed_ground(const StreetLayers& layers, const char* zones_layer, const TileZones& zones,
-                          const GroundOfGroups& chosen, const PixelLabels& groups) {
+                          const GroundOfGroups& chosen, const TileGroups& groups) {
   Enclosing enclosing(layers, zones_layer, zones);
   for_each_tile(layers.grid, [&](std::size_t tile) {
     const std::uint32_t ground = chosen.of_group[groups.of[tile]];

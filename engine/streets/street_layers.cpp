@@ -23,13 +23,10 @@ Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x
                    std::uint32_t height) {
   const TileGrid& grid = layers.grid;
   Image out = filled_image(width, height, kNoHeight);
-  const auto rows = static_cast<std::int64_t>(grid.rows()), columns = static_cast<std::int64_t>(grid.columns());
-  for (std::int64_t row = std::max<std::int64_t>(0, tile_index(y, grid.side));
-       row <= std::min(rows - 1, tile_index(y + height - 1, grid.side)); ++row) {
-    for (std::int64_t column = std::max<std::int64_t>(0, tile_index(x, grid.side));
-         column <= std::min(columns - 1, tile_index(x + width - 1, grid.side)); ++column) {
-      const auto tile = static_cast<std::size_t>(row * columns + column);
-      if (!grid.has(tile)) continue;
+  for (std::int64_t row = tile_index(y, grid.side); row <= tile_index(y + height - 1, grid.side); ++row) {
+    for (std::int64_t column = tile_index(x, grid.side); column <= tile_index(x + width - 1, grid.side); ++column) {
+      const std::size_t tile = grid.tile_at(row, column);
+      if (tile == kNoTile) continue;
       const TileFrame frame = tile_frame(grid, tile);
       const std::int64_t x0 = std::max<std::int64_t>(x, frame.x), y0 = std::max<std::int64_t>(y, frame.y);
       const std::int64_t x1 = std::min<std::int64_t>(x + width, frame.x + frame.width);

@@ -2,7 +2,9 @@
 #include "engine/streets/things.h"
 
 #include <algorithm>
+#include <map>
 #include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "engine/streets/component_things.h"
@@ -13,6 +15,10 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kBytesPerPixel = 80;  // of what a component or a tile is worked on with
+// Of a component that is worked on whole, pixels: as many as a tile has (655 m2 at 5 cm). The largest of the clouds at
+// hand has 57,000.
+constexpr std::uint64_t kLargestBox = 1u << 18;
+constexpr std::uint32_t kLongestBox = 1u << 14;  // packed images are no wider than 2^15
 
 PixelRect rect_of(const TileFrame& f) {
   return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
@@ -33,20 +39,52 @@ void find_standing(const StreetLayers& layers, std::uint32_t reach) {
                 {24, reach});
 }
 
+// What a tile holds of a component.
+struct Seen {
+  std::uint32_t component = 0;
+  std::size_t tile = 0;
+  std::uint64_t pixels = 0;
+  PixelRect box;
+};
+
 struct Components {
   std::vector<std::uint64_t> pixels;
   std::vector<PixelRect> boxes;
 };
 
+std::uint64_t area_of(const PixelRect& box) {
+  return std::uint64_t{box.width()} * box.height();
+}
+
+// Components whose boxes are too large to be worked on whole are cut along the borders of tiles: what each tile holds
+// of one becomes a component of its own, numbered behind all others.
+void cut_largest(const StreetLayers& layers, std::vector<Seen> seen, Components& found) {
+  std::erase_if(seen, [&](const Seen& s) {
+    const PixelRect& box = found.boxes[s.component];
+    return area_of(box) <= kLargestBox && std::max(box.width(), box.height()) <= kLongestBox;
+  });
+  std::sort(seen.begin(), seen.end(),
+            [](const Seen& a, const Seen& b) { return std::tie(a.component, a.tile) < std::tie(b.component, b.tile); });
+  std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> new_numbers;  // by tile, of components
+  for (const Seen& s : seen) {
+    found.pixels[s.component] = 0;
+    new_numbers[s.tile][s.component] = static_cast<std::uint32_t>(found.pixels.size());
+    found.pixels.push_back(s.pixels);
+    found.boxes.push_back(s.box);
+  }
+  for (const auto& [tile, numbers] : new_numbers) {
+    Image image = layer_tile(layers, "components", tile);
+    for (Height& v : image.values)
+      if (const auto number = numbers.find(static_cast<std::uint32_t>(v)); number != numbers.end())
+        v = static_cast<Height>(number->second);
+    layers.write("components", tile, image);
+  }
+}
+
 // Components of what stands there, joined over gaps of up to twice `reach` pixels.
 Components find_components(const StreetLayers& layers, std::uint32_t reach) {
   Components found;
   std::mutex mutex;
-  struct Seen {
-    std::uint32_t component;
-    std::uint64_t pixels;
-    PixelRect box;
-  };
   std::vector<Seen> seen;
   const auto standing = [&](std::size_t tile) {
     Image image = layer_around(layers, "standing", tile, reach);
@@ -63,7 +101,7 @@ Components find_components(const StreetLayers& layers, std::uint32_t reach) {
         const std::size_t i = std::size_t{y} * labels.width + x;
         if (height.values[i] == kNoHeight) continue;
         image.values[i] = static_cast<Height>(labels.of[i]);
-        if (x == 0 || image.values[i - 1] != image.values[i]) runs.push_back({labels.of[i], 0, {}});
+        if (x == 0 || image.values[i - 1] != image.values[i]) runs.push_back({labels.of[i], tile, 0, {}});
         ++runs.back().pixels;
         runs.back().box.add(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
       }
@@ -72,7 +110,7 @@ Components find_components(const StreetLayers& layers, std::uint32_t reach) {
     std::stable_sort(runs.begin(), runs.end(), [](const Seen& a, const Seen& b) { return a.component < b.component; });
     std::vector<Seen> here;
     for (const Seen& run : runs) {
-      if (here.empty() || here.back().component != run.component) here.push_back({run.component, 0, {}});
+      if (here.empty() || here.back().component != run.component) here.push_back({run.component, tile, 0, {}});
       here.back().pixels += run.pixels;
       here.back().box.add(run.box);
     }
@@ -86,15 +124,9 @@ Components find_components(const StreetLayers& layers, std::uint32_t reach) {
     found.pixels[s.component] += s.pixels;
     found.boxes[s.component].add(s.box);
   }
+  cut_largest(layers, std::move(seen), found);
   return found;
 }
-
-// The labels of a component that several tiles share: a pixel of the whole, and its label in the component.
-struct SharedLabels {
-  std::uint32_t component = 0;
-  PixelRect box;
-  PixelLabels labels;  // of the box and a pixel around it
-};
 
 class ThingFinder {
  public:
@@ -108,18 +140,25 @@ class ThingFinder {
   std::vector<Thing> find() {
     const std::vector<std::vector<std::uint32_t>> of_tile = share_out();
     for_each_tile(layers_.grid, [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); }, {kBytesPerPixel, 0});
-    shared_.resize(spanning_.size());
     std::vector<std::uint64_t> bytes;
     for (const std::uint32_t c : spanning_)
       bytes.push_back(std::uint64_t{components_.boxes[c].width()} * components_.boxes[c].height() * kBytesPerPixel);
     run_tasks(layers_.grid, bytes, [&](std::size_t i) { work_on_spanning(i); });
     std::vector<std::uint32_t> first(things_.size() + 1, 0);
     for (std::size_t c = 0; c < things_.size(); ++c) first[c + 1] = first[c] + separated(things_[c]);
-    for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, first); });
-    layers_.drop("components");
+    const std::vector<std::vector<std::uint32_t>> shared_by_tile = shared_of_tiles();
+    for_each_tile(layers_.grid, [&](std::size_t tile) { number_tile(tile, shared_by_tile[tile], first); });
+    for (const char* layer : {"components", "shared"}) layers_.drop(layer);
     std::vector<Thing> all;
+    std::size_t count = 0;
+    for (const auto& list : things_) count += list.size();
+    need_bytes(layers_.grid, count * sizeof(Thing));
+    all.reserve(count);
     for (const auto& list : things_) all.insert(all.end(), list.begin(), list.begin() + separated(list));
-    for (std::size_t c = 0; c < things_.size(); ++c) add_joined(things_[c], first[c], all);
+    for (std::size_t c = 0; c < things_.size(); ++c) {
+      add_joined(things_[c], first[c], all);
+      std::vector<Thing>().swap(things_[c]);
+    }
     return all;
   }
 
@@ -151,7 +190,7 @@ class ThingFinder {
       const std::uint32_t side = layers_.grid.side;
       const std::int64_t column = box.x0 / side, row = box.y0 / side;
       if (box.x1 / side == column && box.y1 / side == row)
-        of_tile[static_cast<std::size_t>(row * layers_.grid.columns() + column)].push_back(c);
+        of_tile[layers_.grid.tile_at(row, column)].push_back(c);
       else
         spanning_.push_back(c);
     }
@@ -179,7 +218,8 @@ class ThingFinder {
     const Patch patch = load_patch(layers_, components_.boxes[c]);
     ComponentThings found = things_of_component(patch, c, scale_, params_);
     things_[c] = std::move(found.things);
-    shared_[i] = {c, components_.boxes[c], std::move(found.labels)};
+    const PixelLabels& labels = found.labels;
+    layers_.write("shared", i, {labels.width, labels.height, {labels.of.begin(), labels.of.end()}});
   }
 
   // Labels of a box with a pixel around it, where they lie in a tile.
@@ -194,13 +234,40 @@ class ThingFinder {
     }
   }
 
-  void number_tile(std::size_t tile, const std::vector<std::uint32_t>& first) const {
+  // The labels of a component of several tiles, where its box lies in this one.
+  void put_shared(std::uint32_t s, const TileFrame& frame, Image& tile) const {
+    const PixelRect &box = components_.boxes[spanning_[s]], own = rect_of(frame);
+    const PixelRect part{std::max(box.x0, own.x0), std::max(box.y0, own.y0), std::min(box.x1, own.x1),
+                         std::min(box.y1, own.y1)};
+    std::vector<Height> labels(area_of(part));
+    layers_.read("shared", s,
+                 {static_cast<std::uint32_t>(part.x0 - box.x0 + 1), static_cast<std::uint32_t>(part.y0 - box.y0 + 1),
+                  part.width(), part.height()},
+                 {labels.data(), part.width()});
+    std::size_t i = 0;
+    for (std::int64_t y = part.y0; y <= part.y1; ++y)
+      for (std::int64_t x = part.x0; x <= part.x1; ++x, ++i)
+        if (labels[i] != 0) tile.values[static_cast<std::size_t>((y - own.y0) * frame.width + x - own.x0)] = labels[i];
+  }
+
+  // The components of several tiles that reach into each tile, by their places in spanning_.
+  std::vector<std::vector<std::uint32_t>> shared_of_tiles() const {
+    std::vector<std::vector<std::uint32_t>> of_tile(layers_.grid.count());
+    const std::uint32_t side = layers_.grid.side;
+    for (std::uint32_t s = 0; s < spanning_.size(); ++s) {
+      const PixelRect& box = components_.boxes[spanning_[s]];
+      for (std::int64_t row = box.y0 / side; row <= box.y1 / side; ++row)
+        for (std::int64_t column = box.x0 / side; column <= box.x1 / side; ++column)
+          if (const std::size_t tile = layers_.grid.tile_at(row, column); tile != kNoTile) of_tile[tile].push_back(s);
+    }
+    return of_tile;
+  }
+
+  void number_tile(std::size_t tile, const std::vector<std::uint32_t>& shared,
+                   const std::vector<std::uint32_t>& first) const {
     const TileFrame frame = tile_frame(layers_.grid, tile);
     Image local = layer_tile(layers_, "things", tile);
-    const PixelRect own = rect_of(frame);
-    for (const SharedLabels& s : shared_)
-      if (s.box.x0 <= own.x1 && s.box.x1 >= own.x0 && s.box.y0 <= own.y1 && s.box.y1 >= own.y0)
-        put(s.labels, s.box, frame, local);
+    for (const std::uint32_t s : shared) put_shared(s, frame, local);
     const Image components = layer_tile(layers_, "components", tile);
     for (std::size_t i = 0; i < local.size(); ++i)
       if (local.values[i] != 0)
@@ -214,7 +281,6 @@ class ThingFinder {
   Components components_;
   std::vector<std::vector<Thing>> things_;  // by component
   std::vector<std::uint32_t> spanning_;
-  std::vector<SharedLabels> shared_;
 };
 
 }  // namespace

@@ -50,13 +50,18 @@ std::vector<std::uint32_t> TileZones::numbers_of(std::size_t tile) const {
   return numbers;
 }
 
+std::vector<std::uint32_t> TileZones::numbers_at(std::int64_t row, std::int64_t column) const {
+  const std::size_t tile = layers_.grid.tile_at(row, column);
+  return tile == kNoTile ? std::vector<std::uint32_t>{} : numbers_of(tile);
+}
+
 // Whether some tiles hold two zones or more.
 bool TileZones::several(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
                         std::int64_t to_row) const {
   std::uint32_t seen = 0;
   for (std::int64_t row = from_row; row <= to_row; ++row)
     for (std::int64_t column = from_column; column <= to_column; ++column)
-      for (const std::uint32_t n : numbers_of(static_cast<std::size_t>(row * layers_.grid.columns() + column))) {
+      for (const std::uint32_t n : numbers_at(row, column)) {
         if (n == 0 || n == seen) continue;
         if (seen != 0) return true;
         seen = n;
@@ -75,7 +80,7 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
   Image image = layer_around(layers_, layer_, tile, halo);
   for (std::int64_t row = from_row; row <= to_row; ++row)
     for (std::int64_t column = from_column; column <= to_column; ++column) {
-      const std::vector<std::uint32_t> numbers = numbers_of(static_cast<std::size_t>(row * grid.columns() + column));
+      const std::vector<std::uint32_t> numbers = numbers_at(row, column);
       if (numbers.empty()) continue;  // absent
       const std::int64_t u0 = std::max<std::int64_t>(column * side - x, 0),
                          v0 = std::max<std::int64_t>(row * side - y, 0);
@@ -91,7 +96,7 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
 }
 
 // All zones on borders, joined; of the others those that are not far smaller than something else in their tile.
-std::vector<TileZones::Candidate> TileZones::candidates(const PixelLabels& groups) const {
+std::vector<TileZones::Candidate> TileZones::candidates(const TileGroups& groups) const {
   std::vector<Candidate> all;
   for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.falls(n), 0, 0});
   for (std::size_t t = 0; t < zones_.size(); ++t) {
@@ -113,7 +118,7 @@ std::vector<TileZones::Candidate> TileZones::candidates(const PixelLabels& group
   return all;
 }
 
-GroundOfGroups TileZones::ground(const PixelLabels& groups) const {
+GroundOfGroups TileZones::ground(const TileGroups& groups) const {
   const std::vector<Candidate> all = candidates(groups);
   std::vector<std::uint64_t> most(groups.count + 1, 0);
   for (const Candidate& c : all) most[c.group] = std::max(most[c.group], c.pixels);

@@ -32,7 +32,7 @@ class TileZones {
   // Those of the pixels of a tile and around it, kNoHeight outside of the image; empty where there are not two.
   Image around(std::size_t tile, std::uint32_t halo) const;
   // The ground of each group of tiles, as ground_zone chooses it, where falls were counted.
-  GroundOfGroups ground(const PixelLabels& groups) const;
+  GroundOfGroups ground(const TileGroups& groups) const;
 
  private:
   struct Zone {
@@ -47,7 +47,9 @@ class TileZones {
     std::uint32_t group, number;
   };
   std::uint32_t number(std::size_t tile, std::size_t zone) const;
-  std::vector<Candidate> candidates(const PixelLabels& groups) const;
+  // Empty where the tile is absent.
+  std::vector<std::uint32_t> numbers_at(std::int64_t row, std::int64_t column) const;
+  std::vector<Candidate> candidates(const TileGroups& groups) const;
   bool several(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row, std::int64_t to_row) const;
 
   const StreetLayers& layers_;

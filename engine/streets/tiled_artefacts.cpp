@@ -46,6 +46,31 @@ Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach)
   return over;
 }
 
+// Spills of tiles as a layer: three rows, the first column says how many there are.
+SpillStore spills_in(const StreetLayers& layers) {
+  const auto write = [&layers](std::size_t tile, const std::vector<SpillEdge>& spills) {
+    Image image = filled_image(static_cast<std::uint32_t>(spills.size()) + 1, 3, static_cast<Height>(spills.size()));
+    for (std::size_t i = 0; i < spills.size(); ++i) {
+      image.values[i + 1] = static_cast<Height>(spills[i].a);
+      image.values[image.width + i + 1] = static_cast<Height>(spills[i].b);
+      image.values[2 * std::size_t{image.width} + i + 1] = spills[i].height;
+    }
+    layers.write("spills", tile, image);
+  };
+  const auto read = [&layers](std::size_t tile) {
+    Height count = 0;
+    layers.read("spills", tile, {0, 0, 1, 1}, {&count, 1});
+    const auto n = static_cast<std::uint32_t>(count);
+    std::vector<Height> rows(3 * std::size_t{n});
+    layers.read("spills", tile, {1, 0, n, 3}, {rows.data(), n});
+    std::vector<SpillEdge> spills;
+    for (std::size_t i = 0; i < n; ++i)
+      spills.push_back({static_cast<std::uint32_t>(rows[i]), static_cast<std::uint32_t>(rows[n + i]), rows[2 * n + i]});
+    return spills;
+  };
+  return {write, read};
+}
+
 // What the steps know of a tile beside its layers.
 struct TilePlateaus {
   std::vector<std::uint32_t> on_border;  // of each plateau its number on the tile's border; 0 = not on it
@@ -60,7 +85,7 @@ class Draining {
         least_(least),
         most_(most),
         area_(area),
-        filling_(layers.grid, Adjacency::eight),
+        filling_(layers.grid, Adjacency::eight, spills_in(layers)),
         borders_(layers.grid),
         plateaus_(layers.grid.count()) {}
 
@@ -185,7 +210,7 @@ void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, 
   draining.fill(scale.pixels(params.ring_reach));
   draining.drain();
   draining.measure();
-  for (const char* layer : {"over", "raised"}) layers.drop(layer);
+  for (const char* layer : {"over", "raised", "spills"}) layers.drop(layer);
 }
 
 }  // namespace ilot

@@ -7,7 +7,6 @@
 #include "engine/streets/tile_zones.h"
 #include "kernels/rasters/fill.h"
 #include "kernels/rasters/fill_missing_tiled.h"
-#include "kernels/rasters/flat_zones.h"
 #include "kernels/rasters/link_regions_tiled.h"
 
 namespace ilot {
@@ -15,29 +14,23 @@ namespace {
 
 constexpr const char* kZones = "zones";
 
-// Groups of tiles that touch, numbered from 1; 0 for absent ones.
-PixelLabels groups_of(const TileGrid& grid) {
-  Image tiles = filled_image(grid.columns(), grid.rows(), kNoHeight);
-  for (std::size_t t = 0; t < tiles.size(); ++t)
-    if (grid.has(t)) tiles.values[t] = 0;
-  return flat_zones(tiles, 0, Adjacency::eight);
-}
-
 using Links = std::vector<std::vector<LinkPixel>>;  // by tile
 
 // Draws the links of the tiles that a rectangle of the whole touches.
 void draw_links(const TileGrid& grid, const Links& links, std::int64_t x, std::int64_t y, Image& part) {
   const std::int64_t side = grid.side;
-  for (std::int64_t row = std::max<std::int64_t>(0, y / side); row * side < y + part.height && row < grid.rows(); ++row)
-    for (std::int64_t column = std::max<std::int64_t>(0, x / side);
-         column * side < x + part.width && column < grid.columns(); ++column)
-      for (const LinkPixel& p : links[static_cast<std::size_t>(row * grid.columns() + column)]) {
+  for (std::int64_t row = std::max<std::int64_t>(0, y / side); row * side < y + part.height; ++row)
+    for (std::int64_t column = std::max<std::int64_t>(0, x / side); column * side < x + part.width; ++column) {
+      const std::size_t tile = grid.tile_at(row, column);
+      if (tile == kNoTile) continue;
+      for (const LinkPixel& p : links[tile]) {
         const std::int64_t u = static_cast<std::int64_t>(p.pixel % grid.width) - x,
                            v = static_cast<std::int64_t>(p.pixel / grid.width) - y;
         if (u < 0 || v < 0 || u >= part.width || v >= part.height) continue;
         Height& height = part.values[static_cast<std::size_t>(v * part.width + u)];
         if (height == kNoHeight) height = p.height;
       }
+    }
 }
 
 // From "range" to the flat zones of "filled", in two rounds: gaps and holes; links, and the holes that they close.
@@ -97,7 +90,7 @@ class GroundFilling {
 }  // namespace
 
 GroundZones find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
-  const PixelLabels groups = groups_of(layers.grid);
+  const TileGroups groups = groups_of(layers.grid);
   const TileZones zones = GroundFilling(layers, scale, params).run();
   const GroundOfGroups chosen = zones.ground(groups);
   find_enclosed_ground(layers, kZones, zones, chosen, groups);

@@ -14,10 +14,11 @@ namespace ilot {
 class BorderPixels {
  public:
   explicit BorderPixels(const TileGrid& grid) : grid_(grid), first_(grid.count() + 1, 0) {
-    for (std::size_t t = 0; t < grid.count(); ++t) first_[t + 1] = first_[t] + (grid.has(t) ? perimeter(t).size() : 0);
+    for (std::size_t t = 0; t < grid.count(); ++t) first_[t + 1] = first_[t] + perimeter(t).size();
     assert(first_.back() < (std::size_t{1} << 32));
   }
 
+  const TileGrid& grid() const { return grid_; }
   std::uint32_t size() const { return static_cast<std::uint32_t>(first_.back()); }
   std::uint32_t first(std::size_t tile) const { return static_cast<std::uint32_t>(first_[tile]); }
 
@@ -47,14 +48,18 @@ class BorderPixels {
     for (std::int64_t qy = y - 1; qy <= y + 1; ++qy) {
       for (std::int64_t qx = x - 1; qx <= x + 1; ++qx) {
         if (adjacency == Adjacency::four && qx != x && qy != y) continue;
-        if (!grid_.holds(qx, qy)) continue;
-        const auto other = static_cast<std::size_t>(qy / grid_.side * grid_.columns() + qx / grid_.side);
-        if (other != tile) take(at(other, qx, qy));
+        if (inside(frame, qx, qy)) continue;
+        const std::size_t other = grid_.tile_with(qx, qy);
+        if (other != kNoTile) take(at(other, qx, qy));
       }
     }
   }
 
  private:
+  static bool inside(const TileFrame& frame, std::int64_t x, std::int64_t y) {
+    return x >= frame.x && y >= frame.y && x < std::int64_t{frame.x} + frame.width &&
+           y < std::int64_t{frame.y} + frame.height;
+  }
   std::uint32_t at(std::size_t tile, std::int64_t x, std::int64_t y) const {
     const TileFrame frame = tile_frame(grid_, tile);
     return first(tile) +

@@ -15,7 +15,7 @@ std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& z
 }
 
 std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& zones) {
-  return tell(tile, zones, std::vector<Height>(pixels_.perimeter(tile).size(), 0));
+  return tell(tile, zones, std::vector<Height>{});
 }
 
 std::vector<std::uint32_t> BorderZones::tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights) {
@@ -49,7 +49,7 @@ void BorderZones::join(Height lambda, Adjacency adjacency) {
         const std::size_t u = pixels_.tile_of(q);
         const std::uint32_t j = q - pixels_.first(u);
         if (told_[u].zones[j] == 0) return;
-        if (std::abs(std::int64_t{told_[t].heights[i]} - told_[u].heights[j]) <= lambda)
+        if (told_[t].heights.empty() || std::abs(std::int64_t{told_[t].heights[i]} - told_[u].heights[j]) <= lambda)
           sets.unite(a, static_cast<std::uint32_t>(first_[u] + told_[u].zones[j] - 1));
         else
           falls[a] += fall(told_[t].heights[i], told_[u].heights[j], lambda);

@@ -36,7 +36,7 @@ class BorderZones {
   std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
 
   struct Told {
-    std::vector<Height> heights;       // of the perimeter
+    std::vector<Height> heights;       // of the perimeter; empty: zones that touch are joined
     std::vector<std::uint32_t> zones;  // of the perimeter, numbers on the border; 0 = none
     std::uint32_t count = 0;
   };

@@ -11,7 +11,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kPixelsOfRun = 128;  // of a tile whose runs are kept, at least, for each of them
+constexpr std::uint64_t kBytesOfZone = 24;  // parent, first pixel, root, number
+constexpr std::size_t kPixelsOfRun = 128;   // of a tile whose runs are kept, at least, for each of them
 
 // What a tile tells: of each of its zones the first pixel in the whole and its size, [0] = pixels without one; and the
 // heights and zones of its border.
@@ -85,9 +86,9 @@ void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& 
 
 ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
   ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
-  for (std::size_t t = 0; t < told.size(); ++t)
-    list.first[t + 1] = list.first[t] + (grid.has(t) ? told[t].first.size() - 1 : 0);
+  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + told[t].first.size() - 1;
   assert(list.first.back() < (std::size_t{1} << 32));
+  need_bytes(grid, list.first.back() * kBytesOfZone);
   std::vector<std::uint32_t> parents(list.first.back());
   UnionFind sets(parents);
   join_across_borders(grid, told, list, lambda, adjacency, sets);
@@ -110,7 +111,6 @@ ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjace
   const ZoneList list = numbered(grid, told, lambda, adjacency);
   ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
   for (std::size_t t = 0; t < told.size(); ++t) {
-    if (!grid.has(t)) continue;
     sizes.pixels[0] += told[t].size[0];
     for (std::size_t z = 1; z < told[t].size.size(); ++z)
       sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];

@@ -30,11 +30,11 @@ std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& wind
 // Whether no two tiles in reach of this one touch with their corners alone: then, in tiles no smaller than links are
 // long, one of the two ways around a corner stays in the image.
 bool straight_around(const TileGrid& grid, std::size_t tile, std::uint32_t halo) {
-  if (std::find(grid.present.begin(), grid.present.end(), 0) == grid.present.end()) return true;
+  if (grid.tiles.empty()) return true;
   if (grid.side < halo) return false;
-  const TileFrame frame = tile_frame(grid, tile);
+  const TilePlace place = grid.place(tile);
   const auto holds = [&](std::int64_t dx, std::int64_t dy) {
-    return grid.holds(std::int64_t{frame.x} + dx * grid.side, std::int64_t{frame.y} + dy * grid.side);
+    return grid.tile_at(place.row + dy, place.column + dx) != kNoTile;
   };
   for (std::int64_t y = -1; y < 1; ++y)
     for (std::int64_t x = -1; x < 1; ++x) {
@@ -72,7 +72,7 @@ std::vector<std::vector<LinkPixel>> drawn(const TileGrid& grid, std::vector<Regi
     if (!regions.unite(link.zone_a, link.zone_b)) continue;
     for (const LinkPixel& p : link.way) {
       const std::uint64_t x = p.pixel % grid.width, y = p.pixel / grid.width;
-      pixels[y / grid.side * grid.columns() + x / grid.side].push_back(p);
+      pixels[grid.tile_with(static_cast<std::int64_t>(x), static_cast<std::int64_t>(y))].push_back(p);
     }
   }
   return pixels;

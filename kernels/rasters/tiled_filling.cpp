@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/rasters/tiled_filling.h"
 
+#include <functional>
+#include <map>
 #include <numeric>
+#include <queue>
+#include <utility>
 
 #include "kernels/rasters/padded.h"
 #include "kernels/rasters/radix_heap.h"
@@ -20,19 +24,46 @@ void for_neighbours(const Image& image, std::size_t p, Adjacency adjacency, cons
         take(static_cast<std::size_t>(v * width + u));
 }
 
+struct Link {
+  std::uint32_t to;
+  Height height;
+};
+
+// The spills of a tile by the pixels that they join, both ways: those of pixel i are links [from[i], from[i + 1]).
+struct LinkedSpills {
+  std::vector<std::uint32_t> from;
+  std::vector<Link> links;
+};
+
+LinkedSpills linked(const std::vector<SpillEdge>& spills, std::uint32_t pixels) {
+  LinkedSpills out{std::vector<std::uint32_t>(std::size_t{pixels} + 1, 0), std::vector<Link>(2 * spills.size())};
+  for (const SpillEdge& e : spills) ++out.from[e.a + 1], ++out.from[e.b + 1];
+  std::partial_sum(out.from.begin(), out.from.end(), out.from.begin());
+  std::vector<std::uint32_t> at = out.from;
+  for (const SpillEdge& e : spills) {
+    out.links[at[e.a]++] = {e.b, e.height};
+    out.links[at[e.b]++] = {e.a, e.height};
+  }
+  return out;
+}
+
 }  // namespace
 
-TiledFilling::TiledFilling(const TileGrid& grid, Adjacency adjacency)
+TiledFilling::TiledFilling(const TileGrid& grid, Adjacency adjacency, SpillStore spills)
     : adjacency_(adjacency),
       pixels_(grid),
-      spills_(grid.count()),
+      store_(std::move(spills)),
+      spills_(store_.write ? 0 : grid.count()),
       mask_(pixels_.size()),
       reached_(pixels_.size(), kAboveAll),
       open_(pixels_.size(), 0) {}
 
 Image TiledFilling::fill(std::size_t tile, const Image& image) {
   BorderFlood flood = flood_from_border(image, adjacency_);
-  spills_[tile] = std::move(flood.spills);
+  if (store_.write)
+    store_.write(tile, std::move(flood.spills));
+  else
+    spills_[tile] = std::move(flood.spills);
   const std::vector<Height> heights = heights_on(pixels_.perimeter(tile), image);
   std::copy(heights.begin(), heights.end(), mask_.begin() + pixels_.first(tile));
   for (std::uint32_t i = 0; i < heights.size(); ++i) {
@@ -44,7 +75,6 @@ Image TiledFilling::fill(std::size_t tile, const Image& image) {
 }
 
 void TiledFilling::join() {
-  link_spills();
   settle();
 }
 
@@ -112,46 +142,63 @@ void TiledFilling::lower(std::size_t tile, const Image& image, Image& drained) c
   }
 }
 
-void TiledFilling::link_spills() {
-  links_from_.assign(mask_.size() + 1, 0);
-  for (std::size_t t = 0; t < spills_.size(); ++t) {
-    for (const SpillEdge& e : spills_[t]) {
-      ++links_from_[pixels_.first(t) + e.a + 1];
-      ++links_from_[pixels_.first(t) + e.b + 1];
-    }
+// Tiles that others may still be reached from, by the lowest of their open pixels; some more than once.
+struct TiledFilling::Pending {
+  using Entry = std::pair<Height, std::size_t>;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> tiles;
+};
+
+// Lowers what each pixel is reached at to what reaches it from the open ones of any tile: tile by tile, the one with
+// the lowest open pixel first, until none is open. Heights are only ever lowered, to the least there is: no order can
+// show.
+void TiledFilling::settle() {
+  Pending pending;
+  for (std::size_t t = 0; t < pixels_.grid().count(); ++t) {
+    const std::uint32_t first = pixels_.first(t), end = first + pixels_.perimeter(t).size();
+    Height low = kAboveAll;
+    bool any = false;
+    for (std::uint32_t p = first; p < end; ++p)
+      if (open_[p] != 0) any = true, low = std::min(low, reached_[p]);
+    if (any) pending.tiles.push({low, t});
   }
-  std::partial_sum(links_from_.begin(), links_from_.end(), links_from_.begin());
-  links_.resize(links_from_.back());
-  auto at = links_from_;
-  for (std::size_t t = 0; t < spills_.size(); ++t) {
-    for (const SpillEdge& e : spills_[t]) {
-      const std::uint32_t a = pixels_.first(t) + e.a, b = pixels_.first(t) + e.b;
-      links_[at[a]++] = {b, e.height};
-      links_[at[b]++] = {a, e.height};
-    }
-    std::vector<SpillEdge>().swap(spills_[t]);
+  while (!pending.tiles.empty()) {
+    const std::size_t tile = pending.tiles.top().second;
+    pending.tiles.pop();
+    settle_tile(tile, pending);
   }
 }
 
-// Lowers what each pixel is reached at to what reaches it from the open ones of any tile.
-void TiledFilling::settle() {
+// From the open pixels of a tile through its spills, and to the tiles beside it.
+void TiledFilling::settle_tile(std::size_t tile, Pending& pending) {
+  const std::uint32_t first = pixels_.first(tile), count = pixels_.perimeter(tile).size();
   RadixHeap queue;
-  for (std::uint32_t p = 0; p < reached_.size(); ++p)
-    if (open_[p] != 0) queue.push(reached_[p], p);
-  std::fill(open_.begin(), open_.end(), std::uint8_t{0});
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (open_[first + i] != 0) queue.push(reached_[first + i], i);
+  if (queue.empty()) return;
+  std::fill_n(open_.begin() + first, count, std::uint8_t{0});
+  const LinkedSpills spills = linked(store_.read ? store_.read(tile) : spills_[tile], count);
+  std::map<std::size_t, Height> touched;  // tiles beside it, and their lowest new height
   while (!queue.empty()) {
     const RadixHeap::Item item = queue.pop();
     const Height v = item.height();
-    if (reached_[item.pixel] != v) continue;  // lowered since
-    const auto reach = [&](std::uint32_t q, Height through) {
+    if (reached_[first + item.pixel] != v) continue;  // lowered since
+    for (std::uint32_t l = spills.from[item.pixel]; l < spills.from[item.pixel + 1]; ++l) {
+      const Link& link = spills.links[l];
+      const Height through = std::max(v, link.height);
+      if (through >= reached_[first + link.to]) continue;
+      reached_[first + link.to] = through;
+      queue.push(through, link.to);
+    }
+    pixels_.for_beyond(first + item.pixel, adjacency_, [&](std::uint32_t q) {
+      const Height through = std::max(v, mask_[q]);
       if (through >= reached_[q]) return;
       reached_[q] = through;
-      queue.push(through, q);
-    };
-    for (std::size_t l = links_from_[item.pixel]; l < links_from_[item.pixel + 1]; ++l)
-      reach(links_[l].to, std::max(v, links_[l].height));
-    pixels_.for_beyond(item.pixel, adjacency_, [&](std::uint32_t q) { reach(q, std::max(v, mask_[q])); });
+      open_[q] = 1;
+      const auto known = touched.try_emplace(pixels_.tile_of(q), through).first;
+      known->second = std::min(known->second, through);
+    });
   }
+  for (const auto& [other, height] : touched) pending.tiles.push({height, other});
 }
 
 }  // namespace ilot

@@ -2,6 +2,7 @@
 #pragma once
 #include <algorithm>
 #include <cassert>
+#include <compare>
 #include <cstdint>
 #include <functional>
 #include <span>
@@ -16,28 +17,58 @@ namespace ilot {
 using RunTasks =
     std::function<void(std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body)>;
 
-// An image of any size cut into square tiles, those at the far ends smaller; numbered row by row. Only tiles are ever
-// held, never the whole. Tiles may be absent: then they are no part of the image, and it ends at their neighbours.
+// Called before a table of so many bytes grows that all tiles share: whoever keeps the budget makes room, or throws.
+using NeedBytes = std::function<void(std::uint64_t bytes)>;
+
+// Where a tile is in the raster of tiles; in the order of their numbers.
+struct TilePlace {
+  std::uint32_t row = 0, column = 0;
+  friend auto operator<=>(const TilePlace&, const TilePlace&) = default;
+};
+
+constexpr std::size_t kNoTile = ~std::size_t{0};
+
+// An image of any size cut into square tiles, those at the far ends smaller. Only tiles are ever held, never the whole.
+// Tiles may be absent: then they are no part of the image, and it ends at their neighbours. Those that are present are
+// numbered row by row from 0 to count() - 1: absent ones have no number, and nothing is kept for them.
 struct TileGrid {
-  std::uint32_t width = 0, height = 0;     // of the whole, pixels; below 2^31
-  std::uint32_t side = 1024;               // of a tile, pixels
-  std::vector<std::uint8_t> present = {};  // of each tile, 1 or 0; empty: all are
-  RunTasks run = {};                       // what runs the work on tiles; empty: parallel_for
+  std::uint32_t width = 0, height = 0;  // of the whole, pixels; below 2^31
+  std::uint32_t side = 1024;            // of a tile, pixels
+  std::vector<TilePlace> tiles = {};    // that are present, in order; empty: all are
+  RunTasks run = {};                    // what runs the work on tiles; empty: parallel_for
+  NeedBytes need = {};                  // empty: memory has no limit
 
   std::uint32_t columns() const { return (width + side - 1) / side; }
   std::uint32_t rows() const { return (height + side - 1) / side; }
-  std::size_t count() const { return width == 0 || height == 0 ? 0 : std::size_t{columns()} * rows(); }
-  bool has(std::size_t tile) const { return present.empty() || present[tile] != 0; }
-  // Whether a pixel belongs to the image; any x and y.
-  bool holds(std::int64_t x, std::int64_t y) const {
-    return x >= 0 && y >= 0 && x < width && y < height &&
-           (present.empty() || present[static_cast<std::size_t>(y / side * columns() + x / side)] != 0);
+  std::size_t count() const {
+    if (!tiles.empty()) return tiles.size();
+    return width == 0 || height == 0 ? 0 : std::size_t{columns()} * rows();
   }
-  // The pixels of the image that have a neighbour, of sides and corners, outside of it.
+  TilePlace place(std::size_t tile) const {
+    assert(tile < count());
+    if (!tiles.empty()) return tiles[tile];
+    return {static_cast<std::uint32_t>(tile / columns()), static_cast<std::uint32_t>(tile % columns())};
+  }
+  // The number of the tile there, kNoTile where there is none; any row and column. O(log tiles).
+  std::size_t tile_at(std::int64_t row, std::int64_t column) const {
+    if (row < 0 || column < 0 || row >= rows() || column >= columns()) return kNoTile;
+    if (tiles.empty()) return static_cast<std::size_t>(row * columns() + column);
+    const TilePlace wanted{static_cast<std::uint32_t>(row), static_cast<std::uint32_t>(column)};
+    const auto found = std::lower_bound(tiles.begin(), tiles.end(), wanted);
+    return found != tiles.end() && *found == wanted ? static_cast<std::size_t>(found - tiles.begin()) : kNoTile;
+  }
+  // The number of the tile that a pixel belongs to, kNoTile outside of the image; any x and y.
+  std::size_t tile_with(std::int64_t x, std::int64_t y) const {
+    return x < 0 || y < 0 || x >= width || y >= height ? kNoTile : tile_at(y / side, x / side);
+  }
+  // Whether a pixel belongs to the image; any x and y.
+  bool holds(std::int64_t x, std::int64_t y) const { return tile_with(x, y) != kNoTile; }
+  // Whether a pixel has a neighbour, of sides and corners, outside of the image.
   bool ends_at(std::int64_t x, std::int64_t y) const {
-    for (std::int64_t v = y - 1; v <= y + 1; ++v)
-      for (std::int64_t u = x - 1; u <= x + 1; ++u)
-        if (!holds(u, v)) return true;
+    if (x < 1 || y < 1 || x + 1 >= width || y + 1 >= height) return true;
+    for (std::int64_t row = (y - 1) / side; row <= (y + 1) / side; ++row)
+      for (std::int64_t column = (x - 1) / side; column <= (x + 1) / side; ++column)
+        if (tile_at(row, column) == kNoTile) return true;
     return false;
   }
 };
@@ -47,11 +78,17 @@ struct TileFrame {
 };
 
 inline TileFrame tile_frame(const TileGrid& grid, std::size_t tile) {
-  assert(tile < grid.count());
-  const auto x = static_cast<std::uint32_t>(tile % grid.columns()) * grid.side;
-  const auto y = static_cast<std::uint32_t>(tile / grid.columns()) * grid.side;
+  const auto [row, column] = grid.place(tile);
+  const std::uint32_t x = column * grid.side, y = row * grid.side;
   return {x, y, std::min(grid.side, grid.width - x), std::min(grid.side, grid.height - y)};
 }
+
+// Tiles that touch, with sides or corners, are one group; groups from 1 to `count` by their first tiles.
+struct TileGroups {
+  std::uint32_t count = 0;
+  std::vector<std::uint32_t> of;  // of each tile
+};
+TileGroups groups_of(const TileGrid& grid);
 
 // How much the work on a tile holds: so many bytes for each of its pixels and of so many around it on all sides.
 struct TileCost {
@@ -62,6 +99,8 @@ struct TileCost {
 // Calls body(i) for tasks of so many bytes, as the grid runs them.
 void run_tasks(const TileGrid& grid, std::span<const std::uint64_t> bytes,
                const std::function<void(std::size_t)>& body);
+
+void need_bytes(const TileGrid& grid, std::uint64_t bytes);
 
 // Calls body(tile) for the tiles that are present.
 void for_each_tile(const TileGrid& grid, const std::function<void(std::size_t)>& body, const TileCost& cost = {});

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """The budget sets the peak, the input does not: ten times the points, the same resident memory."""
+import pathlib
+import subprocess
 import sys
 
 from support import SANITIZED, SKIPPED, RunTest, main
@@ -23,8 +25,20 @@ class Memory(RunTest):
         self.assertLessEqual(self.peak(1000000), 96 << 20)
 
 
+class Matrix(RunTest):
+    """A sample of tests/full/memory_matrix.py."""
+
+    def test_sites_far_apart_and_strays(self):
+        script = pathlib.Path(__file__).resolve().parent.parent / "full" / "memory_matrix.py"
+        done = subprocess.run([sys.executable, script, "--cases", "^(street_stray_200_km|two_streets_50_km_apart)$",
+                               "--products", "streets", "--memory", "96M,1G", "--threads", "1,2", "--scale", "0.1",
+                               "--folder", self.folder], capture_output=True, text=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("8 runs, 0 failures", done.stdout)
+
+
 if __name__ == "__main__":
     if SANITIZED:
         print("SKIPPED: a sanitizer's own memory hides the engine's", file=sys.stderr)
         sys.exit(SKIPPED)
-    main(synthetic=[Memory])
+    main(synthetic=[Memory, Matrix])

@@ -5,6 +5,13 @@
 
 namespace ilot::test {
 
+// The grid with those tiles only that are flagged, of all row by row.
+inline TileGrid with_tiles(TileGrid grid, const std::vector<std::uint8_t>& present) {
+  for (std::uint32_t t = 0; t < present.size(); ++t)
+    if (present[t] != 0) grid.tiles.push_back({t / grid.columns(), t % grid.columns()});
+  return grid;
+}
+
 inline ReadTile tiles_of(const Image& image, const TileGrid& grid) {
   return [&image, grid](std::size_t tile) {
     const TileFrame frame = tile_frame(grid, tile);

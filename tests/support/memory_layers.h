@@ -29,13 +29,11 @@ class MemoryLayers {
   }
 
   void put(const char* layer, const Image& image) {
-    for (std::size_t t = 0; t < layers.grid.count(); ++t)
-      if (layers.grid.has(t)) layers.write(layer, t, tiles_of(image, layers.grid)(t));
+    for (std::size_t t = 0; t < layers.grid.count(); ++t) layers.write(layer, t, tiles_of(image, layers.grid)(t));
   }
   Image whole(const char* layer) const {
     Image out = filled_image(layers.grid.width, layers.grid.height, 0);
-    for (std::size_t t = 0; t < layers.grid.count(); ++t)
-      if (layers.grid.has(t)) into(out, layers.grid)(t, layer_tile(layers, layer, t));
+    for (std::size_t t = 0; t < layers.grid.count(); ++t) into(out, layers.grid)(t, layer_tile(layers, layer, t));
     return out;
   }
 

@@ -41,6 +41,23 @@ TEST(PackedLayers, GiveBackWhatWasWrittenWithinTheBudgetAndBeyondIt) {
   }
 }
 
+// What memory is wanted for something else, images go to their files.
+TEST(PackedLayers, SpillToTheirFiles) {
+  constexpr std::uint32_t kSide = 64;
+  const TemporaryFolder folder;
+  PackedLayers layers(folder.path() / "layers", 1 << 20);
+  for (std::size_t t = 0; t < 8; ++t) layers.write(t % 2 == 0 ? "a" : "b", t, noise(kSide, t));
+  const std::uint64_t held = (1 << 20) - layers.unused();
+  layers.spill(layers.unused() + held / 2);
+  EXPECT_EQ(layers.unused(), 0u);
+  layers.spill(held);
+  layers.write("a", 9, noise(kSide, 9));
+  EXPECT_EQ(layers.unused(), 0u);
+  for (std::size_t t = 0; t < 8; ++t)
+    EXPECT_EQ(read_back(layers, t % 2 == 0 ? "a" : "b", t, kSide).values, noise(kSide, t).values) << t;
+  EXPECT_EQ(read_back(layers, "a", 9, kSide).values, noise(kSide, 9).values);
+}
+
 // What goes to disk must leave the memory: an assignment of {} keeps a vector's storage.
 TEST(PackedLayers, HoldNoMoreThanTheirBudget) {
   constexpr std::uint32_t kSide = 256;

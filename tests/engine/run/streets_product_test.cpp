@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/streets_product.h"
 
+#include <gdal_priv.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
+#include <tuple>
 
 #include "engine/error.h"
 #include "engine/run/run.h"
@@ -135,6 +139,76 @@ TEST(StreetsProduct, OneSideOnly) {
   EXPECT_GE(street.things.size(), 2u);
 }
 
+// 50 km and more from the first, at a multiple of tiles for pixels of 5 cm.
+std::vector<Index3> with_second_site(std::vector<Index3> points) {
+  const std::size_t alone = points.size();
+  for (std::size_t i = 0; i < alone; ++i)
+    points.push_back({points[i].x + 2000 * 25600, points[i].y - 3000 * 25600, points[i].z});
+  return points;
+}
+
+TEST(StreetsProduct, ASecondSiteFarAwayCostsItsOwnTiles) {
+  StreetsSettings settings;
+  settings.pixel = 0.05;
+  settings.view = StreetView::street;
+  const test::CloudStore one(street_points(2, 3)), two(with_second_site(street_points(2, 3)));
+  const FoundStreet alone = find_street(one.store(), settings, {}), both = find_street(two.store(), settings, {});
+  const TileGrid &grid = both.tiles->raster().grid, &first = alone.tiles->raster().grid;
+  EXPECT_EQ(grid.count(), 2 * first.count());
+  EXPECT_LT(grid.width, 100u * grid.side);
+  EXPECT_LT(grid.height, 100u * grid.side);
+  ASSERT_EQ(both.things.size(), 2 * alone.things.size());
+  std::multiset<std::tuple<Height, std::uint64_t, std::uint32_t>> want, got;
+  for (const Thing& t : alone.things)
+    for (int times = 0; times < 2; ++times) want.insert({t.ground, t.points, t.pixels});
+  for (const Thing& t : both.things) got.insert({t.ground, t.points, t.pixels});
+  EXPECT_EQ(got, want);
+  // Places are those of the sites.
+  const StreetRaster& raster = both.tiles->raster();
+  std::size_t far = 0;
+  for (const Thing& t : both.things) far += raster.crs_x(t.x) > 700000 + 1000;
+  EXPECT_EQ(far, alone.things.size());
+  EXPECT_NEAR(raster.crs_x(static_cast<double>(raster.column(700000000 + 2000 * 25600))), 751200, 0.051);
+  EXPECT_EQ(raster.column(710000000), -1);
+}
+
+TEST(StreetsProduct, RastersOfFarSitesAreSheetsAndAMosaic) {
+  const TemporaryFolder folder;
+  const auto change = [](RunOptions& options) { options.settings.streets.pixel = 0.05; };
+  const StreetsOutcome one = run_cloud(folder, street_points(2, 3), "one", change);
+  const StreetsOutcome out = run_cloud(folder, with_second_site(street_points(2, 3)), "two", change);
+  EXPECT_FALSE(std::filesystem::exists(out.out / "streets" / "range.tif"));
+  EXPECT_FALSE(std::filesystem::exists(one.out / "streets" / "range.vrt"));
+  GDALAllRegister();
+  const auto open = [&](const std::filesystem::path& file) {
+    return GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
+  };
+  for (const char* layer : {"range", "accumulation", "ground", "artefacts"}) {
+    const auto whole = open(out.out / "streets" / (std::string(layer) + ".vrt"));
+    const auto alone = open(one.out / "streets" / (std::string(layer) + ".tif"));
+    ASSERT_TRUE(whole && alone) << layer;
+    EXPECT_LT(std::filesystem::file_size(out.out / "streets" / (std::string(layer) + "_1.tif")), 2u << 20);
+    double at[6], of[6];
+    whole->GetGeoTransform(at);
+    alone->GetGeoTransform(of);
+    // Both sites in the mosaic hold what the one holds.
+    for (const double dx : {0.0, 51200.0}) {
+      const double dy = dx == 0 ? 0 : -76800;
+      const auto x = static_cast<int>(std::lround((of[0] + dx - at[0]) / at[1]));
+      const auto y = static_cast<int>(std::lround((of[3] + dy - at[3]) / at[5]));
+      const int width = alone->GetRasterXSize(), height = alone->GetRasterYSize();
+      std::vector<float> want(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), got = want;
+      ASSERT_EQ(alone->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, width, height, want.data(), width, height, GDT_Float32,
+                                                  0, 0, nullptr),
+                CE_None);
+      ASSERT_EQ(whole->GetRasterBand(1)->RasterIO(GF_Read, x, y, width, height, got.data(), width, height, GDT_Float32,
+                                                  0, 0, nullptr),
+                CE_None);
+      EXPECT_EQ(got, want) << layer << " " << dx;
+    }
+  }
+}
+
 TEST(StreetsProduct, NothingDependsOnThreadsBlocksOrMemory) {
   const auto points = street_points(3, 2);
   std::string hash;
@@ -143,7 +217,7 @@ TEST(StreetsProduct, NothingDependsOnThreadsBlocksOrMemory) {
     std::uint64_t block_points, memory;
   };
   for (const auto& [threads, block_points, memory] :
-       {Way{1, 1u << 20, 1u << 30}, {3, 1u << 20, 1u << 30}, {2, 5000u, 1u << 30}, {2, 1u << 20, 64u << 20}}) {
+       {Way{1, 1u << 20, 1u << 30}, {3, 1u << 20, 1u << 30}, {2, 5000u, 1u << 30}, {2, 1u << 20, 256u << 20}}) {
     const TemporaryFolder folder;
     const StreetsOutcome out =
         run_cloud(folder, points, "out", [&, t = threads, b = block_points, m = memory](RunOptions& o) {

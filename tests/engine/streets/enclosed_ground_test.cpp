@@ -15,11 +15,12 @@ Image enclosed(const Image& image, const TileGrid& grid, std::size_t at) {
   memory.put("filled", image);
   TileZones zones(memory.layers, "zones");
   for (std::size_t t = 0; t < grid.count(); ++t)
-    if (grid.has(t)) zones.find(t, layer_tile(memory.layers, "filled", t), 0, ZoneFalls::left_out);
+    zones.find(t, layer_tile(memory.layers, "filled", t), 0, ZoneFalls::left_out);
   zones.join(0);
-  const std::size_t tile = at / grid.width / grid.side * grid.columns() + at % grid.width / grid.side;
+  const std::size_t tile =
+      grid.tile_with(static_cast<std::int64_t>(at % grid.width), static_cast<std::int64_t>(at / grid.width));
   const auto label = static_cast<std::size_t>(memory.whole("zones").values[at]);
-  const PixelLabels groups{grid.columns(), grid.rows(), 1, std::vector<std::uint32_t>(grid.count(), 1)};
+  const TileGroups groups{1, std::vector<std::uint32_t>(grid.count(), 1)};
   find_enclosed_ground(memory.layers, "zones", zones, {{0, zones.numbers_of(tile)[label]}, {}, {}}, groups);
   return memory.whole("mask");
 }
@@ -82,8 +83,9 @@ TEST(EnclosedGround, EqualsTheFloodOfTheWhole) {
 TEST(EnclosedGround, TheImageEndsAtAbsentTiles) {
   Image image = filled_image(24, 24, 0);
   for (const std::size_t p : {5u * 24 + 5, 10u * 24 + 10, 10u * 24 + 11, 17u * 24 + 18}) image.values[p] = 7;
-  TileGrid grid{24, 24, 6, std::vector<std::uint8_t>(16, 1)};
-  grid.present[10] = 0;  // columns and rows 12 to 17: two of the things stand at its border
+  std::vector<std::uint8_t> present(16, 1);
+  present[10] = 0;  // columns and rows 12 to 17: two of the things stand at its border
+  const TileGrid grid = test::with_tiles({24, 24, 6}, present);
   for (std::size_t p = 0; p < image.size(); ++p)
     if (!grid.holds(static_cast<std::int64_t>(p % 24), static_cast<std::int64_t>(p / 24))) image.values[p] = kNoHeight;
   image.values[11 * 24 + 11] = 7;

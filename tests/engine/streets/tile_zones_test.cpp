@@ -75,7 +75,7 @@ TEST(TileZones, AreTheZonesOfTheWholeAndSoIsTheirGround) {
       }
       const GroundOfGroups want = ground_of_whole(image, whole);
       const TileGrid& grid = memory.layers.grid;
-      const PixelLabels one_group{grid.columns(), grid.rows(), 1, std::vector<std::uint32_t>(grid.count(), 1)};
+      const TileGroups one_group{1, std::vector<std::uint32_t>(grid.count(), 1)};
       const GroundOfGroups ground = zones.ground(one_group);
       EXPECT_EQ(ground.of_group[1], want.of_group[1] == 0 ? 0 : number_of.at(want.of_group[1])) << told;
       EXPECT_EQ(ground.taken, want.taken) << told;

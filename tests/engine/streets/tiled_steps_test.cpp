@@ -37,8 +37,9 @@ Image busy_street() {
 }
 
 TEST(TileRuns, TilesRunAsTheGridSays) {
-  TileGrid grid{100, 70, 32, std::vector<std::uint8_t>(12, 1)};
-  grid.present[5] = 0;
+  std::vector<std::uint8_t> present(12, 1);
+  present[5] = 0;
+  TileGrid grid = test::with_tiles({100, 70, 32}, present);
   std::vector<std::uint64_t> asked;
   grid.run = [&](std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) {
     asked.assign(bytes.begin(), bytes.end());
@@ -46,7 +47,7 @@ TEST(TileRuns, TilesRunAsTheGridSays) {
   };
   std::vector<std::size_t> seen;
   for_each_tile(grid, [&](std::size_t tile) { seen.push_back(tile); }, {10, 4});
-  EXPECT_EQ(seen, (std::vector<std::size_t>{11, 10, 9, 8, 7, 6, 4, 3, 2, 1, 0}));
+  EXPECT_EQ(seen, (std::vector<std::size_t>{10, 9, 8, 7, 6, 5, 4, 3, 2, 1, 0}));
   EXPECT_EQ(asked, std::vector<std::uint64_t>(11, 10 * 40 * 40));
 }
 
@@ -141,7 +142,7 @@ TEST(TiledSteps, AbsentTilesEndTheImage) {
   const Image range = busy_street();
   constexpr std::uint32_t kSide = 165;
   const Ground alone = find_ground(range, {});
-  TileGrid grid{range.width, 3 * kSide, kSide, {1, 1, 0, 0, 1, 1}};
+  const TileGrid grid = test::with_tiles({range.width, 3 * kSide, kSide}, {1, 1, 0, 0, 1, 1});
   Image both = filled_image(grid.width, grid.height, kNoHeight);
   for (std::uint32_t y = 0; y < range.height; ++y)
     for (std::uint32_t x = 0; x < range.width; ++x)

@@ -53,8 +53,9 @@ TEST(LinkRegionsTiled, TheLinksOfTheWholeForEveryTiling) {
 TEST(LinkRegionsTiled, WaysGoAroundAbsentTiles) {
   const LinkRegionsParams params{12, 9};
   for (int present = 1; present < 512; ++present) {
-    TileGrid grid{33, 33, 11, {}};
-    for (int t = 0; t < 9; ++t) grid.present.push_back((present >> t & 1) != 0);
+    std::vector<std::uint8_t> flags;
+    for (int t = 0; t < 9; ++t) flags.push_back((present >> t & 1) != 0);
+    const TileGrid grid = test::with_tiles({33, 33, 11}, flags);
     Image image = filled_image(33, 33, kNoHeight);
     Rng rng(static_cast<std::uint64_t>(present), 3);
     for (int i = 0; i < 60; ++i) image.values[rng.below(33 * 33)] = static_cast<Height>(rng.below(30));

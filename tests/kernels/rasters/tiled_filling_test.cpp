@@ -100,6 +100,25 @@ TEST(TiledFilling, OnePixelDrainsWhatLiesTilesAway) {
   EXPECT_EQ(drained.values, reconstruct_by_erosion(marker, image, Adjacency::eight).values);
 }
 
+// Spills that the caller keeps are those that are kept in memory.
+TEST(TiledFilling, SpillsMayBeKeptElsewhere) {
+  const Image image = test::random_image(90, 61, 40, 3, 7);
+  const TileGrid grid = grid_of(image, 16);
+  std::vector<std::vector<SpillEdge>> kept(grid.count());
+  TiledFilling filling(grid, Adjacency::eight,
+                       {[&](std::size_t t, std::vector<SpillEdge> spills) { kept[t] = std::move(spills); },
+                        [&](std::size_t t) { return kept[t]; }});
+  Image out = image;
+  std::vector<Image> tiles(grid.count());
+  for (std::size_t t = 0; t < grid.count(); ++t) tiles[t] = filling.fill(t, test::tiles_of(image, grid)(t));
+  filling.join();
+  for (std::size_t t = 0; t < grid.count(); ++t) {
+    filling.raise(t, tiles[t]);
+    test::into(out, grid)(t, tiles[t]);
+  }
+  EXPECT_EQ(out.values, fill_holes(image, Adjacency::eight).values);
+}
+
 TEST(TiledFilling, LargerImagesAndThreads) {
   for (const std::uint32_t bound : {2u, 30u, 100000u}) {
     const Image image = test::random_image(301, 173, bound, 9, 7);
