@@ -14,7 +14,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kBytesPerPixel = 80;  // of what a component or a tile is worked on with
+constexpr std::uint32_t kBytesPerPixel = 80;  // of what a component is worked on with
+constexpr std::uint32_t kBytesOfPatch = 36;   // per pixel of a tile: seven layers, numbers, and what is read around it
 // Of a component that is worked on whole, pixels: as many as a tile has (655 m2 at 5 cm). The largest of the clouds at
 // hand has 57,000.
 constexpr std::uint64_t kLargestBox = 1u << 18;
@@ -139,7 +140,7 @@ class ThingFinder {
 
   std::vector<Thing> find() {
     const std::vector<std::vector<std::uint32_t>> of_tile = share_out();
-    for_each_tile(layers_.grid, [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); }, {kBytesPerPixel, 0});
+    run_tasks(layers_.grid, bytes_of_tiles(of_tile), [&](std::size_t tile) { work_on_tile(tile, of_tile[tile]); });
     std::vector<std::uint64_t> bytes;
     for (const std::uint32_t c : spanning_)
       bytes.push_back(std::uint64_t{components_.boxes[c].width()} * components_.boxes[c].height() * kBytesPerPixel);
@@ -195,6 +196,18 @@ class ThingFinder {
         spanning_.push_back(c);
     }
     return of_tile;
+  }
+
+  // A tile's layers and what is found in it, and the component that is worked on.
+  std::vector<std::uint64_t> bytes_of_tiles(const std::vector<std::vector<std::uint32_t>>& of_tile) const {
+    const std::uint64_t side = layers_.grid.side;
+    std::vector<std::uint64_t> bytes;
+    for (const auto& components : of_tile) {
+      std::uint64_t largest = 0;
+      for (const std::uint32_t c : components) largest = std::max(largest, area_of(components_.boxes[c]));
+      bytes.push_back(side * side * kBytesOfPatch + largest * kBytesPerPixel);
+    }
+    return bytes;
   }
 
   void work_on_tile(std::size_t tile, const std::vector<std::uint32_t>& components) {
