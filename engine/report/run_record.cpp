@@ -50,7 +50,8 @@ Json counts_json(const RunRecord& record) {
   if (record.roofs)
     counts["roofs"] = {{"buildings", record.roofs->buildings}, {"lod22", record.roofs->lod22},
                        {"lod12", record.roofs->lod12},         {"footprint_only", record.roofs->footprint_only},
-                       {"valid", record.roofs->valid},         {"invalid", record.roofs->invalid}};
+                       {"valid", record.roofs->valid},         {"invalid", record.roofs->invalid},
+                       {"thinned", record.roofs->thinned}};
   if (record.facades)
     counts["facades"] = {{"facades", record.facades->facades},
                          {"elements", record.facades->elements},

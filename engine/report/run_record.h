@@ -46,6 +46,7 @@ struct PointCounts {
 struct RoofCounts {
   std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
   std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
+  std::uint64_t thinned = 0;             // modelled from a sample of their points
 };
 
 struct StreetCounts {

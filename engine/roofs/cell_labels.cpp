@@ -20,6 +20,7 @@ constexpr double kFar = 1;           // shares more that a point costs per metre
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
 constexpr double kBareTipSteps = 3;  // a tip that long holds nine points or more, were it as wide: one is seen
 constexpr int kRounds = 8;
+constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; with what hangs on them 64 bytes each
 constexpr std::uint32_t kNone = 0xffffffffu;
 
 struct Box {
@@ -76,12 +77,14 @@ class Labelling {
             std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params)
       : site_(site), planes_(planes), cells_(cells), params_(params) {
     find_borders();
-    find_candidates();
+    if (!find_candidates()) return;
     add_points(cell_of_point);
     forbid_overshoot();
   }
 
+  // Empty where there are too many candidates.
   std::vector<std::uint32_t> solve() {
+    if (candidates_.empty()) return {};
     label_.resize(cells_.regions);
     for (std::uint32_t r = 0; r < cells_.regions; ++r) label_[r] = cheapest(r);
     find_reaches();
@@ -114,15 +117,22 @@ class Labelling {
     }
   }
 
-  void find_candidates() {
+  bool find_candidates() {
     std::vector<Box> around(planes_.planes.size());
     for (std::size_t i = 0; i < site_.points.size(); ++i)
       if (planes_.of_point[i] != 0) around[planes_.of_point[i] - 1].add(site_.points[i].x, site_.points[i].y);
     candidates_.resize(cells_.regions);
-    for (std::uint32_t r = 0; r < cells_.regions; ++r)
+    std::size_t count = 0;
+    for (std::uint32_t r = 0; r < cells_.regions; ++r) {
       for (double by = kNearPlane; candidates_[r].empty(); by *= 4)
         for (std::uint32_t p = 0; p < around.size(); ++p)
           if (around[p].near(boxes_[r], by)) candidates_[r].push_back({p, 0});
+      count += candidates_[r].size();
+      if (count <= kMostCandidates) continue;
+      candidates_ = {};
+      return false;
+    }
+    return true;
   }
 
   void add_points(std::span<const std::uint32_t> region) {

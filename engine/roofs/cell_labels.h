@@ -23,7 +23,8 @@ struct CellLabelParams {
 // Alpha-expansion [Boykov, Veksler, Zabih 2001] with integer capacities, planes in the order of their numbers, until
 // nothing changes, at most 8 rounds: the answer depends on the input alone. The border's cost is a metric over planes,
 // so every expansion is one minimum cut (Boost.Graph). A plane is a candidate only near its points, so the work grows
-// with the size of the roof and not with its square.
+// with the size of the roof and not with its square. Empty where cells and their candidates would be more than memory
+// is meant for (2^18 together, 16 MiB).
 // cell_of_point: regions_of() the site's points.
 std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
                                        std::span<const std::uint32_t> cell_of_point,

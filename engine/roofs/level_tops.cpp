@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <span>
 #include <utility>
@@ -23,7 +24,9 @@ constexpr double kLeastCover = 0.25;         // of the hull, of what its points 
 constexpr double kLargestTop = 10;           // m2 that its points stand for; more would be a plane by itself
 constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
 constexpr std::int32_t kRowHeight = 1000;    // millimetres; of the rows that points are found in
-constexpr double kMostOf = 0.6;              // ... when it takes so much of them or the plane is no surface
+constexpr std::size_t kMostPairs =
+    1u << 21;                    // of points near each other that are kept: 8 MiB; beyond, found anew each time
+constexpr double kMostOf = 0.6;  // ... when it takes so much of them or the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
 
@@ -174,18 +177,32 @@ class TopFinder {
     std::erase_if(free, [&](std::uint32_t i) { return !is_free(i); });
     free_.assign(site_.points.size(), 0);
     for (const std::uint32_t i : free) free_[i] = 1;
-    const auto reach = static_cast<std::int32_t>(std::ceil(std::min(reach_ * 1000 + 1, 1e6)));
-    const Rows rows(places_, free, reach);
-    first_.assign(site_.points.size() + 1, 0);
+    rows_.emplace(places_, free, box_reach());
+    std::size_t pairs = 0;
     for (const std::uint32_t i : free) {
-      const Point2 p = places_[i];
+      for_each_near(i, [&](std::uint32_t) { ++pairs; });
+      if (pairs > kMostPairs) return;
+    }
+    first_.assign(site_.points.size() + 1, 0);
+    others_.reserve(pairs);
+    for (const std::uint32_t i : free) {
       const auto before = static_cast<std::uint32_t>(others_.size());
-      rows.in_box({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t j) {
-        if (j != i && squared_apart(i, j) <= reach_ * reach_) others_.push_back(j);
-      });
+      for_each_near(i, [&](std::uint32_t j) { others_.push_back(j); });
       first_[i + 1] = static_cast<std::uint32_t>(others_.size()) - before;
     }
     std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  }
+
+  std::int32_t box_reach() const { return static_cast<std::int32_t>(std::ceil(std::min(reach_ * 1000 + 1, 1e6))); }
+
+  // Points within reach that were free at the beginning.
+  template <class Visit>
+  void for_each_near(std::uint32_t i, Visit visit) const {
+    const Point2 p = places_[i];
+    const std::int32_t reach = box_reach();
+    rows_->in_box({p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}, [&](std::uint32_t j) {
+      if (j != i && squared_apart(i, j) <= reach_ * reach_) visit(j);
+    });
   }
 
   double squared_apart(std::uint32_t i, std::uint32_t j) const {
@@ -202,11 +219,12 @@ class TopFinder {
   // Free points around one of them, at a height.
   template <class Visit>
   void level_around(std::uint32_t i, double height, Visit visit) const {
-    for (std::uint32_t at = first_[i]; at < first_[i + 1]; ++at) {
-      const std::uint32_t j = others_[at];
-      if (free_[j] == 0 || std::abs(site_.points[j].z - height) > planes_.epsilon) continue;
+    const auto look_at = [&](std::uint32_t j) {
+      if (free_[j] == 0 || std::abs(site_.points[j].z - height) > planes_.epsilon) return;
       if (squared_apart(i, j) <= reach_ * reach_) visit(j);
-    }
+    };
+    if (first_.empty()) return for_each_near(i, look_at);
+    for (std::uint32_t at = first_[i]; at < first_[i + 1]; ++at) look_at(others_[at]);
   }
 
   bool is_large(const Indices& top) const {
@@ -306,7 +324,8 @@ class TopFinder {
   Rows all_;
   std::set<std::uint32_t> no_surface_;  // planes
   std::vector<std::uint8_t> free_;      // per point: may be of a top
-  Indices first_, others_;              // per free point those around it
+  std::optional<Rows> rows_;            // of the points that were free at the beginning
+  Indices first_, others_;              // per free point those around it; empty where these are too many to keep
 };
 
 void drop_empty_planes(RoofPlanes& planes) {

@@ -2,6 +2,7 @@
 #include "engine/roofs/outline_map.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ilot {
 namespace {
@@ -58,17 +59,23 @@ SitePolygon seen_from(const PlacedOutline& outline, std::int64_t x, std::int64_t
   return polygon;
 }
 
-OutlineMap::OutlineMap(std::span<const PlacedOutline> outlines) : outlines_(outlines) {
-  for (std::uint32_t i = 0; i < outlines.size(); ++i) {
-    if (outlines[i].polygon.empty()) continue;
-    const CellRange cells(outlines[i].box);
-    if (cells.is_large()) {
-      large_.push_back(i);
-      continue;
+OutlineMap::OutlineMap(std::vector<GridBox> boxes) : boxes_(std::move(boxes)) {
+  std::size_t count = 0;
+  const auto for_each = [&](const auto& visit_cell, const auto& visit_large) {
+    for (std::uint32_t i = 0; i < boxes_.size(); ++i) {
+      if (boxes_[i].empty()) continue;
+      const CellRange cells(boxes_[i]);
+      if (cells.is_large()) {
+        visit_large(i);
+        continue;
+      }
+      for (std::int64_t row = cells.row0; row <= cells.row1; ++row)
+        for (std::int64_t column = cells.column0; column <= cells.column1; ++column) visit_cell(Entry{row, column, i});
     }
-    for (std::int64_t row = cells.row0; row <= cells.row1; ++row)
-      for (std::int64_t column = cells.column0; column <= cells.column1; ++column) entries_.push_back({row, column, i});
-  }
+  };
+  for_each([&](const Entry&) { ++count; }, [](std::uint32_t) {});
+  entries_.reserve(count);
+  for_each([&](const Entry& e) { entries_.push_back(e); }, [&](std::uint32_t i) { large_.push_back(i); });
   std::sort(entries_.begin(), entries_.end());
 }
 
@@ -84,7 +91,7 @@ std::vector<std::uint32_t> OutlineMap::near(const GridBox& box) const {
   found.insert(found.end(), large_.begin(), large_.end());
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  std::erase_if(found, [&](std::uint32_t i) { return !outlines_[i].box.meets(box); });
+  std::erase_if(found, [&](std::uint32_t i) { return !boxes_[i].meets(box); });
   return found;
 }
 

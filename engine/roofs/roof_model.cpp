@@ -113,6 +113,11 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
                const SolidCheck& check, RoofModel& model) {
   const LabelledCells c = labelled_cells(site, planes);
+  if (c.label.empty() && c.cells.regions > 0) {
+    model.reason = "too many faces: " + std::to_string(planes.planes.size()) + " planes in " +
+                   std::to_string(c.cells.regions) + " cells of the outline; its points may not be a roof's";
+    return;
+  }
   double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
   std::string first_fault;
   for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
@@ -121,6 +126,7 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
     if (house) {
       model.lod22 = std::move(*house);
       model.face_of_point = std::move(roof.of_point);
+      model.map = {std::move(roof.faces), std::move(roof.planes), {}, planes.epsilon};
       model.status = RoofStatus::lod22;
       return;
     }
@@ -130,6 +136,21 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3> points) {
+  std::vector<FlatPoint> flat;
+  flat.reserve(points.size());
+  for (const Vec3& p : points) flat.push_back({p.x * 1000, p.y * 1000});
+  std::vector<std::uint32_t> faces = regions_of(map.faces, flat);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i] == kOutside) continue;
+    const RoofPlane& plane = map.planes[faces[i] - 1];
+    const double off = std::abs(points[i].z - plane.at(points[i].x, points[i].y));
+    if (off > map.epsilon * std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy)) faces[i] = 0;
+    if (faces[i] != 0 && !map.number.empty()) faces[i] = map.number[faces[i] - 1];
+  }
+  return faces;
+}
 
 RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
                      const SolidCheck& check) {

@@ -4,10 +4,14 @@
 #pragma once
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "engine/model/building.h"
+#include "engine/roofs/partition.h"
+#include "engine/roofs/roof_params.h"
+#include "engine/roofs/roof_planes.h"
 #include "engine/roofs/roof_site.h"
 
 namespace ilot {
@@ -18,11 +22,12 @@ enum class RoofStatus : std::uint8_t {
   footprint_only,  // no solid
 };
 
-struct RoofModelParams {
-  double epsilon = 0;           // metres; farthest that a point lies from its face; 0 = from noise and density
-  int min_points = 0;           // fewest points of a face; 0 = from the density
-  double least_face_area = 0;   // m2; smaller faces go to their neighbour
-  bool superstructures = true;  // false: the main roof alone
+// The faces of a roof as seen from above: what a point that no plane was fitted to is measured against.
+struct RoofFaceMap {
+  Partition faces;                    // regions are the faces of lod22, numbered as there
+  std::vector<RoofPlane> planes;      // per face
+  std::vector<std::uint32_t> number;  // per face its plane_id where that is another one; empty: its own number
+  double epsilon = 0;                 // metres; farther from its plane no point is a face's
 };
 
 struct RoofModel {
@@ -30,6 +35,7 @@ struct RoofModel {
   std::string reason;                        // why not lod22; empty when it is
   Building lod22, lod12;                     // without surfaces where there is no such solid; coordinates in the CRS
   std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else its face, a plane_id of lod22
+  RoofFaceMap map;                           // of lod22
 };
 
 // What speaks against delivering a solid; empty when nothing does.
@@ -42,5 +48,9 @@ using SolidCheck = std::function<std::string(const Building&)>;
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
     const SolidCheck& check = [](const Building&) { return std::string(); });
+
+// For points that the model was not made from (metres from the site's anchor): the face above or below which each lies
+// when its plane passes within epsilon of it, else 0.
+std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3> points);
 
 }  // namespace ilot

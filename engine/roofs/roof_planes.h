@@ -4,7 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/roofs/roof_model.h"
+#include "engine/roofs/roof_params.h"
+#include "engine/roofs/roof_site.h"
 
 namespace ilot {
 

@@ -9,8 +9,9 @@
 #include "engine/roofs/outline_repair.h"
 #include "engine/roofs/party_walls.h"
 #include "engine/roofs/site_points.h"
+#include "engine/run/site_modeller.h"
 #include "engine/segments/clusters_pass.h"
-#include "engine/store/view.h"
+#include "engine/units/unit_sample.h"
 
 namespace ilot {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 constexpr double kLeastDistance = 0.5;  // metres [D1]
 constexpr double kStepsOfDistance = 2;  // sampling steps
 constexpr double kCountingCell = 2.1;   // metres, at most
-constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 300;
+constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 256;
 constexpr std::int64_t kMillimetresPerMetre = 1000;
 
 // Building points of a block and the squares of the plan that hold them.
@@ -133,6 +134,7 @@ class Outliner {
   std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     const std::vector<Vec3> points = points_of(cluster, x, y);
     std::vector<Point2> places;
+    places.reserve(points.size());
     for (const Vec3& p : points)
       places.push_back({static_cast<std::int32_t>(std::lround(p.x * kMillimetresPerMetre)),
                         static_cast<std::int32_t>(std::lround(p.y * kMillimetresPerMetre))});
@@ -146,21 +148,20 @@ class Outliner {
     return buildings;
   }
 
-  // Metres from the anchor on its grid of millimetres.
+  // Metres from the anchor on its grid of millimetres: all points of the cluster, or a sample.
   std::vector<Vec3> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    const auto of_cluster = [&](const Stretch& s) {
+      return [cluster, of = s.read(store_, columns::kCluster)](const StretchPoint& p) {
+        return of[p.number] == cluster + 1;
+      };
+    };
+    const UnitSample sample = sample_unit(store_, clusters_[cluster].box, kMostSitePoints, of_cluster);
     std::vector<Vec3> points;
-    for (const Slice& s : plan_view(store_, clusters_[cluster].box, {}).slices) {
-      const auto codes = store_.read(s.block, columns::kCodes, s.first, s.count);
-      const auto of = store_.read(s.block, columns::kCluster, s.first, s.count);
-      const Tile tile = store_.blocks()[s.block].node.tile;
-      for (std::size_t i = 0; i < codes.size(); ++i) {
-        if (of[i] != cluster + 1) continue;
-        const Index3 p = index_of({tile, codes[i]});
-        points.push_back({static_cast<double>(grid(p.x) - x) / kMillimetresPerMetre,
-                          static_cast<double>(grid(p.y) - y) / kMillimetresPerMetre,
-                          static_cast<double>(grid(p.z)) / kMillimetresPerMetre});
-      }
-    }
+    points.reserve(sample.points.size());
+    for (const KeptPoint& k : sample.points)
+      points.push_back({static_cast<double>(grid(k.position.x) - x) / kMillimetresPerMetre,
+                        static_cast<double>(grid(k.position.y) - y) / kMillimetresPerMetre,
+                        static_cast<double>(grid(k.position.z)) / kMillimetresPerMetre});
     return points;
   }
 
@@ -192,7 +193,8 @@ std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& 
       continue;
     }
     large.push_back(c);
-    tasks.push_back({outliner.points_to_read(c) * kBytesToOutline, clusters[c].points});
+    const std::uint64_t points = std::min<std::uint64_t>(outliner.points_to_read(c), kMostSitePoints);
+    tasks.push_back({kBytesOfSite + points * kBytesToOutline, clusters[c].points});
   }
   std::vector<std::vector<PlannedSite>> found(large.size());
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) { found[i] = outliner.sites_of(large[i]); });

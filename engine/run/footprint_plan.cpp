@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "engine/deliverables/footprints.h"
-#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -33,14 +32,12 @@ std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, cons
   return sites;
 }
 
-std::vector<std::vector<std::uint32_t>> overlaps(std::span<const PlannedSite> sites, const OutlineMap& map) {
-  std::vector<std::vector<std::uint32_t>> all(sites.size());
-  parallel_for(sites.size(), [&](std::size_t i) {
-    if (sites[i].outline.polygon.empty()) return;
-    for (const std::uint32_t other : map.near(sites[i].outline.box))
-      if (other != i && shared_area(sites[i].outline, sites[other].outline) >= kSharedArea) all[i].push_back(other);
-  });
-  return all;
+std::vector<std::uint32_t> overlapping(std::span<const PlannedSite> sites, const OutlineMap& map, std::size_t site) {
+  std::vector<std::uint32_t> others;
+  if (sites[site].outline.polygon.empty()) return others;
+  for (const std::uint32_t other : map.near(sites[site].outline.box))
+    if (other != site && shared_area(sites[site].outline, sites[other].outline) >= kSharedArea) others.push_back(other);
+  return others;
 }
 
 }  // namespace ilot

@@ -16,7 +16,7 @@ namespace ilot {
 std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const Crs& crs, Progress& progress,
                                          RunRecord& record);
 
-// Per site the sites that share at least a square metre with it, ascending. On all threads.
-std::vector<std::vector<std::uint32_t>> overlaps(std::span<const PlannedSite> sites, const OutlineMap& map);
+// The other sites that share at least a square metre with it, ascending.
+std::vector<std::uint32_t> overlapping(std::span<const PlannedSite> sites, const OutlineMap& map, std::size_t site);
 
 }  // namespace ilot

@@ -52,10 +52,7 @@ class RoleFinder {
  public:
   RoleFinder(const Store& store, const PassContext& context)
       : store_(store), context_(context), raster_(store, context) {
-    for (const Block& b : store.blocks())
-      for (std::int64_t row = raster_.tile(b.box.min.y); row <= raster_.tile(b.box.max.y); ++row)
-        for (std::int64_t column = raster_.tile(b.box.min.x); column <= raster_.tile(b.box.max.x); ++column)
-          tiles_.insert({row, column});
+    find_tiles();
     std::filesystem::remove_all(folder());
     std::filesystem::create_directories(folder());
   }
@@ -75,6 +72,28 @@ class RoleFinder {
   }
 
  private:
+  // Those with points in them: a few points far from all others must not bring what is between.
+  void find_tiles() {
+    std::vector<PassTask> tasks;
+    for (const Block& b : store_.blocks()) tasks.push_back({std::uint64_t{1} << 20, b.points});
+    std::vector<std::vector<TileKey>> of_block(tasks.size());
+    run_pass(tasks, context_.budget_bytes, [&](std::size_t i) {
+      std::vector<TileKey>& keys = of_block[i];
+      const auto block = static_cast<std::uint32_t>(i);
+      const Slice whole{block, 0, store_.blocks()[i].points, 0};
+      for_each_stretch(store_, std::span(&whole, 1), [&](const Stretch& s) {
+        for (std::size_t n = 0; n < s.codes.size(); ++n) {
+          const Index3 p = s.position(n);
+          const TileKey key{raster_.tile(p.y), raster_.tile(p.x)};
+          if (keys.empty() || keys.back() != key) keys.push_back(key);
+        }
+        std::sort(keys.begin(), keys.end());
+        keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+      });
+    });
+    for (const auto& keys : of_block) tiles_.insert(keys.begin(), keys.end());
+  }
+
   std::filesystem::path folder() const { return store_.folder() / "ground"; }
   std::filesystem::path path(const char* what, TileKey t) const {
     return folder() / (std::string(what) + "_" + std::to_string(t.first) + "_" + std::to_string(t.second));

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/roof_labels.h"
 
-#include <algorithm>
-#include <tuple>
-
 #include "engine/pass/pass.h"
 
 namespace ilot {
@@ -11,54 +8,46 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 40;
 
-// What a file holds of a point: the block is known by the place in the file.
-struct StoredLabel {
-  std::uint32_t point = 0;
-  RoofLabel label;
-};
-
 }  // namespace
 
-RoofLabels::RoofLabels(const Store& store) : store_(store), runs_(store.blocks().size()) {
-  std::filesystem::remove_all(store.folder() / "roofs");
-  std::filesystem::create_directories(store.folder() / "roofs");
+RoofLabels::RoofLabels(const Store& store)
+    : store_(store), path_(store.folder() / "roofs" / "labels"), runs_(store.blocks().size()) {
+  std::filesystem::remove_all(path_.parent_path());
+  std::filesystem::create_directories(path_.parent_path());
+  file_ = std::make_unique<ColumnWriter<SitePointLabel>>(path_);
 }
 
-std::filesystem::path RoofLabels::path(std::uint32_t batch) const {
-  return store_.folder() / "roofs" / ("labels-" + std::to_string(batch));
+LabelRun RoofLabels::put_aside(std::uint32_t block, std::span<const SitePointLabel> labels) {
+  const std::lock_guard lock(writing_);
+  file_->append(labels);
+  const LabelRun run{block, static_cast<std::uint32_t>(labels.size()), written_};
+  written_ += labels.size();
+  return run;
 }
 
-void RoofLabels::add(std::vector<LabelledPoint> points) {
-  if (points.empty()) return;
-  std::sort(points.begin(), points.end(), [](const LabelledPoint& a, const LabelledPoint& b) {
-    return std::tie(a.block, a.point, a.label.unit) < std::tie(b.block, b.point, b.label.unit);
-  });
-  std::vector<StoredLabel> stored;
-  stored.reserve(points.size());
-  for (const LabelledPoint& p : points) {
-    auto& runs = runs_[p.block];
-    if (runs.empty() || runs.back().batch != batches_) runs.push_back({batches_, stored.size(), 0});
-    ++runs.back().count;
-    stored.push_back({p.point, p.label});
-  }
-  write_column<StoredLabel>(path(batches_), stored);
-  ++batches_;
+void RoofLabels::add(std::uint32_t unit, std::uint32_t first_plane, std::span<const LabelRun> runs) {
+  for (const LabelRun& run : runs) runs_[run.block].push_back({run.first, run.count, unit, first_plane});
 }
 
 std::vector<RoofLabel> RoofLabels::of_block(std::uint32_t block) const {
   std::vector<RoofLabel> labels(store_.blocks()[block].points);
-  std::vector<StoredLabel> stored;
+  if (runs_[block].empty()) return labels;
+  const ColumnReader<SitePointLabel> file(path_);
+  std::vector<SitePointLabel> part;
   for (const Run& run : runs_[block]) {
-    stored.resize(run.count);
-    ColumnReader<StoredLabel>(path(run.batch)).read(run.first, stored);
-    for (const StoredLabel& s : stored)
-      if (labels[s.point].unit == 0) labels[s.point] = s.label;
+    part.resize(run.count);
+    file.read(run.first, part);
+    for (const SitePointLabel& s : part) {
+      RoofLabel& label = labels[s.point];
+      if (label.unit == 0) label = {run.unit, s.plane == 0 ? 0 : run.first_plane + s.plane - 1, s.label};
+    }
   }
   return labels;
 }
 
 void RoofLabels::write_columns(const PassContext& context,
-                               const std::function<std::vector<PointLabel>(std::uint32_t)>& of_others) const {
+                               const std::function<std::vector<PointLabel>(std::uint32_t)>& of_others) {
+  file_->commit();
   std::vector<PassTask> tasks;
   for (const Block& b : store_.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {

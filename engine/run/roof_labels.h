@@ -5,6 +5,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
 #include <vector>
 
 #include "engine/model/point_label.h"
@@ -19,36 +22,50 @@ struct RoofLabel {
   std::uint8_t unused[3] = {};  // written to disk
 };
 
-struct LabelledPoint {
-  std::uint32_t block = 0, point = 0;
-  RoofLabel label;
+// What a building says of a point of a block before the numbers of the units and planes before it are known.
+struct SitePointLabel {
+  std::uint32_t point = 0;
+  std::uint32_t plane = 0;  // of the building, from 1; 0 = none
+  PointLabel label = PointLabel::none;
+  std::uint8_t unused[3] = {};  // written to disk
 };
 
-// Labels by batches of buildings, a file a batch in the store's folder "roofs".
+// Labels that were put aside: where they are in the file.
+struct LabelRun {
+  std::uint32_t block = 0, count = 0;
+  std::uint64_t first = 0;
+};
+
+// Labels of all buildings, in one file of the store's folder "roofs". In memory 24 bytes a run of them.
 class RoofLabels {
  public:
   explicit RoofLabels(const Store& store);
 
-  // The labels of some buildings. Of two labels of a point the smaller unit's counts, within and over batches: they
-  // come in the order of units.
-  void add(std::vector<LabelledPoint> points);
+  // Puts labels of a building for points of one block aside. From any thread.
+  LabelRun put_aside(std::uint32_t block, std::span<const SitePointLabel> labels);
+
+  // A building's runs, units in ascending order; its plane 1 is first_plane. Of two labels of a point the smaller
+  // unit's counts.
+  void add(std::uint32_t unit, std::uint32_t first_plane, std::span<const LabelRun> runs);
 
   // Writes the column "roof" (RoofLabel) of every block: the labels that were added, and `of_others` (block, point)
-  // for the rest.
+  // for the rest. Once, when all were added.
   void write_columns(const PassContext& context,
-                     const std::function<std::vector<PointLabel>(std::uint32_t block)>& of_others) const;
+                     const std::function<std::vector<PointLabel>(std::uint32_t block)>& of_others);
 
  private:
   struct Run {
-    std::uint32_t batch = 0;
-    std::uint64_t first = 0, count = 0;
+    std::uint64_t first = 0;
+    std::uint32_t count = 0, unit = 0, first_plane = 0;
   };
-  std::filesystem::path path(std::uint32_t batch) const;
   std::vector<RoofLabel> of_block(std::uint32_t block) const;
 
   const Store& store_;
-  std::uint32_t batches_ = 0;
-  std::vector<std::vector<Run>> runs_;  // per block, in the order of batches
+  std::filesystem::path path_;
+  std::mutex writing_;
+  std::unique_ptr<ColumnWriter<SitePointLabel>> file_;
+  std::uint64_t written_ = 0;
+  std::vector<std::vector<Run>> runs_;  // per block, in the order of units
 };
 
 }  // namespace ilot

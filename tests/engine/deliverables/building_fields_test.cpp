@@ -61,7 +61,10 @@ TEST(BuildingFields, EveryAttributeOfAModelIsInTheTable) {
   model.status = RoofStatus::lod22;
   model.lod22 = gable_house("a", {});
   model.face_of_point.assign(100, 1);
-  for (const auto& [name, value] : building_attributes(site, model, 1)) EXPECT_TRUE(known.count(name)) << name;
+  PointMeasures measures(site, model, 1);
+  for (const Vec3& p : site.points) measures.add(p, 1);
+  for (const auto& [name, value] : building_attributes(site, model, 1, measures))
+    EXPECT_TRUE(known.count(name)) << name;
 }
 
 TEST(BuildingFields, ColumnsHaveTheNamesOfTheAttributes) {

@@ -29,7 +29,9 @@ TEST(OutlineMap, FindsWhatBruteForceFinds) {
     const std::int64_t w = 1 + (i % 50 == 0 ? 30000000 : 20000), h = 1 + (i % 50 == 0 ? 3000 : 15000);
     outlines.push_back(place_outline({{{x, y}, {x + w, y}, {x + w, y + h}}}));
   }
-  const OutlineMap map(outlines);
+  std::vector<GridBox> boxes;
+  for (const PlacedOutline& o : outlines) boxes.push_back(o.box);
+  const OutlineMap map(boxes);
   for (int i = 0; i < 500; ++i) {
     const std::int64_t x = within(700000), y = within(700000);
     const GridBox box{x, y, x + within(40000) + 40000, y + within(40000) + 40000};

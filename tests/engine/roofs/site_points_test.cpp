@@ -71,8 +71,8 @@ TEST(SitePoints, ACourtyardIsOutside) {
   add(around, {10, 10, -5}, PointRole::ground);  // farther than the reach
   const SitePoints site = choose_points(around, outlines, 0);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0}));
-  EXPECT_EQ(site.ground_source, GroundSource::measured);
-  EXPECT_EQ(site.ground, 1);
+  EXPECT_EQ(site.rule.ground_source, GroundSource::measured);
+  EXPECT_EQ(site.rule.ground, 1);
 }
 
 TEST(SitePoints, GroundIsALowQuantileOfThePointsAroundTheOutline) {
@@ -84,20 +84,20 @@ TEST(SitePoints, GroundIsALowQuantileOfThePointsAroundTheOutline) {
   add(around, {-4.5, 5, -50}, PointRole::ground);  // too far
   add(around, {-1, 5, -50}, PointRole::other);
   const SitePoints site = choose_points(around, outlines, 0);
-  EXPECT_EQ(site.ground_source, GroundSource::measured);
-  EXPECT_NEAR(site.ground, 2.1, 1e-9);
+  EXPECT_EQ(site.rule.ground_source, GroundSource::measured);
+  EXPECT_NEAR(site.rule.ground, 2.1, 1e-9);
 }
 
 TEST(SitePoints, WithoutGroundTheLowestPointNearTheEdgesCounts) {
   const std::vector<SitePolygon> outlines{site_square(0, 0, 10000)};
   auto around = with_role({{5, 5, -3}, {0.2, 5, 4}, {9.9, 9, 2.5}, {5, 2, 9}}, PointRole::building);
   SitePoints site = choose_points(around, outlines, 0);
-  EXPECT_EQ(site.ground_source, GroundSource::lowest_point);
-  EXPECT_EQ(site.ground, 2.5);
+  EXPECT_EQ(site.rule.ground_source, GroundSource::lowest_point);
+  EXPECT_EQ(site.rule.ground, 2.5);
   around = with_role({{5, 5, -3}, {5, 2, 9}}, PointRole::building);
   site = choose_points(around, outlines, 0);
-  EXPECT_EQ(site.ground, -3) << "none near the edges: the lowest";
-  EXPECT_EQ(choose_points({}, outlines, 0).ground, 0);
+  EXPECT_EQ(site.rule.ground, -3) << "none near the edges: the lowest";
+  EXPECT_EQ(choose_points({}, outlines, 0).rule.ground, 0);
 }
 
 TEST(SitePoints, WithoutTheClassUnclassifiedPointsThatRiseFromTheGroundAreTaken) {
@@ -107,14 +107,14 @@ TEST(SitePoints, WithoutTheClassUnclassifiedPointsThatRiseFromTheGroundAreTaken)
   add(around, {6, 5, 0.5}, PointRole::unclassified);
   add(around, {7, 5, 7}, PointRole::other);
   SitePoints site = choose_points(around, outlines, 0);
-  EXPECT_FALSE(site.by_class);
+  EXPECT_FALSE(site.rule.by_class);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0, 1})) << "nobody knows the ground";
   add(around, {-1, 5, 0}, PointRole::ground);
   site = choose_points(around, outlines, 0);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{0}));
   add(around, {3, 3, 5}, PointRole::building);
   site = choose_points(around, outlines, 0);
-  EXPECT_TRUE(site.by_class);
+  EXPECT_TRUE(site.rule.by_class);
   EXPECT_EQ(site.building, (std::vector<std::uint32_t>{4}));
 }
 

@@ -16,20 +16,25 @@ TEST(RoofLabels, EveryPointHasTheLabelOfItsFirstUnit) {
   RoofLabels labels(store);
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> wanted;
   Rng rng(8);
-  for (std::uint32_t batch = 0, unit = 1; batch < 5; ++batch) {
-    std::vector<LabelledPoint> points;
-    for (; unit % 10 != 0; ++unit) {
-      for (int n = 0; n < 40; ++n) {
-        const auto block = static_cast<std::uint32_t>(rng.below(store.blocks().size()));
-        const auto point = static_cast<std::uint32_t>(rng.below(store.blocks()[block].points));
-        points.push_back({block, point, {unit, unit + 100, PointLabel::roof}});
-        wanted.emplace(std::pair{block, point}, unit);
+  std::vector<std::vector<LabelRun>> runs(50);  // of units, put aside in another order than theirs
+  std::vector<std::vector<std::pair<std::uint32_t, std::uint32_t>>> points(runs.size());
+  for (std::uint32_t n = 0; n < runs.size(); ++n) {
+    const std::uint32_t unit = (n * 7) % 50;
+    for (int run = 0; run < 4; ++run) {
+      const auto block = static_cast<std::uint32_t>(rng.below(store.blocks().size()));
+      std::vector<SitePointLabel> part;
+      for (int i = 0; i < 10; ++i) {
+        part.push_back(
+            {static_cast<std::uint32_t>(rng.below(store.blocks()[block].points)), unit % 5, PointLabel::roof});
+        points[unit].push_back({block, part.back().point});
       }
+      runs[unit].push_back(labels.put_aside(block, part));
     }
-    ++unit;
-    labels.add(std::move(points));
   }
-  labels.add({});
+  for (std::uint32_t unit = 0; unit < runs.size(); ++unit) {
+    labels.add(unit + 1, 100 * unit + 1, runs[unit]);
+    for (const auto& at : points[unit]) wanted.emplace(at, unit);
+  }
   labels.write_columns({}, [&](std::uint32_t block) {
     return std::vector<PointLabel>(store.blocks()[block].points, PointLabel::ground);
   });
@@ -37,10 +42,10 @@ TEST(RoofLabels, EveryPointHasTheLabelOfItsFirstUnit) {
     const auto column = store.read(b, columns::kRoof);
     for (std::uint32_t i = 0; i < column.size(); ++i) {
       const auto entry = wanted.find({b, i});
-      const std::uint32_t unit = entry == wanted.end() ? 0 : entry->second;
-      EXPECT_EQ(column[i].unit, unit);
-      EXPECT_EQ(column[i].plane, unit == 0 ? 0 : unit + 100);
-      EXPECT_EQ(column[i].label, unit == 0 ? PointLabel::ground : PointLabel::roof);
+      const bool known = entry != wanted.end();
+      EXPECT_EQ(column[i].unit, known ? entry->second + 1 : 0);
+      EXPECT_EQ(column[i].plane, known && entry->second % 5 > 0 ? 100 * entry->second + entry->second % 5 : 0);
+      EXPECT_EQ(column[i].label, known ? PointLabel::roof : PointLabel::ground);
     }
   }
 }

@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""A building of any number of points: the peak stays within the budget, and any budget and threads give the same."""
+import json
+import subprocess
+import sys
+
+from support import EXE, SANITIZED, SKIPPED, RunTest, main
+
+POINTS = 1500000
+
+
+class LargeBuilding(RunTest):
+    def scanned(self):
+        cloud = self.folder / "building.laz"
+        done = subprocess.run([EXE, "scan", "building", "-o", cloud, "--points", str(POINTS), "-q"])
+        self.assertEqual(done.returncode, 0)
+        return cloud
+
+    def check(self, cloud, *arguments):
+        hashes = set()
+        for memory, threads in (("96M", 1), ("256M", 2), ("1G", 3)):
+            _, told = self.work(cloud, "--products", "roofs", "--memory", memory, "--threads", threads, *arguments,
+                                code=self.code, timeout=300)
+            self.assertLessEqual(told["peak_rss_bytes"], (1 << 30) if memory == "1G" else int(memory[:-1]) << 20, memory)
+            self.assertEqual(told["counts"]["roofs"]["thinned"], 1)
+            self.assertEqual(told["counts"]["roofs"]["lod22"], 1)
+            hashes.add(told["result_hash"])
+        self.assertEqual(len(hashes), 1)
+
+    def test_outline_found_and_given(self):
+        cloud = self.scanned()
+        self.code = 3  # a post beside the building encloses no area
+        self.check(cloud)
+        ring = [[650984, 6860987], [651016, 6860987], [651016, 6861013], [650984, 6861013], [650984, 6860987]]
+        footprints = self.folder / "footprints.geojson"
+        footprints.write_text(json.dumps({
+            "type": "FeatureCollection",
+            "crs": {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::2154"}},
+            "features": [{"type": "Feature", "properties": {"id": "b"},
+                          "geometry": {"type": "Polygon", "coordinates": [ring]}}]}))
+        self.code = 0
+        self.check(cloud, "--footprints", footprints)
+
+
+if __name__ == "__main__":
+    if SANITIZED:
+        print("SKIPPED: a sanitizer's own memory hides the engine's", file=sys.stderr)
+        sys.exit(SKIPPED)
+    main(synthetic=[LargeBuilding])
