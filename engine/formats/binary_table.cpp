@@ -56,14 +56,31 @@ std::vector<double> read_values(const BinaryBody& body, const std::vector<Column
   return values;
 }
 
+std::vector<double> leading_rows(const BinaryBody& body, const std::vector<Column>& columns) {
+  return read_values(body, columns, 0, static_cast<std::size_t>(std::min<std::uint64_t>(kSample, body.rows)));
+}
+
+// Rows from all over the file: the leading ones may be rays without an echo.
+std::vector<double> spread_rows(const BinaryBody& body, const std::vector<Column>& columns) {
+  constexpr std::uint64_t kPlaces = 32, kRows = 32;
+  std::vector<double> values;
+  if (body.rows <= kSample) return values;
+  for (std::uint64_t place = 0; place < kPlaces; ++place) {
+    const std::uint64_t first = kSample + (body.rows - kSample) / kPlaces * place;
+    const auto rows =
+        read_values(body, columns, first, static_cast<std::size_t>(std::min<std::uint64_t>(kRows, body.rows - first)));
+    values.insert(values.end(), rows.begin(), rows.end());
+  }
+  return values;
+}
+
 class BinaryTable final : public PointReader {
  public:
   BinaryTable(CloudInfo info, std::vector<Column> columns, BinaryBody body)
       : info_(std::move(info)),
         columns_(std::move(columns)),
         body_(std::move(body)),
-        plan_(info_.path, columns_,
-              read_values(body_, columns_, 0, static_cast<std::size_t>(std::min<std::uint64_t>(kSample, body_.rows)))) {
+        plan_(info_.path, columns_, leading_rows(body_, columns_), spread_rows(body_, columns_)) {
     info_.layout = plan_.layout();
     set_points(info_, body_.rows);
   }

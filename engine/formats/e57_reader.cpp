@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstring>
@@ -183,15 +184,30 @@ class E57Reader final : public PointReader {
     const std::vector<Scan>& scans = description_.scans;
     const std::size_t each = std::max<std::size_t>(1, kSample / scans.size());
     std::vector<double> values;
-    for (std::size_t s = 0; s < scans.size() && values.size() < kSample * values_.size(); ++s) {
-      if (scans[s].points == 0) continue;
-      ScanReader reader(pages_, scans[s]);
-      const std::size_t got = reader.next(each, *batch_);
-      for (std::size_t i = 0; i < got; ++i)
-        if (rows_.fill(scans[s], s + 1, *batch_, i, values_))
-          values.insert(values.end(), values_.begin(), values_.end());
-    }
+    for (std::size_t s = 0; s < scans.size() && values.size() < kSample * values_.size(); ++s)
+      if (scans[s].points > 0) sample_scan(s, each, values);
     return values;
+  }
+
+  // Its leading points. Where these are all at one place, as rays without an echo are written, it looks farther for
+  // another place.
+  void sample_scan(std::size_t s, std::size_t each, std::vector<double>& values) {
+    constexpr std::size_t kLookFarther = 1000;
+    const Scan& scan = description_.scans[s];
+    ScanReader reader(pages_, scan);
+    std::optional<std::array<double, 3>> place;
+    bool others = false;
+    for (std::size_t looks = 0; looks < kLookFarther && !others; ++looks) {
+      const std::size_t got = reader.next(each, *batch_);
+      if (got == 0) return;
+      for (std::size_t i = 0; i < got; ++i) {
+        if (!rows_.fill(scan, s + 1, *batch_, i, values_)) continue;
+        const std::array<double, 3> at{values_[0], values_[1], values_[2]};
+        others = others || (place && at != *place);
+        place = at;
+        if (looks == 0 || others) values.insert(values.end(), values_.begin(), values_.end());
+      }
+    }
   }
 
   void rewind() {

@@ -6,6 +6,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "engine/error.h"
 #include "engine/formats/extra_bytes.h"
@@ -197,6 +198,30 @@ void set_field(PointFields& f, int role, double value) {
   }
 }
 
+// The points in their order, without those far from most: more than kFar beyond the median of all different places on
+// some axis. They must be few, else the cloud is large.
+std::vector<Vec3> without_strays(std::vector<Vec3> points) {
+  constexpr double kFar = 1e4;  // CRS units
+  const auto key = [](Vec3 p) { return std::array{p.x, p.y, p.z}; };
+  std::set<std::array<double, 3>> places;
+  for (const Vec3& p : points) places.insert(key(p));
+  if (places.size() < 2) return points;
+  std::array<double, 3> middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    std::vector<double> values;
+    for (const auto& place : places) values.push_back(place[axis]);
+    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::nth_element(values.begin(), at, values.end());
+    middle[axis] = *at;
+  }
+  const auto far = [&](const std::array<double, 3>& p) {
+    return std::abs(p[0] - middle[0]) > kFar || std::abs(p[1] - middle[1]) > kFar || std::abs(p[2] - middle[2]) > kFar;
+  };
+  if (10 * static_cast<std::size_t>(std::count_if(places.begin(), places.end(), far)) > places.size()) return points;
+  std::erase_if(points, [&](Vec3 p) { return far(key(p)); });
+  return points;
+}
+
 }  // namespace
 
 bool has_coordinates(std::span<const Column> columns) {
@@ -208,8 +233,8 @@ bool has_coordinates(std::span<const Column> columns) {
   return found[0] && found[1] && found[2];
 }
 
-TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> columns,
-                     std::span<const double> sample) {
+TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample,
+                     std::span<const double> spread) {
   if (!has_coordinates(columns)) throw Error(path.string() + ": has no columns x, y and z; name them in its header");
   if (columns.size() > kMostColumns) throw Error(path.string() + ": has more than 1000 columns");
   bool taken[kPackedRgb + 1] = {};
@@ -227,7 +252,7 @@ TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> 
     if (targets_[i].role == kPackedRgb) targets_[i].factor = columns[i].type <= FieldType::i64 ? 0 : 1;
   }
   choose_factors(columns, sample);
-  choose_lattice(sample);
+  choose_lattice(sample, spread);
 }
 
 void TablePlan::choose_format() {
@@ -276,22 +301,34 @@ void TablePlan::choose_factors(std::span<const Column> columns, std::span<const 
   }
 }
 
-void TablePlan::choose_lattice(std::span<const double> sample) {
-  bool chosen = false;
-  double reach = 0;
+// The sample's points that are numbers a file can store.
+std::vector<Vec3> TablePlan::points_of(std::span<const double> sample) const {
+  std::vector<Vec3> points;
   for (std::size_t row = 0; row + targets_.size() <= sample.size(); row += targets_.size()) {
-    std::array<double, 3> point{};
+    std::array<double, 3> p{};
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       const int axis = targets_[i].role - kX;
-      if (axis >= 0 && axis < 3) point[static_cast<std::size_t>(axis)] = sample[row + i];
+      if (axis >= 0 && axis < 3) p[static_cast<std::size_t>(axis)] = sample[row + i];
     }
-    if (!std::all_of(point.begin(), point.end(), [](double v) { return std::abs(v) < 1e12; })) continue;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (!chosen) layout_.offset[axis] = std::floor(point[axis] / 1000) * 1000;
-      reach = std::max(reach, std::abs(point[axis] - layout_.offset[axis]));
-    }
-    chosen = true;
+    if (std::all_of(p.begin(), p.end(), [](double v) { return std::abs(v) < 1e12; }))
+      points.push_back({p[0], p[1], p[2]});
   }
+  return points;
+}
+
+void TablePlan::choose_lattice(std::span<const double> sample, std::span<const double> spread) {
+  std::vector<Vec3> points = points_of(sample);
+  const std::vector<Vec3> more = points_of(spread);
+  points.insert(points.end(), more.begin(), more.end());
+  points = without_strays(std::move(points));
+  double reach = 0;
+  if (!points.empty()) {
+    const auto thousands = [](double v) { return std::floor(v / 1000) * 1000; };
+    layout_.offset = {thousands(points[0].x), thousands(points[0].y), thousands(points[0].z)};
+  }
+  for (const Vec3& p : points)
+    reach = std::max({reach, std::abs(p.x - layout_.offset[0]), std::abs(p.y - layout_.offset[1]),
+                      std::abs(p.z - layout_.offset[2])});
   const double scale = reach < 2e5 ? 1e-4 : reach < 2e6 ? 1e-3 : 1e-2;
   layout_.scale = {scale, scale, scale};
 }

@@ -27,12 +27,15 @@ bool has_coordinates(std::span<const Column> columns);
 
 // How values become rows: point format 6, 7 with colours, 8 with colours and near infrared; scale 1e-4 (1e-3
 // or 1e-2 when the sample spans more than 200 or 2,000 km); offset the multiple of 1000 at or below its first finite
-// point. Colours of 8 bits are multiplied by 257, colours and intensities that are fractions up to 1 by 65535.
+// point. Points more than 10 km from the sample's median decide neither, where they are at most a tenth of its places.
+// Colours of 8 bits are multiplied by 257, colours and intensities that are fractions up to 1 by 65535.
 class TablePlan {
  public:
-  // `sample`: leading rows, columns.size() values each. Throws Error naming the file when x, y or z is missing or the
+  // `sample`: leading rows, columns.size() values each; `spread`: others from all over the file, which the lattice must
+  // suit too. Throws Error naming the file when x, y or z is missing or the
   // record would exceed 65,535 bytes.
-  TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample);
+  TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample,
+            std::span<const double> spread = {});
 
   const RecordLayout& layout() const { return layout_; }
   std::size_t columns() const { return targets_.size(); }
@@ -49,7 +52,8 @@ class TablePlan {
   void add_extra(const std::filesystem::path& path, const Column& column, Target& target);
   void choose_format();
   void choose_factors(std::span<const Column> columns, std::span<const double> sample);
-  void choose_lattice(std::span<const double> sample);
+  std::vector<Vec3> points_of(std::span<const double> sample) const;
+  void choose_lattice(std::span<const double> sample, std::span<const double> spread);
 
   std::vector<Target> targets_;
   RecordLayout layout_;
