@@ -11,6 +11,7 @@
 #include "engine/error.h"
 #include "engine/formats/reader.h"
 #include "engine/pass/index.h"
+#include "engine/pass/input_lattice.h"
 #include "kernels/core/parallel.h"
 
 namespace {
@@ -54,7 +55,10 @@ int main(int argc, char** argv) {
   Inputs inputs;
   inputs.push_back(open_cloud(argv[1]));
   const double millions = static_cast<double>(inputs[0]->info().points) / 1e6;
-  const IndexParams params{common_unit(inputs, 1), {}};
+  const InputLattice lattice = common_lattice(inputs, 1);
+  IndexParams params;
+  params.unit = lattice.unit;
+  params.multiple = lattice.multiple;
   std::vector<double> decoding, indexing, ratios;
   with_threads(threads, [&] {
     for (int i = 0; i < pairs; ++i) {

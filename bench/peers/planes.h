@@ -13,6 +13,7 @@
 #include "engine/cloud/record.h"
 #include "engine/formats/reader.h"
 #include "engine/pass/index.h"
+#include "engine/pass/input_lattice.h"
 #include "engine/report/progress.h"
 #include "engine/run/planes_product.h"
 #include "engine/run/run.h"
@@ -105,7 +106,9 @@ inline Found cloud_to_planes(const std::filesystem::path& path, double epsilon, 
   std::vector<std::unique_ptr<PointReader>> inputs;
   inputs.push_back(open_cloud(path));
   IndexParams params;
-  params.unit = common_unit(inputs, 1);
+  const InputLattice lattice = common_lattice(inputs, 1);
+  params.unit = lattice.unit;
+  params.multiple = lattice.multiple;
   const std::filesystem::path folder = work / "store";
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarthest = 2147483647;  // steps
+constexpr double kFarthest = 0x1p53;  // steps; beyond it a reader of JSON rounds whole numbers
 
 const char* name_of(SurfaceKind kind) {
   switch (kind) {
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> CityJsonWriter::number_vertices(const Building& build
       const double value = (axis == 0 ? offset.x : axis == 1 ? offset.y : offset.z) / params_.step;
       if (!(std::abs(value) < kFarthest))
         throw Error(file_.path().string() + ": building " + building.id + " lies too far from the model's origin");
-      steps[axis] = static_cast<std::int32_t>(std::llround(value));
+      steps[axis] = std::llround(value);
     }
     const auto [entry, fresh] = known.try_emplace(steps, static_cast<std::uint32_t>(vertices.size()));
     if (fresh) vertices.push_back(steps);

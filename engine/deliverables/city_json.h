@@ -41,7 +41,7 @@ class CityJsonWriter {
   std::uint64_t bytes() const { return file_.position(); }  // written so far
 
  private:
-  using Steps = std::array<std::int32_t, 3>;
+  using Steps = std::array<std::int64_t, 3>;
   std::vector<std::uint32_t> number_vertices(const Building& building, std::vector<Steps>& vertices) const;
   void append(const std::string& text);
 

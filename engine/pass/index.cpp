@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "engine/formats/rows_in_box.h"
+#include "engine/pass/input_lattice.h"
 #include "engine/pass/pass.h"
 
 namespace ilot {
@@ -89,8 +90,8 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
     auto found = reader.random_access() ? find_sorted_run(stem) : std::nullopt;
     if (found) context.advance(count);
     runs.push_back(found ? std::move(*found)
-                         : make_sorted_run({reader, task.file, task.first + done, count}, params.unit, params.filter,
-                                           stem, context.advance));
+                         : make_sorted_run({reader, task.file, task.first + done, count},
+                                           {params.unit, params.multiple}, params.filter, stem, context.advance));
     done += count;
   }
   return runs;
@@ -114,9 +115,34 @@ std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>&
   return runs;
 }
 
-std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const IndexParams& params, const fs::path& folder,
-                              const PassContext& context) {
-  const std::vector<PlannedBlock> plan = plan_blocks(runs, params.block_points);
+// Of all inputs together: a point that is alone in its file may have its like in another.
+CoarseCells cells_of(const std::vector<SortedRun>& runs, int bits) {
+  CoarseCells cells(bits);
+  for (const SortedRun& run : runs) cells.merge(coarse_cells_of(run));
+  return cells;
+}
+
+Index3 least_corner(const CoarseCells& cells, const Strays& strays) {
+  constexpr std::int64_t kFar = std::int64_t{1} << 52;
+  Index3 least{kFar, kFar, kFar};
+  for (const auto& [cell, content] : cells.cells()) {
+    const Index3 at{cell.x * cells.edge(), cell.y * cells.edge(), cell.z * cells.edge()};
+    if (!strays.contains(at)) least = {std::min(least.x, at.x), std::min(least.y, at.y), std::min(least.z, at.z)};
+  }
+  return cells.cells().empty() ? Index3{} : least;
+}
+
+// How many points of the runs are in no block.
+std::uint64_t left_out(const std::vector<SortedRun>& runs, const std::vector<PlannedBlock>& plan) {
+  std::uint64_t points = 0;
+  for (const SortedRun& run : runs)
+    if (!run.tiles.empty()) points += run.tiles.back().end;
+  for (const PlannedBlock& block : plan) points -= block.points;
+  return points;
+}
+
+std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const std::vector<PlannedBlock>& plan,
+                              const IndexParams& params, const fs::path& folder, const PassContext& context) {
   std::vector<Block> blocks(plan.size());
   std::vector<PassTask> costs;
   for (const PlannedBlock& p : plan) costs.push_back({p.points * kBytesPerPoint, p.points});
@@ -132,39 +158,72 @@ std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const IndexPar
   return blocks;
 }
 
-}  // namespace
+// What the index leaves in the folder, "index" last; "lattice" only where it is not the one that was asked for first.
+struct IndexFiles {
+  fs::path folder;
+  fs::path done() const { return folder / "index"; }
+  fs::path rejected() const { return folder / "rejected"; }
+  fs::path corner() const { return folder / "corner"; }
+  fs::path lattice() const { return folder / "lattice"; }
+};
 
-double common_unit(const std::vector<std::unique_ptr<PointReader>>& inputs, double metres_per_unit) {
-  constexpr double kFinest = 1e-5;  // metres
-  double unit = 0;
-  for (const auto& input : inputs)
-    for (const double scale : input->info().layout.scale) unit = unit == 0 ? scale : std::min(unit, scale);
-  return std::max(unit, kFinest / metres_per_unit);
+IndexResult nothing_with(const InputLattice& lattice, const fs::path& folder) {
+  return {Store(folder, lattice.unit, {}), {}, lattice, {}};
 }
+
+// The lattice that the points need; the index is written when it is the one asked for.
+InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
+                         const IndexFiles& files, const PassContext& context) {
+  IndexParams with_cells = params;
+  with_cells.filter.coarse_bits = coarse_bits(params.unit * context.metres_per_unit);
+  const auto [tasks, skipped] = stretches(inputs, params);
+  context.advance(skipped);
+  limit_inputs(inputs, kFieldZ | kFieldClass | kFieldFlags);
+  const std::vector<SortedRun> runs = all_runs(inputs, tasks, with_cells, files.folder, context);
+  limit_inputs(inputs, kAllFields);
+  const CoarseCells cells = cells_of(runs, *with_cells.filter.coarse_bits);
+  const Strays strays = params.keep_strays ? Strays() : find_strays(cells);
+  const InputLattice asked{params.unit, params.multiple};
+  const InputLattice needed = checked_lattice(asked, inputs, runs, strays, context.metres_per_unit, params.finest_step);
+  if (!(needed == asked)) {
+    write_column<InputLattice>(files.lattice(), std::span(&needed, 1));
+    return needed;
+  }
+  const std::vector<PlannedBlock> plan = plan_blocks(runs, params.block_points, strays);
+  const std::vector<Block> blocks = all_blocks(runs, plan, params, files.folder, context);
+  std::array<std::uint64_t, kRejections> rejected{};
+  for (const SortedRun& run : runs)
+    for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
+  rejected[static_cast<std::size_t>(Rejection::outside)] += skipped;
+  rejected[static_cast<std::size_t>(Rejection::stray)] = left_out(runs, plan);
+  const Index3 corner = least_corner(cells, strays);
+  write_column<std::uint64_t>(files.rejected(), rejected);
+  write_column<Index3>(files.corner(), std::span(&corner, 1));
+  write_column<Block>(files.done(), blocks);
+  return asked;
+}
+
+}  // namespace
 
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const fs::path& folder, const PassContext& context) {
-  fs::create_directories(folder / "runs");
-  fs::create_directories(folder / "blocks");
-  const fs::path done = folder / "index";
-  const fs::path rejected_path = folder / "rejected";
-  std::array<std::uint64_t, kRejections> rejected{};
-  if (!fs::exists(done)) {
-    const auto [tasks, skipped] = stretches(inputs, params);
-    rejected[static_cast<std::size_t>(Rejection::outside)] = skipped;
-    context.advance(skipped);
-    limit_inputs(inputs, kFieldZ | kFieldClass | kFieldFlags);
-    const std::vector<SortedRun> runs = all_runs(inputs, tasks, params, folder, context);
-    limit_inputs(inputs, kAllFields);
-    for (const SortedRun& run : runs)
-      for (std::size_t i = 0; i < kRejections; ++i) rejected[i] += run.rejected[i];
-    const std::vector<Block> blocks = all_blocks(runs, params, folder, context);
-    write_column<std::uint64_t>(rejected_path, rejected);
-    write_column<Block>(done, blocks);
+  const InputLattice asked{params.unit, params.multiple};
+  const IndexFiles files{folder};
+  if (fs::exists(files.lattice())) {
+    const InputLattice needed = read_column<InputLattice>(files.lattice()).at(0);
+    if (!(needed == asked)) return nothing_with(needed, folder);
   }
-  fs::remove_all(folder / "runs");
-  ColumnReader<std::uint64_t>(rejected_path).read(0, rejected);
-  return {Store(folder, params.unit, read_column<Block>(done)), rejected};
+  if (!fs::exists(files.done())) {
+    fs::create_directories(folder / "runs");
+    fs::create_directories(folder / "blocks");
+    const InputLattice needed = write_index(inputs, params, files, context);
+    fs::remove_all(folder / "runs");
+    if (!(needed == asked)) return nothing_with(needed, folder);
+  }
+  IndexResult result{Store(folder, params.unit, read_column<Block>(files.done())), {}, asked, {}};
+  ColumnReader<std::uint64_t>(files.rejected()).read(0, result.rejected);
+  result.corner = read_column<Index3>(files.corner()).at(0);
+  return result;
 }
 
 }  // namespace ilot

@@ -11,20 +11,22 @@
 namespace ilot {
 
 struct IndexParams {
-  double unit = 0.001;  // CRS units per lattice step
+  double unit = 0.001;        // CRS units per lattice step
+  double finest_step = 1e-5;  // metres; no lattice is finer
+  std::int64_t multiple = 1;  // of the inputs' finest steps (InputLattice)
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;  // most of one sorted run
   ClassColumns classes = ClassColumns::none;
+  bool keep_strays = false;  // points that stand alone, far from all others (engine/store/strays.h)
 };
 
 struct IndexResult {
   Store store;
   std::array<std::uint64_t, kRejections> rejected{};
+  InputLattice lattice;  // where finer than asked for, nothing else is given: the inputs must be read again with it
+  Index3 corner;         // least corner of the coarse cells with points, without strays; the same whatever the area
 };
-
-// One lattice step for all inputs: their finest scale, but not below 0.01 mm. In CRS units.
-double common_unit(const std::vector<std::unique_ptr<PointReader>>& inputs, double metres_per_unit);
 
 // Inputs to blocks, reading each input once. With an area to keep, rows that an octree in the file places beyond it are
 // not read: they count as outside it, whatever else may be wrong with them. Work that an earlier start finished is

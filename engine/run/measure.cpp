@@ -5,9 +5,11 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "engine/error.h"
 #include "engine/pass/stop.h"
+#include "engine/store/strays.h"
 #include "kernels/core/rng.h"
 
 namespace ilot {
@@ -54,27 +56,70 @@ bool coloured(const std::byte* row, std::size_t offset) {
           load<std::uint16_t>(row + offset + 4)) != 0;
 }
 
-// First reading: counts and the box.
-CloudMeasure count(PointReader& reader, const std::function<void(std::uint64_t)>& advance) {
-  const RecordLayout& layout = reader.info().layout;
-  const std::size_t standard = standard_size(layout.point_format);
-  const auto colour = rgb_offset(layout.point_format);
+void grow(Vec3& min, Vec3& max, Vec3 p) {
+  min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+  max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+}
+
+// Points of one file in steps of its finest scale.
+class FileLattice {
+ public:
+  explicit FileLattice(const CloudInfo& info)
+      : unit_(std::min({info.layout.scale[0], info.layout.scale[1], info.layout.scale[2]})), map_(info.layout, unit_) {}
+  double unit() const { return unit_; }
+  std::optional<Index3> at(const std::byte* row) const {
+    Index3 p;
+    if (!map_.map(load<std::int32_t>(row), load<std::int32_t>(row + 4), load<std::int32_t>(row + 8), p)) return {};
+    return p;
+  }
+
+ private:
+  double unit_;
+  LatticeMap map_;
+};
+
+// First reading: counts, the box of all and which points stand alone.
+CloudMeasure count(PointReader& reader, const FileLattice& lattice, const std::function<void(std::uint64_t)>& advance,
+                   Strays& strays) {
+  const CloudInfo& info = reader.info();
+  const std::size_t standard = standard_size(info.layout.point_format);
+  const auto colour = rgb_offset(info.layout.point_format);
   constexpr double kFar = std::numeric_limits<double>::infinity();
   CloudMeasure m;
-  m.min = {kFar, kFar, kFar};
-  m.max = {-kFar, -kFar, -kFar};
+  m.all_min = {kFar, kFar, kFar};
+  m.all_max = {-kFar, -kFar, -kFar};
+  CoarseCells cells(coarse_bits(lattice.unit() * info.crs.metres_per_unit));
   m.rejected = for_each_row(reader, advance, [&](const std::byte* row) {
-    const Vec3 p = world(layout, row);
-    m.min = {std::min(m.min.x, p.x), std::min(m.min.y, p.y), std::min(m.min.z, p.z)};
-    m.max = {std::max(m.max.x, p.x), std::max(m.max.y, p.y), std::max(m.max.z, p.z)};
-    const PointFields fields = decode_fields({row, standard}, layout.point_format);
+    grow(m.all_min, m.all_max, world(info.layout, row));
+    const PointFields fields = decode_fields({row, standard}, info.layout.point_format);
     ++m.points;
     ++m.classes[fields.classification];
     m.last_returns += fields.return_number >= fields.return_count;
     if (colour) m.with_colour += coloured(row, *colour);
+    if (const auto at = lattice.at(row)) cells.add(*at);
   });
-  if (m.points == 0) m.min = m.max = {};
+  if (m.points == 0) m.all_min = m.all_max = {};
+  m.min = m.all_min;
+  m.max = m.all_max;
+  if (!info.crs.geographic) strays = find_strays(cells);
   return m;
+}
+
+// Another reading where points stand alone: the box of the others.
+void leave_out(const Strays& strays, PointReader& reader, const FileLattice& lattice,
+               const std::function<void(std::uint64_t)>& advance, CloudMeasure& m) {
+  bool first = true;
+  for_each_row(reader, advance, [&](const std::byte* row) {
+    const Vec3 p = world(reader.info().layout, row);
+    const auto at = lattice.at(row);
+    if (at && strays.contains(*at)) {
+      ++m.strays;
+    } else {
+      if (first) m.min = m.max = p;
+      grow(m.min, m.max, p);
+      first = false;
+    }
+  });
 }
 
 // Square cells over the box, about `wanted` of them if the cloud filled it.
@@ -149,24 +194,32 @@ class Windows {
 }  // namespace
 
 CloudMeasure measure_cloud(PointReader& reader, const std::function<void(std::uint64_t)>& advance) {
-  CloudMeasure m = count(reader, advance);
-  if (m.points == 0) return m;
   const CloudInfo& info = reader.info();
-  const auto total = static_cast<double>(m.points);
+  const FileLattice lattice(info);
+  Strays strays;
+  CloudMeasure m = count(reader, lattice, advance, strays);
+  if (m.points == 0) return m;
+  if (!strays.cells().empty()) leave_out(strays, reader, lattice, advance, m);
+  const auto total = static_cast<double>(m.points - m.strays);
   const Lattice cells(m, std::min(std::max(1.0, total / kPointsPerCell), double{kGrid * kGrid}), kGrid);
   const Lattice windows(m, std::max(1.0, total / kPointsPerWindow), 0x1p20);
   std::vector<bool> occupied(cells.columns * cells.rows);
   Windows chosen;
+  std::uint64_t last_returns = 0;
   const double metres = info.crs.metres_per_unit, metres_z = info.crs.metres_per_unit_z;
   for_each_row(reader, advance, [&](const std::byte* row) {
+    const auto at = m.strays > 0 ? lattice.at(row) : std::nullopt;
+    if (at && strays.contains(*at)) return;
     const Vec3 p = world(info.layout, row);
+    const PointFields f = decode_fields({row, standard_size(info.layout.point_format)}, info.layout.point_format);
+    last_returns += f.return_number >= f.return_count;
     occupied[cells.cell(p)] = true;
     chosen.add(windows.cell(p), {(p.x - m.min.x) * metres, (p.y - m.min.y) * metres, (p.z - m.min.z) * metres_z});
   });
   const auto full = static_cast<double>(std::count(occupied.begin(), occupied.end(), true));
   m.occupied_area = full * cells.side * cells.side * metres * metres;
   m.density = total / m.occupied_area;
-  m.last_return_density = static_cast<double>(m.last_returns) / m.occupied_area;
+  m.last_return_density = static_cast<double>(last_returns) / m.occupied_area;
   m.sampling_step = chosen.median_step();
   return m;
 }

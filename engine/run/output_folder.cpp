@@ -115,8 +115,8 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name :
-       {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index", "rejected"})
+  for (const char* name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
+                           "rejected", "corner", "lattice"})
     fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }

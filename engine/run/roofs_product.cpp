@@ -19,15 +19,11 @@ constexpr double kGridMetres = 0.001;
 constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
 constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model, points to show
 
-// A corner of the CRS's own raster of 100 km, so that a part of a district is written from the same origin.
-Vec3 origin_near(const Store& store, double metres_per_unit) {
+// A corner of the CRS's own raster of 100 km, near the least corner of the whole cloud: the same for each part of it.
+Vec3 origin_near(Index3 least, double unit, double metres_per_unit) {
   const double raster = 100000 / metres_per_unit;
-  if (store.blocks().empty()) return {};
-  const IndexBox& box = store.blocks().front().box;
-  const auto corner = [&](std::int64_t v) {
-    return std::round(static_cast<double>(v) * store.unit() / raster) * raster;
-  };
-  return {corner(box.min.x), corner(box.min.y), 0};
+  const auto corner = [&](std::int64_t v) { return std::round(static_cast<double>(v) * unit / raster) * raster; };
+  return {corner(least.x), corner(least.y), 0};
 }
 
 std::vector<std::size_t> wanted_sites(std::span<const PlannedSite> sites, const Store& store,
@@ -208,7 +204,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
     measure_misalignment(work, wanted, costs, budget, progress, *record.footprints);
   }
   std::filesystem::create_directories(folder);
-  const CityJsonParams file{crs.epsg, origin_near(store, context.metres_per_unit), 0.0001,
+  const CityJsonParams file{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
                             settings.roofs.attribute_style, context.metres_per_unit};
   RoofLabels labels(store);
   RoofSink sink(folder, file, crs, labels, progress, record);

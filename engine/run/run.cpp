@@ -11,6 +11,7 @@
 #include "engine/deliverables/shapes_csv.h"
 #include "engine/error.h"
 #include "engine/pass/index.h"
+#include "engine/pass/input_lattice.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
@@ -76,12 +77,15 @@ void grow_to_sites(IndexBox& keep, const RunOptions& options, std::span<const Pl
 }
 
 IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
-                         std::uint64_t block_points) {
+                         std::uint64_t block_points, const InputLattice& lattice) {
   IndexParams p;
-  p.unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
+  p.unit = lattice.unit;
+  p.multiple = lattice.multiple;
   for (const int code : options.settings.classes.noise) p.filter.noise.set(static_cast<std::size_t>(code));
   p.filter.keep = area_with_halo(options.area, p.unit, inputs.crs.metres_per_unit);
   if (p.filter.keep) grow_to_sites(*p.filter.keep, options, sites, p.unit, inputs.crs.metres_per_unit);
+  p.finest_step = options.settings.index.finest_step;
+  p.keep_strays = options.settings.index.keep_strays;
   if (makes(options, "roofs")) p.classes = ClassColumns::written;
   p.block_points = block_points;
   p.run_points = block_points;
@@ -109,11 +113,30 @@ PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std
   context.task_points = 2 * block_points;
   context.metres_per_unit = inputs.crs.metres_per_unit;
   context.advance = [&progress](std::uint64_t points) { progress.advance(points); };
-  const double unit = common_unit(inputs.readers, inputs.crs.metres_per_unit);
-  for (const auto& reader : inputs.readers)
-    if (!LatticeMap(reader->info().layout, unit).exact()) context.rounding = kHalfDiagonal;
-  if (options.area) context.wanted = inside_area(*options.area, unit);
   return context;
+}
+
+// What of the context depends on the lattice.
+void set_lattice(const RunOptions& options, const RunInputs& inputs, const InputLattice& lattice,
+                 PassContext& context) {
+  context.rounding = 0;
+  for (const auto& reader : inputs.readers)
+    if (!LatticeMap(reader->info().layout, lattice.finest()).exact()) context.rounding = kHalfDiagonal;
+  if (options.area) context.wanted = inside_area(*options.area, lattice.unit);
+}
+
+// The inputs are read again where all their points need a finer lattice than some of them.
+IndexResult make_index(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
+                       const OutputFolder& out, PassContext& context) {
+  InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, options.settings.index.finest_step);
+  for (;;) {
+    set_lattice(options, inputs, lattice, context);
+    IndexResult index = build_index(inputs.readers, index_params(options, inputs, sites, out.block_points(), lattice),
+                                    out.store(), context);
+    context.corner = index.corner;
+    if (index.lattice == lattice) return index;
+    lattice = index.lattice;
+  }
 }
 
 std::uint64_t output_bytes(const RunInputs& inputs) {
@@ -130,6 +153,16 @@ void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64
     if (index.rejected[i] > 0) record.points.rejected[kRejectionNames[i]] = index.rejected[i];
   record.points.unlabelled = inputs.points - labelled - record.points.rejected_total();
   record.blocks = index.store.blocks().size();
+}
+
+void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& record) {
+  const std::uint64_t strays = index.rejected[static_cast<std::size_t>(Rejection::stray)];
+  if (strays == 0) return;
+  const std::string text = grouped(strays) + (strays == 1 ? " point stands" : " points stand") +
+                           " alone, far from all others, and " + (strays == 1 ? "is" : "are") +
+                           " left out; index.keep_strays = true keeps such points";
+  progress.warn(text);
+  record.warnings.push_back(text);
 }
 
 constexpr const char* kNoBuilding = "there is no building";
@@ -173,10 +206,10 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
                    const OutputFolder& out, Progress& progress, RunRecord& record) {
-  const PassContext context = pass_context(options, inputs, out.block_points(), progress);
+  PassContext context = pass_context(options, inputs, out.block_points(), progress);
   progress.begin_stage("index", inputs.points);
-  const IndexResult index =
-      build_index(inputs.readers, index_params(options, inputs, sites, out.block_points()), out.store(), context);
+  const IndexResult index = make_index(options, inputs, sites, out, context);
+  warn_of_strays(index, progress, record);
   if (index.store.points() == 0) {
     out.discard();
     throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");

@@ -36,15 +36,28 @@ std::string Node::name() const {
 LatticeMap::LatticeMap(const RecordLayout& layout, double unit) {
   for (std::size_t i = 0; i < 3; ++i) {
     Axis& axis = axes_[i];
-    axis = {layout.scale[i], layout.offset[i], unit, 0, 0, false};
+    axis = {layout.scale[i], layout.offset[i], unit, 0, 0, 0, false};
     const double factor = std::nearbyint(axis.scale / unit);
     const double shift = std::nearbyint(axis.offset / unit);
     axis.exact = factor >= 1 && std::abs(axis.scale / unit - factor) < kSameScale * factor && factor < 0x1p20 &&
                  std::abs(shift) < static_cast<double>(kFarthest) && std::abs(axis.offset / unit - shift) < 1e-5;
-    if (!axis.exact) continue;
-    axis.factor = static_cast<std::int64_t>(factor);
-    axis.shift = static_cast<std::int64_t>(shift);
+    if (axis.exact) {
+      axis.factor = static_cast<std::int64_t>(factor);
+      axis.shift = static_cast<std::int64_t>(shift);
+    } else {
+      set_divisor(axis);
+    }
   }
+}
+
+void LatticeMap::set_divisor(Axis& axis) {
+  const double divisor = std::nearbyint(axis.unit / axis.scale);
+  const double shift = std::nearbyint(axis.offset / axis.scale);
+  if (!(divisor > 1 && std::abs(axis.unit / axis.scale - divisor) < kSameScale * divisor && divisor < 0x1p31 &&
+        std::abs(shift) < static_cast<double>(kFarthest) && std::abs(axis.offset / axis.scale - shift) < 1e-5))
+    return;
+  axis.divisor = static_cast<std::int64_t>(divisor);
+  axis.shift = static_cast<std::int64_t>(shift);
 }
 
 bool LatticeMap::Axis::round(std::int32_t raw, std::int64_t& out) const {
@@ -56,6 +69,7 @@ bool LatticeMap::Axis::round(std::int32_t raw, std::int64_t& out) const {
 
 double LatticeMap::Axis::offset_from(std::int64_t anchor, std::int32_t raw) const {
   if (exact) return static_cast<double>(raw * factor + shift - anchor);
+  if (divisor != 0 && (raw + shift) % divisor == 0) return static_cast<double>((raw + shift) / divisor - anchor);
   return (raw * scale + offset) / unit - static_cast<double>(anchor);
 }
 

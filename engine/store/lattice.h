@@ -69,6 +69,16 @@ inline bool before(const Node& a, const Node& b) {
   return a.tile != b.tile ? a.tile < b.tile : a.first_code < b.first_code;
 }
 
+// The lattice that all inputs share. Where `multiple` is above 1 their scales are finer than the unit, but all points
+// (strays aside) are on it.
+struct InputLattice {
+  double unit = 0.001;  // CRS units
+  std::int64_t multiple = 1;
+  InputLattice(double step = 0.001, std::int64_t of = 1) : unit(step), multiple(of) {}
+  double finest() const { return unit / static_cast<double>(multiple); }
+  friend bool operator==(const InputLattice&, const InputLattice&) = default;
+};
+
 // Raw integers of a file to lattice coordinates: exact when the file's scale is a multiple of the unit and its offset
 // lies on the lattice, else the nearest lattice point.
 class LatticeMap {
@@ -78,7 +88,7 @@ class LatticeMap {
   bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {
     return axes_[0].map(x, out.x) && axes_[1].map(y, out.y) && axes_[2].map(z, out.z);
   }
-  // Where the point lies from an anchor, in units: whole numbers when exact(), else without rounding to the lattice.
+  // Where the point lies from an anchor, in units: without rounding to the lattice, whole numbers for points on it.
   Vec3 offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool exact() const { return axes_[0].exact && axes_[1].exact && axes_[2].exact; }
 
@@ -87,6 +97,7 @@ class LatticeMap {
   struct Axis {
     double scale, offset, unit;
     std::int64_t factor, shift;
+    std::int64_t divisor;  // of raw + shift, where the scale is a whole part of the unit; else 0
     bool exact;
     bool map(std::int32_t raw, std::int64_t& out) const {
       if (!exact) return round(raw, out);
@@ -96,6 +107,7 @@ class LatticeMap {
     bool round(std::int32_t raw, std::int64_t& out) const;  // to the nearest lattice point
     double offset_from(std::int64_t anchor, std::int32_t raw) const;
   };
+  static void set_divisor(Axis& axis);
   std::array<Axis, 3> axes_;
 };
 

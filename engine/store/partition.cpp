@@ -29,6 +29,23 @@ std::uint64_t lower_bound(const SortedRun& run, const ColumnReader<KeyValue>& po
   return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code, below) - page.begin());
 }
 
+// What is left of a run's points of a tile without the codes of strays.
+std::vector<RunRange> without(std::span<const CodeRange> strays, const SortedRun& run, const RunRange& range) {
+  if (strays.empty()) return {range};
+  const ColumnReader<KeyValue> points(with_suffix(run.stem, ".points"));
+  std::vector<RunRange> kept;
+  RunRange rest = range;
+  const auto keep_to = [&](std::uint64_t end) {
+    if (end > rest.first) kept.push_back({rest.run, rest.first, end});
+  };
+  for (const CodeRange& codes : strays) {
+    keep_to(lower_bound(run, points, rest, codes.first));
+    rest.first = codes.last == UINT64_MAX ? rest.end : lower_bound(run, points, rest, codes.last + 1);
+  }
+  keep_to(rest.end);
+  return kept;
+}
+
 class Planner {
  public:
   Planner(std::span<const SortedRun> runs, std::uint64_t block_points) : runs_(runs), block_points_(block_points) {}
@@ -122,14 +139,18 @@ IndexBox bounds(std::span<const ChunkBox> chunks, Tile tile) {
 
 }  // namespace
 
-std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points) {
+std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points,
+                                      const Strays& strays) {
   std::map<Tile, PlannedBlock> roots;
   for (std::uint32_t r = 0; r < runs.size(); ++r) {
     for (const RunTile& t : runs[r].tiles) {
       PlannedBlock& root = roots[t.tile];
+      refuse_many_tiles(roots.size());
       root.node = {t.tile, 0, 0};
-      root.points += t.end - t.first;
-      root.ranges.push_back({r, t.first, t.end});
+      for (const RunRange& range : without(strays.in_tile(t.tile), runs[r], {r, t.first, t.end})) {
+        root.points += range.end - range.first;
+        root.ranges.push_back(range);
+      }
     }
   }
   const Planner planner(runs, block_points);

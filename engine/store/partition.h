@@ -7,6 +7,7 @@
 
 #include "engine/store/sorted_run.h"
 #include "engine/store/store.h"
+#include "engine/store/strays.h"
 
 namespace ilot {
 
@@ -18,12 +19,14 @@ struct RunRange {
 struct PlannedBlock {
   Node node;
   std::uint64_t points = 0;
-  std::vector<RunRange> ranges;  // ascending by run
+  std::vector<RunRange> ranges;  // ascending by run and place in it
 };
 
 // Leaves of the octrees of all tiles, each with at most `block_points` points (more only when that many coincide in one
-// lattice point), in global order. Counts are exact. Reads a page of codes per run and split.
-std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points);
+// lattice point), in global order. Counts are exact. Strays are left out; the blocks are those of the other points.
+// Reads a page of codes per run and split.
+std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points,
+                                      const Strays& strays = {});
 
 enum class ClassColumns : std::uint8_t { none, written };
 

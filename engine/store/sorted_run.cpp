@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
+#include <tuple>
 
 #include "engine/error.h"
 #include "engine/store/column_file.h"
@@ -21,6 +23,7 @@ class Gatherer {
   void add(const PointKey& key, RunValue value) {
     if (last_ == nullptr || key.tile != last_tile_) {
       last_ = &tiles_[key.tile];
+      refuse_many_tiles(tiles_.size());
       last_tile_ = key.tile;
       if (tiles_.size() == 1) last_->reserve(points_);  // mostly the only one
     }
@@ -36,7 +39,7 @@ class Gatherer {
 };
 
 // Sorts tile by tile and frees each as soon as it is written.
-void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) {
+void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run, std::optional<CoarseCells>& cells) {
   ColumnWriter<KeyValue> file(with_suffix(run.stem, ".points"));
   std::uint64_t written = 0;
   for (auto& [tile, points] : tiles) {
@@ -46,19 +49,44 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run) 
     const std::uint64_t to_sample = (kRunSample - written % kRunSample) % kRunSample;
     for (std::uint64_t i = to_sample; i < n; i += kRunSample) run.samples.push_back(points[i].key);
     file.append(points);
+    if (cells) cells->add(tile, points);
     written += n;
     std::vector<KeyValue>().swap(points);
   }
   file.commit();
 }
 
+// Which points are beside a lattice that is coarser than the scale of their file.
+class OffLattice {
+ public:
+  OffLattice(const RecordLayout& layout, const InputLattice& lattice)
+      : multiple_(lattice.multiple), finest_(layout, lattice.finest()) {}
+
+  void check(const PointFields& f) {
+    Index3 p;
+    if (multiple_ == 1 || places_.size() == kMostOffLattice || !finest_.map(f.x, f.y, f.z, p)) return;
+    if (p.x % multiple_ != 0 || p.y % multiple_ != 0 || p.z % multiple_ != 0) places_.insert({p.x, p.y, p.z});
+  }
+  std::vector<Index3> places() const {
+    std::vector<Index3> all;
+    for (const auto& [x, y, z] : places_) all.push_back({x, y, z});
+    return all;
+  }
+
+ private:
+  std::int64_t multiple_;
+  LatticeMap finest_;
+  std::set<std::tuple<std::int64_t, std::int64_t, std::int64_t>> places_;
+};
+
 void write_table(const SortedRun& run) {
   RecordWriter table(with_suffix(run.stem, ".table"));
-  const std::uint64_t sizes[2]{run.tiles.size(), run.samples.size()};
+  const std::uint64_t sizes[3]{run.tiles.size(), run.samples.size(), run.off_lattice.size()};
   table.append(std::as_bytes(std::span(sizes)));
   table.append(std::as_bytes(std::span(run.rejected)));
   table.append(std::as_bytes(std::span(run.tiles)));
   table.append(std::as_bytes(std::span(run.samples)));
+  table.append(std::as_bytes(std::span(run.off_lattice)));
   table.commit();
 }
 
@@ -79,16 +107,27 @@ std::optional<Rejection> judge(const PointFields& f, bool valid, const LatticeMa
 
 }  // namespace
 
-SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilter& filter,
+void refuse_many_tiles(std::size_t tiles) {
+  if (tiles <= kMostTiles) return;
+  throw Error("the points are spread too far for the steps that they are stored in: over more than " +
+              std::to_string(kMostTiles) +
+              " cubes of 2,097,152 steps a side; remove points that are far off, or give " +
+              "--set index.finest_step with a coarser step, to which coordinates are rounded");
+}
+
+SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, const IndexFilter& filter,
                           const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows) {
   constexpr std::uint64_t kBatch = 1 << 14;
   const CloudInfo& info = source.reader.info();
   const std::size_t length = info.layout.record_length;
-  const LatticeMap lattice(info.layout, unit);
+  const LatticeMap map(info.layout, lattice.unit);
+  OffLattice off(info.layout, lattice);
   if (source.first + source.count > kMostRowsOfInput)
     throw Error(info.path.string() + ": holds more than 17 billion points; cut it into several files first");
-  SortedRun run{stem, {}, {}, {}};
+  SortedRun run{stem, {}, {}, {}, {}};
   Gatherer gatherer(source.count);
+  std::optional<CoarseCells> cells;
+  if (filter.coarse_bits) cells.emplace(*filter.coarse_bits);
   std::vector<std::byte> records(kBatch * length);
   std::vector<std::uint8_t> valid(kBatch);
   for (std::uint64_t done = 0; done < source.count;) {
@@ -102,9 +141,11 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
       Index3 at;
       const PointFields fields =
           decode_fields(std::span(records).subspan(i * length, length), info.layout.point_format);
-      const auto rejection = judge(fields, valid[i] != 0, lattice, filter, at);
+      const auto rejection = judge(fields, valid[i] != 0, map, filter, at);
+      if (rejection != Rejection::invalid) off.check(fields);
       if (rejection) {
         ++run.rejected[static_cast<std::size_t>(*rejection)];
+        if (cells && rejection == Rejection::outside) cells->add(at);
       } else {
         const InputOrder order = input_order(source.file, source.first + done + i);
         gatherer.add(key_of(at), run_value(order, fields.classification, echoes(fields)));
@@ -113,17 +154,23 @@ SortedRun make_sorted_run(const RunSource& source, double unit, const IndexFilte
     done += got;
     read_rows(got);
   }
-  write_points(gatherer.tiles(), run);
+  run.off_lattice = off.places();
+  write_points(gatherer.tiles(), run, cells);
+  if (cells) write_column<std::int64_t>(with_suffix(run.stem, ".cells"), cells->packed());
   write_table(run);
   return run;
+}
+
+CoarseCells coarse_cells_of(const SortedRun& run) {
+  return CoarseCells::unpacked(read_column<std::int64_t>(with_suffix(run.stem, ".cells")));
 }
 
 std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem) {
   const auto path = with_suffix(stem, ".table");
   if (!std::filesystem::exists(path)) return std::nullopt;
   const RecordReader reader(path);
-  SortedRun run{stem, {}, {}, {}};
-  std::uint64_t sizes[2];
+  SortedRun run{stem, {}, {}, {}, {}};
+  std::uint64_t sizes[3];
   std::uint64_t at = 0;
   const auto take = [&](auto span) {
     reader.read(at, std::as_writable_bytes(span));
@@ -133,8 +180,10 @@ std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem) {
   take(std::span(run.rejected));
   run.tiles.resize(sizes[0]);
   run.samples.resize(sizes[1]);
+  run.off_lattice.resize(sizes[2]);
   take(std::span(run.tiles));
   take(std::span(run.samples));
+  take(std::span(run.off_lattice));
   return run;
 }
 

@@ -42,14 +42,20 @@ bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
   const auto off = [&](double declared, double measured, std::size_t axis) {
     return !(std::abs(declared - measured) <= 1.5 * info.layout.scale[axis]);
   };
-  return off(info.declared_min.x, m.min.x, 0) || off(info.declared_min.y, m.min.y, 1) ||
-         off(info.declared_min.z, m.min.z, 2) || off(info.declared_max.x, m.max.x, 0) ||
-         off(info.declared_max.y, m.max.y, 1) || off(info.declared_max.z, m.max.z, 2);
+  return off(info.declared_min.x, m.all_min.x, 0) || off(info.declared_min.y, m.all_min.y, 1) ||
+         off(info.declared_min.z, m.all_min.z, 2) || off(info.declared_max.x, m.all_max.x, 0) ||
+         off(info.declared_max.y, m.all_max.y, 1) || off(info.declared_max.z, m.all_max.z, 2);
+}
+
+std::string stray_text(const CloudMeasure& m) {
+  return grouped(m.strays) + (m.strays == 1 ? " point stands alone" : " points stand alone");
 }
 
 std::vector<std::string> warnings_of(const CloudInfo& info, const CloudMeasure& m) {
   std::vector<std::string> list = info.warnings;
   if (m.points > 0 && box_differs(info, m)) list.push_back("the header's box is not that of the points");
+  if (m.strays > 0)
+    list.push_back(stray_text(m) + ", far from all others; a run leaves such points out, index.keep_strays keeps them");
   if (m.rejected > 0) list.push_back(fmt::format("{} points have unusable coordinates", m.rejected));
   if (info.points < info.declared_points) {
     list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
@@ -86,6 +92,8 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
   }
   j["points"] = {{"declared", info.declared_points}, {"read", m.points}, {"rejected", m.rejected}};
   j["bounds"] = {{"min", vector_json(m.min)}, {"max", vector_json(m.max)}};
+  j["strays"] = {{"points", m.strays},
+                 {"bounds_with_them", {{"min", vector_json(m.all_min)}, {"max", vector_json(m.all_max)}}}};
   j["declared_bounds"] = {{"min", vector_json(info.declared_min)}, {"max", vector_json(info.declared_max)}};
   j["classes"] = Json::object();
   for (std::size_t code = 0; code < m.classes.size(); ++code) {
@@ -118,6 +126,10 @@ std::string crs_text(const Crs& crs) {
   return text + fmt::format(", {} m per unit, {} m in z", crs.metres_per_unit, crs.metres_per_unit_z);
 }
 
+std::string box_text(Vec3 min, Vec3 max) {
+  return fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", min.x, min.y, min.z, max.x, max.y, max.z);
+}
+
 std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   std::string out = info.path.string() + "\n";
   const auto row = [&](const char* name, const std::string& value) {
@@ -130,8 +142,8 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
   row("CRS", crs_text(info.crs));
   row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
-  row("bounds", fmt::format("{:.3f} {:.3f} {:.3f} to {:.3f} {:.3f} {:.3f}", m.min.x, m.min.y, m.min.z, m.max.x, m.max.y,
-                            m.max.z));
+  row("bounds", box_text(m.min, m.max));
+  if (m.strays > 0) row("strays", stray_text(m) + "; bounds with strays " + box_text(m.all_min, m.all_max));
   for (std::size_t code = 0; code < m.classes.size(); ++code) {
     if (m.classes[code] == 0) continue;
     const double share = 100.0 * static_cast<double>(m.classes[code]) / static_cast<double>(m.points);

@@ -108,6 +108,29 @@ TEST(Measure, StepIgnoresRepeatedPointsAndMatchesBruteForce) {
   EXPECT_NEAR(measure(points).sampling_step, steps[steps.size() / 2], 0.05 * steps[steps.size() / 2]);
 }
 
+// What stands alone changes nothing but its own account, wherever in the file it is.
+TEST(Measure, StraysAreMeasuredApart) {
+  const auto cloud = grid(200, 100, 500);
+  const CloudMeasure clean = measure(cloud);
+  EXPECT_EQ(clean.strays, 0u);
+  EXPECT_EQ(clean.all_max.x, clean.max.x);
+  for (const bool in_front : {true, false}) {
+    auto points = cloud;
+    const std::vector<TestPoint> zeros(3000, TestPoint{-2000000000, -2000000000, 0});
+    points.insert(in_front ? points.begin() : points.end(), zeros.begin(), zeros.end());
+    const CloudMeasure m = measure(points);
+    EXPECT_EQ(m.strays, 3000u);
+    EXPECT_EQ(m.points, 23000u);
+    EXPECT_EQ(m.min.x, clean.min.x);
+    EXPECT_EQ(m.max.y, clean.max.y);
+    EXPECT_EQ(m.all_min.x, -2000000.0);
+    EXPECT_EQ(m.occupied_area, clean.occupied_area);
+    EXPECT_EQ(m.density, clean.density);
+    EXPECT_EQ(m.last_return_density, clean.last_return_density);
+    EXPECT_EQ(m.sampling_step, clean.sampling_step);
+  }
+}
+
 TEST(Measure, DegenerateClouds) {
   EXPECT_EQ(measure({}).points, 0u);
   EXPECT_EQ(measure({}).density, 0);

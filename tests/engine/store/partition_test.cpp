@@ -4,8 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <set>
 #include <tuple>
 
+#include "engine/error.h"
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -107,6 +109,62 @@ TEST(Partition, PlansLeavesOfExactCountsDownToOnePoint) {
     ++at;
   }
   EXPECT_TRUE(plan_blocks({}, 100).empty());
+}
+
+std::vector<SortedRun> runs_of(const TemporaryFolder& folder, const char* name, const std::vector<Index3>& points) {
+  test::write_cloud(folder.path() / "c.las", points);
+  const auto reader = open_cloud(folder.path() / "c.las");
+  std::vector<SortedRun> runs;
+  const std::uint64_t half = points.size() / 2;
+  for (const std::uint64_t first : {std::uint64_t{0}, half})
+    runs.push_back(make_sorted_run({*reader, 0, first, first == 0 ? half : points.size() - half}, test::kUnit, {},
+                                   folder.path() / (name + std::to_string(first)), [](std::uint64_t) {}));
+  return runs;
+}
+
+// Blocks are those of the points that stay, also where strays are in the same tile.
+TEST(Partition, StraysAreInNoBlock) {
+  const TemporaryFolder folder;
+  auto points = test::points_over_tiles(5000, 8);
+  const auto plain = plan_blocks(runs_of(folder, "plain", points), 300);
+  constexpr int kBits = 16;
+  const std::vector<Index3> strays{{70000, 70000, 1200000}, {70000, 70000, 1200000}, {1, 1, -1800000}, {1 << 29, 0, 0}};
+  points.insert(points.begin() + 2000, strays.begin(), strays.end());
+  std::vector<CoarseCell> cells;
+  for (const Index3& p : strays) cells.push_back(coarse_cell(p, kBits));
+  std::sort(cells.begin(), cells.end());
+  cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
+  const auto plan = plan_blocks(runs_of(folder, "strays", points), 300, Strays(kBits, cells));
+  ASSERT_EQ(plan.size(), plain.size());
+  for (std::size_t b = 0; b < plan.size(); ++b) {
+    EXPECT_EQ(plan[b].node, plain[b].node);
+    EXPECT_EQ(plan[b].points, plain[b].points);
+  }
+}
+
+// However the points are spread: what the comment on kMostTiles says.
+TEST(Partition, BlocksAreBounded) {
+  const TemporaryFolder folder;
+  for (const std::uint64_t block_points : {1u, 7u, 300u}) {
+    const auto points = test::points_over_tiles(3000, block_points);
+    std::set<Tile> tiles;
+    for (const Index3& p : points) tiles.insert(key_of(p).tile);
+    const auto plan = plan_blocks(runs_of(folder, "r", points), block_points);
+    EXPECT_LE(plan.size(), tiles.size() + 147 * points.size() / block_points);
+  }
+  std::vector<Index3> wide;
+  for (std::int64_t i = 0; i <= static_cast<std::int64_t>(kMostTiles); ++i)
+    wide.push_back({(i % 500) << kTileBits, (i / 500) << kTileBits, 0});
+  test::write_cloud(folder.path() / "wide.las", wide);
+  const auto reader = open_cloud(folder.path() / "wide.las");
+  EXPECT_THROW(make_sorted_run({*reader, 0, 0, wide.size()}, test::kUnit, {}, folder.path() / "all", [](auto) {}),
+               Error)
+      << "in one run";
+  wide.pop_back();
+  EXPECT_EQ(plan_blocks(runs_of(folder, "most", wide), 100).size(), kMostTiles);
+  wide.push_back({-1, -1, -1});
+  const auto runs = runs_of(folder, "more", wide);
+  EXPECT_THROW(plan_blocks(runs, 100), Error) << "in all of them together";
 }
 
 }  // namespace
