@@ -54,6 +54,7 @@ struct ScanPart {
 struct CloudInfo {
   std::filesystem::path path;
   std::string format;  // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
+  std::string dialect;  // of text, for people: separators, decimal point or comma; else empty
   std::uint8_t version_major = 1, version_minor = 4;
   RecordLayout layout;
   std::uint64_t declared_points = 0;

@@ -82,6 +82,7 @@ class BinaryTable final : public PointReader {
         body_(std::move(body)),
         plan_(info_.path, columns_, leading_rows(body_, columns_), spread_rows(body_, columns_)) {
     info_.layout = plan_.layout();
+    note_lattice(info_, plan_.lattice());
     set_points(info_, body_.rows);
   }
 

@@ -126,6 +126,7 @@ class E57Reader final : public PointReader {
     find_stations(pages_, description_.scans, *batch_, info_);
     plan_.emplace(info_.path, rows_.columns(), sample());
     info_.layout = plan_->layout();
+    note_lattice(info_, plan_->lattice());
     rewind();
   }
 

@@ -51,7 +51,7 @@ bool is_cloud_extension(const std::filesystem::path& path) {
   return is_one_of(lower_extension(path), {".las", ".laz", ".e57", ".ply", ".pcd", ".ptx", ".xyz", ".pts", ".asc"});
 }
 
-std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
+std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path, const OpenOptions& options) {
   auto file = std::make_unique<InputFile>(path);
   if (file->size() == 0) throw Error(path.string() + ": is empty; deliver it again");
   std::array<std::byte, kSniffed> buffer;
@@ -62,8 +62,8 @@ std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path) {
   if (looks_like_ply(beginning)) return open_ply(std::move(file));
   if (looks_like_pcd(beginning) || extension == ".pcd") return open_pcd(std::move(file));
   if (extension == ".ply") throw Error(path.string() + ": is not a PLY file (no ply at byte 0)");
-  if (extension == ".ptx") return open_ptx(std::move(file));
-  if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file));
+  if (extension == ".ptx") return open_ptx(std::move(file), options);
+  if (is_one_of(extension, {".xyz", ".txt", ".csv", ".pts", ".asc"})) return open_text(std::move(file), options);
   throw Error(
       path.string() +
       ": is not a point cloud that can be read (LAS, LAZ, E57, PLY, PCD, PTX, or text as .xyz .txt .csv .pts .asc)");

@@ -35,10 +35,11 @@ struct Block {
 using Numbers = std::array<double, kMostNumbers>;
 
 // Number of values of a line of numbers; 0 when there are none, too many, or something else.
-std::size_t parse_line(std::string_view line, std::vector<std::string_view>& fields, Numbers& values) {
-  split_fields(line, kMostNumbers, fields);
+std::size_t parse_line(std::string_view line, const TextDialect& dialect, std::vector<std::string_view>& fields,
+                       Numbers& values) {
+  split_row(line, dialect, kMostNumbers, fields);
   for (std::size_t i = 0; i < fields.size(); ++i)
-    if (!parse_number(fields[i], values[i])) return 0;
+    if (!parse_number(fields[i], dialect, values[i])) return 0;
   return fields.size();
 }
 
@@ -50,10 +51,21 @@ bool is_count(double v) {
   return v >= 0 && v <= 1e9 && v == std::floor(v);
 }
 
+// From the head and the first rows of the file, the numbers of columns and rows before them left out.
+TextDialect dialect_of(const InputFile& file, const OpenOptions& options) {
+  if (options.dialect) return *options.dialect;
+  constexpr std::size_t kCounts[] = {3, 4, 6, 7};
+  LineReader lines(file, 0);
+  std::vector<std::string> rows;
+  for (std::string_view line; rows.size() < kSample && lines.next(line);)
+    if (line.find_first_not_of("0123456789 \t") != std::string_view::npos) rows.emplace_back(line);
+  return find_dialect(rows, 0, kCounts, file.path().string()).dialect;
+}
+
 enum class Head { found, end_of_file, malformed };
 
 // Takes the ten lines before the points, and blank ones before them; `number` counts lines.
-Head read_head(LineReader& lines, std::uint64_t& number, Block& block) {
+Head read_head(LineReader& lines, const TextDialect& dialect, std::uint64_t& number, Block& block) {
   constexpr std::size_t kExpected[kHeadLines] = {1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
   std::array<Numbers, kHeadLines> n{};
   std::vector<std::string_view> fields;
@@ -64,7 +76,7 @@ Head read_head(LineReader& lines, std::uint64_t& number, Block& block) {
   } while (is_blank_line(line));
   for (std::size_t i = 0; i < kHeadLines; ++i) {
     if (i > 0 && !lines.next(line)) return Head::malformed;
-    if (parse_line(line, fields, n[i]) != kExpected[i]) return Head::malformed;
+    if (parse_line(line, dialect, fields, n[i]) != kExpected[i]) return Head::malformed;
     if (!std::all_of(n[i].begin(), n[i].end(), [](double v) { return std::isfinite(v); })) return Head::malformed;
   }
   number += kHeadLines - 1;
@@ -85,14 +97,14 @@ struct Walk {
 };
 
 // Counts the lines of every block. Blank lines count for nothing.
-Walk walk_blocks(const InputFile& file) {
+Walk walk_blocks(const InputFile& file, const TextDialect& dialect) {
   LineReader lines(file, 0);
   Walk walk;
   std::string_view line;
   std::uint64_t number = 0;
   for (;;) {
     Block block;
-    const Head head = read_head(lines, number, block);
+    const Head head = read_head(lines, dialect, number, block);
     if (head == Head::end_of_file) return walk;
     if (head == Head::malformed || walk.blocks.size() == kMostBlocks) {
       walk.problem = head == Head::malformed ? "the head of a scan at line " + std::to_string(number) + " is malformed"
@@ -112,7 +124,7 @@ Walk walk_blocks(const InputFile& file) {
 }
 
 // Directions in the scanner's own frame, at some of the columns and those beside them.
-std::vector<GridPoint> probe_grid(const InputFile& file, const Block& block) {
+std::vector<GridPoint> probe_grid(const InputFile& file, const TextDialect& dialect, const Block& block) {
   std::vector<GridPoint> points;
   std::vector<std::string_view> fields;
   std::string_view line;
@@ -124,7 +136,7 @@ std::vector<GridPoint> probe_grid(const InputFile& file, const Block& block) {
       if (is_blank_line(line)) continue;
       const auto row = static_cast<std::int64_t>(i % block.rows), column = static_cast<std::int64_t>(i / block.rows);
       ++i;
-      if (parse_line(line, fields, n) < 3 || (n[0] == 0 && n[1] == 0 && n[2] == 0)) continue;
+      if (parse_line(line, dialect, fields, n) < 3 || (n[0] == 0 && n[1] == 0 && n[2] == 0)) continue;
       points.push_back({row, column, {n[0], n[1], n[2]}});
     }
   }
@@ -132,8 +144,8 @@ std::vector<GridPoint> probe_grid(const InputFile& file, const Block& block) {
 }
 
 // Where the scanner stood and how it turned. The matrix has the axes' images in its rows.
-Station station_of(const InputFile& file, const Block& block, const std::string& name) {
-  const AngularSteps steps = steps_of_grid(probe_grid(file, block));
+Station station_of(const InputFile& file, const TextDialect& dialect, const Block& block, const std::string& name) {
+  const AngularSteps steps = steps_of_grid(probe_grid(file, dialect, block));
   Station station{name, block.position, steps.azimuth, steps.elevation};
   const double length = norm(block.matrix[2]);
   if (length > 0) station.axis = (1 / length) * block.matrix[2];
@@ -155,14 +167,15 @@ std::optional<Content> content_of(std::size_t numbers) {
 
 class PtxReader final : public PointReader {
  public:
-  PtxReader(std::unique_ptr<InputFile> file, Walk walk)
-      : file_(std::move(file)), blocks_(std::move(walk.blocks)), lines_(*file_, 0) {
+  PtxReader(std::unique_ptr<InputFile> file, const TextDialect& dialect, Walk walk)
+      : file_(std::move(file)), dialect_(dialect), blocks_(std::move(walk.blocks)), lines_(*file_, 0) {
     info_.path = file_->path();
     info_.format = "ptx";
+    info_.dialect = description_of(dialect_);
     for (const Block& block : blocks_) {
       const std::string name = "scan " + std::to_string(info_.scans.size() + 1);
       info_.scans.push_back({name, block.points});
-      info_.stations.push_back(station_of(*file_, block, name));
+      info_.stations.push_back(station_of(*file_, dialect_, block, name));
       if (info_.scans.size() <= UINT16_MAX)  // as rows have it
         info_.stations.back().source_id = static_cast<std::uint16_t>(info_.scans.size());
       info_.declared_points += block.declared;
@@ -230,7 +243,7 @@ class PtxReader final : public PointReader {
   // The values of columns; false for cells without a return and lines that are not points.
   bool parse_row(std::string_view line) {
     Numbers n{};
-    const std::size_t count = parse_line(line, fields_, n);
+    const std::size_t count = parse_line(line, dialect_, fields_, n);
     const auto content = content_of(count);
     if (!content) {
       if (malformed_++ == 0) first_malformed_ = line_;
@@ -255,7 +268,7 @@ class PtxReader final : public PointReader {
     for (std::size_t b = 0; b < std::min(blocks_.size(), kSample); ++b) {
       enter(b);
       if (blocks_[b].points == 0 || !next_row(line)) continue;
-      const auto content = content_of(parse_line(line, fields_, n));
+      const auto content = content_of(parse_line(line, dialect_, fields_, n));
       content_.intensity = content_.intensity || (content && content->intensity);
       content_.colour = content_.colour || (content && content->colour);
     }
@@ -267,6 +280,7 @@ class PtxReader final : public PointReader {
     values_.resize(columns.size());
     plan_.emplace(info_.path, columns, sample(each));
     info_.layout = plan_->layout();
+    note_lattice(info_, plan_->lattice());
   }
 
   // Grids begin with cells without a return as a rule: looks farther for points than it takes of them.
@@ -295,6 +309,7 @@ class PtxReader final : public PointReader {
   }
 
   std::unique_ptr<InputFile> file_;
+  TextDialect dialect_;
   std::vector<Block> blocks_;
   LineReader lines_;
   CloudInfo info_;
@@ -309,12 +324,13 @@ class PtxReader final : public PointReader {
 
 }  // namespace
 
-std::unique_ptr<PointReader> open_ptx(std::unique_ptr<InputFile> file) {
-  Walk walk = walk_blocks(*file);
+std::unique_ptr<PointReader> open_ptx(std::unique_ptr<InputFile> file, const OpenOptions& options) {
+  const TextDialect dialect = dialect_of(*file, options);
+  Walk walk = walk_blocks(*file, dialect);
   if (walk.blocks.empty())
     throw Error(file->path().string() + ": is not a PTX file (its first ten lines are not columns, rows, position, " +
                 "axes and matrix); export it again");
-  return std::make_unique<PtxReader>(std::move(file), std::move(walk));
+  return std::make_unique<PtxReader>(std::move(file), dialect, std::move(walk));
 }
 
 }  // namespace ilot

@@ -15,6 +15,6 @@ namespace ilot {
 //
 // Read front to back by one thread; opening reads the file once to count. A block whose lines or head are missing or
 // damaged ends the file: what stands before is kept, with a warning. Throws Error when the first block is no PTX.
-std::unique_ptr<PointReader> open_ptx(std::unique_ptr<InputFile> file);
+std::unique_ptr<PointReader> open_ptx(std::unique_ptr<InputFile> file, const OpenOptions& options = {});
 
 }  // namespace ilot

@@ -5,12 +5,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "engine/cloud/cloud_info.h"
 #include "engine/formats/fields.h"
+#include "engine/formats/text_dialect.h"
 
 namespace ilot {
 
@@ -41,8 +43,14 @@ class PointReader {
   virtual std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) = 0;
 };
 
+// What the user knows better than the file.
+struct OpenOptions {
+  std::optional<TextDialect> dialect;  // of text; none: found from the rows
+  bool degrees = false;                // x and y of formats without a CRS are degrees, whose digits count more
+};
+
 // Opens by content first, extension second. Throws Error.
-std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path);
+std::unique_ptr<PointReader> open_cloud(const std::filesystem::path& path, const OpenOptions& options = {});
 
 // Extensions that folders are searched for: not .txt and .csv, which are mostly something else; name those.
 bool is_cloud_extension(const std::filesystem::path& path);

@@ -6,7 +6,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <set>
 
 #include "engine/error.h"
 #include "engine/formats/extra_bytes.h"
@@ -198,43 +197,34 @@ void set_field(PointFields& f, int role, double value) {
   }
 }
 
-// The points in their order, without those far from most: more than kFar beyond the median of all different places on
-// some axis. They must be few, else the cloud is large.
-std::vector<Vec3> without_strays(std::vector<Vec3> points) {
-  constexpr double kFar = 1e4;  // CRS units
-  const auto key = [](Vec3 p) { return std::array{p.x, p.y, p.z}; };
-  std::set<std::array<double, 3>> places;
-  for (const Vec3& p : points) places.insert(key(p));
-  if (places.size() < 2) return points;
-  std::array<double, 3> middle{};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    std::vector<double> values;
-    for (const auto& place : places) values.push_back(place[axis]);
-    const auto at = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), at, values.end());
-    middle[axis] = *at;
-  }
-  const auto far = [&](const std::array<double, 3>& p) {
-    return std::abs(p[0] - middle[0]) > kFar || std::abs(p[1] - middle[1]) > kFar || std::abs(p[2] - middle[2]) > kFar;
-  };
-  if (10 * static_cast<std::size_t>(std::count_if(places.begin(), places.end(), far)) > places.size()) return points;
-  std::erase_if(points, [&](Vec3 p) { return far(key(p)); });
-  return points;
+// The lattice of two samples. How many decimals binary numbers mean nobody knows.
+TableLattice lattice_of(std::span<const Column> columns, std::span<const double> sample,
+                        std::span<const double> spread) {
+  const auto [x, y, z] = coordinate_columns(columns);
+  LatticeSurvey survey;
+  for (const std::span<const double> rows : {sample, spread})
+    for (std::size_t row = 0; row + columns.size() <= rows.size(); row += columns.size())
+      survey.add({rows[row + x], rows[row + y], rows[row + z]});
+  return survey.choose();
 }
 
 }  // namespace
 
-bool has_coordinates(std::span<const Column> columns) {
-  bool found[3] = {};
-  for (const Column& column : columns) {
-    const int role = role_of(column.name);
-    if (role >= kX && role <= kZ) found[role - kX] = true;
+std::array<std::size_t, 3> coordinate_columns(std::span<const Column> columns) {
+  std::array<std::size_t, 3> found{columns.size(), columns.size(), columns.size()};
+  for (std::size_t i = columns.size(); i-- > 0;) {
+    const int role = role_of(columns[i].name);
+    if (role >= kX && role <= kZ) found[static_cast<std::size_t>(role - kX)] = i;
   }
-  return found[0] && found[1] && found[2];
+  return found;
+}
+
+bool has_coordinates(std::span<const Column> columns) {
+  return std::ranges::all_of(coordinate_columns(columns), [&](std::size_t i) { return i < columns.size(); });
 }
 
 TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample,
-                     std::span<const double> spread) {
+                     std::span<const double> spread, const std::optional<TableLattice>& lattice) {
   if (!has_coordinates(columns)) throw Error(path.string() + ": has no columns x, y and z; name them in its header");
   if (columns.size() > kMostColumns) throw Error(path.string() + ": has more than 1000 columns");
   bool taken[kPackedRgb + 1] = {};
@@ -252,7 +242,9 @@ TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> 
     if (targets_[i].role == kPackedRgb) targets_[i].factor = columns[i].type <= FieldType::i64 ? 0 : 1;
   }
   choose_factors(columns, sample);
-  choose_lattice(sample, spread);
+  lattice_ = lattice ? *lattice : lattice_of(columns, sample, spread);
+  layout_.scale = lattice_.scale;
+  layout_.offset = lattice_.offset;
 }
 
 void TablePlan::choose_format() {
@@ -301,44 +293,28 @@ void TablePlan::choose_factors(std::span<const Column> columns, std::span<const 
   }
 }
 
-// The sample's points that are numbers a file can store.
-std::vector<Vec3> TablePlan::points_of(std::span<const double> sample) const {
-  std::vector<Vec3> points;
-  for (std::size_t row = 0; row + targets_.size() <= sample.size(); row += targets_.size()) {
-    std::array<double, 3> p{};
-    for (std::size_t i = 0; i < targets_.size(); ++i) {
-      const int axis = targets_[i].role - kX;
-      if (axis >= 0 && axis < 3) p[static_cast<std::size_t>(axis)] = sample[row + i];
-    }
-    if (std::all_of(p.begin(), p.end(), [](double v) { return std::abs(v) < 1e12; }))
-      points.push_back({p[0], p[1], p[2]});
-  }
-  return points;
-}
-
-void TablePlan::choose_lattice(std::span<const double> sample, std::span<const double> spread) {
-  std::vector<Vec3> points = points_of(sample);
-  const std::vector<Vec3> more = points_of(spread);
-  points.insert(points.end(), more.begin(), more.end());
-  points = without_strays(std::move(points));
-  double reach = 0;
-  if (!points.empty()) {
-    const auto thousands = [](double v) { return std::floor(v / 1000) * 1000; };
-    layout_.offset = {thousands(points[0].x), thousands(points[0].y), thousands(points[0].z)};
-  }
-  for (const Vec3& p : points)
-    reach = std::max({reach, std::abs(p.x - layout_.offset[0]), std::abs(p.y - layout_.offset[1]),
-                      std::abs(p.z - layout_.offset[2])});
-  const double scale = reach < 2e5 ? 1e-4 : reach < 2e6 ? 1e-3 : 1e-2;
-  layout_.scale = {scale, scale, scale};
-}
-
 void set_points(CloudInfo& info, std::uint64_t points) {
   info.points = points;
   if (info.declared_points == 0) info.declared_points = points;
   if (points < info.declared_points)
     info.warnings.push_back("the header declares " + std::to_string(info.declared_points) +
                             " points but the file holds " + std::to_string(points) + " whole ones; these are kept");
+}
+
+void note_lattice(CloudInfo& info, const TableLattice& lattice) {
+  constexpr int kUsual = 4;
+  const bool counted = lattice.decimals != TableLattice::kUnknown;
+  const auto number = [&](std::uint64_t rows) { return counted ? std::to_string(rows) : std::string("some"); };
+  if (lattice.zeros_beyond > 0)
+    info.warnings.push_back(number(lattice.zeros_beyond) +
+                            " rows are 0 0 0, far from all others (rays without an echo): they are rejected");
+  if (lattice.beyond > 0)
+    info.warnings.push_back(number(lattice.beyond) +
+                            " rows are so far from all others that 32 bits do not reach them: they are rejected");
+  const bool rounds = lattice.decimals == TableLattice::kUnknown || lattice.decimals > lattice.kept;
+  if (lattice.kept < kUsual && rounds)
+    info.warnings.push_back("the points are so far apart that only " + std::to_string(lattice.kept) +
+                            " decimals of their coordinates fit in 32 bits; split the file where more are needed");
 }
 
 bool TablePlan::encode(std::span<const double> values, std::span<std::byte> row) const {

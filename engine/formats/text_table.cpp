@@ -37,10 +37,13 @@ class TextTable final : public PointReader {
         columns_(std::move(columns)),
         body_(std::move(body)),
         values_(columns_.size()),
-        lines_(*file_, body_.offset),
-        plan_(info_.path, columns_, sample()) {
-    info_.layout = plan_.layout();
-    set_points(info_, count_rows());
+        lines_(*file_, body_.offset) {
+    survey();
+    info_.layout = plan_->layout();
+    set_points(info_, row_);
+    report_malformed();
+    note_lattice(info_, plan_->lattice());
+    note_decimals();
     rewind();
   }
 
@@ -62,10 +65,8 @@ class TextTable final : public PointReader {
       const std::span<std::byte> record = records.subspan(done * length, length);
       const bool whole = parse_row(line);
       if (!whole) std::fill(record.begin(), record.end(), std::byte{0});
-      valid[done] = whole && plan_.encode(values_, record);
-      if (!whole) note_malformed();
+      valid[done] = whole && plan_->encode(values_, record);
     }
-    if (row_ == info_.points) report_malformed();
     return done;
   }
 
@@ -74,7 +75,7 @@ class TextTable final : public PointReader {
     lines_ = LineReader(*file_, body_.offset);
     row_ = 0;
     line_ = body_.first_line - 1;
-    malformed_ = later_counts_ = 0;
+    later_counts_ = 0;
   }
 
   // The next line that is not blank, while rows may follow.
@@ -95,42 +96,60 @@ class TextTable final : public PointReader {
     return count.has_value();
   }
 
-  std::uint64_t count_rows() {
-    rewind();
+  // Reads every row once: how many there are, which are malformed, what their places and decimals ask of the lattice.
+  void survey() {
+    const std::array<std::size_t, 3> axes = coordinate_columns(columns_);
+    const bool placed = has_coordinates(columns_);  // else the plan throws
+    LatticeSurvey lattice(body_.degrees);
+    std::vector<double> sample;
     std::string_view line;
-    while (next_row(line)) {
+    rewind();
+    for (std::size_t taken = 0; next_row(line);) {
+      if (!parse_row(line)) {
+        if (malformed_++ == 0) first_malformed_ = line_;
+        continue;
+      }
+      if (taken++ < kSample) sample.insert(sample.end(), values_.begin(), values_.end());
+      if (placed) lattice.add({values_[axes[0]], values_[axes[1]], values_[axes[2]]}, decimals(axes));
     }
     if (info_.declared_points > 0) info_.declared_points += std::min(later_counts_, kMostDeclared);
-    return row_;
+    plan_.emplace(info_.path, columns_, sample, std::span<const double>{}, lattice.choose());
+  }
+
+  // Of the coordinates of the row that was parsed last.
+  int decimals(const std::array<std::size_t, 3>& axes) const {
+    int most = TableLattice::kUnknown;
+    if (body_.dialect)
+      for (const std::size_t axis : axes) most = std::max(most, decimals_of(fields_[axis], *body_.dialect));
+    return most;
   }
 
   bool parse_row(std::string_view line) {
-    split_fields(line, columns_.size(), fields_);
-    if (fields_.size() < columns_.size()) return false;
-    for (std::size_t i = 0; i < columns_.size(); ++i)
-      if (!parse_number(fields_[i], values_[i])) return false;
+    if (body_.dialect) {
+      if (!ilot::parse_row(line, *body_.dialect, fields_, values_)) return false;
+    } else {
+      split_fields(line, columns_.size(), fields_);
+      if (fields_.size() < columns_.size()) return false;
+      for (std::size_t i = 0; i < columns_.size(); ++i)
+        if (!parse_number(fields_[i], values_[i])) return false;
+    }
     if (body_.convert) body_.convert(values_);
     return true;
   }
 
-  std::vector<double> sample() {
-    std::vector<double> values;
-    std::string_view line;
-    rewind();
-    for (std::size_t i = 0; i < kSample && next_row(line); ++i)
-      if (parse_row(line)) values.insert(values.end(), values_.begin(), values_.end());
-    return values;
-  }
-
-  void note_malformed() {
-    if (malformed_++ == 0) first_malformed_ = line_;
-  }
-
   void report_malformed() {
-    if (malformed_ == 0 || reported_) return;
-    reported_ = true;
+    if (malformed_ == 0) return;
+    const std::string manner = body_.dialect ? " (" + description_of(*body_.dialect) + ")" : "";
     info_.warnings.push_back(std::to_string(malformed_) + " lines are not " + std::to_string(columns_.size()) +
-                             " numbers and are rejected, the first is line " + std::to_string(first_malformed_));
+                             " numbers" + manner + " and are rejected, the first is line " +
+                             std::to_string(first_malformed_));
+  }
+
+  void note_decimals() {
+    const TableLattice& lattice = plan_->lattice();
+    if (lattice.decimals > lattice.kept)
+      info_.dialect +=
+          ", " + std::to_string(lattice.decimals) + " decimals of which " + std::to_string(lattice.kept) + " are kept";
   }
 
   std::unique_ptr<InputFile> file_;
@@ -141,8 +160,7 @@ class TextTable final : public PointReader {
   std::vector<std::string_view> fields_;
   LineReader lines_;
   std::uint64_t row_ = 0, line_ = 0, malformed_ = 0, first_malformed_ = 0, later_counts_ = 0;
-  bool reported_ = false;
-  TablePlan plan_;
+  std::optional<TablePlan> plan_;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ Json inputs_json(const RunRecord& record) {
                     {"crs", input.crs},
                     {"points", input.points},
                     {"bytes", input.bytes}});
+    if (!input.dialect.empty()) list.back()["dialect"] = input.dialect;
   }
   return list;
 }

@@ -2,6 +2,7 @@
 #include "engine/run/open_inputs.h"
 
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "engine/error.h"
@@ -28,7 +29,7 @@ void skip(const std::filesystem::path& path, const std::string& reason, const Ru
 std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const RunOptions& options, Progress& progress,
                                       RunRecord& record) {
   try {
-    auto reader = open_cloud(path);
+    auto reader = open_cloud(path, {options.dialect, false});
     if (reader->info().points > 0) return reader;
     if (options.inputs.size() == 1) throw Error(path.string() + ": holds no points");
     skip(path, path.string() + ": holds no points", options, progress, record);
@@ -54,7 +55,19 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
   }
   std::error_code ignored;
   record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points,
-                           std::filesystem::file_size(info.path, ignored)});
+                           std::filesystem::file_size(info.path, ignored), info.dialect});
+}
+
+// One line for all inputs that write numbers in the same way.
+void note_dialects(const RunInputs& inputs, Progress& progress) {
+  std::map<std::string, std::vector<std::string>> files;
+  for (const auto& reader : inputs.readers)
+    if (const CloudInfo& info = reader->info(); !info.dialect.empty())
+      files[info.dialect].push_back(info.path.string());
+  for (const auto& [dialect, paths] : files) {
+    const std::string more = paths.size() > 1 ? " and " + grouped(paths.size() - 1) + " more" : "";
+    progress.note(paths[0] + more + ": text " + dialect);
+  }
 }
 
 Crs agreed_crs(const RunInputs& inputs, const RunOptions& options) {
@@ -88,6 +101,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
     inputs.readers.push_back(std::move(reader));
   }
   if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
+  note_dialects(inputs, progress);
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic)
     throw Error(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/cloud/area.h"
+#include "engine/formats/text_dialect.h"
 #include "engine/settings/settings.h"
 
 namespace ilot {
@@ -27,6 +28,7 @@ struct RunOptions {
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
   std::filesystem::path train;                          // what things on streets are, to learn from; empty = none
+  std::optional<TextDialect> dialect;                   // of text inputs; none: found from their rows
   std::string crs;                                      // overrides the inputs'; "EPSG:2154" or empty
   Existing existing = Existing::refuse;
   bool strict = false;      // the first skipped file or unit ends the run with exit 1

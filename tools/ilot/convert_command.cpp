@@ -10,6 +10,7 @@
 #include "engine/version.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
+#include "tools/ilot/units.h"
 
 namespace ilot {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 constexpr std::size_t kRows = 1u << 16, kRowBytes = std::size_t{4} << 20;  // read at a time, at most
 
 struct ConvertArguments {
-  std::string input, output;
+  std::string input, output, dialect;
   bool overwrite = false, quiet = false;
 };
 
@@ -99,8 +100,9 @@ int convert_command(const ConvertArguments& given) {
   check_paths(given);
   ConsoleProgress console(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   Progress& progress = console.get();
-  const auto reader = open_cloud(given.input);
+  const auto reader = open_cloud(given.input, open_options(given.dialect));
   const CloudInfo& info = reader->info();
+  if (!info.dialect.empty()) progress.note(given.input + ": text " + info.dialect);
   for (const std::string& warning : info.warnings) progress.warn(given.input + ": " + warning);
   const auto writer = create_cloud(given.output, {info, {}, "ilot " + version()});
   progress.begin_stage("convert", info.points);
@@ -124,6 +126,7 @@ void add_convert_command(CLI::App& app, Action& action) {
   auto given = std::make_shared<ConvertArguments>();
   command->add_option("INPUT", given->input, "a point cloud")->option_text(" ");
   command->add_option("OUTPUT", given->output, "the file to write; its extension names the format")->option_text(" ");
+  add_dialect_option(*command, given->dialect);
   command->add_flag("--overwrite", given->overwrite, "replace OUTPUT [off]");
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
   command->footer("Example: ilot convert district.las district.ply");

@@ -11,6 +11,7 @@
 #include "engine/run/measure.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
+#include "tools/ilot/units.h"
 
 namespace ilot {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kDegrees = 180 / std::numbers::pi;
 
 struct InfoArguments {
   std::vector<std::string> inputs;
+  std::string dialect;
   bool json = false, quiet = false;
 };
 
@@ -80,6 +82,7 @@ Json crs_json(const Crs& crs) {
 Json info_json(const CloudInfo& info, const CloudMeasure& m) {
   Json j{{"path", info.path.string()},
          {"format", info.format},
+         {"dialect", info.dialect.empty() ? Json() : Json(info.dialect)},
          {"version", fmt::format("{}.{}", info.version_major, info.version_minor)},
          {"point_format", info.layout.point_format},
          {"record_length", info.layout.record_length},
@@ -139,6 +142,7 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   const std::string version = las ? fmt::format(" {}.{}", info.version_major, info.version_minor) : "";
   row("format", fmt::format("{}{}, point format {}, {} bytes per point", info.format, version, info.layout.point_format,
                             info.layout.record_length));
+  if (!info.dialect.empty()) row("text", info.dialect);
   for (const ExtraField& field : info.layout.extra) row("extra bytes", field.name + "  " + field.description);
   row("CRS", crs_text(info.crs));
   row("points", fmt::format("{} ({} in the header)", grouped(m.points), grouped(info.declared_points)));
@@ -172,12 +176,13 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
 int info_command(const InfoArguments& given) {
   if (given.inputs.empty()) throw Error("info: no INPUT given (ilot info --help)", ExitCode::usage);
   const auto files = expand_inputs(given.inputs);
+  const OpenOptions open = open_options(given.dialect);
   Json all = Json::array();
   std::size_t bad = 0;
   for (const auto& file : files) {
     try {
       ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-      const auto reader = open_cloud(file);
+      const auto reader = open_cloud(file, open);
       progress.get().begin_stage(file.filename().string(), 2 * reader->info().points);
       const CloudMeasure m = measure_cloud(*reader, [&](std::uint64_t n) { progress.get().advance(n); });
       progress.get().clear_line();
@@ -200,6 +205,7 @@ void add_info_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("info", "Tells what point clouds hold, as measured");
   auto given = std::make_shared<InfoArguments>();
   command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns")->option_text("...");
+  add_dialect_option(*command, given->dialect);
   command->add_flag("--json", given->json, "a JSON list with one object per file [off]");
   command->add_flag("-q,--quiet", given->quiet, "no progress [off]");
   command->footer("Example: ilot info district.las --json");

@@ -23,7 +23,7 @@ constexpr std::uint64_t kLeastMemory = 96u << 20;
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, log;
+  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, dialect, log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
@@ -71,6 +71,7 @@ RunOptions options_of(const RunArguments& given) {
   options.threads = given.threads;
   options.store = given.store;
   options.crs = parse_crs("--crs", given.crs);
+  options.dialect = open_options(given.dialect).dialect;
   if (!given.bounds.empty()) options.area = parse_bounds(given.bounds);
   if (!given.within.empty()) options.area = read_area(given.within);
   if (given.resume) options.existing = Existing::resume;
@@ -134,6 +135,7 @@ void add_work_options(CLI::App& command, RunArguments& given) {
       .add_option("--train", given.train, "what things on streets are, any vector file or truth, for streets [none]")
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
+  add_dialect_option(command, given.dialect);
 }
 
 void add_machine_options(CLI::App& command, RunArguments& given) {

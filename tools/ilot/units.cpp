@@ -48,4 +48,17 @@ std::string parse_crs(const std::string& option, const std::string& text) {
   return name;
 }
 
+void add_dialect_option(CLI::App& command, std::string& dialect) {
+  command
+      .add_option("--text-dialect", dialect,
+                  "how text inputs write numbers, as semicolon,decimal-comma,thousands-blank [found from the rows]")
+      ->option_text("WORDS");
+}
+
+OpenOptions open_options(const std::string& dialect) {
+  OpenOptions options;
+  if (!dialect.empty()) options.dialect = dialect_of_words(dialect);
+  return options;
+}
+
 }  // namespace ilot

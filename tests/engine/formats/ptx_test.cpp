@@ -57,6 +57,17 @@ TEST(Ptx, MatrixMovesRowVectorsAndEmptyCellsAreRejected) {
   EXPECT_TRUE(o.reader->info().warnings.empty());
 }
 
+TEST(Ptx, DecimalCommasAreRead) {
+  const Folder folder;
+  std::string points = "3\n1\n" + std::string(kTurned) + "0 0 0 0.5 0 0 0\n1.25 0 0 1 255 0 128\n0 2 5 0.25 1 2 3\n";
+  std::string commas = points;
+  std::replace(commas.begin(), commas.end(), '.', ',');
+  const OpenedPtx a = open_ptx_of(folder, points), b = open_ptx_of(folder, commas, "b.ptx");
+  EXPECT_EQ(a.rows.bytes, b.rows.bytes);
+  EXPECT_EQ(b.reader->info().dialect, "separated by blanks, decimal comma");
+  EXPECT_EQ(a.reader->info().dialect, "separated by blanks, decimal point");
+}
+
 TEST(Ptx, ScansOfDifferentContentFollowEachOther) {
   const Folder folder;
   const OpenedPtx o = open_ptx_of(folder, std::string("1\r\n2\r\n") + kPlain + "1 1 1 0.5\n2 2 2 0.5\n\n" + "1\n1\n" +

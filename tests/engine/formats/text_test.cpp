@@ -41,6 +41,57 @@ TEST(Text, NationalCoordinatesKeepTheirDigits) {
   EXPECT_NEAR(o.point(0).y, 4485513.72, 1e-9);
   EXPECT_NEAR(o.point(0).z, 836.4198, 1e-9);
   EXPECT_NEAR(o.point(1).x, 836419.8394, 1e-9);
+  EXPECT_NE(o.reader->info().dialect.find("11 decimals of which 4 are kept"), std::string::npos);
+}
+
+TEST(Text, TheScaleFollowsTheDigits) {
+  const Folder folder;
+  const OpenedText few = open_text_of(folder, "a.xyz", "701362.5 4485513.7 836.4\n701363 4485514 837\n");
+  EXPECT_EQ(few.reader->info().layout.scale[0], 1e-4);
+  const OpenedText many = open_text_of(folder, "b.xyz", "12.123456 4.5 836.41983944702\n12.2 4.6 836\n");
+  EXPECT_EQ(many.reader->info().layout.scale[2], 1e-6);
+  EXPECT_NEAR(many.point(0).x, 12.123456, 1e-9);
+  EXPECT_NE(many.reader->info().dialect.find("11 decimals of which 6 are kept"), std::string::npos);
+  const OpenedText zeros = open_text_of(folder, "c.xyz", "12.12000000 4.50000000 8.00000000\n1 2 3\n");
+  EXPECT_EQ(zeros.reader->info().layout.scale[0], 1e-4) << "trailing zeros are no digits";
+}
+
+// Scanners write 0 0 0 for rays without an echo; national coordinates are far from there.
+TEST(Text, StraysDoNotCoarsenTheScale) {
+  const Folder folder;
+  std::string cloud;
+  for (int i = 0; i < 2000; ++i) cloud += "651000." + std::to_string(1000 + i) + " 6861000.25 50.003\n";
+  const OpenedText clean = open_text_of(folder, "a.xyz", cloud, 500);
+  for (const std::size_t zeros : {1u, 3000u}) {
+    std::string text;
+    for (std::size_t i = 0; i < zeros; ++i) text += "0 0 0\n";
+    const OpenedText o = open_text_of(folder, "b.xyz", text + cloud, 500);
+    EXPECT_EQ(o.reader->info().layout.scale, clean.reader->info().layout.scale);
+    EXPECT_EQ(o.reader->info().layout.offset, clean.reader->info().layout.offset);
+    EXPECT_EQ(std::count(o.rows.valid.begin(), o.rows.valid.end(), 0), static_cast<std::ptrdiff_t>(zeros));
+    EXPECT_NEAR(o.point(zeros).z, 50.003, 1e-9);
+    ASSERT_EQ(o.reader->info().warnings.size(), 1u);
+    EXPECT_TRUE(o.reader->info().warnings[0].starts_with(std::to_string(zeros) + " rows are 0 0 0"));
+  }
+  const OpenedText far = open_text_of(folder, "c.xyz", "1e9 5 7\n" + cloud, 500);
+  EXPECT_EQ(far.reader->info().layout.scale[0], 1e-4);
+  EXPECT_EQ(far.rows.valid[0], 0);
+  EXPECT_EQ(far.rows.valid[1], 1);
+}
+
+TEST(Text, TwoSitesFarApartAreBothReadAndTheCoarserScaleIsSaid) {
+  const Folder folder;
+  std::string text;
+  for (int i = 0; i < 50; ++i) text += "100000.1234 200000 " + std::to_string(i) + "\n";
+  for (int i = 0; i < 50; ++i) text += "900000.1234 200000 " + std::to_string(i) + "\n";
+  const OpenedText o = open_text_of(folder, "a.xyz", text, 10);
+  EXPECT_EQ(std::count(o.rows.valid.begin(), o.rows.valid.end(), 1), 100);
+  EXPECT_EQ(o.reader->info().layout.scale[0], 1e-3);
+  ASSERT_EQ(o.reader->info().warnings.size(), 1u);
+  EXPECT_NE(o.reader->info().warnings[0].find("only 3 decimals"), std::string::npos);
+  std::string near = text.substr(0, text.size() / 2);
+  for (int i = 0; i < 50; ++i) near += "150000.1234 200000 " + std::to_string(i) + "\n";
+  EXPECT_TRUE(open_text_of(folder, "b.xyz", near, 10).reader->info().warnings.empty()) << "50 km fit";
 }
 
 TEST(Text, SeparatorsHeadersAndLineEndsDoNotMatter) {
@@ -101,9 +152,31 @@ TEST(Text, MalformedAndImpossibleRowsAreRejectedAndTheFirstIsNamed) {
       open_text_of(folder, "t.xyz", "x y z\n1 2 3\n1 2\n\nnan 2 3\n1 2 inf\n1 2 1e300\n1,,2\n1 2 3x\n7 8 9\n");
   EXPECT_EQ(o.rows.valid, (std::vector<std::uint8_t>{1, 0, 0, 0, 0, 0, 0, 1}));
   ASSERT_EQ(o.reader->info().warnings.size(), 1u);
-  EXPECT_EQ(o.reader->info().warnings[0], "3 lines are not 3 numbers and are rejected, the first is line 3");
+  EXPECT_EQ(o.reader->info().warnings[0],
+            "3 lines are not 3 numbers (separated by blanks, decimal point) and are rejected, the first is line 3");
   EXPECT_EQ(read_all(*o.reader, 3).bytes, o.rows.bytes) << "a second pass gives the same";
   EXPECT_EQ(o.reader->info().warnings.size(), 1u);
+}
+
+TEST(Text, RowsOfAnotherDialectAreRejectedWithTheirLine) {
+  const Folder folder;
+  std::string text = "x;y;z\n";
+  for (int i = 0; i < 1500; ++i) text += "651000,5;6861000,25;" + std::to_string(i) + ",125\n";
+  text += "651000.5;6861000.25;7.125\n651000,5;6861000,25\n651000,5;6861000,25;9,5;1\n";
+  const OpenedText o = open_text_of(folder, "t.csv", text, 400);
+  EXPECT_EQ(std::count(o.rows.valid.begin(), o.rows.valid.end(), 0), 3);
+  EXPECT_NEAR(o.point(1499).z, 1499.125, 1e-9);
+  EXPECT_EQ(o.reader->info().dialect, "separated by semicolons, decimal comma, header line");
+  ASSERT_EQ(o.reader->info().warnings.size(), 1u);
+  EXPECT_NE(o.reader->info().warnings[0].find("the first is line 1502"), std::string::npos);
+}
+
+TEST(Text, HeadersAndRowsAgreeOnTheirColumns) {
+  const Folder folder;
+  const OpenedText more = open_text_of(folder, "t.csv", "x,y,z\n1.5,2,3,4\n1,2,3,5\n");
+  EXPECT_EQ(more.reader->info().layout.extra[0].name, "column4");
+  spill_text(folder / "t.csv", "x y z intensity\n1.5 2 3\n");
+  EXPECT_THROW(open_cloud(folder / "t.csv"), Error);
 }
 
 TEST(Text, RefusesWhatIsNoCloud) {
