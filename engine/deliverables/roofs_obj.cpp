@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "engine/model/building_geometry.h"
+#include "engine/model/face_triangles.h"
 #include "engine/whole_file.h"
 
 namespace ilot {
@@ -42,6 +42,7 @@ using Steps = std::array<std::int64_t, 3>;
 
 struct NumberedVertices {
   std::string lines;
+  LatticeVertices places;              // of the building's vertices, as written
   std::vector<std::uint64_t> numbers;  // of the building's vertices, from 1
   std::uint64_t fresh = 0;
 };
@@ -57,12 +58,14 @@ NumberedVertices number_vertices(const Building& building, const RoofsObjParams&
   NumberedVertices out;
   std::map<Steps, std::uint64_t> known;
   const int decimals = decimals_of(params.step);
+  out.places.step = params.step;
   for (const Vec3& v : building.vertices) {
     const Vec3 d = v - params.origin;
     const Steps steps{std::llround(d.x / params.step), std::llround(d.y / params.step),
                       std::llround(d.z / params.step)};
     const auto [entry, fresh] = known.try_emplace(steps, before + out.fresh + 1);
     out.numbers.push_back(entry->second);
+    out.places.points.push_back({steps[0], steps[1], steps[2]});
     if (!fresh) continue;
     ++out.fresh;
     const auto at = [&](double origin, std::int64_t s) { return origin + static_cast<double>(s) * params.step; };
@@ -79,11 +82,12 @@ std::string face_line(const Corners& corners, const std::vector<std::uint64_t>& 
   return line + "\n";
 }
 
-std::string face_lines(const Building& building, const BuildingSurface& surface,
-                       const std::vector<std::uint64_t>& numbers) {
-  if (surface.rings.size() == 1) return face_line(surface.rings[0], numbers);
+// OBJ knows no holes: such faces become the triangles that the validity of solids is judged by.
+std::string face_lines(const BuildingSurface& surface, const NumberedVertices& vertices) {
+  if (surface.rings.size() == 1) return face_line(surface.rings[0], vertices.numbers);
   std::string lines;
-  for (const auto& triangle : surface_triangles(building, surface)) lines += face_line(triangle, numbers);
+  for (const auto& triangle : triangulate_face(vertices.places, surface.rings))
+    lines += face_line(triangle, vertices.numbers);
   return lines;
 }
 
@@ -105,7 +109,7 @@ void RoofsObj::add(std::span<const Building> levels) {
   for (const SurfaceKind kind : {SurfaceKind::roof, SurfaceKind::wall, SurfaceKind::ground}) {
     std::string faces;
     for (const BuildingSurface& surface : building->surfaces)
-      if (surface.kind == kind) faces += face_lines(*building, surface, vertices.numbers);
+      if (surface.kind == kind) faces += face_lines(surface, vertices);
     if (!faces.empty()) text += fmt::format("usemtl {}\n{}", material_of(kind), faces);
   }
   file_.append(std::as_bytes(std::span(text)));

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "kernels/core/portable_math.h"
-#include "kernels/outlines/ear_clipping.h"
 
 namespace ilot {
 namespace {
@@ -43,28 +42,6 @@ double volume_m3(const Building& building, double metres_per_unit) {
     sum += dot(apex, doubled_area_vector(building, surface));
   }
   return sum / 6 * metres_per_unit * metres_per_unit * metres_per_unit;
-}
-
-std::vector<std::array<std::uint32_t, 3>> surface_triangles(const Building& building, const BuildingSurface& surface) {
-  const Vec3 n = doubled_area_vector(building, surface);
-  const double x = std::abs(n.x), y = std::abs(n.y), z = std::abs(n.z);
-  std::vector<FlatPoint> flat;
-  std::vector<std::uint32_t> corners;
-  std::vector<std::vector<std::uint32_t>> rings;
-  for (const auto& ring : surface.rings) {
-    rings.emplace_back();
-    for (const std::uint32_t i : ring) {
-      const Vec3 v = building.vertices[i] - building.vertices[surface.rings[0][0]];
-      rings.back().push_back(static_cast<std::uint32_t>(flat.size()));
-      corners.push_back(i);
-      flat.push_back(z >= x && z >= y ? FlatPoint{v.x, v.y} : x >= y ? FlatPoint{v.y, v.z} : FlatPoint{v.z, v.x});
-    }
-  }
-  const bool turned = (z >= x && z >= y ? n.z : x >= y ? n.x : n.y) < 0;
-  std::vector<std::array<std::uint32_t, 3>> out;
-  for (const auto& [a, b, c] : triangulate(flat, rings))
-    out.push_back({corners[a], corners[turned ? c : b], corners[turned ? b : c]});
-  return out;
 }
 
 }  // namespace ilot

@@ -21,7 +21,4 @@ SurfaceShape surface_shape(const Building& building, const BuildingSurface& surf
 // What a closed solid encloses. O(corners).
 double volume_m3(const Building& building, double metres_per_unit);
 
-// A face in triangles, numbers of the building's vertices, turning as the face does.
-std::vector<std::array<std::uint32_t, 3>> surface_triangles(const Building& building, const BuildingSurface& surface);
-
 }  // namespace ilot

@@ -32,19 +32,5 @@ TEST(BuildingGeometry, MeasuresVolumes) {
   EXPECT_EQ(volume_m3(Building{}, 1), 0);
 }
 
-TEST(BuildingGeometry, TrianglesTurnAsTheirFace) {
-  const Building court = court_house("a");
-  for (const BuildingSurface& s : court.surfaces) {
-    const Vec3 whole = surface_shape(court, s, 1).area_m2 * Vec3{0, 0, 1};
-    double area = 0;
-    for (const auto& [a, b, c] : surface_triangles(court, s)) {
-      const SurfaceShape part = surface_shape(court, {s.kind, 0, {{a, b, c}}}, 1);
-      EXPECT_NEAR(part.slope_deg, surface_shape(court, s, 1).slope_deg, 1e-9);
-      area += part.area_m2;
-    }
-    EXPECT_NEAR(area, whole.z, 1e-9);
-  }
-}
-
 }  // namespace
 }  // namespace ilot
