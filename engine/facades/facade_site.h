@@ -40,8 +40,9 @@ struct Place2 {
 using OutlineRing = std::vector<Place2>;  // the last corner leads to the first
 
 // Numbers of stations, from 1 on, and what else may stand there.
-constexpr std::uint8_t kStationUnknown = 0;
-constexpr std::uint8_t kStationAside = 255;  // one that is not in front of the wall: its rays do not cross it
+using SiteStation = std::uint16_t;
+constexpr SiteStation kStationUnknown = 0;
+constexpr SiteStation kStationAside = 65535;  // one that is not in front of the wall: its rays do not cross it
 
 struct FacadeSite {
   FacadeAxes axes;
@@ -56,7 +57,7 @@ struct FacadeSite {
   std::vector<OutlineRing> rings;   // outer ones of the wall's segments; none: the wall is taken to be its rectangle
   std::vector<FacadePoint> points;  // of the wall and around it
   std::vector<FacadeStation> stations;  // in front of the wall
-  std::vector<std::uint8_t> from;       // per point the number of its station; empty: none is known
+  std::vector<SiteStation> from;        // per point the number of its station; empty: none is known
 };
 
 }  // namespace ilot

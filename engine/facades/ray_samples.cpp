@@ -79,7 +79,7 @@ void RaySamples::choose_stations() {
   station_.assign(points, 0);
   const bool told = site_.from.size() == points;
   for (std::size_t i = 0; told && i < points; ++i)
-    if (site_.from[i] != kStationUnknown) station_[i] = static_cast<std::uint8_t>(site_.from[i] - 1);
+    if (site_.from[i] != kStationUnknown) station_[i] = static_cast<SiteStation>(site_.from[i] - 1);
   if (stations < 2) return;
   guessed_ = !told || std::find(site_.from.begin(), site_.from.end(), kStationUnknown) != site_.from.end();
   if (!guessed_) return;
@@ -95,7 +95,7 @@ void RaySamples::choose_stations() {
       if (!(far < nearest) || eye.z <= place.z) continue;
       if (on_wall_[i] == kNot && place.z < -site_.epsilon && solid.covers(crossing_from(eye, p, 0))) continue;
       nearest = far;
-      station_[i] = static_cast<std::uint8_t>(s);
+      station_[i] = static_cast<SiteStation>(s);
     }
   }
 }

@@ -124,7 +124,8 @@ class RaySamples {
 
   const FacadeSite& site_;
   enum Part : std::uint8_t { kNot, kWall, kBack };
-  std::vector<std::uint8_t> station_, on_wall_;  // per point
+  std::vector<SiteStation> station_;   // per point
+  std::vector<std::uint8_t> on_wall_;  // per point
   bool guessed_ = false;
   std::int64_t columns_ = 0, rows_ = 0;
   double u0_ = 0, v0_ = 0;

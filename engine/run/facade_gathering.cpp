@@ -25,7 +25,7 @@ IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
   return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
 
-void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const std::uint8_t> number_of,
+void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const SiteStation> number_of,
                  FacadeSite& site) {
   const LatticeAxes into(work, wall);
   const IndexBox box = box_around(work, wall);
@@ -43,7 +43,7 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
           p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
         continue;
       if (work.told) {
-        const std::uint8_t from = number_of[stations[i]];
+        const SiteStation from = number_of[stations[i]];
         if (from == kStationAside && p.z < -site.epsilon) continue;  // not seen through the wall
         site.from.push_back(from);
       }
@@ -69,8 +69,8 @@ void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) 
 }
 
 // Returns the numbers that the run's stations have in the site.
-std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
-  std::vector<std::uint8_t> number_of(work.stations.size() + 1, kStationAside);
+std::vector<SiteStation> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  std::vector<SiteStation> number_of(work.stations.size() + 1, kStationAside);
   number_of[0] = kStationUnknown;
   for (std::size_t i = 0; i < work.stations.size(); ++i) {
     FacadeStation station = work.steps[i];
@@ -78,7 +78,7 @@ std::vector<std::uint8_t> add_stations(const FacadeWork& work, const WallGroup& 
     if (!(station.position.z > work.before)) continue;
     site.stations.push_back(station);
     const bool numbered = site.stations.size() < kStationAside;
-    number_of[i + 1] = numbered ? static_cast<std::uint8_t>(site.stations.size()) : kStationUnknown;
+    number_of[i + 1] = numbered ? static_cast<SiteStation>(site.stations.size()) : kStationUnknown;
   }
   return number_of;
 }
@@ -136,7 +136,7 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   std::sort(site.parallel.begin(), site.parallel.end(),
             [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
   add_rings(work, wall, site);
-  const std::vector<std::uint8_t> number_of = add_stations(work, wall, site);
+  const std::vector<SiteStation> number_of = add_stations(work, wall, site);
   read_points(work, wall, number_of, site);
   return site;
 }

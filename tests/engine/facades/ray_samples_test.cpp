@@ -101,5 +101,17 @@ TEST(RaySamples, APointsOwnStation) {
   EXPECT_TRUE(RaySamples(site).guessed());
 }
 
+// More stations than a byte counts, as a long street has.
+TEST(RaySamples, StationsBeyondTwoHundredFiftyFour) {
+  std::vector<FacadeStation> stations(400, {{50, 1, 30}, 0, 0});
+  stations[299] = {{1, 1, 9}, 0, 0};
+  FacadeSite site = site_with({{3, 2, -1, 0}}, stations);
+  site.from = {300};
+  EXPECT_NEAR(RaySamples(site).crossing(0, 0).u, 3 - 2 * 0.1, 1e-6);
+  EXPECT_FALSE(RaySamples(site).guessed());
+  site.from.clear();
+  EXPECT_NEAR(RaySamples(site).crossing(0, 0).u, 3 - 2 * 0.1, 1e-6) << "the nearest of all";
+}
+
 }  // namespace
 }  // namespace ilot
