@@ -11,6 +11,7 @@
 
 #include "engine/deliverables/spatial_reference.h"
 #include "engine/error.h"
+#include "engine/formats/crs.h"
 
 namespace ilot {
 namespace {
@@ -29,6 +30,35 @@ OGRLayer* first_layer_with_features(GDALDataset& file) {
   for (OGRLayer* layer : file.GetLayers())
     if (layer->GetFeatureCount() > 0) return layer;
   return nullptr;
+}
+
+// The vector file and its first layer that has features.
+struct OpenedLayer {
+  GDALDatasetUniquePtr file;
+  OGRLayer* layer = nullptr;
+};
+
+OpenedLayer open_layer(const fs::path& path) {
+  if (!fs::exists(path)) throw usage(path, "there is no such file");
+  CPLSetErrorHandler(keep_silent);
+  GDALAllRegister();
+  CPLErrorReset();
+  OpenedLayer opened{GDALDatasetUniquePtr(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY)), nullptr};
+  if (!opened.file) {
+    const std::string why = CPLGetLastErrorMsg();
+    throw usage(path, "is no vector file that can be read" +
+                          (why.empty() ? " (GeoPackage, GeoJSON, Shapefile and others of GDAL can)" : ": " + why));
+  }
+  opened.layer = first_layer_with_features(*opened.file);
+  if (opened.layer == nullptr) throw usage(path, "holds no features");
+  return opened;
+}
+
+// A format that always claims degrees, with coordinates that cannot be any.
+bool beyond_degrees(const OGRSpatialReference& reference, OGRLayer& layer) {
+  OGREnvelope box;
+  if (!reference.IsGeographic() || layer.GetExtent(&box) != OGRERR_NONE) return false;
+  return box.MinX < -361 || box.MaxX > 361 || box.MinY < -91 || box.MaxY > 91;
 }
 
 // What brings the file's coordinates into the clouds' CRS; none when they are in it, or when nobody knows.
@@ -57,13 +87,6 @@ class ToCloud {
   }
 
  private:
-  // A format that always claims degrees, with coordinates that cannot be any.
-  static bool beyond_degrees(const OGRSpatialReference& reference, OGRLayer& layer) {
-    OGREnvelope box;
-    if (!reference.IsGeographic() || layer.GetExtent(&box) != OGRERR_NONE) return false;
-    return box.MinX < -361 || box.MaxX > 361 || box.MinY < -91 || box.MaxY > 91;
-  }
-
   std::unique_ptr<OGRSpatialReference> source_, target_;
   std::unique_ptr<OGRCoordinateTransformation> transformation_;
 };
@@ -150,15 +173,33 @@ void make_unique(std::vector<Footprint>& footprints, const fs::path& path, std::
 
 }  // namespace
 
+FootprintSource footprint_source(const fs::path& path) {
+  const OpenedLayer opened = open_layer(path);
+  FootprintSource source;
+  OGREnvelope box;
+  if (opened.layer->GetExtent(&box) == OGRERR_NONE) {
+    source.min_x = box.MinX;
+    source.min_y = box.MinY;
+    source.max_x = box.MaxX;
+    source.max_y = box.MaxY;
+  }
+  const OGRSpatialReference* found = opened.layer->GetSpatialRef();
+  if (found == nullptr || beyond_degrees(*found, *opened.layer)) return source;
+  char* wkt = nullptr;
+  if (found->exportToWkt(&wkt) == OGRERR_NONE && wkt != nullptr) {
+    try {
+      source.crs = crs_from_text(wkt);
+    } catch (const Error&) {
+      // A CRS that PROJ does not understand is unknown.
+    }
+  }
+  CPLFree(wkt);
+  return source;
+}
+
 FootprintFile read_footprints(const fs::path& path, const Crs& crs) {
-  if (!fs::exists(path)) throw usage(path, "there is no such file");
-  CPLSetErrorHandler(keep_silent);
-  GDALAllRegister();
-  CPLErrorReset();
-  const GDALDatasetUniquePtr file(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY));
-  if (!file) throw usage(path, std::string("is no vector file that can be read: ") + CPLGetLastErrorMsg());
-  OGRLayer* layer = first_layer_with_features(*file);
-  if (layer == nullptr) throw usage(path, "holds no features");
+  const OpenedLayer opened = open_layer(path);
+  OGRLayer* layer = opened.layer;
   FootprintFile out;
   const ToCloud to_cloud(path, *layer, crs, out);
   const int field = id_field(*layer->GetLayerDefn());

@@ -36,7 +36,11 @@ GpkgFile::~GpkgFile() {
 }
 
 OGRLayer& GpkgFile::add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs) {
-  const auto reference = spatial_reference(crs);
+  auto reference = spatial_reference(crs);
+  if (!reference) {  // by this name GDAL knows the id -1 of the standard; without one it writes 0, degrees
+    reference = std::make_unique<OGRSpatialReference>();
+    reference->SetLocalCS("Undefined Cartesian SRS");
+  }
   OGRLayer* layer = file_->CreateLayer(name, reference.get(), type, nullptr);
   if (layer == nullptr) fail();
   return *layer;

@@ -214,6 +214,28 @@ Vlr projection_record(std::uint16_t id, const char* description) {
 
 }  // namespace
 
+Crs horizontal_crs(const Crs& crs) {
+  const Context context = quiet_context();
+  const std::string definition = crs.wkt.empty() ? "EPSG:" + std::to_string(crs.epsg) : crs.wkt;
+  const Object whole(proj_create(context.get(), definition.c_str()));
+  Crs plan = crs;
+  if (whole && proj_get_type(whole.get()) == PJ_TYPE_COMPOUND_CRS) {
+    const Object part(proj_crs_get_sub_crs(context.get(), whole.get(), 0));
+    if (const auto understood = part ? understand(as_wkt(context.get(), part.get())) : std::nullopt) plan = *understood;
+    plan.metres_per_unit = crs.metres_per_unit;
+  }
+  plan.metres_per_unit_z = plan.metres_per_unit;
+  return plan;
+}
+
+bool can_be_at(const Crs& crs, Vec3 place) {
+  if (!crs.geographic) return true;
+  constexpr double kTurn = 360, kPole = 90, kLeast = 6.2e6, kMost = 6.6e6;  // degrees; metres from the centre
+  if (std::abs(place.x) <= kTurn && std::abs(place.y) <= kPole) return true;
+  const double far = norm(place);
+  return far >= kLeast && far <= kMost;
+}
+
 bool is_crs_record(const Vlr& vlr) {
   if (is_wkt_record(vlr)) return true;
   return vlr.user_id == "LASF_Projection" &&

@@ -19,6 +19,12 @@ Crs crs_from_epsg(int code);
 // "EPSG:2154", "2154", "EPSG:2154+5720" or WKT, as --crs takes it. Throws Error when it is not understood.
 Crs crs_from_text(const std::string& text);
 
+// The CRS of x and y alone, heights in their unit; the same where it has no other for heights.
+Crs horizontal_crs(const Crs& crs);
+
+// False for degrees or a place around the Earth's centre where x and y (and z) are far beyond any such.
+bool can_be_at(const Crs& crs, Vec3 place);
+
 bool is_crs_record(const Vlr& vlr);
 
 // Records that say this CRS: WKT (LAS 1.4) or GeoTIFF keys. Empty when neither WKT nor EPSG code is known.

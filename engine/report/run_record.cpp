@@ -71,6 +71,7 @@ Json footprints_json(const FootprintsRecord& f) {
           {"mended", f.mended},
           {"without_outline", f.without_outline},
           {"overlapping", f.overlapping},
+          {"outside", f.outside},
           {"shift_m", {f.shift_x_m, f.shift_y_m}},
           {"points_inside", f.inside},
           {"points_inside_shifted", f.inside_shifted}};

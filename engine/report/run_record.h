@@ -63,7 +63,8 @@ struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
   std::uint64_t footprints = 0;
   std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that came of them
-  bool transformed = false;                                        // from another CRS
+  std::vector<std::string> outside;       // ids of those wholly outside of the cloud's extent: no fault
+  bool transformed = false;               // from another CRS
   double shift_x_m = 0, shift_y_m = 0;    // by which outlines would have to move to hold the most points
   double inside = 0, inside_shifted = 0;  // share of the building points around them that they hold, and would hold
 };

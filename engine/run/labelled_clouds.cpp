@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "engine/error.h"
+#include "engine/formats/changed_reader.h"
 #include "engine/formats/laz_extender.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
@@ -22,7 +23,7 @@ constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time, where chu
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
-  spec.like = input.info();
+  spec.like = reader_of_records(input).info();
   spec.software = "ilot " + version();
   const auto add = [&](const char* name, const char* meaning, FieldType type) {
     spec.appended.push_back({name, meaning, type});
@@ -123,7 +124,7 @@ class Labeller {
   // Returns the number of rows of which something is said.
   std::uint64_t write(const fs::path& path) const {
     const CloudSpec spec = labelled_spec(input_, params_);
-    if (const auto extender = LazExtender::open(input_, path, spec)) return extend(*extender);
+    if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
     return copy(*create_cloud(path, spec));
   }
 

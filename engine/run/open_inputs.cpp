@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/open_inputs.h"
 
-#include <cmath>
 #include <map>
 #include <set>
 
 #include "engine/error.h"
 #include "engine/formats/crs.h"
+#include "engine/run/input_crs.h"
 #include "engine/run/read_stations.h"
 #include "engine/run/row_stations.h"
 
 namespace ilot {
 namespace {
-
-std::string crs_name(const Crs& crs) {
-  if (crs.epsg != 0) return "EPSG:" + std::to_string(crs.epsg);
-  return crs.name.empty() ? "none" : crs.name;
-}
 
 void skip(const std::filesystem::path& path, const std::string& reason, const RunOptions& options, Progress& progress,
           RunRecord& record) {
@@ -26,10 +21,10 @@ void skip(const std::filesystem::path& path, const std::string& reason, const Ru
   record.skipped.push_back({"input", path.string(), reason});
 }
 
-std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const RunOptions& options, Progress& progress,
-                                      RunRecord& record) {
+std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const OpenOptions& open,
+                                      const RunOptions& options, Progress& progress, RunRecord& record) {
   try {
-    auto reader = open_cloud(path, {options.dialect, false});
+    auto reader = open_cloud(path, open);
     if (reader->info().points > 0) return reader;
     if (options.inputs.size() == 1) throw Error(path.string() + ": holds no points");
     skip(path, path.string() + ": holds no points", options, progress, record);
@@ -70,31 +65,13 @@ void note_dialects(const RunInputs& inputs, Progress& progress) {
   }
 }
 
-Crs agreed_crs(const RunInputs& inputs, const RunOptions& options) {
-  if (!options.crs.empty()) return crs_from_text(options.crs);
-  std::set<std::string> names;
-  const Crs* known = nullptr;
-  for (const auto& reader : inputs.readers) {
-    const Crs& crs = reader->info().crs;
-    if (crs.wkt.empty() && crs.epsg == 0 && crs.name.empty()) continue;
-    names.insert(crs_name(crs));
-    if (known == nullptr) known = &crs;
-  }
-  if (names.size() > 1) {
-    std::string list;
-    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
-    throw Error("the inputs are in different coordinate systems (" + list + "); run them apart or give --crs",
-                ExitCode::usage);
-  }
-  return known != nullptr ? *known : inputs.readers.front()->info().crs;
-}
-
 }  // namespace
 
 RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& record) {
   RunInputs inputs;
+  const OpenOptions open{options.dialect, !options.crs.empty() && crs_from_text(options.crs).geographic};
   for (const auto& path : options.inputs) {
-    auto reader = try_open(path, options, progress, record);
+    auto reader = try_open(path, open, options, progress, record);
     if (!reader) continue;
     note_input(reader->info(), options, progress, record);
     inputs.points += reader->info().points;
@@ -102,18 +79,10 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   }
   if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
   note_dialects(inputs, progress);
-  inputs.crs = agreed_crs(inputs, options);
-  if (inputs.crs.geographic)
-    throw Error(
-        "the coordinates are degrees (" + crs_name(inputs.crs) + "); project them to metres first, or give --crs",
-        ExitCode::usage);
-  constexpr double kSameUnit = 1e-4;  // international and US survey feet are
-  if (std::abs(inputs.crs.metres_per_unit_z - inputs.crs.metres_per_unit) > kSameUnit * inputs.crs.metres_per_unit)
-    throw Error("heights and positions are in different units (" + crs_name(inputs.crs) +
-                    "), which would bend every plane; convert the heights first, or give --crs",
-                ExitCode::usage);
+  const double height_factor = settle_crs(inputs, options, progress, record);
   if (!options.stations.empty()) {
     inputs.stations = read_stations(options.stations);
+    for (Station& station : inputs.stations) station.position.z *= height_factor;
   } else {
     for (const auto& reader : inputs.readers)
       inputs.stations.insert(inputs.stations.end(), reader->info().stations.begin(), reader->info().stations.end());

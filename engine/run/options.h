@@ -29,6 +29,7 @@ struct RunOptions {
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
   std::filesystem::path train;                          // what things on streets are, to learn from; empty = none
   std::optional<TextDialect> dialect;                   // of text inputs; none: found from their rows
+  std::string to_crs;                                   // reproject to: "EPSG:2154", "utm" or empty
   std::string crs;                                      // overrides the inputs'; "EPSG:2154" or empty
   Existing existing = Existing::refuse;
   bool strict = false;      // the first skipped file or unit ends the run with exit 1

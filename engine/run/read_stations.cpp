@@ -47,11 +47,15 @@ Order order_of(const Fields& header, const std::string& where) {
   return order;
 }
 
-// Without a header: x y z, then both steps, then the axis.
-Order usual_order(std::size_t columns, const std::string& where) {
+// Without a header: x y z, then both steps, then the axis; a name before them where the first field is no number.
+Order usual_order(const Fields& first, const std::string& where) {
+  double number = 0;
+  const bool named = !parse_number(first[0], number);
+  const std::size_t columns = first.size() - (named ? 1 : 0);
   if (columns != 3 && columns != 5 && columns != 8)
     fault(where, "has " + std::to_string(columns) + " columns; x y z, two steps and an axis are 3, 5 or 8");
   Order order;
+  if (named) order.push_back(kName);
   for (std::size_t i = 0; i < columns; ++i) order.push_back(i);
   return order;
 }
@@ -115,7 +119,7 @@ std::vector<Station> read_stations(const std::filesystem::path& path) {
       order = order_of(fields, where);
       continue;
     }
-    if (order.empty()) order = usual_order(fields.size(), where);
+    if (order.empty()) order = usual_order(fields, where);
     stations.push_back(station_of(fields, order, where));
     if (stations.back().name.empty()) stations.back().name = "station " + std::to_string(stations.size());
     if (stations.size() > kMostStations) fault(where, "more stations than 100000");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/roof_sink.h"
 
+#include "engine/run/footprint_outcome.h"
+
 namespace ilot {
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
@@ -39,7 +41,7 @@ void RoofSink::count(const SiteResult& result) {
   counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
   if (result.status != RoofStatus::footprint_only) return;
   ++counts.footprint_only;
-  progress_.unit_skipped(result.levels[0].id, result.reason);
+  if (result.reason != kNoPointInOutline) progress_.unit_skipped(result.levels[0].id, result.reason);
   record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
 }
 

@@ -15,11 +15,14 @@
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
+#include "engine/run/area_in_crs.h"
 #include "engine/run/boundaries_product.h"
 #include "engine/run/cluster_plan.h"
 #include "engine/run/facades_product.h"
+#include "engine/run/footprint_outcome.h"
 #include "engine/run/footprint_plan.h"
 #include "engine/run/found_roles.h"
+#include "engine/run/input_places.h"
 #include "engine/run/labelled_clouds.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
@@ -165,7 +168,6 @@ void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& rec
   record.warnings.push_back(text);
 }
 
-constexpr const char* kNoBuilding = "there is no building";
 constexpr const char* kNoObject = "nothing was found that stands on the ground";
 constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
 constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
@@ -199,8 +201,6 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
   if (options.settings.boundaries.step == StepSource::stations && !known)
     throw Error("boundaries.step = stations: no station with its angular steps is known; give --stations",
                 ExitCode::usage);
-  if (!options.stations.empty() && !known)
-    throw Error(options.stations.string() + ": holds no angular steps, which boundaries need", ExitCode::usage);
 }
 
 // The run, step by step. Everything lands in the staging folder.
@@ -212,7 +212,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   warn_of_strays(index, progress, record);
   if (index.store.points() == 0) {
     out.discard();
-    throw Error("no point is left to work on: all were rejected (see classes.noise and the area)");
+    throw Error(why_no_point(options.area, inputs.readers));
   }
 
   std::filesystem::create_directories(out.staging());
@@ -255,7 +255,11 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
       found = plan_clusters(index.store, options.settings.roofs, context, progress, record);
     make_roofs(index.store, options.footprints.empty() ? found : sites, options.settings, inputs.crs, context,
                out.staging() / "roofs", progress, record);
-    if (record.roofs->buildings == 0) skip_product("roofs", kNoBuilding, progress, record);
+    const bool given = !options.footprints.empty();
+    if (given) settle_empty_footprints(index.store, sites, context, progress, record);
+    const std::uint64_t outside = given ? record.footprints->outside.size() : 0;
+    if (record.roofs->buildings == outside)
+      skip_product("roofs", why_no_building(sites, given, options.area.has_value()), progress, record);
   }
 
   labels.with_streets = makes(options, "streets");
@@ -300,10 +304,12 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   return 0;
 }
 
-int run_in_arena(const RunOptions& options, Progress& progress) {
+int run_in_arena(const RunOptions& given, Progress& progress) {
   RunRecord record;
   const double start = now();
-  const RunInputs inputs = open_inputs(options, progress, record);
+  const RunInputs inputs = open_inputs(given, progress, record);
+  RunOptions options = given;
+  if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
   check_settings(options, inputs);
   const std::vector<PlannedSite> sites = options.footprints.empty()
                                              ? std::vector<PlannedSite>{}

@@ -9,6 +9,7 @@
 #include "engine/formats/reader.h"
 #include "engine/run/inputs.h"
 #include "engine/run/measure.h"
+#include "engine/run/suitability.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
@@ -25,18 +26,6 @@ struct InfoArguments {
   std::string dialect;
   bool json = false, quiet = false;
 };
-
-struct Suitability {
-  bool planes = false;
-  std::string reason;
-};
-
-// Which products the cloud suits. Products that do not exist yet are not promised.
-Suitability suitability(const CloudInfo& info, const CloudMeasure& m) {
-  if (info.crs.geographic) return {false, "coordinates are degrees: project them first"};
-  if (m.points < 3) return {false, "fewer than three points"};
-  return {true, fmt::format("{:.3g} m between points", m.sampling_step)};
-}
 
 // Formats other than LAS and LAZ have no header block of ours to compare with.
 bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
@@ -62,6 +51,10 @@ std::vector<std::string> warnings_of(const CloudInfo& info, const CloudMeasure& 
   if (info.points < info.declared_points) {
     list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
   }
+  if (const auto doubt = doubt_about_step(m)) list.push_back(*doubt);
+  if (info.crs.geographic && !believed_crs(info, m).geographic)
+    list.push_back(
+        fmt::format("it says degrees, which x = {:.3f} cannot be: metres in an unknown CRS are assumed", m.min.x));
   if (info.crs.unit_assumed) list.push_back("nothing says what the unit is: metres are assumed");
   return list;
 }
@@ -115,8 +108,7 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
                              {"azimuth_step_deg", station.azimuth_step * kDegrees},
                              {"elevation_step_deg", station.elevation_step * kDegrees}});
   }
-  const Suitability suits = suitability(info, m);
-  j["suits"]["planes"] = {{"yes", suits.planes}, {"reason", suits.reason}};
+  for (const Suitability& s : suitability(info, m)) j["suits"][s.product] = {{"yes", s.yes}, {"reason", s.reason}};
   j["warnings"] = warnings_of(info, m);
   return j;
 }
@@ -166,8 +158,7 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
                                     : "";
     row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}{}", station.name, at.x, at.y, at.z, steps));
   }
-  const Suitability suits = suitability(info, m);
-  row("planes", (suits.planes ? "yes: " : "no: ") + suits.reason);
+  for (const Suitability& s : suitability(info, m)) row(s.product, (s.yes ? "yes: " : "no: ") + s.reason);
   for (const std::string& warning : warnings_of(info, m)) row("warning", warning);
   return out;
 }

@@ -23,7 +23,8 @@ constexpr std::uint64_t kLeastMemory = 96u << 20;
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, dialect, log;
+  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, to_crs, dialect,
+                              log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
@@ -71,6 +72,7 @@ RunOptions options_of(const RunArguments& given) {
   options.threads = given.threads;
   options.store = given.store;
   options.crs = parse_crs("--crs", given.crs);
+  options.to_crs = given.to_crs == "utm" ? given.to_crs : parse_crs("--to-crs", given.to_crs);
   options.dialect = open_options(given.dialect).dialect;
   if (!given.bounds.empty()) options.area = parse_bounds(given.bounds);
   if (!given.within.empty()) options.area = read_area(given.within);
@@ -135,6 +137,10 @@ void add_work_options(CLI::App& command, RunArguments& given) {
       .add_option("--train", given.train, "what things on streets are, any vector file or truth, for streets [none]")
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
+  command
+      .add_option("--to-crs", given.to_crs,
+                  "moves the coordinates to this CRS first, utm: to the zone they are in [off]")
+      ->option_text("EPSG:n|utm");
   add_dialect_option(command, given.dialect);
 }
 

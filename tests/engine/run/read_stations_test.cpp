@@ -45,6 +45,14 @@ TEST_F(ReadStations, PlacesAlone) {
   EXPECT_EQ(s[1].name, "station 2");
 }
 
+TEST_F(ReadStations, ANameMayComeFirst) {
+  const auto s = read("S1;1;2;3\nS2;4;5;6\n");
+  ASSERT_EQ(s.size(), 2u);
+  EXPECT_EQ(s[1].name, "S2");
+  EXPECT_EQ(s[1].position.z, 6);
+  EXPECT_GT(read("court 1 2 3 0.1 0.2\n").at(0).azimuth_step, 0);
+}
+
 TEST_F(ReadStations, StepsAndAxisInTheUsualOrder) {
   const auto s = read("1 2 3 0.1 0.2 0 3 4\n");
   ASSERT_EQ(s.size(), 1u);

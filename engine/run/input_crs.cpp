@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/input_crs.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+
+#include "engine/deliverables/footprints.h"
+#include "engine/error.h"
+#include "engine/formats/changed_reader.h"
+#include "engine/formats/crs.h"
+#include "engine/formats/crs_transform.h"
+#include "engine/run/input_places.h"
+
+namespace ilot {
+namespace {
+
+bool is_known(const Crs& crs) {
+  return !crs.wkt.empty() || crs.epsg != 0;
+}
+
+Error usage(const std::string& sentence) {
+  return Error(sentence, ExitCode::usage);
+}
+
+void note_choice(const std::string& value, const std::string& why, RunRecord& record) {
+  record.chosen.push_back({"crs", value, why});
+}
+
+Crs agreed_crs(const RunInputs& inputs, const RunOptions& options) {
+  if (!options.crs.empty()) return crs_from_text(options.crs);
+  std::set<std::string> names;
+  const Crs* known = nullptr;
+  for (const auto& reader : inputs.readers) {
+    const Crs& crs = reader->info().crs;
+    if (crs.wkt.empty() && crs.epsg == 0 && crs.name.empty()) continue;
+    names.insert(crs_name(crs));
+    if (known == nullptr) known = &crs;
+  }
+  if (names.size() > 1) {
+    std::string list;
+    for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+    throw usage("the inputs are in different coordinate systems (" + list + "); run them apart or give --crs");
+  }
+  return known != nullptr ? *known : inputs.readers.front()->info().crs;
+}
+
+std::string place_text(Vec3 place) {
+  return fmt::format("x = {:.3f}, y = {:.3f}", place.x, place.y);
+}
+
+// A CRS in which the places cannot be is wrong, whoever says it.
+void doubt_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox& box, Progress& progress,
+                   RunRecord& record) {
+  if (can_be_at(inputs.crs, box.one)) return;
+  const std::string where = place_text(box.one);
+  if (!options.crs.empty())
+    throw usage("--crs " + options.crs + " is in degrees, which " + where +
+                " cannot be; give the projected CRS that the coordinates are in");
+  const std::string warning = "the inputs say degrees (" + crs_name(inputs.crs) + "), which " + where +
+                              " cannot be: metres in an unknown CRS are assumed; --crs EPSG:n would tell";
+  progress.warn(warning);
+  record.warnings.push_back(warning);
+  inputs.crs = Crs{};
+}
+
+[[noreturn]] void refuse_degrees(const RunInputs& inputs, const RunOptions& options, const PlaceBox& box) {
+  std::string sentence = "the coordinates are degrees (" + crs_name(inputs.crs) +
+                         "), products need metres or feet: --to-crs utm projects them (here to EPSG:" +
+                         std::to_string(utm_at(inputs.crs, box.one).epsg) + "), --to-crs EPSG:n to another CRS";
+  if (options.crs.empty()) sentence += "; if the inputs are wrong, --crs EPSG:n says what they are in";
+  throw usage(sentence);
+}
+
+void reproject_all(RunInputs& inputs, const RunOptions& options, const PlaceBox& box, Progress& progress,
+                   RunRecord& record) {
+  if (!is_known(inputs.crs))
+    throw usage("--to-crs " + options.to_crs + ": no input says its CRS; give it with --crs EPSG:n");
+  const Crs target = options.to_crs == "utm" ? utm_at(inputs.crs, box.one) : crs_from_text(options.to_crs);
+  if (target.geographic)
+    throw usage("--to-crs " + options.to_crs + " is in degrees; products need a projected CRS, such as --to-crs utm");
+  for (auto& reader : inputs.readers) reader = reprojected(std::move(reader), inputs.crs, target, box.one);
+  const std::string why = "reprojected from " + crs_name(inputs.crs) + " by --to-crs " + options.to_crs;
+  progress.note("coordinates are in " + crs_name(target) + ": " + why);
+  note_choice(crs_name(target), why, record);
+  inputs.crs = target;
+}
+
+void take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
+  const FootprintSource source = footprint_source(options.footprints);
+  const auto box = sampled_box(inputs.readers);
+  if (!is_known(source.crs) || source.crs.geographic || !box) return;
+  const PlaceBox theirs{source.min_x, source.min_y, source.max_x, source.max_y, {}};
+  const std::string path = options.footprints.string();
+  if (!widened(*box).touches(theirs))
+    throw usage(path + ": is in " + crs_name(source.crs) + " (" + theirs.text() +
+                "); the inputs say no CRS and are elsewhere (" + box->text() + "): give theirs with --crs EPSG:n");
+  const std::string why =
+      "no input says its CRS; that of " + path + " is taken, whose outlines are where the points are";
+  progress.note("coordinates are in " + crs_name(source.crs) + ": " + why);
+  note_choice(crs_name(source.crs), why, record);
+  inputs.crs = source.crs;
+}
+
+double make_heights_alike(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
+  constexpr double kSameUnit = 1e-4;  // international and US survey feet are
+  const auto factor_of = [](const Crs& crs) { return crs.metres_per_unit_z / crs.metres_per_unit; };
+  double changed = 1;
+  for (auto& reader : inputs.readers) {
+    const Crs& own = reader->info().crs;
+    const double factor = options.crs.empty() && is_known(own) ? factor_of(own) : factor_of(inputs.crs);
+    if (std::abs(factor - 1) <= kSameUnit) continue;
+    reader = with_heights_in_unit(std::move(reader), factor);
+    changed = factor;
+  }
+  if (changed == 1) return 1;
+  const std::string note = fmt::format(
+      "heights are in units of {} m, positions in units of {} m ({}): products give both in the unit of positions, "
+      "points/ keeps the records as they are",
+      inputs.crs.metres_per_unit_z, inputs.crs.metres_per_unit, crs_name(inputs.crs));
+  progress.note(note);
+  record.warnings.push_back(note);
+  inputs.crs = horizontal_crs(inputs.crs);
+  return changed;
+}
+
+}  // namespace
+
+std::string crs_name(const Crs& crs) {
+  if (crs.epsg != 0) return "EPSG:" + std::to_string(crs.epsg);
+  return crs.name.empty() ? "none" : crs.name;
+}
+
+double settle_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
+  inputs.crs = agreed_crs(inputs, options);
+  if (inputs.crs.geographic || !options.to_crs.empty()) {
+    const auto box = sampled_box(inputs.readers);
+    if (!box) throw Error("no input has a point with usable coordinates");
+    if (inputs.crs.geographic) doubt_degrees(inputs, options, *box, progress, record);
+    if (!options.to_crs.empty()) reproject_all(inputs, options, *box, progress, record);
+    if (inputs.crs.geographic) refuse_degrees(inputs, options, *box);
+  }
+  if (!is_known(inputs.crs) && !options.footprints.empty()) take_crs_of_footprints(inputs, options, progress, record);
+  return make_heights_alike(inputs, options, progress, record);
+}
+
+}  // namespace ilot

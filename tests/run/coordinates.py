@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Units, coordinate systems and areas: what a run takes, says and writes."""
+import csv
+import json
+import pathlib
+import sqlite3
+import struct
+
+from support import Las, RunTest, ilot, main, real, small_las
+
+
+def with_keys(path, keys):
+    """Adds a GeoTIFF key record to a LAS file without records."""
+    data = bytearray(pathlib.Path(path).read_bytes())
+    body = struct.pack("<4H", 1, 1, 0, len(keys)) + b"".join(struct.pack("<4H", k, 0, 1, v) for k, v in keys)
+    record = struct.pack("<H16sHH32s", 0, b"LASF_Projection", 34735, len(body), b"") + body
+    struct.pack_into("<I", data, 96, 227 + len(record))
+    struct.pack_into("<I", data, 100, 1)
+    pathlib.Path(path).write_bytes(bytes(data[:227]) + record + bytes(data[227:]))
+    return path
+
+
+def slope(z_scale=1.0):
+    """A roof-like plane of 20 x 20 m, raw millimetres; heights divided by z_scale."""
+    return [(250 * i, 250 * j, round((5000 + 50 * i) / z_scale)) for i in range(80) for j in range(80)]
+
+
+def planes(out):
+    with open(out / "planes.csv", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+class CoordinatesTest(RunTest):
+    def test_heights_in_feet_over_metres(self):
+        foot = 1200 / 3937
+        metres = with_keys(small_las(self.folder / "m.las", slope(), offset=(651000, 6861000, 0)), [(1024, 1), (3072, 2154)])
+        feet = with_keys(small_las(self.folder / "f.las", slope(foot), offset=(651000, 6861000, 0)),
+                         [(1024, 1), (3072, 2154), (4099, 9003)])
+        self.assertIn("0.3048", ilot("info", feet).stdout)
+        a, _ = self.work(metres)
+        b, told = self.work(feet)
+        one, two = planes(a), planes(b)
+        self.assertEqual((len(one), len(two)), (1, 1))
+        for name in ("nx", "ny", "nz", "area_m2"):
+            if name in one[0]:
+                self.assertAlmostEqual(float(one[0][name]), float(two[0][name]), delta=0.01 * max(1, float(one[0][name])))
+        self.assertTrue(any("heights are in units of" in w for w in told["warnings"]), told["warnings"])
+        self.assertEqual(self.labelled(b, "f").raw(), Las.read(feet).raw(), "records stay as they are")
+        self.assertAlmostEqual(self.labelled(b, "f").scale[2], 0.001)
+        residuals = [abs(r) for plane, r, _ in self.labelled(b, "f").labels() if plane]
+        self.assertLess(max(residuals), 0.01)
+
+    def test_degrees(self):
+        rows = "".join(f"{3 + 3e-6 * i:.9f},{48.85 + 2e-6 * j:.9f},{50 + 0.02 * i:.3f}\n"
+                       for i in range(70) for j in range(70))
+        path = self.folder / "d.csv"
+        path.write_text("x,y,z\n" + rows)
+        refused = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("--to-crs utm", refused.stderr)
+        self.assertIn("EPSG:32631", refused.stderr)
+        self.assertNotIn("or give --crs", refused.stderr)
+        for target in ("utm", "EPSG:32631", "EPSG:2154"):
+            out, told = self.work(path, "--crs", "EPSG:4326", "--to-crs", target)
+            self.assertEqual(told["counts"]["planes"], 1)
+            chosen = [c for c in told["chosen"] if c["key"] == "crs"]
+            self.assertEqual(chosen[0]["value"], "EPSG:2154" if target == "EPSG:2154" else "EPSG:32631")
+            self.assertEqual(told["counts"]["points"]["labelled"], 4900)
+        wrong = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326", "--to-crs", "EPSG:4979")
+        self.assertEqual(wrong.returncode, 2)
+        unknown = ilot("run", path, "-o", self.folder / "no", "--to-crs", "utm")
+        self.assertEqual(unknown.returncode, 2)
+        self.assertIn("give it with --crs", unknown.stderr)
+
+    def test_degrees_that_cannot_be_are_not_believed(self):
+        path = with_keys(small_las(self.folder / "d.las", slope(), offset=(515393, 4918000, 0)), [(1024, 2), (2048, 4326)])
+        out, told = self.work(path)
+        self.assertEqual(told["counts"]["planes"], 1)
+        self.assertTrue(any("cannot be" in w for w in told["warnings"]))
+        shown = json.loads(ilot("info", "--json", path).stdout)[0]
+        self.assertTrue(shown["suits"]["planes"]["yes"])
+        self.assertTrue(any("cannot be" in w for w in shown["warnings"]))
+        given = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326")
+        self.assertEqual(given.returncode, 2)
+        self.assertIn("cannot be", given.stderr)
+
+    def test_layers_without_a_crs_are_cartesian(self):
+        out, _ = self.work(small_las(self.folder / "a.las", slope()))
+        with sqlite3.connect(out / "planes.gpkg") as file:
+            ids = {row[0] for row in file.execute("select srs_id from gpkg_geometry_columns")}
+        self.assertEqual(ids, {-1})
+        out, _ = self.work(small_las(self.folder / "b.las", slope()), "--crs", "EPSG:2154")
+        with sqlite3.connect(out / "planes.gpkg") as file:
+            self.assertEqual({row[0] for row in file.execute("select srs_id from gpkg_geometry_columns")}, {2154})
+
+    def outlines(self, name, x, y, crs="urn:ogc:def:crs:EPSG::28992"):
+        ring = [[x, y], [x + 12, y], [x + 12, y + 8], [x, y + 8], [x, y]]
+        path = self.folder / name
+        path.write_text(json.dumps({
+            "type": "FeatureCollection", **({"crs": {"type": "name", "properties": {"name": crs}}} if crs else {}),
+            "features": [{"type": "Feature", "properties": {"id": "house"},
+                          "geometry": {"type": "Polygon", "coordinates": [ring]}}]}))
+        return path
+
+    def house(self):
+        """A gable roof of 12 x 8 m on flat ground around it, classes 6 and 2."""
+        points = [(300 * i, 300 * j, 3000 + round(0.5 * min(300 * j - 8000, 16000 - 300 * j)), (6,))
+                  for i in range(35, 73) for j in range(28, 53)]
+        points += [(300 * i, 300 * j, 0, (2,)) for i in range(100) for j in range(80)
+                   if not (33 <= i <= 75 and 26 <= j <= 55)]
+        return small_las(self.folder / "house.las", points, offset=(85000, 447000, 0))
+
+    def test_the_crs_of_footprints_is_taken_where_they_fit(self):
+        cloud = self.house()
+        out, told = self.work(cloud, "--products", "roofs", "--footprints", self.outlines("f.geojson", 85010, 447008))
+        self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
+        self.assertIn("EPSG/0/28992", (out / "roofs" / "roofs.city.json").read_text())
+        far = ilot("run", cloud, "-o", self.folder / "no", "--products", "roofs", "--footprints",
+                   self.outlines("g.geojson", 185010, 447008))
+        self.assertEqual(far.returncode, 2)
+        self.assertIn("are elsewhere", far.stderr)
+
+    def test_areas_say_where_they_are(self):
+        cloud = with_keys(small_las(self.folder / "a.las", slope(), offset=(651000, 6861000, 0)), [(1024, 1), (3072, 2154)])
+        turned = ilot("run", cloud, "-o", self.folder / "no", "--bounds", "6861000,651000,6861010,651010")
+        self.assertEqual(turned.returncode, 1)
+        self.assertIn("with x and y exchanged", turned.stderr)
+        # Lambert-93 651000 6861000 is at 2.3323 E, 48.8489 N
+        ring = [[2.33, 48.848], [2.34, 48.848], [2.34, 48.85], [2.33, 48.85], [2.33, 48.848]]
+        area = self.folder / "area.geojson"
+        area.write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
+        out, told = self.work(cloud, "--within", area)
+        self.assertEqual(told["counts"]["points"]["labelled"], 6400)
+        self.assertTrue(any("--within" in w for w in told["warnings"]))
+        nowhere = small_las(self.folder / "b.las", slope(), offset=(651000, 6861000, 0))
+        done = ilot("run", nowhere, "-o", self.folder / "no", "--within", area)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("give it with --crs", done.stderr)
+
+    def test_stations_need_no_steps(self):
+        stations = self.folder / "stations.csv"
+        stations.write_text("name,x,y,z\nA,-5,10,2\nB,25,10,2\n")
+        cloud = small_las(self.folder / "a.las", slope())
+        out, told = self.work(cloud, "--stations", stations)
+        step = [c for c in told["chosen"] if c["key"] == "boundaries.step"]
+        self.assertEqual(step[0]["value"], "neighbours")
+        stations.write_text("A;-5;10;2\nB;25;10;2\n")
+        self.work(cloud, "--stations", stations, "--set", "boundaries.step=neighbours")
+        done = ilot("run", cloud, "-o", self.folder / "no", "--stations", stations, "--set", "boundaries.step=stations")
+        self.assertEqual(done.returncode, 2)
+
+    def test_info_says_what_a_cloud_suits(self):
+        far = small_las(self.folder / "far.las", [(60000 * i, 60000 * j, 0) for i in range(10) for j in range(10)])
+        said = ilot("info", far).stdout
+        for product in ("planes", "roofs", "facades", "streets"):
+            self.assertRegex(said, rf"{product} +no: ")
+        self.assertIn("is the unit right?", said)
+        same = small_las(self.folder / "same.las", [(5, 5, 5)] * 50)
+        self.assertIn("all points are at one place", ilot("info", same).stdout)
+
+
+class RealCoordinates(RunTest):
+    def test_delft_takes_the_crs_and_its_obj_is_valid(self):
+        out, told = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds", "--footprints",
+                              real("delft/footprints.geojson"))
+        self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
+        for name in ("roofs.obj", "roofs.city.json"):
+            done = ilot("validate", out / "roofs" / name)
+            self.assertEqual(done.returncode, 0, done.stdout[-500:])
+
+
+if __name__ == "__main__":
+    main(synthetic=[CoordinatesTest], real=[RealCoordinates])
