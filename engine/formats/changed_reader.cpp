@@ -68,7 +68,7 @@ class Reprojected final : public ReaderAround {
     layout.scale[0] = layout.scale[1] = (step < kHalf ? kFine : kUsual) / target.metres_per_unit;
     layout.offset = {std::floor(there.x / kRaster) * kRaster, std::floor(there.y / kRaster) * kRaster,
                      layout.offset[2]};
-    if (std::abs(there.z - near.z) > 0) {
+    if (there.z != near.z) {
       layout.scale[2] = layout.scale[0];
       layout.offset[2] = std::floor(there.z / kRaster) * kRaster;
     }
@@ -77,6 +77,7 @@ class Reprojected final : public ReaderAround {
     transform_.apply(stations);
     for (std::size_t i = 0; i < stations.size(); ++i) info_.stations[i].position = stations[i];
     replace_crs(info_, target);
+    if (there.z == near.z) info_.crs.metres_per_unit_z = source.metres_per_unit_z;  // heights are what they were
     // The octree of a COPC file has cubes of the source CRS.
     std::erase_if(info_.vlrs, [](const Vlr& vlr) { return vlr.user_id == "copc"; });
   }

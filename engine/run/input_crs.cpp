@@ -84,7 +84,7 @@ void reproject_all(RunInputs& inputs, const RunOptions& options, const PlaceBox&
   const std::string why = "reprojected from " + crs_name(inputs.crs) + " by --to-crs " + options.to_crs;
   progress.note("coordinates are in " + crs_name(target) + ": " + why);
   note_choice(crs_name(target), why, record);
-  inputs.crs = target;
+  inputs.crs = inputs.readers.front()->info().crs;
 }
 
 void take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {

@@ -69,6 +69,8 @@ json manifest(const RunOptions& options, const RunInputs& inputs, std::uint64_t 
           {"stations", stations_json(inputs.stations)},
           {"products", options.products},
           {"crs", options.crs},
+          {"to_crs", options.to_crs},
+          {"text_dialect", options.dialect ? words_of(*options.dialect) : ""},
           {"block_points", block_points}};
 }
 
