@@ -8,8 +8,6 @@
 
 namespace ilot {
 
-const char* const kNoPointInOutline = "no point of the cloud lies in its outline or around it";
-
 namespace {
 
 // The extent of the store's points in the millimetres of outlines.
@@ -37,26 +35,27 @@ std::string first_names(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void settle_empty_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                             Progress& progress, RunRecord& record) {
-  const auto is_empty = [](const SkippedRecord& s) { return s.what == "unit" && s.reason == kNoPointInOutline; };
-  if (!record.footprints || std::none_of(record.skipped.begin(), record.skipped.end(), is_empty)) return;
+void settle_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
+                               Progress& progress, RunRecord& record) {
+  if (!record.footprints) return;
   const GridBox extent = extent_of(store, context);
-  std::set<std::string> outside;
-  for (const PlannedSite& site : sites)
-    if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) outside.insert(site.id);
-  std::vector<std::string>& names = record.footprints->outside;
+  std::set<std::string> all, beyond;
+  for (const PlannedSite& site : sites) {
+    all.insert(site.id);
+    if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) beyond.insert(site.id);
+  }
+  const auto is_beyond = [&](const SkippedRecord& s) { return s.what == "unit" && beyond.contains(s.where); };
+  std::vector<std::string>& outside = record.footprints->outside;
   for (const SkippedRecord& s : record.skipped) {
-    if (!is_empty(s)) continue;
-    if (outside.contains(s.where))
-      names.push_back(s.where);
-    else
+    if (is_beyond(s))
+      outside.push_back(s.where);
+    else if (s.what == "unit" && all.contains(s.where))
       progress.unit_skipped(s.where, s.reason);
   }
-  std::erase_if(record.skipped, [&](const SkippedRecord& s) { return is_empty(s) && outside.contains(s.where); });
-  if (!names.empty())
-    progress.note(grouped(names.size()) + " of " + grouped(sites.size()) +
-                  " footprints are outside of the cloud's extent: " + first_names(names));
+  std::erase_if(record.skipped, is_beyond);
+  if (!outside.empty())
+    progress.note(grouped(outside.size()) + " of " + grouped(sites.size()) +
+                  " footprints are outside of the cloud's extent: " + first_names(outside));
 }
 
 std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area) {

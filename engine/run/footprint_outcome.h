@@ -12,14 +12,10 @@
 
 namespace ilot {
 
-// The reason of footprints in and around which the cloud has no point.
-extern const char* const kNoPointInOutline;
-
-// Of the units that were skipped for kNoPointInOutline, which nobody has said yet: those wholly outside of the cloud's
-// extent are no fault, as footprints of a whole town are usual; they move to record.footprints->outside and become one
-// line. The others are said one by one.
-void settle_empty_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                             Progress& progress, RunRecord& record);
+// Says which footprints were skipped. Those wholly outside of the cloud's extent are no fault, as footprints of a whole
+// town are usual: they move from record.skipped to record.footprints->outside and become one line.
+void settle_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
+                               Progress& progress, RunRecord& record);
 
 // Why roofs found nothing to build: half a sentence. `sites` are those of the footprints, `given`: there is a file of
 // them, `area`: products are asked for in a part only.

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/roof_sink.h"
 
-#include "engine/run/footprint_outcome.h"
-
 namespace ilot {
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
@@ -41,7 +39,7 @@ void RoofSink::count(const SiteResult& result) {
   counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
   if (result.status != RoofStatus::footprint_only) return;
   ++counts.footprint_only;
-  if (result.reason != kNoPointInOutline) progress_.unit_skipped(result.levels[0].id, result.reason);
+  if (!record_.footprints) progress_.unit_skipped(result.levels[0].id, result.reason);  // else when all are known
   record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
 }
 

@@ -256,7 +256,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     make_roofs(index.store, options.footprints.empty() ? found : sites, options.settings, inputs.crs, context,
                out.staging() / "roofs", progress, record);
     const bool given = !options.footprints.empty();
-    if (given) settle_empty_footprints(index.store, sites, context, progress, record);
+    if (given) settle_skipped_footprints(index.store, sites, context, progress, record);
     const std::uint64_t outside = given ? record.footprints->outside.size() : 0;
     if (record.roofs->buildings == outside)
       skip_product("roofs", why_no_building(sites, given, options.area.has_value()), progress, record);

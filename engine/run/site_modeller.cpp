@@ -6,7 +6,6 @@
 
 #include "engine/evaluate/validity.h"
 #include "engine/roofs/point_labels.h"
-#include "engine/run/footprint_outcome.h"
 #include "engine/run/footprint_plan.h"
 
 namespace ilot {
@@ -48,7 +47,7 @@ std::string fault_of(const Faults& faults) {
 }
 
 std::string why_empty(const GatheredSite& gathered) {
-  if (gathered.points_around == 0) return kNoPointInOutline;
+  if (gathered.points_around == 0) return "no point of the cloud lies in its outline or around it";
   return "none of the points in its outline is a building's";
 }
 

@@ -105,9 +105,9 @@ class CoordinatesTest(RunTest):
 
     def house(self):
         """A gable roof of 12 x 8 m on flat ground around it, classes 6 and 2."""
-        points = [(300 * i, 300 * j, 3000 + round(0.5 * min(300 * j - 8000, 16000 - 300 * j)), (6,))
+        points = [(300 * i, 300 * j, 3000 + round(0.5 * min(300 * j - 8000, 16000 - 300 * j)), 6)
                   for i in range(35, 73) for j in range(28, 53)]
-        points += [(300 * i, 300 * j, 0, (2,)) for i in range(100) for j in range(80)
+        points += [(300 * i, 300 * j, 0, 2) for i in range(100) for j in range(80)
                    if not (33 <= i <= 75 and 26 <= j <= 55)]
         return small_las(self.folder / "house.las", points, offset=(85000, 447000, 0))
 
@@ -116,6 +116,20 @@ class CoordinatesTest(RunTest):
         out, told = self.work(cloud, "--products", "roofs", "--footprints", self.outlines("f.geojson", 85010, 447008))
         self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
         self.assertIn("EPSG/0/28992", (out / "roofs" / "roofs.city.json").read_text())
+        self.assertEqual(told["footprints"]["outside"], [])
+        both = json.loads((self.folder / "f.geojson").read_text())
+        both["features"] += [{**f, "properties": {"id": f"far {i}"}} for i in range(5) for f in
+                             json.loads(self.outlines("h.geojson", 85510, 447008).read_text())["features"]]
+        (self.folder / "both.geojson").write_text(json.dumps(both))
+        done = ilot("run", cloud, "-o", self.folder / "both", "--products", "roofs", "--footprints",
+                    self.folder / "both.geojson")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("5 of 6 footprints are outside of the cloud's extent: far 0, far 1, far 2 and 2 more", done.stderr)
+        self.assertEqual(done.stderr.count("skipped:"), 0)
+        only = ilot("run", cloud, "-o", self.folder / "only", "--products", "roofs", "--crs", "EPSG:28992",
+                    "--footprints", self.folder / "h.geojson")
+        self.assertEqual(only.returncode, 3)
+        self.assertIn("none of 1 footprints is where the clouds are", only.stderr)
         far = ilot("run", cloud, "-o", self.folder / "no", "--products", "roofs", "--footprints",
                    self.outlines("g.geojson", 185010, 447008))
         self.assertEqual(far.returncode, 2)
@@ -126,8 +140,8 @@ class CoordinatesTest(RunTest):
         turned = ilot("run", cloud, "-o", self.folder / "no", "--bounds", "6861000,651000,6861010,651010")
         self.assertEqual(turned.returncode, 1)
         self.assertIn("with x and y exchanged", turned.stderr)
-        # Lambert-93 651000 6861000 is at 2.3323 E, 48.8489 N
-        ring = [[2.33, 48.848], [2.34, 48.848], [2.34, 48.85], [2.33, 48.85], [2.33, 48.848]]
+        # Lambert-93 651000 6861000 is at 2.33230 E, 48.84718 N
+        ring = [[2.33, 48.846], [2.34, 48.846], [2.34, 48.85], [2.33, 48.85], [2.33, 48.846]]
         area = self.folder / "area.geojson"
         area.write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
         out, told = self.work(cloud, "--within", area)
@@ -165,6 +179,8 @@ class RealCoordinates(RunTest):
         out, told = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds", "--footprints",
                               real("delft/footprints.geojson"))
         self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
+        self.assertEqual(len(told["footprints"]["outside"]), 21)
+        self.assertEqual(told["skipped"], [])
         for name in ("roofs.obj", "roofs.city.json"):
             done = ilot("validate", out / "roofs" / name)
             self.assertEqual(done.returncode, 0, done.stdout[-500:])
