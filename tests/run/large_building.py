@@ -8,6 +8,9 @@ import sys
 from support import EXE, SANITIZED, SKIPPED, RunTest, main
 
 POINTS = 1500000
+BUDGETS = (("96M", 1), ("256M", 2), ("1G", 3))  # and threads
+SECONDS = 300
+UNITS = {"M": 1 << 20, "G": 1 << 30}
 
 
 class LargeBuilding(RunTest):
@@ -19,10 +22,10 @@ class LargeBuilding(RunTest):
 
     def check(self, cloud, *arguments):
         hashes = set()
-        for memory, threads in (("96M", 1), ("256M", 2), ("1G", 3)):
+        for memory, threads in BUDGETS:
             _, told = self.work(cloud, "--products", "roofs", "--memory", memory, "--threads", threads, *arguments,
-                                code=self.code, timeout=300)
-            self.assertLessEqual(told["peak_rss_bytes"], (1 << 30) if memory == "1G" else int(memory[:-1]) << 20, memory)
+                                code=self.code, timeout=SECONDS)
+            self.assertLessEqual(told["peak_rss_bytes"], int(memory[:-1]) * UNITS[memory[-1]], memory)
             self.assertEqual(told["counts"]["roofs"]["thinned"], 1)
             self.assertEqual(told["counts"]["roofs"]["lod22"], 1)
             hashes.add(told["result_hash"])
