@@ -7,12 +7,11 @@
 #include <vector>
 
 #include "engine/error.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/pass/stop.h"
 
 namespace ilot {
 namespace {
-
-constexpr std::size_t kChunk = 1 << 16;  // records read at a time
 
 const char* name_of(FieldType type) {
   constexpr const char* names[] = {"opaque", "u8", "i8", "u16", "i16", "u32", "i32", "u64", "i64", "f32", "f64"};
@@ -71,11 +70,12 @@ Vec3 position_of(const std::byte* record, const RecordLayout& layout) {
 void for_each_record(PointReader& reader, const std::function<void(const std::byte*)>& visit) {
   const CloudInfo& info = reader.info();
   const std::size_t length = info.layout.record_length;
-  std::vector<std::byte> records(kChunk * length);
-  std::vector<std::uint8_t> valid(kChunk);
+  const std::size_t most = rows_at_a_time(length);
+  std::vector<std::byte> records(most * length);
+  std::vector<std::uint8_t> valid(most);
   for (std::uint64_t first = 0; first < info.points;) {
     if (stop_requested()) throw Error("evaluate: interrupted", ExitCode::interrupted);
-    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(kChunk, info.points - first));
+    const auto wanted = static_cast<std::size_t>(std::min<std::uint64_t>(most, info.points - first));
     const std::size_t got =
         reader.read(first, std::span(records).first(wanted * length), std::span(valid).first(wanted));
     for (std::size_t i = 0; i < got; ++i)

@@ -9,12 +9,11 @@
 
 #include "engine/error.h"
 #include "engine/formats/las_claims.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/pass/stop.h"
 
 namespace ilot {
 namespace {
-
-constexpr std::size_t kRowBytes = std::size_t{4} << 20;  // read at a time
 
 struct Measured {
   std::uint64_t points = 0;
@@ -51,8 +50,7 @@ Measured measure(PointReader& reader, const std::function<void(std::uint64_t)>& 
   const RecordLayout& layout = reader.info().layout;
   const auto time = gps_time_offset(layout.point_format);
   const std::size_t length = layout.record_length;
-  const std::uint64_t most =
-      std::max<std::uint64_t>(1, std::min<std::uint64_t>(kRowBytes / length, reader.info().points));
+  const std::size_t most = rows_at_a_time(length);
   std::vector<std::byte> rows(most * length);
   std::vector<std::uint8_t> valid(most);
   Measured m;

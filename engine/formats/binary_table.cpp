@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/formats/extra_bytes.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/formats/table.h"
 
 namespace ilot {
@@ -9,7 +10,11 @@ namespace {
 
 constexpr std::uint64_t kGrain = 1u << 16;  // rows between two boundaries
 constexpr std::size_t kSample = 1000;
-constexpr std::size_t kBatch = 1024;  // rows read at a time
+
+// Rows read at a time, as they are in the file and as numbers.
+std::size_t batch_of(const BinaryBody& body, const std::vector<Column>& columns) {
+  return rows_at_a_time(std::max<std::size_t>(1, body.stride + columns.size() * sizeof(double)), 1024);
+}
 
 double value_at(const std::byte* p, FieldType type, bool big_endian) {
   std::byte raw[8];
@@ -57,7 +62,8 @@ std::vector<double> read_values(const BinaryBody& body, const std::vector<Column
 }
 
 std::vector<double> leading_rows(const BinaryBody& body, const std::vector<Column>& columns) {
-  return read_values(body, columns, 0, static_cast<std::size_t>(std::min<std::uint64_t>(kSample, body.rows)));
+  return read_values(body, columns, 0,
+                     std::min({kSample, batch_of(body, columns), static_cast<std::size_t>(body.rows)}));
 }
 
 // Rows from all over the file: the leading ones may be rays without an echo.
@@ -101,9 +107,10 @@ class BinaryTable final : public PointReader {
     if (first >= info_.points) return 0;
     const auto rows = static_cast<std::size_t>(
         std::min<std::uint64_t>(std::min(records.size() / length, valid.size()), info_.points - first));
+    const std::size_t batch = batch_of(body_, columns_);
     std::size_t done = 0;
     while (done < rows) {
-      const std::vector<double> values = read_values(body_, columns_, first + done, std::min(kBatch, rows - done));
+      const std::vector<double> values = read_values(body_, columns_, first + done, std::min(batch, rows - done));
       const std::size_t got = values.size() / columns_.size();
       for (std::size_t i = 0; i < got; ++i)
         valid[done + i] = plan_.encode(std::span(values).subspan(i * columns_.size(), columns_.size()),

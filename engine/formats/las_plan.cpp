@@ -187,7 +187,9 @@ RecordLayout output_layout(const CloudSpec& spec) {
     field.offset = static_cast<std::uint16_t>(length);
     length += field.size;
     if (length > UINT16_MAX)
-      throw Error("field " + field.name + " does not fit: a LAS record holds 65535 bytes at most; append fewer fields");
+      throw Error(spec.like.path.string() + ": field " + field.name + " does not fit behind its rows of " +
+                  std::to_string(spec.like.layout.record_length) +
+                  " bytes: a LAS record has 65535 at most; leave out the labelled cloud (--no-clouds)");
     layout.extra.push_back(field);
   }
   layout.record_length = static_cast<std::uint16_t>(length);

@@ -9,12 +9,13 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kMostPoints = 500'000;  // of a chunk: several are held decoded
+// Of a chunk, of which a few are in memory decoded.
+constexpr std::uint64_t kMostPoints = 500'000, kMostBytes = std::uint64_t{32} << 20;
 
 // A chunk found without the table may hold what the record of the compression does not say.
 bool is_as_declared(const laz::ChunkPlace& chunk, const LazChunks& input) {
   const std::uint32_t size = input.compression.chunk_size;
-  if (chunk.points > kMostPoints) return false;
+  if (chunk.points > kMostPoints || chunk.points * input.compression.layout.record_length > kMostBytes) return false;
   return size == laz::kVariableChunks || chunk.points == size || chunk.first + chunk.points == input.index.points;
 }
 

@@ -5,10 +5,20 @@
 #include "engine/error.h"
 #include "engine/formats/laz.h"
 #include "engine/formats/laz_output.h"
+#include "engine/formats/row_buffer.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
+
+// Chunks of longer rows than 335 bytes have fewer of them: one must not need more than this.
+constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
+// Rows that wait for being encoded and their encoders, beyond the first chunk of them.
+constexpr std::size_t kBatchBytes = std::size_t{32} << 20;
+
+std::uint32_t rows_per_chunk(const RecordLayout& layout, std::uint32_t chunk_points) {
+  return static_cast<std::uint32_t>(rows_at_a_time(layout.record_length, chunk_points, kChunkBytes));
+}
 
 // What encodes one chunk of a batch.
 struct Slot {
@@ -42,12 +52,13 @@ class LazWriter final : public PointWriter {
 
  private:
   LazWriter(const std::filesystem::path& path, LasPlan plan, const LazOptions& options)
-      : LazWriter(path, plan, compression_of(plan, options.chunk_points)) {}
+      : LazWriter(path, plan, compression_of(plan, rows_per_chunk(plan.layout, options.chunk_points))) {}
 
   LazWriter(const std::filesystem::path& path, const LasPlan& plan, const laz::Compression& compression)
       : output_(path, plan, compression),
         chunk_bytes_(std::size_t{compression.chunk_size} * plan.layout.record_length) {
-    const auto slots = static_cast<std::size_t>(2 * thread_count());
+    const std::size_t each = chunk_bytes_ + laz::encoder_bytes(compression.layout);
+    const auto slots = std::clamp<std::size_t>(kBatchBytes / each, 1, 2 * static_cast<std::size_t>(thread_count()));
     for (std::size_t i = 0; i < slots; ++i) slots_.emplace_back(compression.layout);
   }
 
@@ -76,6 +87,12 @@ class LazWriter final : public PointWriter {
 };
 
 }  // namespace
+
+std::uint64_t laz_writer_bytes(const RecordLayout& layout, std::uint64_t rows) {
+  const laz::ChunkLayout chunk{layout.point_format, layout.record_length};
+  const std::uint64_t most = std::min<std::uint64_t>(rows, rows_per_chunk(layout, LazOptions().chunk_points));
+  return laz::encoder_bytes(chunk) + 2 * most * layout.record_length;
+}
 
 std::unique_ptr<PointWriter> create_laz(const std::filesystem::path& path, const CloudSpec& spec,
                                         const LazOptions& options) {

@@ -6,6 +6,7 @@
 #include "engine/formats/extra_bytes.h"
 #include "engine/formats/las_plan.h"
 #include "engine/formats/ply.h"
+#include "engine/formats/row_buffer.h"
 
 namespace ilot {
 namespace {
@@ -61,7 +62,8 @@ class PlyWriter final : public PointWriter {
   std::size_t record_length() const override { return layout_.record_length; }
 
   void write(std::span<const std::byte> records) override {
-    std::vector<std::byte> rows(kBatch * stride_);
+    const std::size_t batch = rows_at_a_time(stride_, 4096);
+    std::vector<std::byte> rows(batch * stride_);
     std::size_t filled = 0;
     for (std::size_t at = 0; at + layout_.record_length <= records.size(); at += layout_.record_length) {
       std::byte* p = &rows[filled * stride_];
@@ -72,7 +74,7 @@ class PlyWriter final : public PointWriter {
         p += type_size(type);
       }
       ++rows_;
-      if (++filled < kBatch) continue;
+      if (++filled < batch) continue;
       file_.append(rows);
       filled = 0;
     }
@@ -86,8 +88,6 @@ class PlyWriter final : public PointWriter {
   }
 
  private:
-  static constexpr std::size_t kBatch = 4096;
-
   void append(const std::string& text) { file_.append(std::as_bytes(std::span(text))); }
 
   // As long for any number of rows: a comment takes what the digits leave.

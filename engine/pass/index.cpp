@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/formats/row_buffer.h"
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/pass.h"
@@ -106,7 +107,8 @@ std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>&
                                 const IndexParams& params, const fs::path& folder, const PassContext& context) {
   std::vector<std::vector<SortedRun>> parts(tasks.size());
   std::vector<PassTask> costs;
-  for (const Task& t : tasks) costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint, t.count});
+  for (const Task& t : tasks)
+    costs.push_back({std::min(t.count, 2 * params.run_points) * kBytesPerPoint + kRowBytes, t.count});
   run_pass(costs, context.budget_bytes,
            [&](std::size_t i) { parts[i] = make_runs(*inputs[tasks[i].file], tasks[i], params, folder, context); });
   std::vector<SortedRun> runs;

@@ -8,7 +8,9 @@
 
 #include "engine/error.h"
 #include "engine/formats/changed_reader.h"
+#include "engine/formats/laz.h"
 #include "engine/formats/laz_extender.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
 #include "engine/version.h"
@@ -19,7 +21,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint64_t kStretch = 50000;  // rows labelled at a time, where chunks do not say
+constexpr std::size_t kStretch = 50000;    // rows labelled at a time, where chunks do not say, at most
+constexpr std::uint64_t kLabelBytes = 64;  // of what the products say of a row, at most
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
@@ -144,9 +147,10 @@ class Labeller {
 
   std::uint64_t copy(PointWriter& output) const {
     const std::uint64_t points = input_.info().points;
-    std::vector<std::uint64_t> bounds{0};
-    while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + kStretch, points));
     const std::size_t length = input_.info().layout.record_length, ours = output.record_length() - length;
+    const std::uint64_t stretch = rows_at_a_time(length + ours, kStretch);
+    std::vector<std::uint64_t> bounds{0};
+    while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + stretch, points));
     const std::uint64_t labelled = by_stretches(
         bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours); },
         [&](const std::vector<std::byte>& rows) { output.write(rows); });
@@ -154,12 +158,22 @@ class Labeller {
     return labelled;
   }
 
+  // As many as the threads have work with and the budget has room for: rows, ours, and what is prepared of both.
+  std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
+    if (!input_.random_access()) return 1;
+    std::uint64_t most_rows = 1;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) most_rows = std::max(most_rows, bounds[i + 1] - bounds[i]);
+    const std::uint64_t row_bytes = 2 * (input_.info().layout.record_length + appended_length) + kLabelBytes;
+    return std::clamp<std::size_t>(context_.budget_bytes / 2 / (most_rows * row_bytes), 1,  // the writer needs some
+                                   2 * static_cast<std::size_t>(thread_count()));
+  }
+
   // Reads, labels and prepares the stretches between bounds in parallel, a few at a time, and puts what was prepared in
   // order.
   template <class Prepare, class Put>
   std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, const Prepare& prepare,
                              const Put& put) const {
-    const std::size_t together = input_.random_access() ? 2 * static_cast<std::size_t>(thread_count()) : 1;
+    const std::size_t together = stretches_at_once(bounds, appended_length);
     std::vector<std::invoke_result_t<Prepare, std::size_t, const Stretch&>> prepared(together);
     std::vector<std::uint64_t> labelled(together);
     std::uint64_t all = 0;
@@ -232,6 +246,17 @@ std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointRea
 }
 
 }  // namespace
+
+void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {
+  for (const auto& input : inputs) {
+    const CloudInfo& info = input->info();
+    const std::uint64_t needed = laz_writer_bytes(info.layout, info.points);
+    if (needed > context.budget_bytes)
+      throw Error(info.path.string() + ": its rows of " + std::to_string(info.layout.record_length) + " bytes take " +
+                  std::to_string(needed >> 20) + " MiB to be compressed with their labels, and --memory leaves " +
+                  std::to_string(context.budget_bytes >> 20) + " MiB; give a larger --memory, or --no-clouds");
+  }
+}
 
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const fs::path& folder, const PassContext& context) {

@@ -14,6 +14,10 @@
 
 namespace ilot {
 
+// Throws Error where the rows of an input are too long to be compressed within the budget: those of 335 bytes need 20
+// MiB, the longest 100. To be called before the work.
+void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context);
+
 // Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the
 // number of points with a plane, a unit, an object or a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,

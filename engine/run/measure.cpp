@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/error.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/pass/stop.h"
 #include "engine/store/strays.h"
 #include "kernels/core/rng.h"
@@ -15,7 +16,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kRows = 1u << 16, kRowBytes = std::size_t{4} << 20;  // read at a time, at most
 constexpr std::size_t kGrid = 512;  // cells per side of the density grid, at most
 constexpr double kPointsPerCell = 16;
 constexpr std::size_t kWindows = 32;  // where the sampling step is measured
@@ -27,7 +27,7 @@ using Visit = std::function<void(const std::byte* row)>;
 // Calls visit for each valid row; returns the number of the others.
 std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance, const Visit& visit) {
   const std::size_t length = reader.info().layout.record_length;
-  const std::size_t most = std::clamp<std::size_t>(kRowBytes / length, 1, kRows);
+  const std::size_t most = rows_at_a_time(length);
   std::vector<std::byte> rows(most * length);
   std::vector<std::uint8_t> valid(most);
   std::uint64_t rejected = 0;

@@ -207,6 +207,7 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
 void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
                    const OutputFolder& out, Progress& progress, RunRecord& record) {
   PassContext context = pass_context(options, inputs, out.block_points(), progress);
+  if (options.clouds) check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("index", inputs.points);
   const IndexResult index = make_index(options, inputs, sites, out, context);
   warn_of_strays(index, progress, record);

@@ -12,6 +12,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/reader.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/pass/context.h"
 #include "engine/pass/pass.h"
 #include "engine/store/row_order.h"
@@ -48,7 +49,7 @@ class RowValues {
     std::filesystem::create_directories(folder_);
     std::vector<PassTask> tasks;
     for (const RowStretch& s : stretches_)
-      tasks.push_back({kRows * (inputs_[s.file]->info().layout.record_length + sizeof(Value)), s.count});
+      tasks.push_back({rows_at_once(s) * (inputs_[s.file]->info().layout.record_length + sizeof(Value)), s.count});
     for (const auto& input : inputs_) input->limit_to(fields);
     run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
       if (!std::filesystem::exists(path(stretches_[i]))) write(stretches_[i], value_of, add);
@@ -79,7 +80,11 @@ class RowValues {
   }
 
  private:
-  static constexpr std::uint64_t kRows = 1 << 16;  // read or gathered at a time
+  static constexpr std::uint64_t kRows = 1 << 16;  // gathered at a time
+
+  std::uint64_t rows_at_once(const RowStretch& s) const {
+    return rows_at_a_time(inputs_[s.file]->info().layout.record_length, kRows);
+  }
 
   std::filesystem::path path(const RowStretch& s) const {
     return folder_ / (std::to_string(s.file) + "_" + std::to_string(s.first));
@@ -90,13 +95,14 @@ class RowValues {
   void write(const RowStretch& s, const ValueOf& value_of, const Add& add) const {
     PointReader& input = *inputs_[s.file];
     const RecordLayout& layout = input.info().layout;
-    std::vector<std::byte> records(kRows * layout.record_length);
-    std::vector<std::uint8_t> valid(kRows);
+    const std::uint64_t most = rows_at_once(s);
+    std::vector<std::byte> records(most * layout.record_length);
+    std::vector<std::uint8_t> valid(most);
     std::vector<Value> values;
     Value sum{};
     ColumnWriter<Value> writer(path(s));
-    for (std::uint64_t done = 0; done < s.count; done += kRows) {
-      const std::uint64_t n = std::min(kRows, s.count - done);
+    for (std::uint64_t done = 0; done < s.count; done += most) {
+      const std::uint64_t n = std::min(most, s.count - done);
       const std::span rows = std::span(records).first(n * layout.record_length);
       if (input.read(s.first + done, rows, std::span(valid).first(n)) != n)
         throw Error(input.info().path.string() + ": can no longer be read in full; the file changed during the run");

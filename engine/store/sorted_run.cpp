@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "engine/error.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/store/column_file.h"
 #include "kernels/core/radix_sort.h"
 
@@ -117,7 +118,6 @@ void refuse_many_tiles(std::size_t tiles) {
 
 SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, const IndexFilter& filter,
                           const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows) {
-  constexpr std::uint64_t kBatch = 1 << 14;
   const CloudInfo& info = source.reader.info();
   const std::size_t length = info.layout.record_length;
   const LatticeMap map(info.layout, lattice.unit);
@@ -128,10 +128,11 @@ SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, 
   Gatherer gatherer(source.count);
   std::optional<CoarseCells> cells;
   if (filter.coarse_bits) cells.emplace(*filter.coarse_bits);
-  std::vector<std::byte> records(kBatch * length);
-  std::vector<std::uint8_t> valid(kBatch);
+  const std::uint64_t batch = rows_at_a_time(length, 1u << 14);
+  std::vector<std::byte> records(batch * length);
+  std::vector<std::uint8_t> valid(batch);
   for (std::uint64_t done = 0; done < source.count;) {
-    const std::uint64_t want = std::min(kBatch, source.count - done);
+    const std::uint64_t want = std::min(batch, source.count - done);
     const std::size_t got =
         source.reader.read(source.first + done, std::span(records).first(want * length), std::span(valid).first(want));
     if (got < want)

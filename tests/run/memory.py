@@ -3,9 +3,10 @@
 """The budget sets the peak, the input does not: ten times the points, the same resident memory."""
 import pathlib
 import subprocess
+import struct
 import sys
 
-from support import SANITIZED, SKIPPED, RunTest, main
+from support import SANITIZED, SKIPPED, RunTest, ilot, main, small_las
 
 
 class Memory(RunTest):
@@ -20,6 +21,22 @@ class Memory(RunTest):
         small, large = self.peak(500000, "--block-points", "16384"), self.peak(5000000, "--block-points", "16384")
         self.assertLessEqual(large, 1.1 * small, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
         self.assertLessEqual(large, 96 << 20)
+
+    def test_rows_of_60000_bytes(self):
+        """Buffers are bounded in bytes; compressing such rows needs a model of each byte, for which 96M is too little."""
+        path = self.folder / "long.las"
+        small_las(path, [(i % 8 * 1000, i // 8 * 1000, 0) for i in range(61)])
+        data = bytearray(path.read_bytes())
+        rows = [bytes(data[at:at + 20]).ljust(60000, b"\x07") for at in range(227, len(data), 20)]
+        struct.pack_into("<H", data, 105, 60000)
+        path.write_bytes(bytes(data[:227]) + b"".join(rows))
+        for memory, *more in ((96, "--no-clouds"), (128,)):
+            _, told = self.work(path, "--memory", f"{memory}M", "--threads", "2", *more)
+            self.assertLessEqual(told["peak_rss_bytes"], memory << 20)
+        refused = ilot("run", path, "-o", self.folder / "out96", "--memory", "96M")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("long.las: its rows of 60000 bytes take", refused.stderr)
+        self.assertIn("--no-clouds", refused.stderr)
 
     def test_peak_stays_within_the_budget(self):
         self.assertLessEqual(self.peak(1000000), 96 << 20)

@@ -5,6 +5,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/reader.h"
+#include "engine/formats/row_buffer.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/stop.h"
 #include "engine/version.h"
@@ -14,8 +15,6 @@
 
 namespace ilot {
 namespace {
-
-constexpr std::size_t kRows = 1u << 16, kRowBytes = std::size_t{4} << 20;  // read at a time, at most
 
 struct ConvertArguments {
   std::string input, output, dialect;
@@ -39,7 +38,7 @@ std::size_t keep_valid(std::span<std::byte> rows, std::span<const std::uint8_t> 
 
 Copied copy_points(PointReader& reader, PointWriter& writer, Progress& progress) {
   const std::size_t length = reader.info().layout.record_length;
-  const std::size_t most = std::clamp<std::size_t>(kRowBytes / length, 1, kRows);
+  const std::size_t most = rows_at_a_time(length);
   std::vector<std::byte> rows(most * length);
   std::vector<std::uint8_t> valid(most);
   Copied copied;

@@ -69,6 +69,9 @@ LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byt
 // Bytes of the raw point and the sizes of the streams.
 std::size_t layered_head(const ChunkLayout& layout);
 
+// What an encoder keeps: models of the standard fields, and one of every extra byte.
+std::size_t encoder_bytes(const ChunkLayout& layout);
+
 // Encodes chunks; keeps its models and buffers between them. Bytes are those of LASzip for the same points.
 class ChunkEncoder {
  public:

@@ -110,6 +110,12 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
 
 }  // namespace
 
+std::size_t encoder_bytes(const ChunkLayout& layout) {
+  constexpr std::size_t kStandard = std::size_t{1}
+                                    << 20;  // 1.0 MiB of format 3; each scanner channel of layered ones more
+  return kStandard + (layout.record_length - standard_size(layout.point_format)) * sizeof(Encoder::Model<256>);
+}
+
 ChunkEncoder::ChunkEncoder(const ChunkLayout& layout) {
   if (layout.layered()) {
     implementation_ = std::make_unique<LayeredEncoder>(layout);

@@ -64,6 +64,17 @@ TEST(Laz, WritesAndReadsEveryFormat) {
   EXPECT_EQ(folder.files(), 1u);
 }
 
+// A chunk has 16 MiB of rows at most.
+TEST(Laz, LongRowsComeInSmallerChunks) {
+  const Folder folder;
+  const CloudSpec spec = spec_of(0, 59'980);
+  const auto rows = points_of(spec, 300);
+  write_file(folder / "a.laz", spec, rows);
+  const auto reader = open_cloud(folder / "a.laz");
+  EXPECT_EQ(reader->boundaries(), (std::vector<std::uint64_t>{0, (std::size_t{16} << 20) / 60'000, 300}));
+  EXPECT_TRUE(read_all(*reader, 100).bytes == rows);
+}
+
 TEST(Laz, SameBytesForAnyNumberOfThreads) {
   const Folder folder;
   const CloudSpec spec = spec_of(7, 2);
