@@ -40,6 +40,7 @@ InputFile::~InputFile() {
 
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> out) const {
   if (offset >= size_) return 0;
+  out = out.first(static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), size_ - offset)));
   std::size_t done = 0;
   while (done < out.size()) {
     const std::size_t ask = std::min(out.size() - done, kLargestCall);

@@ -19,7 +19,8 @@ class InputFile {
   const std::filesystem::path& path() const { return path_; }
   std::uint64_t size() const { return size_; }  // bytes, when it was opened
 
-  // Fills `out` from `offset` on; returns how many bytes there were (fewer only at the end of the file).
+  // Fills `out` from `offset` on; returns how many bytes there were (fewer only at the end of the file). What was
+  // appended since it was opened does not belong to it; what was cut off is missing.
   std::size_t read_at(std::uint64_t offset, std::span<std::byte> out) const;
 
  private:

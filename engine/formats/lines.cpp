@@ -51,7 +51,8 @@ bool LineReader::next(std::string_view& line) {
       searched = kLongestLine;
     }
     if (fill()) continue;
-    if (begin_ == end_) return false;
+    // A file that has become shorter ends inside a line: what is left of it is no row.
+    if (begin_ == end_ || next_ < file_->size()) return false;
     line = {buffer_.data() + begin_, std::min(end_ - begin_, kLongestLine)};
     begin_ = end_;
     break;
