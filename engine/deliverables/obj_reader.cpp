@@ -2,6 +2,7 @@
 // Wavefront OBJ: the lines v, f, o and g.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -21,6 +22,8 @@ class ObjParser {
   void line(std::string_view text) {
     ++number_;
     const std::string_view word = take_word(text);
+    statements_ += is_statement(word);
+    blank_ = blank_ && word.empty();
     if (word == "v") {
       vertices_.push_back(vertex(text));
     } else if (word == "f") {
@@ -31,10 +34,20 @@ class ObjParser {
     }
   }
 
-  ModelFile finish() { return std::move(file_); }
+  ModelFile finish() {
+    if (!blank_ && statements_ == 0)
+      throw Error(name_ + ": no line of it is a statement of OBJ (v, f, o, g, ...): it is another kind of file");
+    return std::move(file_);
+  }
 
  private:
   [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", name_, number_, what)); }
+
+  // Those of polygons and lines, and comments; surfaces of higher order come with vertices, which are among these.
+  static bool is_statement(std::string_view word) {
+    constexpr std::string_view kWords[] = {"v", "vt", "vn", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
+    return word.starts_with('#') || std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
+  }
 
   static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
@@ -108,7 +121,8 @@ class ObjParser {
   const std::string& name_;
   std::string group_;
   std::size_t least_corners_;
-  std::uint64_t number_ = 0;
+  std::uint64_t number_ = 0, statements_ = 0;
+  bool blank_ = true;
   std::vector<Vec3> vertices_;
   std::optional<std::size_t> current_;
   std::unordered_map<std::string, std::size_t> models_;
@@ -120,6 +134,8 @@ class ObjParser {
 
 ModelFile parse_obj(std::string_view text, const std::string& name, const std::string& stem,
                     std::size_t least_corners) {
+  if (const std::size_t zero = text.find('\0'); zero != text.npos)
+    throw Error(fmt::format("{}: byte {} is zero, which no text has: it is no OBJ file", name, zero));
   ObjParser parser(name, stem, least_corners);
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size());

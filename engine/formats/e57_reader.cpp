@@ -169,12 +169,16 @@ class E57Reader final : public PointReader {
       info_.scans.push_back({scan.name, scan.points});
       if (extent.problem.empty()) continue;
       if (first_problem.empty()) first_problem = extent.problem;
+      if (scan.declared == 0) continue;  // some writers give an empty scan no section: nothing is lost with it
       info_.warnings.push_back("scan " + std::to_string(number) + " (" + scan.name +
                                "): " + std::to_string(scan.points) + " of " + std::to_string(scan.declared) +
                                " points can be read: " + extent.problem);
     }
     if (description_.scans.empty())
       throw Error(info_.path.string() + ": holds no scans; export the points, not only the images");
+    if (info_.declared_points == 0 && !first_problem.empty())
+      throw Error(info_.path.string() + ": holds no points, and where they would be " + first_problem +
+                  "; export the file again");
     if (info_.points == 0 && !first_problem.empty())
       throw Error(info_.path.string() + ": none of its " + std::to_string(info_.declared_points) +
                   " points can be read (" + first_problem + "); fetch or export the file again");

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <string>
 
@@ -14,6 +15,10 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kKeptPayload = std::uint64_t{64} << 20;
+
+// At the finest all that 32 bits count spans 4 mm, and degrees of that step are smaller than atoms; at the coarsest a
+// step is a kilometre. What is beyond is a damaged header.
+constexpr double kFinestScale = 1e-12, kCoarsestScale = 1000;
 
 struct HeaderView {
   std::vector<std::byte> bytes;
@@ -69,9 +74,12 @@ void read_transform(const InputFile& file, const HeaderView& header, CloudInfo& 
     const double scale = info.layout.scale[static_cast<std::size_t>(axis)];
     const double offset = info.layout.offset[static_cast<std::size_t>(axis)];
     const std::string name(1, static_cast<char>('x' + axis));
-    if (!std::isfinite(scale) || scale <= 0)
-      refuse(file, "scale of " + name + " at byte " + std::to_string(las::kScale + 8u * static_cast<unsigned>(axis)) +
-                       " is " + std::to_string(scale) + "; it must be positive");
+    if (!(scale >= kFinestScale && scale <= kCoarsestScale)) {
+      char text[64];
+      std::snprintf(text, sizeof text, " is %g; %g to %g are read", scale, kFinestScale, kCoarsestScale);
+      refuse(file,
+             "scale of " + name + " at byte " + std::to_string(las::kScale + 8u * static_cast<unsigned>(axis)) + text);
+    }
     if (!std::isfinite(std::abs(offset) + scale * 2147483648.0))
       refuse(file, "offset of " + name + " at byte " + std::to_string(las::kOffset + 8u * static_cast<unsigned>(axis)) +
                        " is not usable");

@@ -165,6 +165,12 @@ class Cli(unittest.TestCase):
         self.assertFalse(report["valid"])
         self.assertEqual([f["codes"] for f in report["files"]], [{}, {"302": 1}])
         self.assertEqual(report["files"][1]["findings"][0]["faults"][0]["code"], 302)
+        noise = self.folder / "noise.obj"
+        for content in (bytes((i * i * 37 + i) % 251 for i in range(5000)), b"some words\nand more\n"):
+            noise.write_bytes(content)
+            other = ilot("validate", noise)
+            self.assertEqual(other.returncode, 1, other.stdout)
+            self.assertIn("noise.obj: invalid: 901", other.stdout)
         (self.folder / "broken.city.json").write_text("{")
         broken = ilot("validate", self.folder / "broken.city.json")
         self.assertEqual(broken.returncode, 1)
@@ -259,6 +265,23 @@ class Scan(unittest.TestCase):
         self.refuse(["render", self.cloud, "-o", self.folder / "a.png", "--by", "plane_id"], "plane_id", "height")
         self.refuse(["render", self.cloud, "-o", self.folder / "a.png", "--bounds", "9,9,1,1"], "X0 < X1")
         self.refuse(["render", self.cloud, "-o", self.folder / "no" / "a.png"], "a.png", code=1)
+        self.refuse(["render", self.cloud, "-o", self.folder / "a.gif"], "a.gif: pictures are written as PNG")
+
+    def test_pictures_of_colours_of_8_and_16_bits_are_equal(self):
+        """Many writers leave 8 bits a channel in LAS's fields of 16."""
+        pictures = []
+        for step in (1, 256):
+            rows = [b"%d %d 0 %d %d %d\n" % (x, y, step * (5 * x + 20), step * 100, step * (5 * y + 20))
+                    for x in range(40) for y in range(40)]
+            cloud = self.folder / f"{step}.las"
+            text = self.folder / f"{step}.csv"
+            text.write_bytes(b"x y z red green blue\n" + b"".join(rows))
+            self.assertEqual(ilot("convert", text, cloud).returncode, 0)
+            picture = self.folder / f"{step}.png"
+            self.assertEqual(ilot("render", cloud, "-o", picture, "--by", "rgb", "--size", "100").returncode, 0)
+            pictures.append(picture.read_bytes())
+        self.assertEqual(*pictures)
+        self.assertEqual(ilot("render", cloud, "-o", self.folder / "a.PNG", "--size", "100").returncode, 0)
 
     def test_scan_evaluate_render(self):
         town = self.folder / "town.las"

@@ -27,13 +27,25 @@ struct DrawArguments {
 
 constexpr std::size_t kBatch = 1u << 16;  // points
 
+render::ColourRange colours_of(const std::string& cloud) {
+  const auto reader = open_cloud(cloud);
+  const RecordLayout& layout = reader->info().layout;
+  render::ColourRange range;
+  if (rgb_offset(layout.point_format))
+    for_each_record(*reader, [&](const std::byte* record) {
+      render::note_colour({record, layout.record_length}, layout, range);
+    });
+  return range;
+}
+
 // The points of a cloud, each time anew; without colours their intensity as a grey.
 PointSource points_of(const std::string& cloud) {
-  return [cloud](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [cloud, range = colours_of(cloud)](const PointBox&,
+                                            const std::function<void(std::span<const ImagePoint>)>& take) {
     const auto reader = open_cloud(cloud);
     const RecordLayout layout = reader->info().layout;
     const render::Colouring colour =
-        render::colouring(rgb_offset(layout.point_format) ? "rgb" : "intensity", layout, 0, 1);
+        render::colouring(rgb_offset(layout.point_format) ? "rgb" : "intensity", layout, range);
     std::vector<ImagePoint> batch;
     for_each_record(*reader, [&](const std::byte* record) {
       batch.push_back({position_of(record, layout), colour({record, layout.record_length})});

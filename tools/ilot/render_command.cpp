@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <cctype>
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -17,9 +19,18 @@ struct RenderArguments {
   render::RenderOptions options;
 };
 
+bool is_png_name(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".png";
+}
+
 int render_command(RenderArguments given) {
   if (given.input.empty() || given.output.empty())
     throw Error("render: INPUT and -o FILE are needed (ilot render --help)", ExitCode::usage);
+  if (!is_png_name(given.output))
+    throw Error(given.output + ": pictures are written as PNG; give the file a name that ends in .png",
+                ExitCode::usage);
   const double elevation = given.view == "top" ? 90 : given.view == "oblique" ? 40 : 0;
   given.options.view = {given.view == "top" ? 0 : given.azimuth, elevation};
   if (const auto& b = given.bounds; !b.empty()) {

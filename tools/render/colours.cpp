@@ -104,7 +104,13 @@ Colouring by_field(const std::string& name, const RecordLayout& layout) {
 
 }  // namespace
 
-Colouring colouring(const std::string& by, const RecordLayout& layout, double low, double high) {
+void note_colour(std::span<const std::byte> record, const RecordLayout& layout, ColourRange& range) {
+  const auto rgb = rgb_offset(layout.point_format);
+  for (std::size_t c = 0; rgb && c < 3; ++c)
+    range.brightest = std::max(range.brightest, load<std::uint16_t>(&record[*rgb + 2 * c]));
+}
+
+Colouring colouring(const std::string& by, const RecordLayout& layout, const ColourRange& range) {
   const std::uint8_t format = layout.point_format;
   if (by == "class" || by == "classification")
     return [format](auto record) { return colour_of_class(decode_fields(record, format).classification); };
@@ -114,14 +120,15 @@ Colouring colouring(const std::string& by, const RecordLayout& layout, double lo
       return Rgb{grey, grey, grey};
     };
   if (by == "height")
-    return [format, scale = layout.scale[2], offset = layout.offset[2], low, high](auto record) {
-      return ramp((decode_fields(record, format).z * scale + offset - low) / std::max(high - low, 1e-9));
-    };
+    return
+        [format, scale = layout.scale[2], offset = layout.offset[2], low = range.low, high = range.high](auto record) {
+          return ramp((decode_fields(record, format).z * scale + offset - low) / std::max(high - low, 1e-9));
+        };
   if (const auto offset = rgb_offset(format); by == "rgb" && offset)
-    return [at = *offset](auto record) {
+    return [at = *offset, shift = range.brightest > 255 ? 8 : 0](auto record) {
       Rgb colour{};
       for (std::size_t c = 0; c < 3; ++c)
-        colour[c] = static_cast<std::uint8_t>(load<std::uint16_t>(&record[at + 2 * c]) >> 8);
+        colour[c] = static_cast<std::uint8_t>(load<std::uint16_t>(&record[at + 2 * c]) >> shift);
       return colour;
     };
   return by_field(by, layout);

@@ -13,9 +13,17 @@ namespace ilot::render {
 // Colour of one record.
 using Colouring = std::function<Rgb(std::span<const std::byte>)>;
 
+// What was measured of the points that are drawn.
+struct ColourRange {
+  double low = 0, high = 0;     // heights in world units that "height" spreads its colours over
+  std::uint16_t brightest = 0;  // largest channel of all colours: up to 255 they have 8 bits, else 16
+};
+
+// Takes the record's colour into the range; clouds without colours leave it as it is.
+void note_colour(std::span<const std::byte> record, const RecordLayout& layout, ColourRange& range);
+
 // by: "class" (or "classification"), "height", "intensity", "rgb", or the name of an extra-byte field of
-// integers, whose values get colours far apart (0 = dark grey). low, high: heights in world units that
-// "height" spreads its colours over. Throws Error (usage) when the cloud has no such field.
-Colouring colouring(const std::string& by, const RecordLayout& layout, double low, double high);
+// integers, whose values get colours far apart (0 = dark grey). Throws Error (usage) when the cloud has no such field.
+Colouring colouring(const std::string& by, const RecordLayout& layout, const ColourRange& range);
 
 }  // namespace ilot::render

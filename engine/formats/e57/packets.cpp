@@ -92,7 +92,8 @@ bool Packets::split(std::vector<std::span<const std::byte>>& pieces) {
 
 Extent measure_scan(Pages& pages, const Scan& scan, std::uint64_t& budget) {
   Extent extent{0, scan.problem};
-  if (scan.declared == 0 || !scan.problem.empty()) return extent;
+  if (!scan.problem.empty()) return extent;
+  if (scan.declared == 0) return {0, Packets(pages, scan).problem()};
   if (std::none_of(scan.fields.begin(), scan.fields.end(), is_read)) {
     if (scan.declared > kMostConstant)
       extent.problem = "all its points are the same, which is hardly meant";

@@ -57,6 +57,12 @@ TEST(ModelFile, ReadsGroupsOfAnObj) {
   EXPECT_TRUE(parse_obj("", "a.obj", "a").models.empty());
 }
 
+TEST(ModelFile, OtherFilesAreNoObj) {
+  EXPECT_NE(obj_fault(std::string("v 0 0 0\n\0", 9)).find("byte 8 is zero"), std::string::npos);
+  EXPECT_NE(obj_fault("x y z\n1 2 3\n").find("another kind of file"), std::string::npos);
+  for (const char* text : {"", " \r\n\n", "# none\n", "mtllib a.mtl\n"}) EXPECT_EQ(obj_fault(text), "none") << text;
+}
+
 TEST(ModelFile, RefusesBrokenObjsWithThePlace) {
   const std::string start = "v 0 0 0\nv 1 0 0\nv 1 1 0\n";
   EXPECT_EQ(obj_fault(start + "f 1 2 4\n"), "a.obj:4: a face names vertex 4 of 3");

@@ -303,6 +303,29 @@ TEST(E57, RefusesWithASentence) {
   EXPECT_NE(message_of(folder, unusable.finish()).find("neither cartesianX"), std::string::npos);
 }
 
+TEST(E57, AFileWithoutPointsNeedsTheSectionOfNone) {
+  const Folder folder;
+  E57Scan none = small_scan("none", 1);
+  for (E57Field& field : none.fields) field.stored.clear();
+  E57Writer sound;
+  sound.add(none);
+  const std::string bytes = sound.finish();
+  EXPECT_EQ(open_bytes(folder, bytes).reader->info().points, 0u);
+  constexpr std::size_t kSection = 48;  // behind the header
+  std::string headless = bytes;
+  headless[kSection] = '\0';
+  EXPECT_NE(message_of(folder, E57Writer::resealed(headless)).find("holds no points"), std::string::npos);
+
+  E57Writer beside;
+  beside.add(none);
+  beside.add(small_scan("s", 1));
+  headless = beside.finish();
+  headless[kSection] = '\0';
+  const OpenedE57 o = open_bytes(folder, E57Writer::resealed(headless));
+  EXPECT_EQ(o.reader->info().points, 2u);
+  EXPECT_TRUE(o.reader->info().warnings.empty());
+}
+
 TEST(E57, LyingCountsAndOverlapsAreBounded) {
   const Folder folder;
   E57Writer writer;

@@ -239,7 +239,10 @@ TEST(Las, RefusesWhatCannotBeUnderstoodWithASentence) {
       {"no record", set(105, std::uint16_t{0}), "record length 0"},
       {"zero scale", set(131, 0.0), "scale of x"},
       {"nan scale", set(139, std::nan("")), "scale of y"},
-      {"huge scale", set(147, 1e308), "offset of z"},
+      {"scale of no meaning", set(131, 1e-300), "scale of x at byte 131 is 1e-300; 1e-12 to 1000 are read"},
+      {"scale below all", set(139, 9e-13), "scale of y"},
+      {"scale above all", set(147, 1000.1), "scale of z"},
+      {"huge scale", set(147, 1e308), "scale of z"},
       {"infinite offset", set(155, HUGE_VAL), "offset of x"},
   };
   for (const Mutation& mutation : mutations) {
