@@ -53,7 +53,7 @@ struct ScanPart {
 // header and are never trusted: index and info measure them.
 struct CloudInfo {
   std::filesystem::path path;
-  std::string format;  // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
+  std::string format;   // "las", "laz", "copc", "ply", "text", "pcd", "e57", "ptx"
   std::string dialect;  // of text, for people: separators, decimal point or comma; else empty
   std::uint8_t version_major = 1, version_minor = 4;
   RecordLayout layout;

@@ -114,8 +114,10 @@ TEST(RoofsProduct, EveryFootprintComesBack) {
   EXPECT_EQ(counts["lod22"], 3);
   EXPECT_EQ(counts["footprint_only"], 2);
   EXPECT_EQ(out.record["footprints"]["without_outline"], 1);
-  ASSERT_EQ(out.record["skipped"].size(), 2u);
-  for (const json& s : out.record["skipped"]) EXPECT_NE(s["reason"], "");
+  ASSERT_EQ(out.record["skipped"].size(), 1u);
+  EXPECT_EQ(out.record["skipped"][0]["where"], "line");
+  EXPECT_NE(out.record["skipped"][0]["reason"], "");
+  EXPECT_EQ(out.record["footprints"]["outside"], json::array({"far"})) << "no fault";
   for (const char* id : {"1", "2", "10"}) {
     EXPECT_NEAR(attribute(out, id, "h_ground"), 1, 0.03) << id;
     EXPECT_EQ(out.buildings.at(id)["CityObjects"][id]["attributes"]["ground_source"], "measured");
