@@ -23,6 +23,7 @@ constexpr double kRounder = 0.35;    // a circle must leave less than this share
 constexpr double kSurround = 0.15;   // metres before the wall, where surrounds end
 constexpr double kBesideArc = 0.03;  // metres beside the first arc that points of the soffit lie
 constexpr std::size_t kLeastSoffit = 60;
+constexpr std::uint64_t kMostSamples = 1 << 17, kMostSoffit = 1 << 16;  // more tell no more
 
 struct Slice {
   std::vector<double> below, above;
@@ -31,14 +32,14 @@ struct Slice {
 // The wall, the back of a joint between its stones, or a surround that stands out of it and goes on where the soffit
 // ends: a ray that meets one of these does not go through. What stands farther out hides the opening as well as what is
 // above it.
-bool is_above(const RaySamples& samples, std::uint32_t point) {
-  if (samples.in_joint(point)) return true;
-  const Met met = samples.met(point, 0, samples.site().epsilon);
-  return met == Met::solid || (met == Met::before && static_cast<double>(samples.site().points[point].w) < kSurround);
+bool is_above(const RaySamples& samples, const Ray& ray) {
+  if (samples.in_joint(ray)) return true;
+  const Met met = samples.met(ray, 0, samples.site().epsilon);
+  return met == Met::solid || (met == Met::before && static_cast<double>(ray.at.w) < kSurround);
 }
 
-bool is_below(const RaySamples& samples, std::uint32_t point) {
-  return !samples.in_joint(point) && samples.met(point, 0, samples.site().epsilon) == Met::through;
+bool is_below(const RaySamples& samples, const Ray& ray) {
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
 }
 
 // Of a circle's upper half; NaN beside it.
@@ -62,12 +63,15 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
   const FacadeSite& site = samples.site();
   std::vector<Slice> slices(kSlices);
   const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kSlices;
-  for (const std::uint32_t i : samples.near(search)) {
-    const Place2 p = samples.crossing(i, 0);
+  Rays near = samples.near(search);
+  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  for (const Ray& ray : near) {
+    if (!is_kept(ray, level)) continue;
+    const Place2 p = samples.crossing(ray, 0);
     const double at = (p.u - search.u0 - margin) / width;
     if (at < 0 || at >= kSlices || p.v < search.v0 || p.v > search.v1) continue;
-    if (is_below(samples, i)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
-    if (is_above(samples, i)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
+    if (is_below(samples, ray)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
+    if (is_above(samples, ray)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
   }
   std::vector<PlanePoint> tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
@@ -86,14 +90,16 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
   const double half = std::min(search.width() / 2 / first.radius, 1.0);
   const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kSlices;
   std::vector<Slice> sectors(kSlices);
-  for (const std::uint32_t i : samples.near(search)) {
-    const Place2 p = samples.crossing(i, 0);
+  Rays near = samples.near(search);
+  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  for (const Ray& ray : near) {
+    const Place2 p = samples.crossing(ray, 0);
     const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
-    if (y <= 0 || std::abs(r - first.radius) > kBeside) continue;
+    if (y <= 0 || std::abs(r - first.radius) > kBeside || !is_kept(ray, level)) continue;
     const double at = (direction_degrees(x, y) - from) / width;
     if (at < 0 || at >= kSlices) continue;
-    if (is_below(samples, i)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
-    if (is_above(samples, i)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
+    if (is_below(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
+    if (is_above(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
   }
   std::vector<PlanePoint> tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
@@ -122,12 +128,16 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
     return std::sqrt(x * x + y * y) - fit.radius;
   };
   std::vector<PlanePoint> soffit;
-  for (const std::uint32_t i : samples.near(search.grown(std::abs(opening.depth)))) {
-    const FacadePoint& p = site.points[i];
-    const PlanePoint at{p.u, p.v};
-    if (p.w > front || p.w < back || samples.in_joint(i) || at.y < first.centre.y + 0.1 * first.radius) continue;
-    if (at.x > search.u0 && at.x < search.u1 && std::abs(off(first, at)) < kBesideArc) soffit.push_back(at);
-  }
+  const auto is_soffit = [&](const Ray& ray) {
+    const PlanePoint at{ray.at.u, ray.at.v};
+    return ray.at.w <= front && ray.at.w >= back && !samples.in_joint(ray) &&
+           at.y >= first.centre.y + 0.1 * first.radius && at.x > search.u0 && at.x < search.u1 &&
+           std::abs(off(first, at)) < kBesideArc;
+  };
+  Rays near = samples.near(search.grown(std::abs(opening.depth)));
+  const int level = thinning_level(near, kMostSoffit, is_soffit);
+  for (const Ray& ray : near)
+    if (is_soffit(ray) && is_kept(ray, level)) soffit.push_back({ray.at.u, ray.at.v});
   CircleFit fit = first;
   double beside = kBesideArc;
   for (int round = 0; round < 4; ++round) {

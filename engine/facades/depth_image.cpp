@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/facades/cell_bands.h"
+
 namespace ilot {
 namespace {
 
@@ -54,72 +56,90 @@ void find_box(DepthRegion& region, std::int64_t columns) {
   region.r0 = quantile(low, region.what == kBefore ? kMiddle : kTail), region.r1 = quantile(high, 1 - kTail);
 }
 
+// Of a cell's points: those of the wall, and others of the foremost sheet.
+struct SheetCounts {
+  std::uint32_t wall = 0, other = 0;
+
+  std::int8_t what(double front, double least) const {
+    if (other > 0 && front > least && other >= wall) return kBefore;
+    if (wall > 0) return kWall;
+    if (other > 0) return front < -least ? kBehind : kWall;
+    return kNothing;
+  }
+};
+
+void fill_rows(const RaySamples& samples, const RowBand& band, double least, double most_depth, DepthImage& image) {
+  const double u1 = image.u(image.columns), v0 = image.u(band.first), v1 = image.u(band.end);
+  const auto first = static_cast<std::int64_t>(band.first * image.columns);
+  const auto count = static_cast<std::int64_t>((band.end - band.first) * image.columns);
+  const auto cell_of = [&](const Ray& ray) {  // in the band; -1 outside of it
+    const std::int64_t i = std::abs(static_cast<double>(ray.at.w)) <= most_depth ? image.at(ray.at) : -1;
+    return i < first || i >= first + count ? -1 : i;
+  };
+  Rays rays = samples.at_places(Box2{-kAroundWall, u1, v0, v1}.grown(image.cell));
+  for (const Ray& ray : rays)
+    if (const std::int64_t i = cell_of(ray); i >= 0) {
+      float& front = image.front[static_cast<std::size_t>(i)];
+      front = std::max(front, ray.at.w);
+    }
+  std::vector<SheetCounts> counts(static_cast<std::size_t>(count));
+  for (const Ray& ray : rays) {
+    const std::int64_t i = cell_of(ray);
+    if (i < 0) continue;
+    SheetCounts& at = counts[static_cast<std::size_t>(i - first)];
+    const double front = image.front[static_cast<std::size_t>(i)];
+    if (samples.on_wall(ray))
+      ++at.wall;
+    else
+      at.other += static_cast<double>(ray.at.w) > front - kForemostSheet;
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const std::size_t at = static_cast<std::size_t>(first) + i;
+    image.what[at] = counts[i].what(image.front[at], least);
+  }
+}
+
 }  // namespace
 
 DepthImage depth_image(const RaySamples& samples, double least_depth, double most_depth) {
   const FacadeSite& site = samples.site();
   DepthImage image;
-  image.cell = std::clamp(kCellSteps * site.step, kLeastCell, kMostCell);
-  image.columns = static_cast<std::int64_t>((site.width + 2 * kAroundWall) / image.cell) + 1;
-  image.rows = static_cast<std::int64_t>((site.height + 2 * kAroundWall) / image.cell) + 1;
+  const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
+  image.cell = cell_for(width, height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
+  image.columns = static_cast<std::int64_t>(width / image.cell) + 1;
+  image.rows = static_cast<std::int64_t>(height / image.cell) + 1;
   const auto count = static_cast<std::size_t>(image.columns * image.rows);
   image.front.assign(count, -INFINITY);
-  std::vector<std::uint32_t> wall(count), other(count);
-  const auto depth = [&](const FacadePoint& p) { return std::abs(static_cast<double>(p.w)) <= most_depth; };
-  for (const FacadePoint& p : site.points)
-    if (const std::int64_t i = image.at(p); i >= 0 && depth(p))
-      image.front[static_cast<std::size_t>(i)] = std::max(image.front[static_cast<std::size_t>(i)], p.w);
-  for (std::uint32_t k = 0; k < site.points.size(); ++k) {
-    const FacadePoint& p = site.points[k];
-    const std::int64_t i = image.at(p);
-    if (i < 0 || !depth(p)) continue;
-    if (samples.on_wall(k))
-      ++wall[static_cast<std::size_t>(i)];
-    else if (static_cast<double>(p.w) > static_cast<double>(image.front[static_cast<std::size_t>(i)]) - kForemostSheet)
-      ++other[static_cast<std::size_t>(i)];
-  }
-  const double least = std::max(least_depth, 3 * site.epsilon);
   image.what.assign(count, kNothing);
-  for (std::size_t i = 0; i < count; ++i) {
-    const double w = image.front[i];
-    if (other[i] > 0 && w > least && other[i] >= wall[i])
-      image.what[i] = kBefore;
-    else if (wall[i] > 0)
-      image.what[i] = kWall;
-    else if (other[i] > 0 && w < -least)
-      image.what[i] = kBehind;
-    else if (other[i] > 0)
-      image.what[i] = kWall;
-  }
+  const double least = std::max(least_depth, 3 * site.epsilon);
+  for (const RowBand& band : bands_of(image.columns, image.rows)) fill_rows(samples, band, least, most_depth, image);
   close_gaps(image);
   return image;
 }
 
-std::vector<DepthRegion> depth_regions(const DepthImage& image) {
-  std::vector<DepthRegion> regions;
-  std::vector<std::uint8_t> taken(image.what.size());
-  for (std::int64_t start = 0; start < static_cast<std::int64_t>(taken.size()); ++start) {
-    const std::int8_t what = image.what[static_cast<std::size_t>(start)];
-    if (taken[static_cast<std::size_t>(start)] != 0 || (what != kBehind && what != kBefore)) continue;
+void for_each_depth_region(const DepthImage& image, const std::function<void(const DepthRegion&)>& visit) {
+  std::vector<bool> taken(image.what.size(), false);
+  for (std::size_t start = 0; start < taken.size(); ++start) {
+    const std::int8_t what = image.what[start];
+    if (taken[start] || (what != kBehind && what != kBefore)) continue;
     DepthRegion region;
     region.what = what;
-    region.cells = {start};
-    taken[static_cast<std::size_t>(start)] = 1;
+    region.cells = {static_cast<std::uint32_t>(start)};
+    taken[start] = true;
     for (std::size_t i = 0; i < region.cells.size(); ++i) {
       const std::int64_t c = region.cells[i] % image.columns, r = region.cells[i] / image.columns;
-      const auto visit = [&](std::int64_t nc, std::int64_t nr) {
+      const auto take = [&](std::int64_t nc, std::int64_t nr) {
         if (nc < 0 || nr < 0 || nc >= image.columns || nr >= image.rows) return;
         const auto n = static_cast<std::size_t>(nr * image.columns + nc);
-        if (taken[n] != 0 || image.what[n] != what) return;
-        taken[n] = 1;
-        region.cells.push_back(nr * image.columns + nc);
+        if (taken[n] || image.what[n] != what) return;
+        taken[n] = true;
+        region.cells.push_back(static_cast<std::uint32_t>(n));
       };
-      visit(c - 1, r), visit(c + 1, r), visit(c, r - 1), visit(c, r + 1);
+      take(c - 1, r), take(c + 1, r), take(c, r - 1), take(c, r + 1);
     }
     find_box(region, image.columns);
-    regions.push_back(std::move(region));
+    visit(region);
   }
-  return regions;
 }
 
 double bounded_by_wall(const DepthImage& image, const DepthRegion& region, Side side) {

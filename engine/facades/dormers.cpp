@@ -29,23 +29,26 @@ Vec3 place_in(const Facade& facade, const FacadeSite& front) {
   return {dot(d, facade.right), dot(d, facade.up), dot(d, facade.out)};
 }
 
-bool foot_is_hidden(const FacadeSite& front) {
+bool foot_is_hidden(const RaySamples& samples) {
+  const FacadeSite& front = samples.site();
   std::uint64_t seen = 0;
-  for (const FacadePoint& p : front.points)
+  for (const Ray& ray : samples.at_places({0, front.width, -kBelow, -front.step})) {
+    const FacadePoint& p = ray.at;
     seen += p.u >= 0 && p.u <= front.width && p.v < -front.step && p.v >= -kBelow &&
             std::abs(static_cast<double>(p.w)) < kRoofDepth;
+  }
   return static_cast<double>(seen) < kSeenBelow * front.width * kBelow / (front.step * front.step);
 }
 
-FacadeElement front_of(const FacadeSite& front, const RaySamples& samples, double behind, const DormerParams& params) {
-  FacadeElement e = wall_of(front, wall_outline(samples, params.outline));
+FacadeElement outline_of(const RaySamples& samples, const DormerParams& params) {
+  const FacadeSite& front = samples.site();
+  FacadeElement e = wall_of(samples, wall_outline(samples, params.outline));
   e.kind = "dormer";
   e.region = FacadeRegion::element;
-  e.depth_m = behind;
   e.depth_error_m = front.noise;
   if (e.edges.empty())
     for (std::size_t i = 0; i < e.ring.size(); ++i) e.edges.push_back({DrawnStatus::seen, 0, 0, front.step, 0});
-  if (foot_is_hidden(front)) {
+  if (foot_is_hidden(samples)) {
     e.edges[0].status = DrawnStatus::occluded;
     e.reason = "its foot is hidden by what stands below it";
   }
@@ -91,16 +94,23 @@ std::vector<FacadeElement> elements_of(const std::vector<DormerOpening>& opening
 
 }  // namespace
 
-std::uint64_t add_dormers(const std::vector<FacadeSite>& fronts, Facade& facade, const DormerParams& params) {
+DormerFront find_dormer(const RaySamples& samples, const DormerParams& params) {
+  DormerFront front{samples.site(), {}, find_openings(samples, params.openings)};
+  front.site.points = {};
+  front.site.from = {};
+  if (!front.openings.empty()) front.outline = outline_of(samples, params);
+  return front;
+}
+
+std::uint64_t add_dormers(const std::vector<DormerFront>& fronts, Facade& facade, const DormerParams& params) {
   std::vector<FacadeElement> added;
   std::vector<DormerOpening> openings;
-  for (const FacadeSite& front : fronts) {
-    const RaySamples samples(front);
-    const Vec3 at = place_in(facade, front);
-    const std::vector<FoundRectangle> found = find_openings(samples, params.openings);
-    if (found.empty()) continue;
-    added.push_back(front_of(front, samples, at.z, params));
-    for (const FoundRectangle& r : found) openings.push_back({&front, at, r});
+  for (const DormerFront& front : fronts) {
+    if (front.openings.empty()) continue;
+    const Vec3 at = place_in(facade, front.site);
+    added.push_back(front.outline);
+    added.back().depth_m = at.z;
+    for (const FoundRectangle& r : front.openings) openings.push_back({&front.site, at, r});
   }
   for (FacadeElement& e : elements_of(openings, facade, params)) added.push_back(std::move(e));
   std::uint64_t hidden = 0;

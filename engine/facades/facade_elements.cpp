@@ -121,7 +121,8 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   return e;
 }
 
-FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline) {
+FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline) {
+  const FacadeSite& site = samples.site();
   FacadeElement e;
   e.kind = "outline";
   e.region = FacadeRegion::facade;
@@ -132,7 +133,7 @@ FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline) {
     e.height_m = std::max(e.height_m, p.v);
   }
   e.width_error_m = e.height_error_m = site.step;
-  for (const FacadePoint& p : site.points) e.points += std::abs(static_cast<double>(p.w)) <= site.epsilon;
+  e.points = samples.points_on_wall();
   return e;
 }
 

@@ -13,7 +13,7 @@ namespace ilot {
 FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing);
 
 // The wall itself within its outline.
-FacadeElement wall_of(const FacadeSite& site, const WallOutline& outline);
+FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 
 // A bulge or a hollow: its outline in the wall, its surface as a mesh [C11].
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);

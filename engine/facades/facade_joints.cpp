@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/facades/box_grid.h"
+
 #include "engine/facades/side_faces.h"
 #include "kernels/core/portable_math.h"
 
@@ -57,20 +59,57 @@ double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
   return outline.edges.empty() || across == 0 ? 0 : dot(along, f.up) / across;
 }
 
+constexpr double kCell = 16, kRounding = 0.001;  // metres
+
+// Of an outline on the ground; grown by as much as a wall that leans goes sideways, and by `reach`, metres.
+GroundBox ground_of(const Facade& f, const FacadeElement& outline, double reach, double metres) {
+  GroundBox box = kNoGround;
+  for (const Vec3& p : outline.ring) box.include(p);
+  const double height = box_of(f, outline, metres).height() / metres;
+  const double lean = std::sqrt(f.up.x * f.up.x + f.up.y * f.up.y);
+  return box.grown(lean * height + reach / metres);
+}
+
+// Outlines by where they stand, kept up while they move.
+class OutlineGrid {
+ public:
+  OutlineGrid(std::vector<Facade>& facades, double metres) : metres_(metres), grid_(kCell / metres) {
+    for (std::size_t i = 0; i < facades.size(); ++i) add(facades, i);
+  }
+  void add(std::vector<Facade>& facades, std::size_t i) {
+    const FacadeElement* outline = outline_of(facades[i]);
+    if (outline == nullptr) return;
+    const GroundBox box = ground_of(facades[i], *outline, 0, metres_);
+    grid_.add(static_cast<std::uint32_t>(i), box);
+    lean_ = std::max(lean_, std::sqrt(facades[i].up.x * facades[i].up.x + facades[i].up.y * facades[i].up.y));
+  }
+  std::vector<std::uint32_t> near(const GroundBox& box) const { return grid_.near(box); }
+  double lean() const { return lean_; }  // of the wall that leans most: metres sideways a metre up
+
+ private:
+  double metres_, lean_ = 0;
+  BoxGrid grid_;
+};
+
 struct Meeting {
   double way = INFINITY;  // metres that the end moves
   std::size_t other = 0;  // the facade met
 };
 
 // Which facade the left (or right) end of one comes to.
-Meeting meeting_of(std::vector<Facade>& facades, std::size_t own, bool left, const JointParams& params) {
+Meeting meeting_of(std::vector<Facade>& facades, const OutlineGrid& grid, std::size_t own, bool left,
+                   const JointParams& params) {
   Meeting nearest;
   Facade& f = facades[own];
   const FacadeElement* outline = outline_of(f);
   const double m = params.metres_per_unit, least = cos_degrees(90 - params.least_turn_deg);
   const EndCorners end = end_of(*outline, left);
   const Vec3 low = outline->ring[end.low], high = outline->ring[end.high];
-  for (std::size_t o = 0; o < facades.size(); ++o) {
+  // The line is within reach of the end and of the other outline, but for what the walls lean between their heights.
+  GroundBox around = kNoGround;
+  around.include(low), around.include(high);
+  around = around.grown((2 * params.reach + kRounding) / m + grid.lean() * norm(high - low));
+  for (const std::size_t o : grid.near(around)) {
     FacadeElement* other = o == own ? nullptr : outline_of(facades[o]);
     if (other == nullptr || std::abs(dot(f.right, facades[o].out)) < least) continue;
     const Vec3 middle = 0.5 * (low + high);
@@ -94,8 +133,34 @@ void begin_at_left_end(Facade& f, const FacadeElement& outline, double metres) {
   f.height_m = box.height();
 }
 
+// Corners by where they are, kept up while they move.
+class CornerGrid {
+ public:
+  CornerGrid(const std::vector<Vec3*>& corners, double metres) : corners_(corners), reach_(1 / metres), grid_(reach_) {
+    for (std::size_t i = 0; i < corners.size(); ++i) add(i);
+  }
+  void add(std::size_t i) { grid_.add(static_cast<std::uint32_t>(i), ground_of(i)); }
+  // The first behind a corner that may be near another one; as many as there are corners without one.
+  std::size_t next(std::size_t i, std::size_t behind) const {
+    const std::vector<std::uint32_t> near = grid_.near(ground_of(i).grown(reach_));
+    const auto at = std::upper_bound(near.begin(), near.end(), behind);
+    return at == near.end() ? corners_.size() : *at;
+  }
+
+ private:
+  GroundBox ground_of(std::size_t i) const {
+    GroundBox box = kNoGround;
+    box.include(*corners_[i]);
+    return box;
+  }
+  const std::vector<Vec3*>& corners_;
+  double reach_;  // a metre
+  BoxGrid grid_;
+};
+
 // Corners of two outlines on one line that differ in height alone, by no more than `reach`.
 void join_heights(std::vector<Facade>& facades, double reach, double metres) {
+  constexpr double kOnLine = 0.02;  // metres: lines in which walls meet are upright to that
   std::vector<Vec3*> corners;
   for (Facade& f : facades)
     if (FacadeElement* outline = outline_of(f))
@@ -104,13 +169,14 @@ void join_heights(std::vector<Facade>& facades, double reach, double metres) {
         corners.push_back(&outline->ring[end.low]);
         corners.push_back(&outline->ring[end.high]);
       }
+  CornerGrid grid(corners, metres);
   for (std::size_t a = 0; a < corners.size(); ++a)
-    for (std::size_t b = a + 1; b < corners.size(); ++b) {
+    for (std::size_t b = grid.next(a, a); b < corners.size(); b = grid.next(a, b)) {
       const Vec3 apart = metres * (*corners[b] - *corners[a]);
-      constexpr double kOnLine = 0.02;  // metres: lines in which walls meet are upright to that
       if (apart.x * apart.x + apart.y * apart.y > kOnLine * kOnLine || std::abs(apart.z) > reach) continue;
       const Vec3 middle = 0.5 * (*corners[a] + *corners[b]);
       *corners[a] = *corners[b] = middle;
+      grid.add(a), grid.add(b);
     }
 }
 
@@ -162,10 +228,11 @@ double step_between(const Facade& wall, const Box2& own, const Facade& part, con
 }  // namespace
 
 void close_corners(std::vector<Facade>& facades, const JointParams& params) {
+  OutlineGrid grid(facades, params.metres_per_unit);
   for (std::size_t i = 0; i < facades.size(); ++i) {
     if (outline_of(facades[i]) == nullptr) continue;
     for (const bool left : {true, false}) {
-      const Meeting met = meeting_of(facades, i, left, params);
+      const Meeting met = meeting_of(facades, grid, i, left, params);
       if (!std::isfinite(met.way)) continue;
       FacadeElement* outline = outline_of(facades[i]);
       // Each end of the side by itself: the line may lean by what the walls do.
@@ -178,6 +245,7 @@ void close_corners(std::vector<Facade>& facades, const JointParams& params) {
             p +
             way * (facades[i].right + (corner == end.high ? rise_at(facades[i], *outline, left) : 0.0) * facades[i].up);
       }
+      grid.add(facades, i);
     }
   }
   join_heights(facades, params.reach, params.metres_per_unit);
@@ -192,10 +260,23 @@ void close_corners(std::vector<Facade>& facades, const JointParams& params) {
 
 void add_storey_steps(std::vector<Facade>& facades, const JointParams& params) {
   const double m = params.metres_per_unit;
+  // Two of one front lean from each other by less than a tenth: one that goes along by so much is so much nearer.
+  constexpr double kApart = 0.1;
+  BoxGrid grid(kCell / m);
+  const auto ground = [&](std::size_t i, const FacadeElement& outline) {
+    const Box2 box = box_of(facades[i], outline, m);
+    return ground_of(facades[i], outline, kApart * (box.width() + box.height()), m);
+  };
   for (std::size_t i = 0; i < facades.size(); ++i)
-    for (std::size_t k = 0; k < facades.size(); ++k) {
-      FacadeElement *own = outline_of(facades[i]), *other = outline_of(facades[k]);
-      if (i == k || own == nullptr || other == nullptr) continue;
+    if (const FacadeElement* outline = outline_of(facades[i]))
+      grid.add(static_cast<std::uint32_t>(i), ground(i, *outline));
+  for (std::size_t i = 0; i < facades.size(); ++i) {
+    FacadeElement* own = outline_of(facades[i]);
+    if (own == nullptr) continue;
+    for (const std::size_t k : grid.near(ground(i, *own).grown((params.most_step + params.reach + kRounding) / m))) {
+      own = outline_of(facades[i]);  // elements may have moved when one was added
+      FacadeElement* other = outline_of(facades[k]);
+      if (i == k) continue;
       const Box2 box = box_of(facades[i], *own, m), part = box_of(facades[k], *other, m);
       const double area = box.width() * box.height(), smaller = part.width() * part.height();
       if (smaller > area || (smaller == area && k < i)) continue;
@@ -204,6 +285,7 @@ void add_storey_steps(std::vector<Facade>& facades, const JointParams& params) {
       FacadeElement step = step_of(facades[i], *other, depth, m);
       facades[i].elements.push_back(std::move(step));
     }
+  }
 }
 
 }  // namespace ilot

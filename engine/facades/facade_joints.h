@@ -17,12 +17,12 @@ struct JointParams {
 // The outlines' ends are carried along their walls to the line in which the planes of two facades meet, where both end
 // within `reach` of it or one does and the other goes on [C11]; corners at the same height but for `reach` become one
 // point, halfway. So walls close: neighbours share the line, and its ends. The frame begins at the new left end. By
-// pairs in the order of the facades; a wall ends at the nearest such line. O(facades^2).
+// pairs in the order of the facades; a wall ends at the nearest such line. Each asks those around it.
 void close_corners(std::vector<Facade>& facades, const JointParams& params = {});
 
 // Of two walls that look the same way, one above the other and not in one plane, the smaller is a part of the larger:
 // a storey that stands out is a protrusion, one that stands back a recess, its outline square to the wall. Elements are
-// appended with ids. O(facades^2).
+// appended with ids. Each asks those around it.
 void add_storey_steps(std::vector<Facade>& facades, const JointParams& params = {});
 
 }  // namespace ilot

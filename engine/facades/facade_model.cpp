@@ -6,11 +6,13 @@
 #include <cmath>
 #include <functional>
 
+#include "engine/facades/cell_bands.h"
+#include "engine/facades/depth_image.h"
 #include "engine/facades/facade_elements.h"
+#include "engine/facades/lanes.h"
 #include "engine/facades/side_faces.h"
 #include "engine/facades/slices.h"
 #include "engine/facades/thing_kinds.h"
-#include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
@@ -121,7 +123,7 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
   const std::array<std::function<void()>, 4> searches{
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
       [&] { stones = find_stones(samples); }, [&] { openings = find_openings(samples, params.openings); }};
-  parallel_for(searches.size(), [&](std::size_t i) { searches[i](); });
+  in_lanes(params.lanes, searches.size(), [&](std::size_t i) { searches[i](); });
   drop_pierced_stones(openings, stones);
   std::vector<FacadeThing> things;
   for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
@@ -143,26 +145,38 @@ Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
 }
 
 // What a thing comes down to at its depth [C10], where its sides are seen to lean.
-void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples) {
+void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples, std::size_t lanes) {
   constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
-  parallel_for(things.size(), [&](std::size_t i) {
+  in_lanes(lanes, things.size(), [&](std::size_t i) {
     FoundRectangle& r = things[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
     if (r.end || r.arc || r.leans() || things[i].kind == FacadeThingKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
-    const std::optional<FacadeSlice> end =
-        end_slice(slices_of(samples, box.grown(kMargin), r.depth - about, r.depth + about));
+    const SliceRange range{box.grown(kMargin), r.depth - about, r.depth + about};
+    const std::optional<FacadeSlice> end = end_slice(slices_of(samples, range));
     if (!end) return;
-    const SideFaces faces = side_faces(samples, box, end->extent.grown(samples.site().step / 2), r.depth);
+    const Box2 extent = whole_extent(samples, range, *end).grown(samples.site().step / 2);
+    const SideFaces faces = side_faces(samples, box, extent, r.depth);
     r.end = straightened(faces.end, faces.outline, box);
   });
 }
 
 }  // namespace
 
-FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
-  const RaySamples samples(site);
+std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes) {
+  constexpr double kCells = 30, kLeastCell = 0.02;  // bytes a cell of all images together; metres
+  constexpr std::uint64_t kBands = 8 << 20;         // while these are counted
+  constexpr std::uint64_t kSorting = 5 << 20, kLane = 12 << 20,
+                          kPoint = 200;  // a step has samples of 2^16 or 2^17 points
+  const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
+  const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
+  return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +
+         std::min(kBands + kSorting, kPoint * points) + lanes * std::min(kLane, kPoint * points);
+}
+
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params) {
+  const FacadeSite& site = samples.site();
   std::vector<FacadeThing> things = things_of(samples, params);
   const std::vector<Irregularity> irregular = find_irregularities(samples, boxes_of_elements(things), params.irregular);
   drop_patches(things, irregular);
@@ -172,7 +186,7 @@ FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
     complete_things(things, params.regular);
     group_things(things, params.regular);
   }
-  find_ends(things, samples);
+  find_ends(things, samples, params.lanes);
   std::sort(things.begin(), things.end(), comes_before);
 
   FoundFacade found;
@@ -182,7 +196,7 @@ FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params) {
   f.right = site.axes.right;
   f.up = site.axes.up;
   f.out = site.axes.out;
-  f.elements.push_back(wall_of(site, wall_outline(samples, params.outline)));
+  f.elements.push_back(wall_of(samples, wall_outline(samples, params.outline)));
   f.width_m = f.elements[0].width_m;
   f.height_m = f.elements[0].height_m;
   for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;

@@ -20,6 +20,7 @@ struct FacadeParams {
   RegularParams regular;
   WallOutlineParams outline;
   bool regularise = true;
+  std::size_t lanes = 4;  // steps that run at once: the same result, less memory for fewer
 };
 
 struct FoundFacade {
@@ -29,6 +30,13 @@ struct FoundFacade {
 
 // Openings and what stands out, named, brought into rows and families, completed where shadows hid them, and the wall's
 // own outline first. The site's points in any order give the same. O(n log n).
-FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params = {});
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {});
+
+// Memory of the rays and of find_facade() at most, for a site of so many points.
+std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes);
+
+inline FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params = {}) {
+  return find_facade(RaySamples(site), params);
+}
 
 }  // namespace ilot

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/facades/cell_bands.h"
+
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/rings.h"
 #include "kernels/delaunay/thinning.h"
@@ -15,19 +17,36 @@ namespace {
 constexpr double kCellSteps = 3, kLeastCell = 0.02, kMostCell = 0.1;  // metres
 constexpr double kBeside = 1.5;                                       // cells around what is taken that belong to it
 constexpr double kFlatWidths = 4;                                     // noise: a sheet's points lie within so many
-constexpr double kSteepest = 3;      // noise of a mean height that an even wall does not reach
-constexpr double kAround = 1;        // metres around a region that the wall's density is taken from
-constexpr double kLattice = 1e-4;    // metres
-constexpr double kLeastRise = 0.14;  // of delta: below that a mean height is none
-constexpr double kEnclosed = 0.6;    // share of the cells around a region where the wall is even
-constexpr double kReachCells = 2;    // circumradius of the shape's triangles
-constexpr double kHighest = 0.005;   // share of the vertices above the rise
+constexpr double kSteepest = 3;                 // noise of a mean height that an even wall does not reach
+constexpr double kAround = 1;                   // metres around a region that the wall's density is taken from
+constexpr double kLattice = 1e-4;               // metres
+constexpr double kLeastRise = 0.14;             // of delta: below that a mean height is none
+constexpr double kEnclosed = 0.6;               // share of the cells around a region where the wall is even
+constexpr double kReachCells = 2;               // circumradius of the shape's triangles
+constexpr double kHighest = 0.005;              // share of the vertices above the rise
+constexpr std::uint64_t kMostPoints = 1 << 17;  // of an irregularity: of more it is drawn coarser; 64 bytes each
 
 struct HeightCell {
-  std::uint32_t even = 0, odd = 0;  // points within delta of the wall; beyond it within delta + psi
-  double sum = 0;                   // of w of both
-  bool taken = false;
-  double mean() const { return even + odd == 0 ? 0 : sum / static_cast<double>(even + odd); }
+  float mean = 0;              // of w of all points
+  std::uint16_t even = 0;      // points within delta of the wall, 32,767 at most
+  std::uint16_t odd : 15 = 0;  // beyond it within delta + psi
+  std::uint16_t taken : 1 = 0;
+};
+
+// While its points are counted.
+struct HeightSums {
+  std::uint32_t even = 0, odd = 0;
+  double w = 0;  // sum
+
+  HeightCell cell() const {
+    constexpr std::uint32_t kMost = 32767;
+    const std::uint32_t count = even + odd;
+    HeightCell cell;
+    cell.mean = count == 0 ? 0.0F : static_cast<float>(w / count);
+    cell.even = static_cast<std::uint16_t>(std::min(kMost, even));
+    cell.odd = std::min(kMost, odd) & kMost;
+    return cell;
+  }
 };
 
 struct Heights {
@@ -45,21 +64,31 @@ struct Heights {
   }
 };
 
+void fill_rows(const RaySamples& samples, const RowBand& band, double most, Heights& h) {
+  const double epsilon = samples.site().epsilon;
+  const auto first = band.first * h.columns, end = band.end * h.columns;
+  std::vector<HeightSums> sums(static_cast<std::size_t>(end - first));
+  const Box2 rows{0, static_cast<double>(h.columns) * h.cell, static_cast<double>(band.first) * h.cell,
+                  static_cast<double>(band.end) * h.cell};
+  for (const Ray& ray : samples.at_places(rows.grown(h.cell))) {
+    const double w = std::abs(static_cast<double>(ray.at.w));
+    const std::int64_t i = h.index(ray.at.u, ray.at.v);
+    if (i < first || i >= end || w > most) continue;
+    HeightSums& cell = sums[static_cast<std::size_t>(i - first)];
+    ++(w <= epsilon ? cell.even : cell.odd);
+    cell.w += static_cast<double>(ray.at.w);
+  }
+  for (std::size_t i = 0; i < sums.size(); ++i) h.cells[static_cast<std::size_t>(first) + i] = sums[i].cell();
+}
+
 Heights heights_of(const RaySamples& samples, const std::vector<Box2>& taken, const IrregularityParams& params) {
   const FacadeSite& site = samples.site();
   Heights h;
-  h.cell = std::clamp(kCellSteps * site.step, kLeastCell, kMostCell);
+  h.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
   h.columns = static_cast<std::int64_t>(site.width / h.cell) + 1;
   h.rows = static_cast<std::int64_t>(site.height / h.cell) + 1;
   h.cells.resize(static_cast<std::size_t>(h.columns * h.rows));
-  for (const FacadePoint& p : site.points) {
-    const double w = std::abs(static_cast<double>(p.w));
-    const std::int64_t i = h.index(p.u, p.v);
-    if (i < 0 || w > site.epsilon + params.psi) continue;
-    HeightCell& cell = h.cells[static_cast<std::size_t>(i)];
-    ++(w <= site.epsilon ? cell.even : cell.odd);
-    cell.sum += static_cast<double>(p.w);
-  }
+  for (const RowBand& band : bands_of(h.columns, h.rows)) fill_rows(samples, band, site.epsilon + params.psi, h);
   const double rim = kBeside * h.cell;
   for (std::int64_t r = 0; r < h.rows; ++r)
     for (std::int64_t c = 0; c < h.columns; ++c) {
@@ -77,32 +106,33 @@ Heights heights_of(const RaySamples& samples, const std::vector<Box2>& taken, co
   return h;
 }
 
+using Region = std::vector<std::uint32_t>;  // cells, row * columns + column
+
 // Cells joined over sides from `start`, over those that `belongs` says yes to.
 template <class Belongs>
-std::vector<std::int64_t> flood(const Heights& h, std::vector<std::int64_t> cells, std::vector<std::uint8_t>& seen,
-                                const Belongs& belongs) {
-  for (const std::int64_t i : cells) seen[static_cast<std::size_t>(i)] = 1;
+Region flood(const Heights& h, Region cells, std::vector<bool>& seen, const Belongs& belongs) {
+  for (const std::uint32_t i : cells) seen[i] = true;
   for (std::size_t k = 0; k < cells.size(); ++k) {
     const std::int64_t c = cells[k] % h.columns, r = cells[k] / h.columns;
     for (const auto& [dc, dr] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
       const std::int64_t nc = c + dc, nr = r + dr;
       if (nc < 0 || nr < 0 || nc >= h.columns || nr >= h.rows) continue;
       const std::int64_t n = nr * h.columns + nc;
-      if (seen[static_cast<std::size_t>(n)] != 0 || !belongs(h.cells[static_cast<std::size_t>(n)])) continue;
-      seen[static_cast<std::size_t>(n)] = 1;
-      cells.push_back(n);
+      if (seen[static_cast<std::size_t>(n)] || !belongs(h.cells[static_cast<std::size_t>(n)])) continue;
+      seen[static_cast<std::size_t>(n)] = true;
+      cells.push_back(static_cast<std::uint32_t>(n));
     }
   }
   return cells;
 }
 
 // Points a cell within the wide threshold, in the region and around it, where the wall is even.
-double density_of(const Heights& h, const std::vector<std::int64_t>& region) {
-  std::vector<std::uint8_t> in(h.cells.size(), 0);
+double density_of(const Heights& h, const Region& region) {
+  std::vector<bool> in(h.cells.size(), false);
   std::int64_t c0 = INT64_MAX, c1 = 0, r0 = INT64_MAX, r1 = 0;
   double own = 0, wall = 0, cells = 0;
   for (const std::int64_t i : region) {
-    in[static_cast<std::size_t>(i)] = 1;
+    in[static_cast<std::size_t>(i)] = true;
     own += h.cells[static_cast<std::size_t>(i)].even + h.cells[static_cast<std::size_t>(i)].odd;
     c0 = std::min(c0, i % h.columns), c1 = std::max(c1, i % h.columns);
     r0 = std::min(r0, i / h.columns), r1 = std::max(r1, i / h.columns);
@@ -111,7 +141,7 @@ double density_of(const Heights& h, const std::vector<std::int64_t>& region) {
   for (std::int64_t r = std::max<std::int64_t>(0, r0 - beside); r <= std::min(h.rows - 1, r1 + beside); ++r)
     for (std::int64_t c = std::max<std::int64_t>(0, c0 - beside); c <= std::min(h.columns - 1, c1 + beside); ++c) {
       const HeightCell& cell = h.at(c, r);
-      if (in[static_cast<std::size_t>(r * h.columns + c)] != 0 || cell.taken || cell.even <= cell.odd) continue;
+      if (in[static_cast<std::size_t>(r * h.columns + c)] || cell.taken != 0 || cell.even <= cell.odd) continue;
       wall += cell.even;
       cells += 1;
     }
@@ -119,30 +149,47 @@ double density_of(const Heights& h, const std::vector<std::int64_t>& region) {
 }
 
 // Share of the cells beside a region where the wall is even: what lies on its rim is no part of it.
-double enclosed(const Heights& h, const std::vector<std::int64_t>& region) {
-  std::vector<std::uint8_t> in(h.cells.size(), 0);
-  for (const std::int64_t i : region) in[static_cast<std::size_t>(i)] = 1;
+double enclosed(const Heights& h, const Region& region) {
+  std::vector<bool> in(h.cells.size(), false);
+  for (const std::int64_t i : region) in[static_cast<std::size_t>(i)] = true;
   double even = 0, all = 0;
   for (const std::int64_t i : region)
     for (const auto& [dc, dr] : {std::pair{-1, 0}, {1, 0}, {0, -1}, {0, 1}}) {
       const std::int64_t c = i % h.columns + dc, r = i / h.columns + dr;
       const bool outside = c < 0 || r < 0 || c >= h.columns || r >= h.rows;
-      if (!outside && in[static_cast<std::size_t>(r * h.columns + c)] != 0) continue;
-      even += !outside && !h.at(c, r).taken && h.at(c, r).even > h.at(c, r).odd;
+      if (!outside && in[static_cast<std::size_t>(r * h.columns + c)]) continue;
+      even += !outside && h.at(c, r).taken == 0 && h.at(c, r).even > h.at(c, r).odd;
       all += 1;
     }
   return all == 0 ? 0 : even / all;
 }
 
-std::vector<Vec3> points_in(const RaySamples& samples, const Heights& h, const std::vector<std::int64_t>& region,
-                            double most) {
-  std::vector<std::uint8_t> in(h.cells.size(), 0);
-  for (const std::int64_t i : region) in[static_cast<std::size_t>(i)] = 1;
-  std::vector<Vec3> points;
-  for (const FacadePoint& p : samples.site().points) {
-    const std::int64_t i = h.index(p.u, p.v);
-    if (i >= 0 && in[static_cast<std::size_t>(i)] != 0 && std::abs(static_cast<double>(p.w)) <= most)
-      points.push_back({p.u, p.v, p.w});
+// The points of a region, or of too many those of one level.
+struct RegionPoints {
+  std::vector<Vec3> kept;
+  std::uint64_t count = 0;
+  int level = 0;
+};
+
+RegionPoints points_in(const RaySamples& samples, const Heights& h, const Region& region, double most) {
+  std::vector<bool> in(h.cells.size(), false);
+  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const std::uint32_t i : region) {
+    in[i] = true;
+    const double u = static_cast<double>(i % h.columns) * h.cell, v = static_cast<double>(i / h.columns) * h.cell;
+    box = {std::min(box.u0, u), std::max(box.u1, u + h.cell), std::min(box.v0, v), std::max(box.v1, v + h.cell)};
+  }
+  const auto is_inside = [&](const Ray& ray) {
+    const std::int64_t i = h.index(ray.at.u, ray.at.v);
+    return i >= 0 && in[static_cast<std::size_t>(i)] && std::abs(static_cast<double>(ray.at.w)) <= most;
+  };
+  Rays rays = samples.at_places(box.grown(h.cell));
+  RegionPoints points;
+  points.level = thinning_level(rays, kMostPoints, is_inside);
+  for (const Ray& ray : rays) {
+    if (!is_inside(ray)) continue;
+    ++points.count;
+    if (is_kept(ray, points.level)) points.kept.push_back({ray.at.u, ray.at.v, ray.at.w});
   }
   return points;
 }
@@ -229,28 +276,30 @@ std::vector<Irregularity> find_irregularities(const RaySamples& samples, const s
                                               const IrregularityParams& params) {
   const FacadeSite& site = samples.site();
   const Heights h = heights_of(samples, taken, params);
-  std::vector<std::uint8_t> seen(h.cells.size(), 0);
+  std::vector<bool> seen(h.cells.size(), false);
   std::vector<Irregularity> found;
-  for (std::int64_t start = 0; start < static_cast<std::int64_t>(h.cells.size()); ++start) {
-    const auto seed = [](const HeightCell& c) { return !c.taken && c.odd > c.even; };
-    if (seen[static_cast<std::size_t>(start)] != 0 || !seed(h.cells[static_cast<std::size_t>(start)])) continue;
-    std::vector<std::int64_t> region = flood(h, {start}, seen, seed);
+  for (std::size_t start = 0; start < h.cells.size(); ++start) {
+    const auto seed = [](const HeightCell& c) { return c.taken == 0 && c.odd > c.even; };
+    if (seen[start] || !seed(h.cells[start])) continue;
+    Region region = flood(h, {static_cast<std::uint32_t>(start)}, seen, seed);
     if (static_cast<double>(region.size()) * h.cell * h.cell < params.least_area) continue;
-    const double side = h.cells[static_cast<std::size_t>(start)].mean();
+    const double side = h.cells[start].mean;
     region = flood(h, std::move(region), seen, [&](const HeightCell& c) {
       const double bound = kSteepest * site.noise / std::sqrt(static_cast<double>(c.even + c.odd));
-      return !c.taken && c.even + c.odd > 0 && c.mean() * side > 0 &&
-             std::abs(c.mean()) > bound + kLeastRise * site.epsilon;
+      return c.taken == 0 && c.even + c.odd > 0 && c.mean * side > 0 &&
+             std::abs(c.mean) > bound + kLeastRise * site.epsilon;
     });
     Irregularity one;
     if (enclosed(h, region) < kEnclosed) continue;
     one.density = density_of(h, region);
-    const std::vector<Vec3> points = points_in(samples, h, region, site.epsilon + params.psi);
+    const RegionPoints points = points_in(samples, h, region, site.epsilon + params.psi);
     if (one.density < params.least_density ||
-        flat_share(points, site.epsilon, std::max(kFlatWidths * site.noise, site.epsilon)) > params.most_flat)
+        flat_share(points.kept, site.epsilon, std::max(kFlatWidths * site.noise, site.epsilon)) > params.most_flat)
       continue;
-    one.points = points.size();
-    make_mesh(points, std::max(h.cell / kCellSteps * 1.5, kLeastCell / 2), one);
+    one.points = points.count;
+    // As many points a cell as there would be without leaving any out.
+    const double coarser = std::sqrt(std::ldexp(1.0, points.level));
+    make_mesh(points.kept, coarser * std::max(h.cell / kCellSteps * 1.5, kLeastCell / 2), one);
     if (one.ring.size() < 3) continue;
     find_rise(one, site.noise);
     found.push_back(std::move(one));

@@ -21,6 +21,7 @@ constexpr double kHangs = 0.25;                      // share of the cells on it
 constexpr double kFlatEnd = 0.2;                     // share of its points that lie on its end
 constexpr double kReaches = 0.9;     // of the way to the wall's end: the rest is noise of its deepest points
 constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
+constexpr std::uint64_t kMostSamples = 1 << 17;  // beside one side: more tell no more
 
 bool is_recess(const DepthImage& image, const DepthRegion& region) {
   return bounded_by_wall(image, region, Side::top) >= kBounded ||
@@ -29,9 +30,9 @@ bool is_recess(const DepthImage& image, const DepthRegion& region) {
 }
 
 double deepest_of(const DepthImage& image, const DepthRegion& region) {
-  std::vector<double> depths;
-  for (const std::int64_t i : region.cells)
-    if (const double w = image.front[static_cast<std::size_t>(i)]; std::isfinite(w)) depths.push_back(std::abs(w));
+  std::vector<float> depths;
+  for (const std::uint32_t i : region.cells)
+    if (const float w = image.front[i]; std::isfinite(w)) depths.push_back(std::abs(w));
   if (depths.empty()) return 0;
   const auto at =
       depths.begin() + static_cast<std::ptrdiff_t>((1 - kBehindAll) * static_cast<double>(depths.size() - 1));
@@ -39,29 +40,54 @@ double deepest_of(const DepthImage& image, const DepthRegion& region) {
   return *at;
 }
 
+// Cells of an image, closed.
+struct CellFrame {
+  std::int64_t c0 = INT64_MAX, c1 = -1, r0 = INT64_MAX, r1 = -1;
+
+  std::int64_t columns() const { return c1 - c0 + 1; }
+  std::int64_t rows() const { return r1 - r0 + 1; }
+  bool holds(std::int64_t c, std::int64_t r) const { return c >= c0 && c <= c1 && r >= r0 && r <= r1; }
+  std::size_t at(std::int64_t c, std::int64_t r) const {
+    return static_cast<std::size_t>((r - r0) * columns() + c - c0);
+  }
+};
+
+// All cells of a region and one around them.
+CellFrame frame_of(const DepthImage& image, const DepthRegion& region) {
+  CellFrame frame;
+  for (const std::int64_t i : region.cells) {
+    const std::int64_t c = i % image.columns, r = i / image.columns;
+    frame = {std::min(frame.c0, c - 1), std::max(frame.c1, c + 1), std::min(frame.r0, r - 1),
+             std::max(frame.r1, r + 1)};
+  }
+  return frame;
+}
+
 // Whether points of side faces lead from the wall to it, along its rim: it is built on. A face lies in a cell of the
 // rim or in the one of the wall beside it, as the cells happen to fall.
 bool hangs_on_wall(const RaySamples& samples, const DepthImage& image, const DepthRegion& region, double depth) {
-  std::vector<std::uint32_t> owner(image.what.size(), 0);  // number of the rim's cell whose face may lie there
+  // Of the cells around the region the number of the rim's cell whose face may lie there.
+  const CellFrame frame = frame_of(image, region);
+  std::vector<std::uint32_t> owner(static_cast<std::size_t>(frame.columns() * frame.rows()), 0);
   std::uint32_t count = 0;
   for (const std::int64_t i : region.cells) {
     const std::int64_t c = i % image.columns, r = i / image.columns;
     bool rim = false;
     for (const auto& [nc, nr] : {std::pair{c - 1, r}, std::pair{c + 1, r}, std::pair{c, r - 1}, std::pair{c, r + 1}}) {
       if (nc < 0 || nr < 0 || nc >= image.columns || nr >= image.rows) continue;
-      const auto beside = static_cast<std::size_t>(nr * image.columns + nc);
-      if (image.what[beside] != kWall) continue;
+      if (image.what[static_cast<std::size_t>(nr * image.columns + nc)] != kWall) continue;
       count += !rim;
       rim = true;
-      owner[beside] = owner[static_cast<std::size_t>(i)] = count;
+      owner[frame.at(nc, nr)] = owner[frame.at(c, r)] = count;
     }
   }
   std::vector<std::uint8_t> reached(count + 1, 0);
-  for (std::uint32_t k = 0; k < samples.site().points.size(); ++k) {
-    const FacadePoint& p = samples.site().points[k];
-    const double part = static_cast<double>(p.w) / depth;
-    if (part < kHangsFrom || part > kHangsTo || samples.on_wall(k)) continue;
-    if (const std::int64_t i = image.at(p); i >= 0) reached[owner[static_cast<std::size_t>(i)]] = 1;
+  const Box2 around{image.u(frame.c0), image.u(frame.c1 + 1), image.u(frame.r0), image.u(frame.r1 + 1)};
+  for (const Ray& ray : samples.at_places(around.grown(image.cell))) {
+    const double part = static_cast<double>(ray.at.w) / depth;
+    if (part < kHangsFrom || part > kHangsTo || samples.on_wall(ray)) continue;
+    const std::int64_t i = image.at(ray.at), c = i % image.columns, r = i / image.columns;
+    if (i >= 0 && frame.holds(c, r)) reached[owner[frame.at(c, r)]] = 1;
   }
   const auto hanging = std::count(reached.begin() + 1, reached.end(), 1);
   return count > 0 && static_cast<double>(hanging) >= kHangs * count;
@@ -88,12 +114,23 @@ double share_within(const Box2& box, const FacadeSite& site) {
   return u <= 0 || v <= 0 ? 0 : u * v / (box.width() * box.height());
 }
 
-double mean_depth(const FacadeSite& site, const std::vector<std::uint32_t>& points, double at, double within,
-                  FoundRectangle& thing) {
+// Rays whose points are within an outline, between the wall and a depth.
+struct InsideRays {
+  Rays rays;
+  Box2 outline;
+  double sign = 1, least = 0, most = 0;  // of w towards the depth
+
+  bool holds(const Ray& ray) const {
+    const double w = sign * static_cast<double>(ray.at.w);
+    return outline.holds({ray.at.u, ray.at.v}) && w > least && w < most;
+  }
+};
+
+double mean_depth(const FacadeSite& site, InsideRays& inside, double at, double within, FoundRectangle& thing) {
   double sum = 0, squares = 0, count = 0;
-  for (const std::uint32_t i : points) {
-    const double off = static_cast<double>(site.points[i].w) - at;
-    if (std::abs(off) > within) continue;
+  for (const Ray& ray : inside.rays) {
+    const double off = static_cast<double>(ray.at.w) - at;
+    if (!inside.holds(ray) || std::abs(off) > within) continue;
     sum += off, squares += off * off, count += 1;
   }
   if (count == 0) return at;
@@ -107,33 +144,28 @@ Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, st
   const FacadeSite& site = samples.site();
   const double sign = what == kBefore ? 1 : -1, least = std::max(0.02, 3 * site.epsilon);
   const double near = sign * least, far = sign * (deepest + 0.05);
-  std::vector<std::uint32_t> inside;
-  for (const std::uint32_t i : samples.near(outline.grown(samples.oblique() ? 1.5 * deepest : 0.1))) {
-    const FacadePoint& p = site.points[i];
-    const double w = sign * static_cast<double>(p.w);
-    if (outline.grown(kForemostSheet).holds({p.u, p.v}) && w > least && w < deepest + 0.05) inside.push_back(i);
-  }
-  thing.points = inside.size();
-  const std::vector<FacadeSlice> slices =
-      slices_of(samples, outline.grown(kForemostSheet), std::min(near, far), std::max(near, far));
-  std::optional<FacadeSlice> best;
-  for (const FacadeSlice& s : slices)
-    if (!best || s.ratio() > best->ratio()) best = s;
-  const bool flat = best && static_cast<double>(best->points) >= kFlatEnd * static_cast<double>(inside.size());
-  if (flat) {
-    thing.depth = mean_depth(site, inside, best->w, 0.02, thing);
-    thing.depth = mean_depth(site, inside, thing.depth, std::max(0.01, 3 * site.noise), thing);
-    return best->extent.grown(site.step / 2);
-  }
-  thing.depth = sign * deepest;
-  thing.depth_error = site.noise + site.step;
-  Box2 end{INFINITY, -INFINITY, INFINITY, -INFINITY};
-  for (const std::uint32_t i : inside) {
-    const FacadePoint& p = site.points[i];
+  InsideRays inside{samples.near(outline.grown(samples.oblique() ? 1.5 * deepest : 0.1)), outline.grown(kForemostSheet),
+                    sign, least, deepest + 0.05};
+  Box2 end{INFINITY, -INFINITY, INFINITY, -INFINITY};  // of its farthest points
+  for (const Ray& ray : inside.rays) {
+    if (!inside.holds(ray)) continue;
+    ++thing.points;
+    const FacadePoint& p = ray.at;
     if (sign * static_cast<double>(p.w) < deepest - 2 * site.step - 0.02) continue;
     end = {std::min<double>(end.u0, p.u), std::max<double>(end.u1, p.u), std::min<double>(end.v0, p.v),
            std::max<double>(end.v1, p.v)};
   }
+  const SliceRange range{outline.grown(kForemostSheet), std::min(near, far), std::max(near, far)};
+  std::optional<FacadeSlice> best;
+  for (const FacadeSlice& s : slices_of(samples, range))
+    if (!best || s.ratio() > best->ratio()) best = s;
+  if (best && static_cast<double>(best->points) >= kFlatEnd * static_cast<double>(thing.points)) {
+    thing.depth = mean_depth(site, inside, best->w, 0.02, thing);
+    thing.depth = mean_depth(site, inside, thing.depth, std::max(0.01, 3 * site.noise), thing);
+    return whole_extent(samples, range, *best).grown(site.step / 2);
+  }
+  thing.depth = sign * deepest;
+  thing.depth_error = site.noise + site.step;
   return end.u1 < end.u0 ? outline : end;
 }
 
@@ -147,15 +179,20 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
                             : side == Side::top   ? box.v1
                                                   : box.v0);
   const double s0 = u ? box.v0 : box.u0, s1 = u ? box.v1 : box.u1, corner = 0.1 * (s1 - s0);
+  const auto across = [&](const Ray& ray) { return sign * static_cast<double>(u ? ray.at.u : ray.at.v); };
+  const auto is_beside = [&](const Ray& ray) {
+    const double s = u ? ray.at.v : ray.at.u;
+    return std::abs(across(ray) - t0) <= reach && s >= s0 + corner && s <= s1 - corner;
+  };
+  Rays near = samples.near(box.grown(reach));
+  const int level = thinning_level(near, kMostSamples, is_beside);
   std::vector<double> inside, outside;
-  for (const std::uint32_t i : samples.near(box.grown(reach))) {
-    const FacadePoint& p = site.points[i];
-    const double t = sign * static_cast<double>(u ? p.u : p.v), s = u ? p.v : p.u;
-    if (std::abs(t - t0) > reach || s < s0 + corner || s > s1 - corner) continue;
-    if (samples.on_wall(i))
-      outside.push_back(t);
-    else if (std::abs(static_cast<double>(p.w)) > least)
-      inside.push_back(t);
+  for (const Ray& ray : near) {
+    if (!is_beside(ray) || !is_kept(ray, level)) continue;
+    if (samples.on_wall(ray))
+      outside.push_back(across(ray));
+    else if (std::abs(static_cast<double>(ray.at.w)) > least)
+      inside.push_back(across(ray));
   }
   const EdgeSplit split = split_edge(inside, outside);
   const double end = side == Side::right ? site.width : side == Side::top ? site.height : 0;
@@ -163,7 +200,7 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
   LocatedEdge edge;
   edge.at = edge.inner = to_end ? end : sign * (split.found ? split.at : t0);
   edge.error = to_end ? site.step : split.found ? split.half_gap + site.noise / 2 : reach;
-  edge.points = inside.size() + outside.size();
+  edge.points = (inside.size() + outside.size()) << level;
   return edge;
 }
 
@@ -212,33 +249,40 @@ void reach_end(FoundRectangle& thing, Box2& end) {
   reach(Side::right, Side::left, end.u1, end.u0);
 }
 
+// What a region is; nothing where it is no part of the facade.
+std::optional<FoundRectangle> relief_of(const RaySamples& samples, const DepthImage& image, const DepthRegion& region,
+                                        const LargeReliefParams& params) {
+  const FacadeSite& site = samples.site();
+  Box2 box{image.u(region.c0), image.u(region.c1 + 1), image.u(region.r0), image.u(region.r1 + 1)};
+  if (box.width() < params.least_size || box.height() < params.least_size) return std::nullopt;
+  if (share_within(box, site) < kInWall && (region.what == kBehind || stands_on_wall(image, region) < kInWall))
+    return std::nullopt;
+  if (region.what == kBefore && goes_on(image, region)) return std::nullopt;
+  FoundRectangle thing;
+  thing.fill = static_cast<double>(region.cells.size()) /
+               static_cast<double>((region.c1 - region.c0 + 1) * (region.r1 - region.r0 + 1));
+  const double deepest = deepest_of(image, region);
+  if (thing.fill < kLeastFill) return std::nullopt;
+  if (region.what == kBehind ? !is_recess(image, region) : !hangs_on_wall(samples, image, region, deepest))
+    return std::nullopt;
+  const Box2 end = find_end(samples, box, deepest, region.what, thing);
+  if (std::abs(thing.depth) < params.least_depth) return std::nullopt;
+  for (const Side side : kSides)
+    thing.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
+  Box2 body_end = take_faces(samples, end, region.what == kBefore, params.least_depth, thing);
+  reach_end(thing, body_end);
+  thing.end = body_end;
+  return thing;
+}
+
 }  // namespace
 
 std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const LargeReliefParams& params) {
-  const FacadeSite& site = samples.site();
   const DepthImage image = depth_image(samples, params.least_depth, params.most_depth);
   std::vector<FoundRectangle> found;
-  for (const DepthRegion& region : depth_regions(image)) {
-    Box2 box{image.u(region.c0), image.u(region.c1 + 1), image.u(region.r0), image.u(region.r1 + 1)};
-    if (box.width() < params.least_size || box.height() < params.least_size) continue;
-    if (share_within(box, site) < kInWall && (region.what == kBehind || stands_on_wall(image, region) < kInWall))
-      continue;
-    if (region.what == kBefore && goes_on(image, region)) continue;
-    FoundRectangle thing;
-    thing.fill = static_cast<double>(region.cells.size()) /
-                 static_cast<double>((region.c1 - region.c0 + 1) * (region.r1 - region.r0 + 1));
-    const double deepest = deepest_of(image, region);
-    if (thing.fill < kLeastFill) continue;
-    if (region.what == kBehind ? !is_recess(image, region) : !hangs_on_wall(samples, image, region, deepest)) continue;
-    const Box2 end = find_end(samples, box, deepest, region.what, thing);
-    if (std::abs(thing.depth) < params.least_depth) continue;
-    for (const Side side : kSides)
-      thing.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
-    Box2 body_end = take_faces(samples, end, region.what == kBefore, params.least_depth, thing);
-    reach_end(thing, body_end);
-    thing.end = body_end;
-    found.push_back(thing);
-  }
+  for_each_depth_region(image, [&](const DepthRegion& region) {
+    if (const std::optional<FoundRectangle> thing = relief_of(samples, image, region, params)) found.push_back(*thing);
+  });
   return found;
 }
 

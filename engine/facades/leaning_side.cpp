@@ -17,6 +17,7 @@ constexpr double kMostGap = 0.06;     // metres; stretches that know their place
 constexpr double kStraighter = 0.35;  // the line must leave less than this share of what the straight side leaves
 constexpr double kLeastLean = 0.03;   // metres from end to end
 constexpr double kMostLean = 0.9;     // tangent
+constexpr std::uint64_t kMostSamples = 1 << 17;  // of a side: more tell no more
 
 struct Stretch {
   std::vector<double> inside, outside;
@@ -27,11 +28,11 @@ struct Place {
 };
 
 // The wall, or something on it that hides nothing of the opening: see arched_top.
-bool is_solid(const RaySamples& samples, std::uint32_t point) {
-  return samples.in_joint(point) || samples.met(point, 0, samples.site().epsilon) == Met::solid;
+bool is_solid(const RaySamples& samples, const Ray& ray) {
+  return samples.in_joint(ray) || samples.met(ray, 0, samples.site().epsilon) == Met::solid;
 }
-bool is_open(const RaySamples& samples, std::uint32_t point) {
-  return !samples.in_joint(point) && samples.met(point, 0, samples.site().epsilon) == Met::through;
+bool is_open(const RaySamples& samples, const Ray& ray) {
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
 }
 
 std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle& opening, Side side) {
@@ -42,13 +43,22 @@ std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle&
   const double reach = kMostReach * (upright ? box.width() : box.height()), at = opening.at(side);
   const double margin = kCorner * length, width = (length - 2 * margin) / kStretches;
   std::vector<Stretch> stretches(kStretches);
-  for (const std::uint32_t i : samples.near(box.grown(reach))) {
-    const Place2 p = samples.crossing(i, 0);
-    const double s = ((upright ? p.v : p.u) - low - margin) / width, t = upright ? p.u : p.v;
-    if (!(s >= 0 && s < kStretches) || std::abs(t - at) > reach) continue;
-    Stretch& stretch = stretches[static_cast<std::size_t>(s)];
-    if (is_open(samples, i)) stretch.inside.push_back(outwards * t);
-    if (is_solid(samples, i)) stretch.outside.push_back(outwards * t);
+  const auto place_of = [&](const Ray& ray) {
+    const Place2 p = samples.crossing(ray, 0);
+    return Place{((upright ? p.v : p.u) - low - margin) / width, upright ? p.u : p.v};
+  };
+  const auto is_beside = [&](const Ray& ray) {
+    const Place p = place_of(ray);
+    return p.s >= 0 && p.s < kStretches && std::abs(p.t - at) <= reach;
+  };
+  Rays near = samples.near(box.grown(reach));
+  const int level = thinning_level(near, kMostSamples, is_beside);
+  for (const Ray& ray : near) {
+    if (!is_beside(ray) || !is_kept(ray, level)) continue;
+    const Place p = place_of(ray);
+    Stretch& stretch = stretches[static_cast<std::size_t>(p.s)];
+    if (is_open(samples, ray)) stretch.inside.push_back(outwards * p.t);
+    if (is_solid(samples, ray)) stretch.outside.push_back(outwards * p.t);
   }
   std::vector<Place> places;
   for (std::size_t k = 0; k < kStretches; ++k) {

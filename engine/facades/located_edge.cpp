@@ -22,6 +22,7 @@ constexpr double kCornerReach = 0.02;  // metres beside its last points
 constexpr double kSlotSteps = 2;       // steps along a side that one scan line ends in, at least
 constexpr double kTailOfEnds = 0.05;   // of scan lines that end at one place or the other by chance
 constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
+constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side: more tell no more; some 70 bytes each
 
 bool along_u(Side side) {
   return side == Side::left || side == Side::right;
@@ -36,6 +37,8 @@ struct SideSamples {
   std::vector<double> along, outside_along;  // the side, of each of these
   std::vector<FacePoint> face, corner;
   std::vector<FacePoint> rim;  // echoes that a thing's edge parted, where their rays cross its plane
+  int level = 0;               // above 0 these are only those that are kept at it
+  std::size_t through = 0;     // rays that go through the plane, kept or not
   std::size_t hidden = 0;      // rays that end before the plane, beyond the side
   std::size_t deep = 0;        // rays beside a thing that go far behind the wall
   double lean = 1;             // tangent of the angle that rays to the face make with the plane's normal, at least 1
@@ -61,13 +64,13 @@ bool turns_to(const Vec3* eye, Side side, double t, bool looks_outwards) {
 
 // How far in a ray came beside a thing, from its plane to where it ended, to the thing's foot or past its ends: all
 // that way is outside. A ray that met the side face crosses the plane beyond the edge, by as much as it is oblique.
-double innermost(const RaySamples& rays, std::uint32_t point, const SideSearch& q, Side side, const SideSpan& span) {
+double innermost(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span) {
   const auto across = [&](Place2 p) { return outwards(side) * (along_u(side) ? p.u : p.v); };
   const auto along = [&](Place2 p) { return along_u(side) ? p.v : p.u; };
-  const Place2 at = rays.crossing(point, q.depth);
-  const double w = rays.site().points[point].w, t = across(at), s = along(at);
+  const Place2 at = rays.crossing(ray, q.depth);
+  const double w = ray.at.w, t = across(at), s = along(at);
   if (w >= q.depth || q.face_from >= q.depth) return t;
-  const Place2 end = rays.crossing(point, std::max(w, q.face_from));
+  const Place2 end = rays.crossing(ray, std::max(w, q.face_from));
   const double way = along(end) - s, left = (way > 0 ? span.s1 : span.s0) - s;
   const double share = std::abs(way) > std::abs(left) ? left / way : 1;
   return std::min(t, t + share * (across(end) - t));
@@ -75,9 +78,9 @@ double innermost(const RaySamples& rays, std::uint32_t point, const SideSearch& 
 
 // Whether a point behind a thing's plane is no surface: on no segment, and beyond a side that its station sees nothing
 // of. A beam that the edge parts comes back from between the thing and what is behind it.
-bool hangs(const RaySamples& rays, std::uint32_t point, const SideSearch& q, Side side, double at_plane) {
-  if (q.hole || !rays.oblique() || rays.site().points[point].plane != 0) return false;
-  return !turns_to(rays.eye_of(point), side, at_plane, true);
+bool hangs(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, double at_plane) {
+  if (q.hole || !rays.oblique() || ray.at.plane != 0) return false;
+  return !turns_to(rays.eye_of(ray), side, at_plane, true);
 }
 
 // How much the noise along a ray moves a point along the plane, against how much it moves one out of it.
@@ -95,39 +98,69 @@ std::size_t slot_of(double s, const SideSpan& span, std::size_t slots) {
   return std::min(slots - 1, static_cast<std::size_t>(std::max(0.0, at)));
 }
 
-SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
+// What one ray says of a side.
+struct SideHit {
+  bool face = false, corner = false, rim = false, solid = false, through = false, hidden = false, deep = false;
+  double t = 0, at_plane = 0, s = 0;  // where it crosses the plane
+  double point_t = 0, point_s = 0;    // where it ends
+  double lean = 1;
+
+  bool has_place() const { return face || corner || rim || solid || through; }
+};
+
+SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span,
+               double reach) {
   const bool u = along_u(side);
-  const double sign = outwards(side);
+  const double sign = outwards(side), w = ray.at.w;
   const double corner_from = q.depth + 2 * q.epsilon, corner_to = q.hole ? corner_from : q.depth + kCornerDeep;
-  SideSamples out;
+  const Place2 at = rays.crossing(ray, q.depth);
+  SideHit hit;
+  hit.at_plane = sign * (u ? at.u : at.v);
+  hit.s = u ? at.v : at.u;
+  hit.point_t = sign * static_cast<double>(u ? ray.at.u : ray.at.v);
+  hit.point_s = u ? ray.at.v : ray.at.u;
+  const bool at_face = w > q.face_from && w<q.face_to, at_corner = w> corner_from && w < corner_to;
+  if ((at_face || at_corner) && std::abs(hit.point_t - span.t) <= reach && hit.point_s >= span.s0 &&
+      hit.point_s <= span.s1 && turns_to(rays.eye_of(ray), side, hit.point_t, at_face && !q.hole)) {
+    hit.face = at_face;
+    hit.corner = !at_face;
+    if (at_face && !q.hole) hit.lean = lean_of(rays.eye_of(ray), side, hit.point_t, w);
+  }
+  if (hit.s < span.s0 || hit.s > span.s1) return hit;
+  hit.t = q.hole ? hit.at_plane : innermost(rays, ray, q, side, span);
+  if (std::abs(hit.t - span.t) > reach) return hit;
+  hit.rim = at_face && hangs(rays, ray, q, side, hit.at_plane);
+  const Met met = rays.met(ray, q.depth, q.epsilon);
+  const bool foreign = ray.at.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), ray.at.plane);
+  if (!q.hole && met == Met::solid && foreign) return hit;
+  hit.solid = met == Met::solid;
+  hit.through = met == Met::through;
+  hit.hidden = met == Met::before && hit.t > span.t;
+  hit.deep = !q.hole && met == Met::through && w < -q.face_from;
+  return hit;
+}
+
+void keep(const SideHit& hit, double w, bool hole, SideSamples& out) {
+  if (hit.face) out.face.push_back({hit.point_t, w, hit.point_s});
+  if (hit.corner) out.corner.push_back({hit.point_t, w, hit.point_s});
+  if (hit.rim) out.rim.push_back({hit.at_plane, w, hit.s});
+  if (hit.solid) (hole ? out.outside : out.inside).push_back(hit.t);
+  if (hit.solid && !hole) out.along.push_back(hit.s);
+  if (hit.through) (hole ? out.inside : out.outside).push_back(hit.t);
+  if (hit.through && !hole) out.outside_along.push_back(hit.s);
+}
+
+SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
   // Rays that cross the plane here cross the wall elsewhere: they lean by less than 45 degrees or so.
-  for (const std::uint32_t i : rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)))) {
-    const FacadePoint& p = rays.site().points[i];
-    const Place2 at = rays.crossing(i, q.depth);
-    const double at_plane = sign * (u ? at.u : at.v), s = u ? at.v : at.u;
-    const double w = p.w;
-    const bool at_face = w > q.face_from && w<q.face_to, at_corner = w> corner_from && w < corner_to;
-    if (at_face || at_corner) {
-      const double pt = sign * static_cast<double>(u ? p.u : p.v), ps = u ? p.v : p.u;
-      if (std::abs(pt - span.t) <= reach && ps >= span.s0 && ps <= span.s1 &&
-          turns_to(rays.eye_of(i), side, pt, at_face && !q.hole)) {
-        (at_face ? out.face : out.corner).push_back({pt, w, ps});
-        if (at_face && !q.hole) out.lean = std::max(out.lean, lean_of(rays.eye_of(i), side, pt, w));
-      }
-    }
-    if (s < span.s0 || s > span.s1) continue;
-    const double t = q.hole ? at_plane : innermost(rays, i, q, side, span);
-    if (std::abs(t - span.t) > reach) continue;
-    if (at_face && hangs(rays, i, q, side, at_plane)) out.rim.push_back({at_plane, w, s});
-    const Met met = rays.met(i, q.depth, q.epsilon);
-    const bool foreign = p.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), p.plane);
-    if (!q.hole && met == Met::solid && foreign) continue;
-    if (met == Met::solid) (q.hole ? out.outside : out.inside).push_back(t);
-    if (met == Met::solid && !q.hole) out.along.push_back(s);
-    out.hidden += met == Met::before && t > span.t;
-    out.deep += !q.hole && met == Met::through && w < -q.face_from;
-    if (met == Met::through) (q.hole ? out.inside : out.outside).push_back(t);
-    if (met == Met::through && !q.hole) out.outside_along.push_back(s);
+  Rays near = rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)));
+  SideSamples out;
+  out.level = thinning_level(near, kMostSamples,
+                             [&](const Ray& ray) { return hit_of(rays, ray, q, side, span, reach).has_place(); });
+  for (const Ray& ray : near) {
+    const SideHit hit = hit_of(rays, ray, q, side, span, reach);
+    out.through += hit.through, out.hidden += hit.hidden, out.deep += hit.deep;
+    out.lean = std::max(out.lean, hit.lean);
+    if (hit.has_place() && is_kept(ray, out.level)) keep(hit, ray.at.w, q.hole, out);
   }
   return out;
 }
@@ -188,7 +221,7 @@ void set_end(const SideSamples& around, const SideSpan& span, double step, doubl
   const double open = std::max(0.0, step - (high - quantile(ends, kTailOfEnds)));  // of a step that no line ended in
   edge.at = high + open / 2 - beam;
   edge.error = open / 2 + beam;
-  edge.points = around.inside.size();
+  edge.points = around.inside.size() << around.level;
 }
 
 }  // namespace
@@ -229,7 +262,7 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   double t = split.at;
   edge.error = split.half_gap + noise / 2 + beam;
   if (!q.hole && along_u(side) && samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
-  edge.points = around.inside.size() + around.outside.size() - split.wrong;
+  edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
   if (!samples.oblique()) {  // what is behind is hidden beside the edge: half a step from the solid side
     t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
     edge.error = step / 2 + noise / 2;
@@ -243,7 +276,7 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   FaceLine face = find_face(crowd_of(around.face, f), f, q.depth);
   if (face.points == 0 && !q.hole && samples.oblique()) {
     // Before a hole a parted beam's echo hangs anywhere; before the wall as far on this side of the edge as on that.
-    if (2 * around.deep < around.outside.size())
+    if (2 * around.deep < around.through)
       for (const FacePoint& p : around.rim)
         if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);
     face = find_touches(crowd_of(std::move(around.face), f), f, noise);

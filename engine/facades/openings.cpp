@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "engine/facades/arched_top.h"
+#include "engine/facades/cell_bands.h"
 #include "engine/facades/leaning_side.h"
 
 namespace ilot {
@@ -23,6 +24,7 @@ constexpr double kMostSquare = 2.5;   // metres, of rays only taken to be square
 constexpr double kDepthBin = 0.01;    // metres
 constexpr double kCoverShare = 0.25;  // of the widest spread
 constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
+constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of what fills it: more tell no more
 
 enum Cell : std::uint8_t {
   kUnknown,
@@ -42,38 +44,50 @@ struct WallCells {
   std::uint8_t at(std::int64_t c, std::int64_t r) const { return what[static_cast<std::size_t>(r * columns + c)]; }
 };
 
+// Counts of a cell's rays.
+struct CellCounts {
+  std::uint32_t solid = 0, through = 0, shallow = 0, blocked = 0;
+
+  Cell what() const {
+    if (through > solid) return kThrough;
+    if (solid > 0) return kSolid;
+    if (blocked > 0) return kBlocked;
+    return shallow > 0 ? kShallow : kUnknown;
+  }
+};
+
+// The rays that cross some rows of cells [r0, r1).
+void count_rows(const RaySamples& samples, double least_depth, std::int64_t r0, std::int64_t r1, WallCells& cells) {
+  const FacadeSite& site = samples.site();
+  std::vector<CellCounts> counts(static_cast<std::size_t>((r1 - r0) * cells.columns));
+  const Box2 rows{0, static_cast<double>(cells.columns) * cells.cell, static_cast<double>(r0) * cells.cell,
+                  static_cast<double>(r1) * cells.cell};
+  for (const Ray& ray : samples.near(rows.grown(cells.cell))) {
+    const double w = ray.at.w;
+    if (w < (samples.oblique() ? -kMostBehind : -kMostSquare)) continue;
+    const Place2 p = samples.crossing(ray, 0);
+    if (p.u < 0 || p.v < 0) continue;
+    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
+    if (c >= cells.columns || r < r0 || r >= r1) continue;
+    CellCounts& at = counts[static_cast<std::size_t>((r - r0) * cells.columns + c)];
+    const bool wall = samples.on_wall(ray);
+    if (wall) ++at.solid;
+    if (!wall && w < 0) ++(w < -least_depth ? at.through : at.shallow);
+    if (w > site.epsilon) ++at.blocked;
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    cells.what[static_cast<std::size_t>(r0 * cells.columns) + i] = counts[i].what();
+}
+
 WallCells cells_of(const RaySamples& samples, double least_depth) {
   const FacadeSite& site = samples.site();
   WallCells cells;
-  cells.cell = std::clamp(kCellSteps * site.step, kLeastCell, kMostCell);
+  cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
   cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
   cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
-  const auto count = static_cast<std::size_t>(cells.columns * cells.rows);
-  std::vector<std::uint32_t> solid(count), through(count), shallow(count), blocked(count);
-  for (std::uint32_t i = 0; i < site.points.size(); ++i) {
-    const double w = site.points[i].w;
-    if (w < (samples.oblique() ? -kMostBehind : -kMostSquare)) continue;
-    const Place2 p = samples.crossing(i, 0);
-    if (p.u < 0 || p.v < 0) continue;
-    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
-    if (c >= cells.columns || r >= cells.rows) continue;
-    const auto at = static_cast<std::size_t>(r * cells.columns + c);
-    const bool wall = samples.on_wall(i);
-    if (wall) ++solid[at];
-    if (!wall && w < 0) ++(w < -least_depth ? through : shallow)[at];
-    if (w > site.epsilon) ++blocked[at];
-  }
-  cells.what.assign(count, kUnknown);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (through[i] > solid[i])
-      cells.what[i] = kThrough;
-    else if (solid[i] > 0)
-      cells.what[i] = kSolid;
-    else if (blocked[i] > 0)
-      cells.what[i] = kBlocked;
-    else if (shallow[i] > 0)
-      cells.what[i] = kShallow;
-  }
+  cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);
+  for (const RowBand& band : bands_of(cells.columns, cells.rows))
+    count_rows(samples, least_depth, band.first, band.end, cells);
   return cells;
 }
 
@@ -105,32 +119,31 @@ WallCells filled(const WallCells& cells, double longest) {
 }
 
 struct Region {
-  std::vector<std::int64_t> cells;  // row * columns + column
+  std::vector<std::uint32_t> cells;  // row * columns + column
 };
 
-std::vector<Region> regions_of(const WallCells& cells) {
-  std::vector<Region> regions;
-  std::vector<std::uint8_t> taken(cells.what.size());
-  for (std::int64_t start = 0; start < static_cast<std::int64_t>(taken.size()); ++start) {
-    if (taken[static_cast<std::size_t>(start)] != 0 || cells.what[static_cast<std::size_t>(start)] != kThrough)
-      continue;
+// Calls visit(region) for each, by their first cells.
+template <class Visit>
+void for_each_region(const WallCells& cells, const Visit& visit) {
+  std::vector<bool> taken(cells.what.size(), false);
+  for (std::size_t start = 0; start < taken.size(); ++start) {
+    if (taken[start] || cells.what[start] != kThrough) continue;
     Region region;
-    region.cells = {start};
-    taken[static_cast<std::size_t>(start)] = 1;
+    region.cells = {static_cast<std::uint32_t>(start)};
+    taken[start] = true;
     for (std::size_t i = 0; i < region.cells.size(); ++i) {
       const std::int64_t c = region.cells[i] % cells.columns, r = region.cells[i] / cells.columns;
-      const auto visit = [&](std::int64_t nc, std::int64_t nr) {
+      const auto take = [&](std::int64_t nc, std::int64_t nr) {
         if (nc < 0 || nr < 0 || nc >= cells.columns || nr >= cells.rows) return;
-        const std::int64_t n = nr * cells.columns + nc;
-        if (taken[static_cast<std::size_t>(n)] != 0 || cells.what[static_cast<std::size_t>(n)] != kThrough) return;
-        taken[static_cast<std::size_t>(n)] = 1;
-        region.cells.push_back(n);
+        const auto n = static_cast<std::size_t>(nr * cells.columns + nc);
+        if (taken[n] || cells.what[n] != kThrough) return;
+        taken[n] = true;
+        region.cells.push_back(static_cast<std::uint32_t>(n));
       };
-      visit(c - 1, r), visit(c + 1, r), visit(c, r - 1), visit(c, r + 1);
+      take(c - 1, r), take(c + 1, r), take(c, r - 1), take(c, r + 1);
     }
-    regions.push_back(std::move(region));
+    visit(region);
   }
-  return regions;
 }
 
 std::int64_t quantile(std::vector<std::int64_t>& values, double share) {
@@ -189,52 +202,69 @@ double bounded(const WallCells& cells, const CellBox& box, Side side) {
 
 // What fills it: the foremost depth at which points are spread over the opening nearly as far as at any. A railing is
 // nearer and panes lie deeper than their frame, but the one covers a part and of the other there is all to see.
-double filling_depth(const RaySamples& samples, const std::vector<std::uint32_t>& points, const Box2& box) {
-  constexpr std::size_t kAcross = 10;
-  const auto bins = static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1;
-  std::vector<std::uint8_t> touched(bins * kAcross * kAcross);
-  for (const std::uint32_t i : points) {
-    const FacadePoint& at = samples.site().points[i];
+class FillingDepth {
+ public:
+  explicit FillingDepth(const Box2& box) : box_(box), touched_(kBins * kAcross * kAcross) {}
+
+  void add(const FacadePoint& at) {
     const auto part = [&](double v, double low, double size) {
       return std::min(kAcross - 1, static_cast<std::size_t>(std::max(0.0, (v - low) / size * kAcross)));
     };
     const double depth = -static_cast<double>(at.w);
-    if (depth >= kSheetDepth || !box.holds({at.u, at.v})) continue;
-    const std::size_t cell = part(at.v, box.v0, box.height()) * kAcross + part(at.u, box.u0, box.width());
-    touched[static_cast<std::size_t>(depth / kDepthBin) * kAcross * kAcross + cell] = 1;
+    if (depth >= kSheetDepth || !box_.holds({at.u, at.v})) return;
+    const std::size_t cell = part(at.v, box_.v0, box_.height()) * kAcross + part(at.u, box_.u0, box_.width());
+    touched_[static_cast<std::size_t>(depth / kDepthBin) * kAcross * kAcross + cell] = 1;
   }
-  std::vector<std::size_t> cover(bins);  // cells in the quarter of the opening that has the fewest
-  for (std::size_t b = 0; b < bins; ++b) {
-    std::array<std::size_t, 4> quarters{};
-    for (std::size_t c = 0; c < kAcross * kAcross; ++c) {  // a sheet may lie across two bins
-      const std::size_t column = c % kAcross, row = c / kAcross;
-      if (column == 0 || row == 0 || column + 1 == kAcross || row + 1 == kAcross) continue;  // reveals are there
-      const std::size_t quarter = 2 * (2 * row / kAcross) + 2 * column / kAcross;
-      const std::uint8_t next = b + 1 < bins ? touched[(b + 1) * kAcross * kAcross + c] : std::uint8_t{0};
-      quarters[quarter] += touched[b * kAcross * kAcross + c] | next;
+
+  double depth() const {
+    const std::vector<std::size_t> cover = covered();
+    const std::size_t most = *std::max_element(cover.begin(), cover.end());
+    for (std::size_t b = 0; b < kBins; ++b)
+      if (static_cast<double>(cover[b]) >= kCoverShare * static_cast<double>(most))
+        return (static_cast<double>(b) + (b + 1 < kBins && cover[b + 1] > cover[b] ? 2 : 1)) * kDepthBin;
+    return 0;
+  }
+
+ private:
+  static constexpr std::size_t kAcross = 10;
+  static constexpr std::size_t kBins = static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1;
+
+  // Cells in the quarter of the opening that has the fewest, at each depth.
+  std::vector<std::size_t> covered() const {
+    std::vector<std::size_t> cover(kBins);
+    for (std::size_t b = 0; b < kBins; ++b) {
+      std::array<std::size_t, 4> quarters{};
+      for (std::size_t c = 0; c < kAcross * kAcross; ++c) {  // a sheet may lie across two bins
+        const std::size_t column = c % kAcross, row = c / kAcross;
+        if (column == 0 || row == 0 || column + 1 == kAcross || row + 1 == kAcross) continue;  // reveals are there
+        const std::size_t quarter = 2 * (2 * row / kAcross) + 2 * column / kAcross;
+        const std::uint8_t next = b + 1 < kBins ? touched_[(b + 1) * kAcross * kAcross + c] : std::uint8_t{0};
+        quarters[quarter] += touched_[b * kAcross * kAcross + c] | next;
+      }
+      cover[b] = *std::min_element(quarters.begin(), quarters.end());
     }
-    cover[b] = *std::min_element(quarters.begin(), quarters.end());
+    return cover;
   }
-  const std::size_t most = *std::max_element(cover.begin(), cover.end());
-  for (std::size_t b = 0; b < bins; ++b)
-    if (static_cast<double>(cover[b]) >= kCoverShare * static_cast<double>(most))
-      return (static_cast<double>(b) + (b + 1 < bins && cover[b + 1] > cover[b] ? 2 : 1)) * kDepthBin;
-  return 0;
-}
+
+  Box2 box_;
+  std::vector<std::uint8_t> touched_;
+};
 
 void set_depth(const RaySamples& samples, const Box2& box, double least_depth, FoundRectangle& opening) {
-  const NearPoints near = samples.near(box);
-  std::vector<std::uint32_t> points(near.begin(), near.end());
-  std::erase_if(points, [&](std::uint32_t i) {
-    return -static_cast<double>(samples.site().points[i].w) < least_depth || !box.holds(samples.crossing(i, 0));
-  });
-  opening.points = points.size();
-  const double middle = filling_depth(samples, points, box);
+  const auto is_inside = [&](const Ray& ray) {
+    return -static_cast<double>(ray.at.w) >= least_depth && box.holds(samples.crossing(ray, 0));
+  };
+  Rays near = samples.near(box);
+  FillingDepth filling(box);
+  for (const Ray& ray : near)
+    if (is_inside(ray)) filling.add(ray.at), ++opening.points;
+  const double middle = filling.depth();
+  const auto off_of = [&](const Ray& ray) { return -static_cast<double>(ray.at.w) - middle; };
+  const auto is_on_it = [&](const Ray& ray) { return is_inside(ray) && std::abs(off_of(ray)) <= kDepthBin; };
+  const int level = thinning_level(near, kMostOnPane, is_on_it);
   std::vector<double> off;
-  for (const std::uint32_t i : points) {
-    const double d = -static_cast<double>(samples.site().points[i].w) - middle;
-    if (std::abs(d) <= kDepthBin) off.push_back(d);
-  }
+  for (const Ray& ray : near)
+    if (is_on_it(ray) && is_kept(ray, level)) off.push_back(off_of(ray));
   if (off.empty()) return;
   const auto median_at = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
   std::nth_element(off.begin(), median_at, off.end());
@@ -258,49 +288,59 @@ void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
   }
 }
 
+double depth_through(const FacadeSite& site, const OpeningParams& params) {
+  return std::max(params.least_depth, 3 * site.epsilon);
+}
+
+// The opening that a region of cells is; nothing where it is none.
+std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const Region& region,
+                                         const OpeningParams& params) {
+  const FacadeSite& site = samples.site();
+  const double through = depth_through(site, params);
+  const CellBox box = box_of(region, cells.columns);
+  const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
+  Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
+  if (around.width() < params.least_size || around.height() < params.least_size) return std::nullopt;
+  if (bounded(cells, box, Side::left) < kBoundShare || bounded(cells, box, Side::right) < kBoundShare ||
+      bounded(cells, box, Side::top) < kBoundShare)
+    return std::nullopt;
+  FoundRectangle opening;
+  opening.fill =
+      static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
+  if (opening.fill < kLeastFill) return std::nullopt;
+  set_depth(samples, around, through, opening);
+  const double margin = std::max(0.015, 2 * site.epsilon);
+  SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell), {}};
+  // A line that comes from a rough box is looked for again from where it was found.
+  for (int round = 0; round < 2; ++round) {
+    for (const Side side : kSides) opening.side(side) = locate_edge(samples, search, side);
+    search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
+                  opening.side(Side::top).inner};
+  }
+  if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
+      opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
+    return std::nullopt;
+  set_leaning_sides(samples, opening);
+  if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening);
+  if (opening.arc) {
+    LocatedEdge& crown = opening.side(Side::top);
+    crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
+    crown.points = opening.arc->points;
+    crown.rms = opening.arc->rms;
+    crown.inner = crown.at;
+  }
+  return opening;
+}
+
 }  // namespace
 
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params) {
-  const FacadeSite& site = samples.site();
-  const double through = std::max(params.least_depth, 3 * site.epsilon);
-  const WallCells cells = filled(cells_of(samples, through), params.shadow);
+  const WallCells cells = filled(cells_of(samples, depth_through(samples.site(), params)), params.shadow);
   std::vector<FoundRectangle> found;
-  for (const Region& region : regions_of(cells)) {
-    const CellBox box = box_of(region, cells.columns);
-    const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
-    Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
-    if (around.width() < params.least_size || around.height() < params.least_size) continue;
-    if (bounded(cells, box, Side::left) < kBoundShare || bounded(cells, box, Side::right) < kBoundShare ||
-        bounded(cells, box, Side::top) < kBoundShare)
-      continue;
-    FoundRectangle opening;
-    opening.fill =
-        static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
-    if (opening.fill < kLeastFill) continue;
-    set_depth(samples, around, through, opening);
-    const double margin = std::max(0.015, 2 * site.epsilon);
-    SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell),
-                      {}};
-    // A line that comes from a rough box is looked for again from where it was found.
-    for (int round = 0; round < 2; ++round) {
-      for (const Side side : kSides) opening.side(side) = locate_edge(samples, search, side);
-      search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
-                    opening.side(Side::top).inner};
-    }
-    if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
-        opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
-      continue;
-    set_leaning_sides(samples, opening);
-    if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening);
-    if (opening.arc) {
-      LocatedEdge& crown = opening.side(Side::top);
-      crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
-      crown.points = opening.arc->points;
-      crown.rms = opening.arc->rms;
-      crown.inner = crown.at;
-    }
-    found.push_back(opening);
-  }
+  for_each_region(cells, [&](const Region& region) {
+    if (const std::optional<FoundRectangle> opening = opening_of(samples, cells, region, params))
+      found.push_back(*opening);
+  });
   return found;
 }
 

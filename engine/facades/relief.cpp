@@ -3,28 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <functional>
+#include <memory>
 #include <optional>
-#include <set>
 #include <span>
+#include <utility>
+
+#include "engine/facades/value_stream.h"
 
 namespace ilot {
 namespace {
 
 constexpr std::size_t kFewestStones = 4;
-constexpr double kTail = 0.005;      // share of points beyond a piece's box on each side
-constexpr double kSamePlane = 0.01;  // metres between two pieces of one thing, across
-constexpr double kSameLine = 0.05;   // metres between their sides
-constexpr double kAcrossShadow = 1;  // metres between them along
+constexpr std::uint64_t kFewestPoints = 3;  // of a piece
+constexpr double kTail = 0.005;             // share of points beyond a piece's box on each side
+constexpr double kSamePlane = 0.01;         // metres between two pieces of one thing, across
+constexpr double kSameLine = 0.05;          // metres between their sides
+constexpr double kAcrossShadow = 1;         // metres between them along
 constexpr double kLeastFace = 0.01;  // metres before the wall and behind the front that side faces are looked for
 
 struct Piece {
   std::vector<std::uint32_t> ids;
   double w = 0, rms = 0;
   Box2 box;
-  std::vector<std::uint32_t> points;
+  std::vector<RayRun> runs;              // its points, in the samples' segments
+  std::shared_ptr<const RayColumn> own;  // or all of this column
+  std::uint64_t points = 0;
   double alone = INFINITY;  // metres around it where no other piece of its segment lies
 };
+
+Rays rays_of(const RaySamples& samples, const Piece& piece) {
+  return piece.own ? Rays(*piece.own, {{0, piece.own->size()}}) : Rays(samples.by_segment(), piece.runs);
+}
 
 double quantile(std::vector<double> values, double share) {
   const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -34,19 +44,22 @@ double quantile(std::vector<double> values, double share) {
 
 void measure(const RaySamples& samples, Piece& piece) {
   double sum = 0, squares = 0;
-  const auto count = static_cast<double>(piece.points.size());
-  for (const std::uint32_t i : piece.points) sum += static_cast<double>(samples.site().points[i].w);
+  const auto count = static_cast<double>(piece.points);
+  for (const Ray& ray : rays_of(samples, piece)) sum += static_cast<double>(ray.at.w);
   piece.w = sum / count;
-  std::vector<double> u, v;
-  for (const std::uint32_t i : piece.points) {
-    const double off = static_cast<double>(samples.site().points[i].w) - piece.w;
+  for (const Ray& ray : rays_of(samples, piece)) {
+    const double off = static_cast<double>(ray.at.w) - piece.w;
     squares += off * off;
-    const Place2 at = samples.crossing(i, piece.w);
-    u.push_back(at.u);
-    v.push_back(at.v);
   }
   piece.rms = std::sqrt(squares / count);
-  piece.box = {quantile(u, kTail), quantile(u, 1 - kTail), quantile(v, kTail), quantile(v, 1 - kTail)};
+  const auto place = [&](double Place2::*axis, double share) {
+    const ValueStream places = [&](const std::function<void(double)>& take) {
+      for (const Ray& ray : rays_of(samples, piece)) take(samples.crossing(ray, piece.w).*axis);
+    };
+    return nth_value(places, piece.points, static_cast<std::uint64_t>(share * (count - 1)));
+  };
+  piece.box = {place(&Place2::u, kTail), place(&Place2::u, 1 - kTail), place(&Place2::v, kTail),
+               place(&Place2::v, 1 - kTail)};
 }
 
 bool in_line(const Piece& a, const Piece& b) {
@@ -58,18 +71,19 @@ bool in_line(const Piece& a, const Piece& b) {
   return (level && du < kAcrossShadow) || (upright && dv < kAcrossShadow);
 }
 
-std::vector<Piece> pieces_of(const RaySamples& samples, std::span<const std::uint32_t> ids) {
-  std::map<std::uint32_t, Piece> by_id;
-  for (const std::uint32_t id : ids) by_id[id].ids = {id};
-  for (std::uint32_t i = 0; i < samples.site().points.size(); ++i) {
-    const auto piece = by_id.find(samples.site().points[i].plane);
-    if (piece != by_id.end()) piece->second.points.push_back(i);
-  }
+// One of each segment, in the order of their ids.
+std::vector<Piece> pieces_of(const RaySamples& samples, std::vector<std::uint32_t> ids) {
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   std::vector<Piece> pieces;
-  for (auto& [id, piece] : by_id) {
-    if (piece.points.size() < 3) continue;
+  for (const std::uint32_t id : ids) {
+    const RayRun run = samples.run_of(id);
+    if (run.count < kFewestPoints) continue;
+    Piece& piece = pieces.emplace_back();
+    piece.ids = {id};
+    piece.runs = {run};
+    piece.points = run.count;
     measure(samples, piece);
-    pieces.push_back(std::move(piece));
   }
   return pieces;
 }
@@ -80,15 +94,15 @@ struct Joint {
 };
 
 // The widest strip across the piece, along u or along v, that has few points. Nothing without one.
-std::optional<Joint> empty_strip(const std::vector<double>& places, double low, double high, double step) {
+std::optional<Joint> empty_strip(const ValueStream& places, double low, double high, double step) {
   constexpr double kFew = 0.2;  // of what lies in the median strip
   const auto bins = static_cast<std::size_t>((high - low) / step);
   if (bins < 4) return std::nullopt;
   std::vector<std::size_t> counts(bins);
-  for (const double p : places) {
+  places([&](double p) {
     const double at = (p - low) / step;
     if (at >= 0 && at < static_cast<double>(bins)) ++counts[static_cast<std::size_t>(at)];
-  }
+  });
   std::vector<double> sorted(counts.begin(), counts.end());
   const double few = kFew * quantile(std::move(sorted), 0.5);
   std::size_t best = 0, best_end = 0;
@@ -104,25 +118,44 @@ std::optional<Joint> empty_strip(const std::vector<double>& places, double low, 
 
 bool seen_behind(const RaySamples& samples, const Box2& strip) {
   double behind = 0, all = 0;
-  for (const std::uint32_t i : samples.near(strip)) {
-    if (!strip.holds(samples.crossing(i, 0))) continue;
+  for (const Ray& ray : samples.near(strip)) {
+    if (!strip.holds(samples.crossing(ray, 0))) continue;
     ++all;
-    behind += static_cast<double>(samples.site().points[i].w) < -samples.site().epsilon;
+    behind += static_cast<double>(ray.at.w) < -samples.site().epsilon;
   }
   return behind > 0.5 * all;
 }
 
-// A segment that goes on over joints falls into the stones between them: cut by rows first, then each row.
-void part_at_joints(const RaySamples& samples, Piece piece, std::vector<Piece>& parts) {
-  constexpr double kWidest = 0.06;  // metres, of a joint
+// Of the points of a piece, those before the joint or behind it.
+Piece part_beside(const RaySamples& samples, const Piece& piece, const Joint& joint, bool level, bool before) {
   constexpr double kInJoint = 0.8;  // of it: its rim is known to a bin
+  RayColumn points(samples.folder());
+  for (const Ray& ray : rays_of(samples, piece)) {
+    const Place2 p = samples.crossing(ray, piece.w);
+    const double at = level ? p.v : p.u;
+    if (before ? at < joint.from : at > joint.to) points.add(ray);
+  }
+  points.finish();
+  Piece part;
+  part.ids = piece.ids;
+  part.alone = std::min(piece.alone, kInJoint * (joint.to - joint.from));
+  part.points = points.size();
+  part.own = std::make_shared<const RayColumn>(std::move(points));
+  return part;
+}
+
+// A segment that goes on over joints falls into the stones between them: cut by rows first, then each row. `take` gets
+// one after the other, so that no more than two of each cut are there at once.
+void split_at_joints(const RaySamples& samples, Piece piece, const std::function<void(const Piece&)>& take) {
+  constexpr double kWidest = 0.06;  // metres, of a joint
   const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
   for (const bool level : {true, false}) {
-    std::vector<double> places;
-    for (const std::uint32_t i : piece.points) {
-      const Place2 p = samples.crossing(i, piece.w);
-      places.push_back(level ? p.v : p.u);
-    }
+    const ValueStream places = [&](const std::function<void(double)>& visit) {
+      for (const Ray& ray : rays_of(samples, piece)) {
+        const Place2 p = samples.crossing(ray, piece.w);
+        visit(level ? p.v : p.u);
+      }
+    };
     const auto joint = level ? empty_strip(places, piece.box.v0, piece.box.v1, steps.v)
                              : empty_strip(places, piece.box.u0, piece.box.u1, steps.u);
     if (!joint || joint->to - joint->from > kWidest) continue;
@@ -130,21 +163,17 @@ void part_at_joints(const RaySamples& samples, Piece piece, std::vector<Piece>& 
     (level ? strip.v0 : strip.u0) = joint->from;
     (level ? strip.v1 : strip.u1) = joint->to;
     if (!seen_behind(samples, strip)) continue;
-    Piece low, high;
-    low.ids = high.ids = piece.ids;
-    low.alone = high.alone = std::min(piece.alone, kInJoint * (joint->to - joint->from));
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      if (places[i] < joint->from) low.points.push_back(piece.points[i]);
-      if (places[i] > joint->to) high.points.push_back(piece.points[i]);
-    }
+    Piece low = part_beside(samples, piece, *joint, level, true);
+    Piece high = part_beside(samples, piece, *joint, level, false);
+    piece = {};  // its points are in the two
     for (Piece* part : {&low, &high}) {
-      if (part->points.size() < 3) continue;
+      if (part->points < kFewestPoints) continue;
       measure(samples, *part);
-      part_at_joints(samples, std::move(*part), parts);
+      split_at_joints(samples, std::move(*part), take);
     }
     return;
   }
-  parts.push_back(std::move(piece));
+  take(piece);
 }
 
 // Whether rays go through between two pieces that lie in line: then they end there.
@@ -157,8 +186,8 @@ bool parted(const RaySamples& samples, const Piece& a, const Piece& b) {
   if (!across) gap.u0 = std::max(a.box.u0, b.box.u0), gap.u1 = std::min(a.box.u1, b.box.u1);
   if (gap.width() <= 0 || gap.height() <= 0) return false;
   double through = 0;
-  for (const std::uint32_t i : samples.near(gap.grown(1.5 * a.w)))
-    through += samples.met(i, a.w, samples.site().epsilon) == Met::through && gap.holds(samples.crossing(i, a.w));
+  for (const Ray& ray : samples.near(gap.grown(1.5 * a.w)))
+    through += samples.met(ray, a.w, samples.site().epsilon) == Met::through && gap.holds(samples.crossing(ray, a.w));
   const Place2 steps = samples.step_at({(gap.u0 + gap.u1) / 2, (gap.v0 + gap.v1) / 2});
   return through > kSeenThrough * gap.width() * gap.height() / (steps.u * steps.v);
 }
@@ -172,7 +201,8 @@ void join_pieces(const RaySamples& samples, std::vector<Piece>& pieces) {
           ++b;
           continue;
         }
-        pieces[a].points.insert(pieces[a].points.end(), pieces[b].points.begin(), pieces[b].points.end());
+        pieces[a].runs.insert(pieces[a].runs.end(), pieces[b].runs.begin(), pieces[b].runs.end());
+        pieces[a].points += pieces[b].points;
         pieces[a].ids.insert(pieces[a].ids.end(), pieces[b].ids.begin(), pieces[b].ids.end());
         pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(b));
         measure(samples, pieces[a]);
@@ -187,22 +217,26 @@ double fill_of(const RaySamples& samples, const Piece& piece) {
   const double cu = std::max(0.02, 2 * steps.u), cv = std::max(0.02, 2 * steps.v);
   const auto columns = static_cast<std::int64_t>(std::ceil(piece.box.width() / cu));
   const auto rows = static_cast<std::int64_t>(std::ceil(piece.box.height() / cv));
-  std::set<std::int64_t> held;
-  for (const std::uint32_t i : piece.points) {
-    const Place2 p = samples.crossing(i, piece.w);
+  if (columns <= 0 || rows <= 0) return 0;
+  std::vector<bool> held(static_cast<std::size_t>(columns * rows), false);
+  std::size_t count = 0;
+  for (const Ray& ray : rays_of(samples, piece)) {
+    const Place2 p = samples.crossing(ray, piece.w);
     if (!piece.box.holds(p)) continue;
     const auto c = std::min(columns - 1, static_cast<std::int64_t>((p.u - piece.box.u0) / cu));
     const auto r = std::min(rows - 1, static_cast<std::int64_t>((p.v - piece.box.v0) / cv));
-    held.insert(r * columns + c);
+    const auto cell = static_cast<std::size_t>(r * columns + c);
+    count += !held[cell];
+    held[cell] = true;
   }
-  return static_cast<double>(held.size()) / static_cast<double>(std::max<std::int64_t>(1, columns * rows));
+  return static_cast<double>(count) / static_cast<double>(columns * rows);
 }
 
 FoundRectangle rectangle_of(const RaySamples& samples, const Piece& piece, double face_from, double face_to) {
   FoundRectangle thing;
   thing.depth = piece.w;
-  thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points.size()));
-  thing.points = piece.points.size();
+  thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points));
+  thing.points = piece.points;
   thing.plane = piece.ids[0];
   const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
   const double reach =
@@ -221,7 +255,7 @@ bool is_large(const Box2& box, double least) {
 std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params) {
   std::vector<std::uint32_t> ids;
   for (const ParallelPlane& p : samples.site().parallel) ids.push_back(p.id);
-  std::vector<Piece> pieces = pieces_of(samples, ids);
+  std::vector<Piece> pieces = pieces_of(samples, std::move(ids));
   const double nearest = std::max(params.least_depth, 2 * samples.site().epsilon);
   std::erase_if(pieces, [&](const Piece& piece) { return piece.w < nearest; });
   join_pieces(samples, pieces);
@@ -242,15 +276,14 @@ std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
   constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
   constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
   std::vector<FoundRectangle> found;
-  std::vector<Piece> parts;
-  for (Piece& piece : pieces_of(samples, samples.site().wall)) part_at_joints(samples, std::move(piece), parts);
-  for (const Piece& piece : parts) {
-    if (!is_large(piece.box, kLeastSize)) continue;
-    const double fill = fill_of(samples, piece);
-    if (fill < kLeastFill) continue;
-    found.push_back(rectangle_of(samples, piece, kJointFrom, kJointTo));
-    found.back().fill = fill;
-  }
+  for (Piece& piece : pieces_of(samples, samples.site().wall))
+    split_at_joints(samples, std::move(piece), [&](const Piece& stone) {
+      if (!is_large(stone.box, kLeastSize)) return;
+      const double fill = fill_of(samples, stone);
+      if (fill < kLeastFill) return;
+      found.push_back(rectangle_of(samples, stone, kJointFrom, kJointTo));
+      found.back().fill = fill;
+    });
   if (found.size() < kFewestStones) found.clear();
   return found;
 }

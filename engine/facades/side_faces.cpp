@@ -17,6 +17,7 @@ constexpr double kCrowded = 3;              // times as many points as if they w
 constexpr double kUpright = 0.05;           // slopes below this are none
 constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of something else lie on any line
 constexpr double kExact = 0.001;                              // metres: clouds without noise are rounded all the same
+constexpr std::uint64_t kMostSamples = 1 << 16;               // of a face: more tell no more
 constexpr double kEdge = 0.01;                                // metres; narrower ends are edges
 
 struct FacePoint {
@@ -40,14 +41,19 @@ double& side_of(Box2& box, Side side) {
 std::vector<FacePoint> points_of(const RaySamples& samples, const Box2& around, Side side, double depth, double low,
                                  double high, double s0, double s1) {
   const double sign = side == Side::right || side == Side::top ? 1 : -1;
+  const auto point_of = [&](const Ray& ray) {
+    return FacePoint{sign * static_cast<double>(along_u(side) ? ray.at.u : ray.at.v), static_cast<double>(ray.at.w)};
+  };
+  const auto is_there = [&](const Ray& ray) {
+    const FacePoint p = point_of(ray);
+    const double part = p.w / depth, s = along_u(side) ? ray.at.v : ray.at.u;
+    return part > kFrom && part < kTo && p.t >= low && p.t <= high && s >= s0 && s <= s1;
+  };
+  Rays near = samples.near(around);
+  const int level = thinning_level(near, kMostSamples, is_there);
   std::vector<FacePoint> points;
-  for (const std::uint32_t i : samples.near(around)) {
-    const FacadePoint& p = samples.site().points[i];
-    const double part = static_cast<double>(p.w) / depth;
-    const double t = sign * static_cast<double>(along_u(side) ? p.u : p.v), s = along_u(side) ? p.v : p.u;
-    if (part > kFrom && part < kTo && t >= low && t <= high && s >= s0 && s <= s1)
-      points.push_back({t, static_cast<double>(p.w)});
-  }
+  for (const Ray& ray : near)
+    if (is_there(ray) && is_kept(ray, level)) points.push_back(point_of(ray));
   return points;
 }
 

@@ -2,10 +2,11 @@
 #include "engine/facades/slices.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 
-#include "kernels/core/parallel.h"
+#include "engine/facades/value_stream.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/rings.h"
 
@@ -37,15 +38,65 @@ std::size_t boundary_points(std::span<const Point2> points, double reach) {
   return count;
 }
 
-FacadeSlice slice_of(const FacadeSite& site, double w, std::span<const std::uint32_t> points, double reach) {
+// The points of one cut.
+struct Cut {
+  std::size_t count = 0;
+  std::vector<std::array<float, 2>> kept;  // u, v
+};
+
+// The cuts that each point is consistent with.
+class Cuts {
+ public:
+  Cuts(const RaySamples& samples, const SliceRange& range, const SliceParams& params)
+      : range_(range),
+        params_(params),
+        last_(static_cast<std::int64_t>(std::floor((range.to - range.from) / params.spacing + 0.5))) {
+    const double deepest = std::max(std::abs(range.from), std::abs(range.to)) + params.spacing;
+    around_ = range.box.grown(samples.oblique() ? 1.5 * deepest : 0);
+  }
+  const Box2& around() const { return around_; }  // where rays to the box cross the wall
+  double w(std::int64_t cut) const { return range_.from + static_cast<double>(cut) * params_.spacing; }
+  template <class Visit>
+  void of(const Ray& ray, const Visit& visit) const {
+    if (!range_.box.holds({ray.at.u, ray.at.v})) return;
+    const double at = (static_cast<double>(ray.at.w) - range_.from) / params_.spacing;
+    const auto first = static_cast<std::int64_t>(std::ceil(at - params_.within));
+    for (std::int64_t cut = std::max<std::int64_t>(0, first);
+         cut <= last_ && static_cast<double>(cut) <= at + params_.within; ++cut)
+      visit(cut);
+  }
+
+ private:
+  SliceRange range_;
+  Box2 around_;
+  const SliceParams& params_;
+  std::int64_t last_;
+};
+
+int level_of(Rays& rays, const Cuts& cuts) {
+  constexpr std::uint64_t kMostOfCut = 1 << 15, kMostOfAll = 1 << 17;  // 250 bytes of a cut's, 8 of all
+  if (rays.size() <= kMostOfCut) return 0;
+  std::map<std::int64_t, RankCounts> of_cut;
+  RankCounts of_all;
+  for (const Ray& ray : rays)
+    cuts.of(ray, [&](std::int64_t cut) {
+      of_cut[cut].add(ray);
+      of_all.add(ray);
+    });
+  int level = of_all.level(kMostOfAll);
+  for (const auto& [cut, counts] : of_cut) level = std::max(level, counts.level(kMostOfCut));
+  return level;
+}
+
+FacadeSlice slice_of(double w, const Cut& cut, double reach) {
   FacadeSlice slice;
   slice.w = w;
-  slice.points = points.size();
+  slice.points = cut.count;
   std::vector<double> u, v;
   std::vector<Point2> places;
-  for (const std::uint32_t i : points) {
-    u.push_back(site.points[i].u);
-    v.push_back(site.points[i].v);
+  for (const auto& [at_u, at_v] : cut.kept) {
+    u.push_back(at_u);
+    v.push_back(at_v);
     places.push_back({static_cast<std::int32_t>(std::lround(u.back() / kLattice)),
                       static_cast<std::int32_t>(std::lround(v.back() / kLattice))});
   }
@@ -56,30 +107,44 @@ FacadeSlice slice_of(const FacadeSite& site, double w, std::span<const std::uint
 
 }  // namespace
 
-std::vector<FacadeSlice> slices_of(const RaySamples& samples, const Box2& box, double from, double to,
-                                   const SliceParams& params) {
-  const FacadeSite& site = samples.site();
-  const double deepest = std::max(std::abs(from), std::abs(to)) + params.spacing;
-  std::map<std::int64_t, std::vector<std::uint32_t>> cuts;
-  for (const std::uint32_t i : samples.near(box.grown(samples.oblique() ? 1.5 * deepest : 0))) {
-    const FacadePoint& p = site.points[i];
-    if (!box.holds({p.u, p.v})) continue;
-    const double at = (static_cast<double>(p.w) - from) / params.spacing;
-    const auto last = static_cast<std::int64_t>(std::floor((to - from) / params.spacing + 0.5));
-    const auto first_cut = static_cast<std::int64_t>(std::ceil(at - params.within));
-    for (std::int64_t cut = std::max<std::int64_t>(0, first_cut);
-         cut <= last && static_cast<double>(cut) <= at + params.within; ++cut)
-      cuts[cut].push_back(i);
-  }
+std::vector<FacadeSlice> slices_of(const RaySamples& samples, const SliceRange& range, const SliceParams& params) {
+  const Cuts cuts(samples, range, params);
+  Rays near = samples.near(cuts.around());
+  const int level = level_of(near, cuts);
+  std::map<std::int64_t, Cut> by_number;
+  for (const Ray& ray : near)
+    cuts.of(ray, [&](std::int64_t number) {
+      Cut& cut = by_number[number];
+      ++cut.count;
+      if (is_kept(ray, level)) cut.kept.push_back({ray.at.u, ray.at.v});
+    });
+  const Box2& box = range.box;
   const Place2 steps = samples.step_at({(box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2});
-  std::vector<std::int64_t> numbers;
-  for (const auto& [cut, points] : cuts) numbers.push_back(cut);
-  std::vector<FacadeSlice> slices(numbers.size());
-  parallel_for(numbers.size(), [&](std::size_t i) {
-    slices[i] = slice_of(site, from + static_cast<double>(numbers[i]) * params.spacing, cuts.at(numbers[i]),
-                         params.reach_steps * std::max(steps.u, steps.v));
-  });
+  const double reach = params.reach_steps * std::max(steps.u, steps.v) * std::sqrt(std::ldexp(1.0, level));
+  std::vector<FacadeSlice> slices;
+  for (const auto& [number, cut] : by_number) {
+    if (cut.kept.empty()) continue;
+    slices.push_back(slice_of(cuts.w(number), cut, reach));
+    slices.back().level = level;
+  }
   return slices;
+}
+
+Box2 whole_extent(const RaySamples& samples, const SliceRange& range, const FacadeSlice& slice,
+                  const SliceParams& params) {
+  if (slice.level == 0) return slice.extent;
+  const Cuts cuts(samples, range, params);
+  const auto place = [&](float FacadePoint::*axis, double share) {
+    const ValueStream places = [&](const std::function<void(double)>& take) {
+      for (const Ray& ray : samples.near(cuts.around()))
+        cuts.of(ray, [&](std::int64_t cut) {
+          if (cuts.w(cut) == slice.w) take(ray.at.*axis);
+        });
+    };
+    return nth_value(places, slice.points, static_cast<std::uint64_t>(share * static_cast<double>(slice.points - 1)));
+  };
+  return {place(&FacadePoint::u, kTail), place(&FacadePoint::u, 1 - kTail), place(&FacadePoint::v, kTail),
+          place(&FacadePoint::v, 1 - kTail)};
 }
 
 std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices) {

@@ -3,6 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "engine/facades/box_grid.h"
 
 #include "kernels/core/portable_math.h"
 
@@ -12,6 +15,7 @@ namespace {
 constexpr double kParallelDeg = 5;  // planes of a facade's relief lean less than this from its wall
 constexpr double kCoplanarDeg = 2;  // parts of one wall
 constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
+constexpr double kBelow = 0.5;      // metres above and below a wall that its relief may be
 constexpr double kInside = 0.5;     // share of a plane's width that must lie along the wall for it to be its relief
 
 struct Extent {
@@ -73,29 +77,93 @@ void include(Extent& all, const Extent& e) {
   all.v1 = std::max(all.v1, e.v1);
 }
 
-// Adds what lies on the wall's plane and goes on along it, until nothing more does.
-void join_coplanar(std::span<const Segment> segments, const std::vector<std::size_t>& upright, std::vector<char>& taken,
-                   const WallParams& params, WallGroup& group, Extent& all) {
-  const double least_cos = cos_degrees(kCoplanarDeg);
+// Segments by where they stand, so that a wall asks those around it alone.
+class SegmentGrid {
+ public:
+  SegmentGrid(std::span<const Segment> segments, std::vector<std::size_t> list, double metres)
+      : segments_(segments), list_(std::move(list)), metres_(metres), grid_(kCell / metres) {
+    // A box along the axes of the CRS meets a wall's box only where its middle is within its own half diagonal of it,
+    // along each of the wall's three axes.
+    constexpr double kDiagonals = 1.8;
+    for (std::size_t k = 0; k < list_.size(); ++k) {
+      const Segment& s = segments_[list_[k]];
+      const Vec3 middle = 0.5 * (s.min + s.max);
+      GroundBox box = kNoGround;
+      box.include(middle);
+      grid_.add(static_cast<std::uint32_t>(k), box.grown(kDiagonals * 0.5 * norm(s.max - s.min)));
+    }
+  }
+  // Places in the list, ascending, of what may reach into a box in the axes (metres).
+  std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
+    constexpr double kRounding = 0.001;  // metres
+    GroundBox box = kNoGround;
+    for (const double u : {e.u0, e.u1})
+      for (const double v : {e.v0, e.v1})
+        for (const double w : {e.w0, e.w1})
+          box.include(axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out));
+    return grid_.near(box.grown(kRounding / metres_));
+  }
+  const Segment& segment(std::size_t k) const { return segments_[list_[k]]; }
+  std::size_t index(std::size_t k) const { return list_[k]; }
+  const std::vector<std::size_t>& list() const { return list_; }
+  double metres() const { return metres_; }
+
+ private:
+  static constexpr double kCell = 16;  // metres
+  std::span<const Segment> segments_;
+  std::vector<std::size_t> list_;
+  double metres_;
+  BoxGrid grid_;
+};
+
+// Whether a segment lies on the wall's plane.
+bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& params) {
+  if (std::abs(dot(s.plane.n, group.axes.out)) < cos_degrees(kCoplanarDeg)) return false;
+  const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
+  return std::abs(extent_of(s, group.axes, params.metres_per_unit).w0) <= off;
+}
+
+bool are_apart(const Extent& e, const Extent& all, double gap) {
+  return e.u0 > all.u1 + gap || e.u1 < all.u0 - gap || e.v0 > all.v1 + gap || e.v1 < all.v0 - gap;
+}
+
+// Adds what lies on the wall's plane and goes on along it, until nothing more does: again and again in the order of the
+// grid's list. Returns which segments, and marks them as taken.
+std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
+                                       WallGroup& group, Extent& all) {
+  std::vector<std::size_t> joined;
+  std::set<std::uint32_t> waiting;  // on the plane and not far
+  const auto look_around = [&] {
+    const Extent around{all.u0 - params.gap, all.u1 + params.gap, all.v0 - params.gap,
+                        all.v1 + params.gap, -params.bias,        params.bias};
+    for (const std::uint32_t k : grid.near(group.axes, around))
+      if (taken[grid.index(k)] == 0 && is_coplanar(grid.segment(k), group, params)) waiting.insert(k);
+  };
+  look_around();
   for (bool more = true; more;) {
     more = false;
-    for (const std::size_t i : upright) {
-      const Segment& s = segments[i];
-      if (taken[i] != 0 || std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
+    for (auto at = waiting.begin(); at != waiting.end();) {
+      const std::uint32_t k = *at;
+      const Segment& s = grid.segment(k);
       const Extent e = extent_of(s, group.axes, params.metres_per_unit);
-      const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
-      if (std::abs(e.w0) > off || e.u0 > all.u1 + params.gap || e.u1 < all.u0 - params.gap ||
-          e.v0 > all.v1 + params.gap || e.v1 < all.v0 - params.gap)
+      if (are_apart(e, all, params.gap)) {
+        ++at;
         continue;
-      taken[i] = 1;
+      }
+      taken[grid.index(k)] = 1;
+      joined.push_back(grid.index(k));
       include(all, e);
       group.segments.push_back(s.id);
       group.points += s.points;
       group.area_m2 += s.area_m2;
       group.epsilon = std::max(group.epsilon, s.epsilon_m);
       more = true;
+      waiting.erase(at);
+      look_around();
+      at = waiting.upper_bound(k);
     }
   }
+  return joined;
 }
 
 // Of one segment so far.
@@ -125,23 +193,28 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own.
-void claim_relief(std::span<const Segment> segments, const std::vector<std::size_t>& parallel_candidates,
-                  std::vector<char>& taken, const WallParams& params, WallGroup& group) {
+// What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own. The
+// wall's segments are in order.
+void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params, WallGroup& group) {
   const double least_cos = cos_degrees(kParallelDeg);
-  for (const std::size_t i : parallel_candidates) {
-    const Segment& s = segments[i];
+  const Extent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
+  std::vector<std::size_t> candidates;
+  for (const std::uint32_t k : grid.near(group.axes, around)) candidates.push_back(k);
+  std::sort(candidates.begin(), candidates.end(),
+            [&](std::size_t a, std::size_t b) { return grid.index(a) < grid.index(b); });
+  for (const std::size_t k : candidates) {
+    const Segment& s = grid.segment(k);
     if (std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
-    if (std::find(group.segments.begin(), group.segments.end(), s.id) != group.segments.end()) continue;
+    if (std::binary_search(group.segments.begin(), group.segments.end(), s.id)) continue;
     const Extent e = extent_of(s, group.axes, params.metres_per_unit);
     const double common = std::min(e.u1, group.width) - std::max(e.u0, 0.0);
     if (e.w0 > params.relief_front || e.w0 < -params.relief_behind || !(common >= kInside * (e.u1 - e.u0)) ||
-        e.v0 > group.height + 0.5 || e.v1 < -0.5)
+        e.v0 > group.height + kBelow || e.v1 < -kBelow)
       continue;
     const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
     if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
       continue;  // an upper storey that stands back
-    taken[i] = 1;
+    taken[grid.index(k)] = 1;
     group.parallel.push_back({s.id, s.points});
   }
 }
@@ -151,31 +224,32 @@ void claim_relief(std::span<const Segment> segments, const std::vector<std::size
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
                                   const WallParams& params) {
   const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
-  std::vector<std::size_t> upright;
+  std::vector<std::size_t> by_area;
   for (std::size_t i = 0; i < segments.size(); ++i)
-    if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= most_tilt) upright.push_back(i);
-  std::vector<std::size_t> by_area = upright;
+    if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= most_tilt) by_area.push_back(i);
   std::sort(by_area.begin(), by_area.end(), [&](std::size_t a, std::size_t b) {
     return segments[a].area_m2 != segments[b].area_m2 ? segments[a].area_m2 > segments[b].area_m2 : a < b;
   });
+  const SegmentGrid upright(segments, std::move(by_area), params.metres_per_unit);
   std::vector<char> taken(segments.size());
   std::vector<WallGroup> walls;
-  for (const std::size_t i : by_area) {
+  for (const std::size_t i : upright.list()) {
     const Segment& s = segments[i];
     if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
     Vec3 out = street_side(s, stations, middle);
     if (stations.empty()) out = side_like(s, walls, params, out);
     WallGroup group = group_of(s, out);
     Extent all = extent_of(s, group.axes, params.metres_per_unit);
-    std::vector<char> trial = taken;
-    trial[i] = 1;
-    join_coplanar(segments, by_area, trial, params, group, all);
+    taken[i] = 1;
+    const std::vector<std::size_t> joined = join_coplanar(upright, taken, params, group, all);
     set_box(group, all, params.metres_per_unit);
-    if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area)
+    if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
+      taken[i] = 0;
+      for (const std::size_t j : joined) taken[j] = 0;
       continue;
-    taken = trial;
-    claim_relief(segments, upright, taken, params, group);
+    }
     std::sort(group.segments.begin(), group.segments.end());
+    claim_relief(upright, taken, params, group);
     walls.push_back(std::move(group));
   }
   std::sort(walls.begin(), walls.end(), [](const WallGroup& a, const WallGroup& b) {
@@ -200,45 +274,77 @@ std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<c
   return small;
 }
 
-std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
-                                          std::span<const Segment> segments, WallParams params,
-                                          const DormerFrontParams& dormers) {
-  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
-  const double least_cos = cos_degrees(kParallelDeg);
-  std::vector<char> taken(segments.size(), 0);
-  for (const WallGroup& known : walls)
-    for (const std::uint32_t id : known.segments) taken[id - 1] = 1;
-  std::vector<std::size_t> candidates;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const Segment& s = segments[i];
-    if (taken[i] != 0 || !(s.area_m2 > 0) || std::abs(dot(s.plane.n, wall.axes.out)) < least_cos) continue;
-    const Extent e = extent_of(s, wall.axes, params.metres_per_unit);
-    if (e.w0 > params.bias || e.w0 < -dormers.behind || e.u0 < -kOverlap || e.u1 > wall.width + kOverlap ||
-        e.v0 < wall.height - kOverlap || e.v1 > wall.height + dormers.reach || e.u1 - e.u0 > dormers.most_width)
-      continue;
-    candidates.push_back(i);
-  }
-  std::sort(candidates.begin(), candidates.end(), [&](std::size_t a, std::size_t b) {
-    return segments[a].area_m2 != segments[b].area_m2 ? segments[a].area_m2 > segments[b].area_m2 : a < b;
-  });
+struct DormerFronts::State {
+  std::span<const Segment> segments;
+  WallParams params;
+  DormerFrontParams dormers;
+  SegmentGrid upright;
+  std::vector<char> taken;  // by walls; by fronts while those of one wall are looked for
+};
+
+DormerFronts::DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
+                           const DormerFrontParams& dormers) {
+  constexpr double kMostTilt = 0.5;  // sine: walls and what is parallel to them lean far less
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= kMostTilt) list.push_back(i);
   params.gap = dormers.gap;
+  state_ = std::make_unique<State>(State{segments, params, dormers,
+                                         SegmentGrid(segments, std::move(list), params.metres_per_unit),
+                                         std::vector<char>(segments.size(), 0)});
+  for (const WallGroup& known : walls)
+    for (const std::uint32_t id : known.segments) state_->taken[id - 1] = 1;
+}
+
+DormerFronts::~DormerFronts() = default;
+
+// What may be a part of a front, the largest first.
+std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
+  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
+  const State& in = *state_;
+  const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
+                      -in.dormers.behind, in.params.bias};
+  std::vector<std::size_t> found;
+  for (const std::uint32_t k : in.upright.near(wall.axes, around)) {
+    const Segment& s = in.upright.segment(k);
+    if (in.taken[in.upright.index(k)] != 0 || std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg))
+      continue;
+    const Extent e = extent_of(s, wall.axes, in.params.metres_per_unit);
+    if (e.w0 > around.w1 || e.w0 < around.w0 || e.u0 < around.u0 || e.u1 > around.u1 || e.v0 < around.v0 ||
+        e.v1 > around.v1 || e.u1 - e.u0 > in.dormers.most_width)
+      continue;
+    found.push_back(in.upright.index(k));
+  }
+  std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+    const double p = in.segments[a].area_m2, q = in.segments[b].area_m2;
+    return p != q ? p > q : a < b;
+  });
+  return found;
+}
+
+std::vector<WallGroup> DormerFronts::of(const WallGroup& wall) {
+  State& in = *state_;
+  const double metres = in.params.metres_per_unit;
+  const SegmentGrid parts(in.segments, candidates(wall), metres);
   std::vector<WallGroup> fronts;
-  for (const std::size_t i : candidates) {
-    if (taken[i] != 0) continue;
-    taken[i] = 1;
-    const Segment& s = segments[i];
+  for (const std::size_t i : parts.list()) {
+    if (in.taken[i] != 0) continue;
+    in.taken[i] = 1;
+    const Segment& s = in.segments[i];
     WallGroup front = group_of(s, dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n);
-    Extent all = extent_of(s, front.axes, params.metres_per_unit);
-    join_coplanar(segments, candidates, taken, params, front, all);
-    set_box(front, all, params.metres_per_unit);
-    if (front.width < dormers.least_width || front.height < dormers.least_height || front.width > dormers.most_width)
+    Extent all = extent_of(s, front.axes, metres);
+    join_coplanar(parts, in.taken, in.params, front, all);
+    set_box(front, all, metres);
+    if (front.width < in.dormers.least_width || front.height < in.dormers.least_height ||
+        front.width > in.dormers.most_width)
       continue;
     std::sort(front.segments.begin(), front.segments.end());
     const bool fills = std::any_of(fronts.begin(), fronts.end(), [&](const WallGroup& larger) {
-      return common_share(front, larger, params.metres_per_unit) >= kInside;
+      return common_share(front, larger, metres) >= kInside;
     });
     if (!fills) fronts.push_back(std::move(front));
   }
+  for (const std::size_t i : parts.list()) in.taken[i] = 0;
   const auto left = [&](const WallGroup& f) { return dot(f.axes.origin - wall.axes.origin, wall.axes.right); };
   std::stable_sort(fronts.begin(), fronts.end(),
                    [&](const WallGroup& a, const WallGroup& b) { return left(a) < left(b); });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which planes are facades: large upright ones, joined along the street.
 #pragma once
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -32,7 +33,7 @@ struct WallGroup {
 // Walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in the wall;
 // the street side is where most stations stand (each by one over its squared distance), else the side away from
 // `middle`, the middle of all points, or that of a larger wall in line. Segments without an area (no outline) are left
-// out. O(segments^2) at worst.
+// out. Each wall asks the segments around it alone; without stations also the walls that there are.
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
                                   const WallParams& params);
 
@@ -49,11 +50,28 @@ struct DormerFrontParams {
 };
 
 // Upright planes in the roof of a wall: along it, above its top, behind it, of none of `walls`; what is behind or
-// before a larger one fills its window or stands before it. From left to right. Which of them are dormers their
-// openings tell (add_dormers). O(segments), and fronts^2.
-std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
-                                          std::span<const Segment> segments, WallParams params,
-                                          const DormerFrontParams& dormers = {});
+// before a larger one fills its window or stands before it. Which of them are dormers their openings tell
+// (add_dormers). The segments must outlive it.
+class DormerFronts {
+ public:
+  DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
+               const DormerFrontParams& dormers = {});
+  ~DormerFronts();
+
+  // Those of one wall, from left to right. O(segments around it), and fronts^2.
+  std::vector<WallGroup> of(const WallGroup& wall);
+
+ private:
+  std::vector<std::size_t> candidates(const WallGroup& wall) const;
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+inline std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
+                                                 std::span<const Segment> segments, WallParams params,
+                                                 const DormerFrontParams& dormers = {}) {
+  return DormerFronts(walls, segments, params, dormers).of(wall);
+}
 
 // The wall with nothing on it: its rectangle is its one element.
 Facade bare_facade(const WallGroup& wall, double metres_per_unit);

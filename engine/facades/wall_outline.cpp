@@ -44,7 +44,8 @@ Wall wall_of(const FacadeSite& site) {
 }
 
 // Share of the place between the line and the wall's top that things before the wall or along it stand in.
-double share_filled(const FacadeSite& site, const TopEdge& edge, double relief) {
+double share_filled(const RaySamples& samples, const TopEdge& edge, double relief) {
+  const FacadeSite& site = samples.site();
   const double bottom = std::min(edge.line.height(edge.u0), edge.line.height(edge.u1));
   const auto columns = static_cast<std::int64_t>(std::ceil((edge.u1 - edge.u0) / kCell));
   const auto rows = static_cast<std::int64_t>(std::ceil((site.height - bottom) / kCell));
@@ -54,7 +55,8 @@ double share_filled(const FacadeSite& site, const TopEdge& edge, double relief) 
     return std::binary_search(site.parallel.begin(), site.parallel.end(), ParallelPlane{id, 0},
                               [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
   };
-  for (const FacadePoint& p : site.points) {
+  for (const Ray& ray : samples.at_places({edge.u0, edge.u1, bottom, site.height})) {
+    const FacadePoint& p = ray.at;
     if (p.u < edge.u0 || p.u >= edge.u1 || p.v >= site.height || p.w > relief) continue;
     if (p.v < edge.line.height(p.u) + kCell || !(p.w > site.epsilon || is_parallel(p.plane))) continue;
     const auto c = static_cast<std::int64_t>((p.u - edge.u0) / kCell);
@@ -128,7 +130,7 @@ std::vector<TopEdge> edges_of(const RaySamples& samples, const Wall& wall, const
       edge.line.at = wall.top();
       edge.error = site.step;
     } else {
-      if (share_filled(site, edge, params.relief) > kFree) continue;
+      if (share_filled(samples, edge, params.relief) > kFree) continue;
       fit(samples, wall, edge);
     }
     edges.push_back(edge);

@@ -2,6 +2,7 @@
 #include "engine/run/facade_gathering.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/segments/colours_pass.h"
@@ -25,40 +26,82 @@ IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
   return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
 
+// The place around a wall that points are taken from, in its axes: a box that goes across those of the lattice.
+class Slab {
+ public:
+  Slab(const FacadeWork& work, const WallGroup& wall)
+      : into_(work, wall),
+        metres_(work.store.unit() * work.metres_per_unit),
+        axes_{wall.axes.right, wall.axes.up, wall.axes.out},
+        low_{-work.beside, -work.beside, -work.behind},
+        high_{wall.width + work.beside, wall.height + work.beside, work.before} {}
+
+  // Whether some place of a box on the lattice may be in it.
+  bool meets(const IndexBox& box) const {
+    const Vec3 a = into_.of(box.min), b = into_.of(box.max), middle = 0.5 * (a + b);
+    const Vec3 half = 0.5 * metres_ *
+                      Vec3{static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y),
+                           static_cast<double>(box.max.z - box.min.z)};
+    const std::array<double, 3> at{middle.x, middle.y, middle.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& axis = axes_[k];
+      const double reach = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z + metres_;
+      if (at[k] + reach < low_[k] || at[k] - reach > high_[k]) return false;
+    }
+    return true;
+  }
+
+ private:
+  LatticeAxes into_;
+  double metres_;  // of a lattice step
+  std::array<Vec3, 3> axes_;
+  std::array<double, 3> low_, high_;
+};
+
+View planned(const FacadeWork& work, const WallGroup& wall) {
+  const Slab slab(work, wall);
+  return plan_view(work.store, box_around(work, wall), {}, [&](const IndexBox& box) { return slab.meets(box); });
+}
+
 void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const SiteStation> number_of,
-                 FacadeSite& site) {
+                 const TakeFacadePoints& take) {
   const LatticeAxes into(work, wall);
-  const IndexBox box = box_around(work, wall);
-  const View plan = plan_view(work.store, box, {});
-  const std::uint64_t most = plan.size;  // pages that no point comes to cost nothing
-  site.points.reserve(most);
-  if (work.told) site.from.reserve(most);
-  for_each_stretch(work.store, plan.slices, [&](const Stretch& s) {
+  const double epsilon = epsilon_of(wall);
+  std::vector<FacadePoint> points;
+  std::vector<SiteStation> from;
+  for_each_stretch(work.store, planned(work, wall).slices, [&](const Stretch& s) {
+    points.clear(), from.clear();
     const auto planes = s.read(work.store, columns::kPlane);
     std::vector<StationNumber> stations;
     if (work.told) stations = s.read(work.store, columns::kStation);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const Vec3 p = into.of(s.position(i));
-      if (p.x < -work.beside || p.x > site.width + work.beside || p.y < -work.beside ||
-          p.y > site.height + work.beside || p.z < -work.behind || p.z > work.before)
+      if (p.x < -work.beside || p.x > wall.width + work.beside || p.y < -work.beside ||
+          p.y > wall.height + work.beside || p.z < -work.behind || p.z > work.before)
         continue;
       if (work.told) {
-        const SiteStation from = number_of[stations[i]];
-        if (from == kStationAside && p.z < -site.epsilon) continue;  // not seen through the wall
-        site.from.push_back(from);
+        const SiteStation number = number_of[stations[i]];
+        if (number == kStationAside && p.z < -epsilon) continue;  // not seen through the wall
+        from.push_back(number);
       }
-      site.points.push_back(
+      points.push_back(
           {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
     }
+    take(points, from);
   });
 }
 
 // Outer rings of the wall's segments, onto the wall.
 void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
   const LatticeAxes into(work, wall);
-  for (const Outline& outline : work.outlines) {
-    if (!std::binary_search(wall.segments.begin(), wall.segments.end(), outline.plane_id)) continue;
-    for (const Outline::Part& part : outline.parts) {
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t id : wall.segments) {
+    auto at = std::lower_bound(work.outline_numbers.begin(), work.outline_numbers.end(), OutlineNumber{id, 0});
+    for (; at != work.outline_numbers.end() && at->plane == id; ++at) numbers.push_back(at->number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  for (const std::uint32_t number : numbers) {
+    for (const Outline::Part& part : work.outlines[number].parts) {
       OutlineRing& ring = site.rings.emplace_back();
       for (const Vec3& p : part[0]) {
         const Vec3 at = into.of_place(p);
@@ -84,6 +127,15 @@ std::vector<SiteStation> add_stations(const FacadeWork& work, const WallGroup& w
 }
 
 }  // namespace
+
+std::vector<OutlineNumber> numbers_of(std::span<const Outline> outlines) {
+  std::vector<OutlineNumber> numbers;
+  numbers.reserve(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    numbers.push_back({outlines[i].plane_id, static_cast<std::uint32_t>(i)});
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
 
 LatticeAxes::LatticeAxes(const FacadeWork& work, const WallGroup& wall)
     : axes_(wall.axes), metres_per_unit_(work.metres_per_unit), metres_(work.store.unit() * work.metres_per_unit) {
@@ -119,11 +171,12 @@ IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
 }
 
 std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall) {
-  return plan_view(work.store, box_around(work, wall), {}).size;
+  return planned(work, wall).size;
 }
 
-FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
-  FacadeSite site;
+GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall) {
+  GatheredFacade gathered;
+  FacadeSite& site = gathered.site;
   site.axes = wall.axes;
   site.metres_per_unit = work.metres_per_unit;
   site.width = wall.width;
@@ -136,9 +189,10 @@ FacadeSite gather_facade(const FacadeWork& work, const WallGroup& wall) {
   std::sort(site.parallel.begin(), site.parallel.end(),
             [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
   add_rings(work, wall, site);
-  const std::vector<SiteStation> number_of = add_stations(work, wall, site);
-  read_points(work, wall, number_of, site);
-  return site;
+  gathered.points = [&work, wall, number_of = add_stations(work, wall, site)](const TakeFacadePoints& take) {
+    read_points(work, wall, number_of, take);
+  };
+  return gathered;
 }
 
 PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
@@ -153,6 +207,7 @@ PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
       points.clear();
       for (std::size_t i = 0; i < colours.size(); ++i) {
         const Index3 p = s.position(i);
+        if (!box.contains(p)) continue;  // what else is read with it depends on how the points are stored
         const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
         points.push_back(
             {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},

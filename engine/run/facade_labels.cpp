@@ -68,6 +68,12 @@ class LabelledFacade {
     behind_ = work.behind;
   }
 
+  static std::uint64_t bytes_of(const WallGroup& wall, const Facade& facade) {
+    constexpr double kBinBytes = 40, kPartBytes = 400;  // with the places of the parts in bins
+    const double bins = ((wall.width + 2 * kBeside) / kBin + 1) * ((wall.height + 2 * kBeside) / kBin + 1);
+    return static_cast<std::uint64_t>(kBinBytes * bins + kPartBytes * static_cast<double>(facade.elements.size()));
+  }
+
   // station: an index into the work's; kNoStation: not known.
   FacadeLabel of(Index3 place, std::uint32_t station) const {
     const Vec3 p = axes_.of(place);
@@ -153,8 +159,13 @@ class LabelledFacade {
   std::vector<Vec3> eyes_;
 };
 
-void label_block(const FacadeWork& work, std::uint32_t block, std::span<const LabelledFacade> facades,
-                 const std::vector<std::vector<std::uint32_t>>& of_block, const PassContext& context) {
+// Facades, by number, that may say something of a block's points.
+using Numbers = std::vector<std::uint32_t>;
+
+void label_block(const FacadeWork& work, std::uint32_t block, const Numbers& numbers, std::span<const WallGroup> walls,
+                 std::span<const FoundFacade> found, const PassContext& context) {
+  std::vector<LabelledFacade> facades;
+  for (const std::uint32_t f : numbers) facades.emplace_back(work, walls[f], found[f].facade);
   const auto codes = work.store.read(block, columns::kCodes);
   std::vector<StationNumber> stations;
   if (work.told) stations = work.store.read(block, columns::kStation);
@@ -164,8 +175,8 @@ void label_block(const FacadeWork& work, std::uint32_t block, std::span<const La
     const Index3 at = index_of({work.store.blocks()[block].node.tile, codes[i]});
     if (context.wanted && !context.wanted(at)) continue;
     const std::uint32_t station = work.told && stations[i] != 0 ? stations[i] - 1u : only;
-    for (const std::uint32_t f : of_block[block]) {
-      labels[i] = facades[f].of(at, station);
+    for (const LabelledFacade& facade : facades) {
+      labels[i] = facade.of(at, station);
       if (labels[i].facade != 0) break;
     }
   }
@@ -177,17 +188,21 @@ void label_block(const FacadeWork& work, std::uint32_t block, std::span<const La
 void write_facade_labels(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const FoundFacade> found,
                          const PassContext& context) {
   constexpr std::size_t kMost = 65535;
-  std::vector<LabelledFacade> facades;
-  std::vector<std::vector<std::uint32_t>> of_block(work.store.blocks().size());
-  for (std::size_t i = 0; i < std::min(walls.size(), kMost); ++i) {
-    for (const std::uint32_t block : work.store.blocks_in(box_around(work, walls[i])))
+  std::vector<Numbers> of_block(work.store.blocks().size());
+  std::vector<std::uint64_t> bytes(of_block.size(), 0);
+  for (std::size_t i = 0; i < std::min(walls.size(), kMost); ++i)
+    for (const std::uint32_t block : work.store.blocks_in(box_around(work, walls[i]))) {
       of_block[block].push_back(static_cast<std::uint32_t>(i));
-    facades.emplace_back(work, walls[i], found[i].facade);
-  }
+      bytes[block] += LabelledFacade::bytes_of(walls[i], found[i].facade);
+    }
   std::vector<PassTask> tasks;
-  for (const Block& b : work.store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
-  run_pass(tasks, context.budget_bytes,
-           [&](std::size_t i) { label_block(work, static_cast<std::uint32_t>(i), facades, of_block, context); });
+  for (std::size_t b = 0; b < bytes.size(); ++b) {
+    const std::uint64_t points = work.store.blocks()[b].points;
+    tasks.push_back({points * kBytesPerPoint + bytes[b], points});
+  }
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    label_block(work, static_cast<std::uint32_t>(i), of_block[i], walls, found, context);
+  });
 }
 
 }  // namespace ilot

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "engine/evaluate/facade_proof.h"
@@ -74,21 +75,19 @@ ProofTally tally_of(const FacadeWork& work, const WallGroup& wall, const Strip& 
   return tally;
 }
 
-// All that may stand between a station and a facade.
-std::vector<SectionFace> obstacles_of(std::span<const FoundFacade> found, std::span<const Outline> outlines,
-                                      double metres_per_unit) {
-  std::vector<SectionFace> faces;
+// All that may stand between a station and a facade, one face after the other.
+void for_each_obstacle(std::span<const FoundFacade> found, std::span<const Outline> outlines, double metres_per_unit,
+                       const std::function<void(const SectionFace&)>& visit) {
   for (const Outline& outline : outlines)
-    for (const Outline::Part& part : outline.parts) faces.push_back({part});
+    for (const Outline::Part& part : outline.parts) visit({part});
   for (const FoundFacade& f : found)
     for (const SurfaceFace& face : facade_surfaces(f.facade, metres_per_unit)) {
       SectionFace flat{{{}}};
       for (const Vec3& p : face.corners)
         flat.rings[0].push_back(f.facade.origin + (1 / metres_per_unit) *
                                                       (p.x * f.facade.right + p.y * f.facade.up + p.z * f.facade.out));
-      faces.push_back(std::move(flat));
+      visit(flat);
     }
-  return faces;
 }
 
 void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std::vector<FoundFacade>& found,
@@ -116,7 +115,9 @@ void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std
                    std::vector<FoundFacade>& found, const PassContext& context) {
   count_points(work, walls, found, context);
   if (work.stations.empty()) return;
-  const LineOfSight sight(obstacles_of(found, outlines, work.metres_per_unit));
+  const LineOfSight sight = LineOfSight::past([&](const std::function<void(const SectionFace&)>& visit) {
+    for_each_obstacle(found, outlines, work.metres_per_unit, visit);
+  });
   for (std::size_t i = 0; i < found.size(); ++i) {
     FacadeSightParams params;
     params.margin_m = 2 * epsilon_of(walls[i]);

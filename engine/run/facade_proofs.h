@@ -11,7 +11,7 @@ namespace ilot {
 
 // What points and stations say for each edge and face of the facades, from the store's points and, where stations are
 // known, lines of sight past the outlines of all planes and past all facades' elements. walls and found belong
-// together. The points are read once more, in strips of walls in parallel: a few MB a thread, and some 150 bytes a
+// together. The points are read once more, in strips of walls in parallel: a few MB a thread, and some 30 bytes a
 // corner of the outlines.
 void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
                    std::vector<FoundFacade>& found, const PassContext& context);

@@ -2,6 +2,7 @@
 #include "engine/run/facades_product.h"
 
 #include <fmt/format.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,7 +23,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 64;
 constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
@@ -52,6 +52,12 @@ FacadeParams facade_params(const FacadesSettings& s) {
   return p;
 }
 
+// Steps of one facade that may run at once.
+std::size_t lanes_of(std::uint64_t budget_bytes) {
+  constexpr std::uint64_t kOneFor = 64 << 20;
+  return static_cast<std::size_t>(std::clamp<std::uint64_t>(budget_bytes / kOneFor, 1, 16));
+}
+
 DormerParams dormer_params(const FacadesSettings& s) {
   const FacadeParams facade = facade_params(s);
   return {facade.openings, facade.regular, facade.outline, facade.regularise};
@@ -60,9 +66,10 @@ DormerParams dormer_params(const FacadesSettings& s) {
 // Of each wall the fronts in its roof; walls learn how far up these go.
 std::vector<std::vector<WallGroup>> dormers_of(std::vector<WallGroup>& walls, std::span<const Segment> segments,
                                                const WallParams& params) {
+  DormerFronts fronts(walls, segments, params);
   std::vector<std::vector<WallGroup>> dormers;
   for (WallGroup& wall : walls) {
-    dormers.push_back(find_dormer_fronts(wall, walls, segments, params));
+    dormers.push_back(fronts.of(wall));
     for (const WallGroup& front : dormers.back()) {
       const double foot = dot(front.axes.origin - wall.axes.origin, wall.axes.up) * params.metres_per_unit;
       wall.above = std::max(wall.above, foot + front.height - wall.height);
@@ -149,6 +156,17 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
   for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
 }
 
+// Elements may go up beyond a wall: what is drawn of them is read as well.
+void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& walls, double metres_per_unit) {
+  constexpr double kAbove = 0.5;  // metres: as far as pictures go, and more
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const FacadeElement& e : found[i].facade.elements)
+      for (const Vec3& p : e.ring) {
+        const double top = dot(p - walls[i].axes.origin, walls[i].axes.up) * metres_per_unit;
+        walls[i].above = std::max(walls[i].above, top + kAbove - walls[i].height);
+      }
+}
+
 // One facade after the other, each in parallel: an image takes 64 MB at most.
 void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
                    FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
@@ -182,25 +200,32 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   FacadeWork work{store, planes.final_id, stations, steps, planes.outlines.outlines()};
   work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
   work.metres_per_unit = context.metres_per_unit;
+  work.outline_numbers = numbers_of(work.outlines);
   const std::vector<std::vector<WallGroup>> dormers =
       dormers_of(walls, planes.segments, wall_params(settings.facades, context.metres_per_unit));
+  const std::size_t lanes = lanes_of(context.budget_bytes);
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;
   for (const WallGroup& wall : walls) {
     const std::uint64_t count = points_to_read(work, wall);
-    tasks.push_back({count * kBytesPerPoint, count});
+    tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, lanes), count});
     points += count;
   }
   progress.begin_stage("facades", points);
   std::filesystem::create_directories(folder);
   std::vector<FoundFacade> found(walls.size());
+  FacadeParams params = facade_params(settings.facades);
+  params.lanes = lanes;
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    FacadeSite site = gather_facade(work, walls[i]);
-    if (inputs.crs.epsg > 0) site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
-    found[i] = find_facade(site, facade_params(settings.facades));
-    site = {};
-    std::vector<FacadeSite> fronts;
-    for (const WallGroup& front : dormers[i]) fronts.push_back(gather_facade(work, front));
+    GatheredFacade gathered = gather_facade(work, walls[i]);
+    if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
+    found[i] = find_facade(RaySamples(gathered.site, gathered.points, store.folder()), params);
+    std::vector<DormerFront> fronts;
+    for (const WallGroup& front : dormers[i]) {
+      const GatheredFacade of_front = gather_facade(work, front);
+      fronts.push_back(
+          find_dormer(RaySamples(of_front.site, of_front.points, store.folder()), dormer_params(settings.facades)));
+    }
     found[i].occluded_edges += add_dormers(fronts, found[i].facade, dormer_params(settings.facades));
     context.advance(tasks[i].points);
   });
@@ -216,7 +241,9 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
   }
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
+  reach_tops(found, walls, context.metres_per_unit);
   prove_facades(work, walls, planes.outlines.outlines(), found, context);
+  malloc_trim(0);  // of the lines of sight; --memory counts what the allocator would keep
   write_facade_labels(work, walls, found, context);
   if (!found.empty())
     write_facades(found, walls, work, files_params(settings, inputs, colours_of_points(store, inputs, context)), folder,

@@ -11,19 +11,22 @@ void append_slice(View& view, std::uint32_t block, std::uint32_t first, std::uin
   view.size += count;
 }
 
-bool meets(const ChunkBox& c, Index3 tile_corner, const IndexBox& box) {
-  const IndexBox chunk{{tile_corner.x + c.min[0], tile_corner.y + c.min[1], tile_corner.z + c.min[2]},
-                       {tile_corner.x + c.max[0], tile_corner.y + c.max[1], tile_corner.z + c.max[2]}};
-  return chunk.intersects(box);
+using BoxTest = std::function<bool(const IndexBox&)>;
+
+IndexBox box_of(const ChunkBox& c, Index3 tile_corner) {
+  return {{tile_corner.x + c.min[0], tile_corner.y + c.min[1], tile_corner.z + c.min[2]},
+          {tile_corner.x + c.max[0], tile_corner.y + c.max[1], tile_corner.z + c.max[2]}};
 }
 
-void plan_block(const Store& store, std::uint32_t block, const IndexBox& box, View& view) {
+void plan_block(const Store& store, std::uint32_t block, const IndexBox& box, const BoxTest& wanted, View& view) {
   const Block& b = store.blocks()[block];
-  if (box.contains(b.box.min) && box.contains(b.box.max)) return append_slice(view, block, 0, b.points);
+  if (wanted && !wanted(b.box)) return;
+  if (!wanted && box.contains(b.box.min) && box.contains(b.box.max)) return append_slice(view, block, 0, b.points);
   const auto chunks = store.read(block, columns::kChunks);
   const Index3 tile_corner = corner(b.node.tile);
   for (std::uint32_t c = 0; c < chunks.size(); ++c) {
-    if (!meets(chunks[c], tile_corner, box)) continue;
+    const IndexBox chunk = box_of(chunks[c], tile_corner);
+    if (!chunk.intersects(box) || (wanted && !wanted(chunk))) continue;
     const std::uint32_t first = c * kChunkPoints;
     const std::uint32_t count = std::min(kChunkPoints, b.points - first);
     const bool continues = !view.slices.empty() && view.slices.back().block == block &&
@@ -40,9 +43,13 @@ void plan_block(const Store& store, std::uint32_t block, const IndexBox& box, Vi
 }  // namespace
 
 View plan_view(const Store& store, const IndexBox& box, Index3 anchor) {
+  return plan_view(store, box, anchor, {});
+}
+
+View plan_view(const Store& store, const IndexBox& box, Index3 anchor, const BoxTest& wanted) {
   View view;
   view.anchor = anchor;
-  for (const std::uint32_t block : store.blocks_in(box)) plan_block(store, block, box, view);
+  for (const std::uint32_t block : store.blocks_in(box)) plan_block(store, block, box, wanted, view);
   return view;
 }
 

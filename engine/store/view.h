@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <functional>
 #include <vector>
 
 #include "engine/store/store.h"
@@ -31,6 +32,10 @@ struct View {
 
 // Slices that cover the box and how many points they hold, without reading the points.
 View plan_view(const Store& store, const IndexBox& box, Index3 anchor);
+
+// Only the chunks whose boxes are wanted: for what does not go along the axes.
+View plan_view(const Store& store, const IndexBox& box, Index3 anchor,
+               const std::function<bool(const IndexBox&)>& wanted);
 
 // Reads the coordinates of a planned view. 12 bytes a point.
 void load_points(const Store& store, View& view);

@@ -61,6 +61,9 @@ bool make_flat(const SectionFace& given, Vec3 anchor, FlatFace& face) {
   face.v = cross(face.normal, face.u);
   std::vector<FlatEdge> edges;
   std::vector<FlatPoint> flat;
+  std::size_t corners = 0;
+  for (const std::vector<Vec3>& ring : given.rings) corners += ring.size();
+  edges.reserve(corners);
   for (const std::vector<Vec3>& ring : given.rings) {
     flat.clear();
     for (const Vec3& p : ring) flat.push_back(face.flat(p - anchor));
@@ -124,17 +127,33 @@ struct LineOfSight::State {
 };
 
 LineOfSight::LineOfSight(const std::vector<SectionFace>& faces) : state_(std::make_unique<State>()) {
+  build([&](const std::function<void(const SectionFace&)>& visit) {
+    for (const SectionFace& face : faces) visit(face);
+  });
+}
+
+LineOfSight LineOfSight::past(const Faces& faces) {
+  LineOfSight sight(std::vector<SectionFace>{});
+  sight.build(faces);
+  return sight;
+}
+
+void LineOfSight::build(const Faces& faces) {
   State& self = *state_;
   Box3 whole;
-  for (const SectionFace& face : faces)
+  std::size_t count = 0;
+  faces([&](const SectionFace& face) {
+    ++count;
     for (const auto& ring : face.rings)
       for (const Vec3& p : ring) whole.add(p);
+  });
   if (!(whole.min.x <= whole.max.x)) return;
   self.anchor = 0.5 * whole.min + 0.5 * whole.max;
-  for (const SectionFace& given : faces) {
+  self.faces.reserve(count);
+  faces([&](const SectionFace& given) {
     FlatFace face;
     if (make_flat(given, self.anchor, face)) self.faces.push_back(std::move(face));
-  }
+  });
   if (self.faces.empty()) return;
   for (const FlatFace& face : self.faces) self.box.add(face.box.min), self.box.add(face.box.max);
   self.slack = kEmbreeSlack * largest(whole.max - whole.min) + std::numeric_limits<float>::min();

@@ -27,7 +27,18 @@ BandedRegion::BandedRegion(std::span<const FlatEdge> edges) {
   for (std::size_t band = 0; band < bands; ++band) first_[band + 1] += first_[band];
   std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
   edges_.resize(first_.back());
-  for (const FlatEdge& e : edges) for_each_band(e, [&](std::size_t band) { edges_[next[band]++] = e; });
+  const auto goes_on = [&](std::size_t i) {
+    return i > 0 && edges[i].a.x == edges[i - 1].b.x && edges[i].a.y == edges[i - 1].b.y;
+  };
+  std::size_t places = edges.size();
+  for (std::size_t i = 0; i < edges.size(); ++i) places += !goes_on(i);
+  places_.reserve(places);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    if (!goes_on(i)) places_.push_back(edges[i].a);
+    places_.push_back(edges[i].b);
+    const auto at = static_cast<std::uint32_t>(places_.size() - 2);
+    for_each_band(edges[i], [&](std::size_t band) { edges_[next[band]++] = at; });
+  }
 }
 
 std::size_t BandedRegion::band_of(double y) const {
@@ -41,7 +52,7 @@ bool BandedRegion::holds(FlatPoint p) const {
   bool inside = false;
   for (std::uint32_t i = first_[band]; i < first_[band + 1]; ++i) {
     // From its lower end up, whichever way the ring runs: neighbours agree on their common edge.
-    auto [a, b] = edges_[i];
+    FlatPoint a = places_[edges_[i]], b = places_[edges_[i] + 1];
     if ((a.y > p.y) == (b.y > p.y)) continue;
     if (a.y > b.y) std::swap(a, b);
     inside ^= (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0;

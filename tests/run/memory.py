@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """The budget sets the peak, the input does not: ten times the points, the same resident memory."""
 import pathlib
-import subprocess
 import struct
+import subprocess
 import sys
 
 from support import SANITIZED, SKIPPED, RunTest, ilot, main, small_las
@@ -54,8 +54,27 @@ class Matrix(RunTest):
         self.assertIn("8 runs, 0 failures", done.stdout)
 
 
+class OneFacade(RunTest):
+    """A wall whose points do not fit: they are read in pieces and sorted on disk, and nothing shows of it."""
+
+    def facade(self, points, memory, threads):
+        path = self.folder / "wall.laz"
+        if not path.exists():
+            made = ilot("scan", "facade-haussmann", "-o", path, "--points", points, timeout=600)
+            self.assertEqual(made.returncode, 0, made.stderr)
+        _, told = self.work(path, "--products", "facades", "--stations", self.folder / "wall.stations.csv", "--memory",
+                            memory, "--threads", threads, out=self.folder / f"{memory}-{threads}", timeout=1200)
+        self.assertEqual(told["counts"]["facades"]["facades"], 1)
+        return told
+
+    def test_within_the_budget_and_the_same_as_with_ten_times_of_it(self):
+        small, large = self.facade(1000000, "96M", 1), self.facade(1000000, "1G", 3)
+        self.assertLessEqual(small["peak_rss_bytes"], 96 << 20)
+        self.assertEqual(small["result_hash"], large["result_hash"])
+
+
 if __name__ == "__main__":
     if SANITIZED:
         print("SKIPPED: a sanitizer's own memory hides the engine's", file=sys.stderr)
         sys.exit(SKIPPED)
-    main(synthetic=[Memory, Matrix])
+    main(synthetic=[Memory, Matrix, OneFacade])

@@ -260,6 +260,12 @@ def facade_of_10_million(m):
     return Inputs(path, "--stations", path.with_suffix(".stations.csv"))
 
 
+@case("facades")
+def facade_of_19_million(m):
+    path = m.scan("facade-haussmann", m.points(19000000))
+    return Inputs(path, "--stations", path.with_suffix(".stations.csv"))
+
+
 @case("streets")
 def street_of_10_million(m):
     return Inputs(m.scan("street", m.points(10000000)))

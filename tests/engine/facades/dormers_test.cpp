@@ -20,6 +20,11 @@ FacadeSite front_at(double left, const std::vector<test::Sheet>& holes) {
   return site;
 }
 
+DormerFront dormer_at(double left, const std::vector<test::Sheet>& holes) {
+  const FacadeSite site = front_at(left, holes);
+  return find_dormer(RaySamples(site));
+}
+
 Facade bare_wall() {
   Facade facade;
   facade.right = {1, 0, 0}, facade.up = {0, 0, 1}, facade.out = {0, -1, 0};
@@ -33,7 +38,7 @@ Facade bare_wall() {
 TEST(Dormers, FrontsWithTheirWindowsOnTheirOwnPlane) {
   const std::vector<test::Sheet> window{{2, -0.15, 0.3, 1.3, 0.4, 1.5}};
   Facade facade = bare_wall();
-  EXPECT_GE(add_dormers({front_at(2, window), front_at(6, window)}, facade), 2u);  // both feet are hidden
+  EXPECT_GE(add_dormers({dormer_at(2, window), dormer_at(6, window)}, facade), 2u);  // both feet are hidden
   ASSERT_EQ(facade.elements.size(), 5u);
   for (std::size_t i = 0; i < 2; ++i) {
     const double left = i == 0 ? 2 : 6;
@@ -59,7 +64,7 @@ TEST(Dormers, FrontsWithTheirWindowsOnTheirOwnPlane) {
 
 TEST(Dormers, WithoutAnOpeningThereIsNone) {
   Facade facade = bare_wall();
-  EXPECT_EQ(add_dormers({front_at(2, {})}, facade), 0u);
+  EXPECT_EQ(add_dormers({dormer_at(2, {})}, facade), 0u);
   EXPECT_EQ(facade.elements.size(), 1u);
 }
 

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "tests/support/plain_joints.h"
 
 namespace ilot {
 namespace {
@@ -85,6 +87,45 @@ TEST(FacadeJoints, AStoreyThatStandsOutIsAProtrusion) {
   ASSERT_EQ(walls[0].elements.size(), 2u);
   EXPECT_EQ(walls[0].elements[1].kind, "protrusion");
   EXPECT_NEAR(walls[0].elements[1].depth_m, 0.8, 1e-9);
+}
+
+// Streets of houses whose walls nearly meet, some with a storey that stands back: against asking all others.
+TEST(FacadeJoints, TheSameAsAskingAllFacades) {
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Rng rng(seed);
+    std::vector<Facade> facades;
+    for (int house = 0; house < 40; ++house) {
+      Vec3 from{651000 + 120 * rng.uniform(), 6861000 + 120 * rng.uniform(), 40 + rng.uniform()};
+      const double turn = 360 * rng.uniform(), height = 5 + 5 * rng.uniform();
+      for (std::uint32_t i = 0; i < 4; ++i) {
+        const double h = turn + 90 * i, length = i % 2 == 0 ? 10 : 6;
+        const double high = height + 0.3 * rng.uniform(), back = 0.1 + 2 * rng.uniform();
+        facades.push_back(wall(1, from, h, length, high, 0.5 * rng.uniform() - 0.25));
+        Facade& f = facades.back();
+        const Vec3 above = from + Vec3{0, 0, high} - back * f.out;
+        if (house % 3 == 0) facades.push_back(wall(1, above, h + 3 * rng.uniform(), length - 1, 3, 0.1));
+        from = from + length * Vec3{cos_degrees(h), cos_degrees(h - 90), 0};
+      }
+    }
+    std::vector<Facade> plain = facades;
+    close_corners(facades);
+    add_storey_steps(facades);
+    test::plain_joints::close_corners(plain, {});
+    test::plain_joints::add_storey_steps(plain, {});
+    std::size_t steps = 0, moved = 0;
+    for (std::size_t i = 0; i < facades.size(); ++i) {
+      ASSERT_EQ(facades[i].elements.size(), plain[i].elements.size()) << seed << " " << i;
+      steps += facades[i].elements.size() - 1;
+      for (std::size_t e = 0; e < plain[i].elements.size(); ++e) {
+        const std::vector<Vec3>&ring = facades[i].elements[e].ring, &expected = plain[i].elements[e].ring;
+        ASSERT_EQ(ring.size(), expected.size());
+        for (std::size_t c = 0; c < ring.size(); ++c) EXPECT_EQ(norm(ring[c] - expected[c]), 0) << seed << " " << i;
+      }
+      moved += facades[i].width_m != 10;
+    }
+    EXPECT_GT(steps, 20u);
+    EXPECT_GT(moved, 100u);
+  }
 }
 
 }  // namespace

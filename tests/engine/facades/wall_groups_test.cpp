@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "tests/support/plain_walls.h"
 
 namespace ilot {
 namespace {
@@ -131,6 +133,86 @@ TEST(WallGroups, FrontsInTheRoof) {
   EXPECT_NEAR(fronts[1].width, 1.6, 1e-9);
   EXPECT_NEAR(fronts[1].height, 1.7, 1e-9);
   EXPECT_NEAR(dot(fronts[1].axes.origin - wall[0].axes.origin, wall[0].axes.out), -0.4, 1e-9);
+}
+
+bool same(const WallGroup& a, const WallGroup& b) {
+  const auto equal = [](Vec3 p, Vec3 q) { return p.x == q.x && p.y == q.y && p.z == q.z; };
+  const auto ids = [](const std::vector<ParallelPlane>& planes) {
+    std::vector<std::uint32_t> list;
+    for (const ParallelPlane& p : planes) list.push_back(p.id);
+    return list;
+  };
+  return equal(a.axes.origin, b.axes.origin) && equal(a.axes.out, b.axes.out) && a.width == b.width &&
+         a.height == b.height && a.area_m2 == b.area_m2 && a.points == b.points && a.segments == b.segments &&
+         ids(a.parallel) == ids(b.parallel);
+}
+
+// Blocks of houses along streets of any heading, with balconies, storeys that stand back, dormers and leaning walls.
+std::vector<Segment> town(std::uint64_t seed) {
+  Rng rng(seed);
+  std::vector<Segment> segments;
+  const auto add = [&](double heading, Vec3 at, double from, double to, double low, double high, double off) {
+    Segment s = upright(static_cast<std::uint32_t>(segments.size() + 1), heading, from, to, low, high, off);
+    const double lean = 0.03 * (rng.uniform() - 0.5);
+    s.plane.n = (1 / std::sqrt(1 + lean * lean)) * (s.plane.n + Vec3{0, 0, lean});
+    s.min = s.min + at, s.max = s.max + at, s.centroid = s.centroid + at;
+    s.plane.d = -dot(s.plane.n, s.centroid);
+    segments.push_back(s);
+  };
+  for (int house = 0; house < 60; ++house) {
+    const double heading = 360 * rng.uniform(), height = 6 + 12 * rng.uniform(), width = 4 + 20 * rng.uniform();
+    const Vec3 at{651000 + 150 * rng.uniform(), 6861000 + 150 * rng.uniform(), 40};
+    for (double from = 0; from < width; from += 0.5 + 4 * rng.uniform())
+      add(heading, at, from, from + 0.2 + 4 * rng.uniform(), height * rng.uniform() / 2, height, 0.06 * rng.uniform());
+    for (int k = 0; k < 6; ++k) {
+      const double u = width * rng.uniform(), v = height * rng.uniform();
+      add(heading, at, u, u + 0.2 + rng.uniform(), v, v + 0.2, 2 * rng.uniform() - 0.7);
+      add(heading, at, u, u + 0.8 + rng.uniform(), height + rng.uniform(), height + 2, -2 * rng.uniform());
+    }
+  }
+  segments.push_back(level(static_cast<std::uint32_t>(segments.size() + 1)));
+  return segments;
+}
+
+TEST(WallGroups, TheSameAsAskingAllSegments) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    const std::vector<Segment> segments = town(seed);
+    for (const bool seen : {true, false}) {
+      const std::vector<Vec3> stations =
+          seen ? std::vector<Vec3>{{651075, 6861075, 42}, {651010, 6861140, 42}} : std::vector<Vec3>{};
+      const Vec3 middle{651075, 6861075, 45};
+      const std::vector<WallGroup> walls = find_walls(segments, stations, middle, {});
+      const std::vector<WallGroup> plain = test::plain_walls::find_walls(segments, stations, middle, {});
+      ASSERT_GT(walls.size(), 30u);
+      ASSERT_EQ(walls.size(), plain.size());
+      std::size_t fronts = 0;
+      DormerFronts dormers(walls, segments, {});
+      for (std::size_t i = 0; i < walls.size(); ++i) {
+        EXPECT_TRUE(same(walls[i], plain[i])) << seed << " " << i;
+        const auto of_wall = dormers.of(walls[i]);
+        const auto expected = test::plain_walls::find_dormer_fronts(walls[i], walls, segments, {});
+        ASSERT_EQ(of_wall.size(), expected.size()) << seed << " " << i;
+        for (std::size_t k = 0; k < of_wall.size(); ++k) EXPECT_TRUE(same(of_wall[k], expected[k]));
+        fronts += of_wall.size();
+      }
+      EXPECT_GT(fronts, 20u);
+    }
+  }
+}
+
+// A hundred times the segments: a hundred times the work, and not ten thousand times.
+TEST(WallGroups, ACityTakesNoLongerThanItsHouses) {
+  std::vector<Segment> segments;
+  for (int r = 0; r < 200; ++r)
+    for (int c = 0; c < 200; ++c) {
+      segments.push_back(upright(static_cast<std::uint32_t>(segments.size() + 1), 0, 0, 8, 0, 9, 0));
+      Segment& s = segments.back();
+      const Vec3 at{651000.0 + 20 * c, 6861000.0 + 20 * r, 40};
+      s.min = s.min + at, s.max = s.max + at, s.centroid = s.centroid + at;
+      s.plane.d = -dot(s.plane.n, s.centroid);
+    }
+  const std::vector<Vec3> stations{{651000, 6861000, 42}};
+  EXPECT_EQ(find_walls(segments, stations, {}, {}).size(), 40000u);
 }
 
 }  // namespace

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of many boxes on the ground are near: by cells, so that a city costs what its houses cost.
+#pragma once
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+#include "kernels/core/types.h"
+
+namespace ilot {
+
+// Closed, in the units of whoever asks.
+struct GroundBox {
+  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;
+
+  GroundBox grown(double by) const { return {x0 - by, x1 + by, y0 - by, y1 + by}; }
+  void include(Vec3 p);
+};
+constexpr GroundBox kNoGround{INFINITY, -INFINITY, INFINITY, -INFINITY};
+
+// Memory grows with the cells that boxes cover; those that cover more than 1,024 are near to everything.
+class BoxGrid {
+ public:
+  explicit BoxGrid(double cell) : cell_(cell) {}
+
+  // A number may have more than one box.
+  void add(std::uint32_t number, const GroundBox& box);
+
+  // Numbers of all boxes that meet this one, and of some others: ascending, each once.
+  std::vector<std::uint32_t> near(const GroundBox& box) const;
+
+ private:
+  struct Cells {
+    std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;
+  };
+  static constexpr double kMostCells = 1024;
+  static constexpr double kFarthest = 1e15;                 // cells
+  bool cells_of(const GroundBox& box, Cells& cells) const;  // false: too many
+
+  double cell_;
+  std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;  // by cell
+  std::vector<std::uint32_t> everywhere_, all_;
+};
+
+}  // namespace ilot
