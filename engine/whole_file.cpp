@@ -7,8 +7,10 @@
 #include <cstdio>
 #include <cstring>
 #include <string>
+#include <utility>
 
 #include "engine/error.h"
+#include "engine/whole_file_writer.h"
 
 namespace ilot {
 namespace {
@@ -20,21 +22,56 @@ bool write_all(int file, std::string_view content) {
     if (written <= 0) return false;
     content.remove_prefix(static_cast<std::size_t>(written));
   }
-  return fsync(file) == 0;
+  return true;
 }
 
 }  // namespace
 
+WholeFileWriter::WholeFileWriter(std::filesystem::path path)
+    : path_(std::move(path)), beside_(path_.string() + "." + std::to_string(getpid()) + ".tmp") {
+  file_ = open(beside_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file_ < 0) fail();
+}
+
+WholeFileWriter::~WholeFileWriter() {
+  if (file_ < 0) return;
+  close(file_);
+  unlink(beside_.c_str());
+}
+
+void WholeFileWriter::append(std::string_view text) {
+  constexpr std::size_t kBuffer = 1 << 16;
+  if (buffer_.size() + text.size() > kBuffer) flush();
+  if (text.size() < kBuffer) {
+    buffer_ += text;
+  } else if (!write_all(file_, text)) {
+    fail();
+  }
+}
+
+void WholeFileWriter::finish() {
+  flush();
+  if (fsync(file_) != 0) fail();
+  if (close(std::exchange(file_, -1)) == 0 && std::rename(beside_.c_str(), path_.c_str()) == 0) return;
+  const int fault = errno;
+  unlink(beside_.c_str());
+  errno = fault;
+  fail();
+}
+
+void WholeFileWriter::flush() {
+  if (!write_all(file_, buffer_)) fail();
+  buffer_.clear();
+}
+
+void WholeFileWriter::fail() {
+  throw Error(path_.string() + ": cannot be written: " + std::strerror(errno));
+}
+
 void write_whole_file(const std::filesystem::path& path, std::string_view content) {
-  const std::string beside = path.string() + "." + std::to_string(getpid()) + ".tmp";
-  const int file = open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
-  bool good = file >= 0 && write_all(file, content);
-  int fault = good ? 0 : errno;
-  if (file >= 0 && close(file) != 0 && good) good = false, fault = errno;
-  if (good && std::rename(beside.c_str(), path.c_str()) != 0) good = false, fault = errno;
-  if (good) return;
-  if (file >= 0) unlink(beside.c_str());
-  throw Error(path.string() + ": cannot be written: " + std::strerror(fault));
+  WholeFileWriter file(path);
+  file.append(content);
+  file.finish();
 }
 
 }  // namespace ilot

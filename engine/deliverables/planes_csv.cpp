@@ -11,7 +11,7 @@
 #include <string>
 
 #include "engine/error.h"
-#include "engine/whole_file.h"
+#include "engine/whole_file_writer.h"
 
 namespace ilot {
 namespace {
@@ -38,17 +38,18 @@ double number_of(const std::string& cell, const std::string& place) {
 }  // namespace
 
 void write_planes_csv(const std::filesystem::path& path, std::span<const Segment> segments) {
-  std::string text =
+  WholeFileWriter file(path);
+  file.append(
       "plane_id,content_id,points,nx,ny,nz,d,epsilon_m,rms_m,centroid_x,centroid_y,centroid_z,min_x,min_y,"
-      "min_z,max_x,max_y,max_z,area_m2,level_m,up_m,normal_spread_deg,confidence,colour_class,neighbours\n";
+      "min_z,max_x,max_y,max_z,area_m2,level_m,up_m,normal_spread_deg,confidence,colour_class,neighbours\n");
   for (const Segment& s : segments) {
-    text += fmt::format("{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", s.id, s.content_id, s.points,
-                        s.plane.n.x, s.plane.n.y, s.plane.n.z, s.plane.d, s.epsilon_m, s.rms_m, s.centroid.x,
-                        s.centroid.y, s.centroid.z, s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z);
-    text += fmt::format("{},{},{},{},{},{},{}\n", s.area_m2, s.level_m, s.up_m, s.normal_spread_deg, s.confidence,
-                        s.colour_class, s.neighbours);
+    file.append(fmt::format("{},{:016x},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},", s.id, s.content_id, s.points,
+                            s.plane.n.x, s.plane.n.y, s.plane.n.z, s.plane.d, s.epsilon_m, s.rms_m, s.centroid.x,
+                            s.centroid.y, s.centroid.z, s.min.x, s.min.y, s.min.z, s.max.x, s.max.y, s.max.z));
+    file.append(fmt::format("{},{},{},{},{},{},{}\n", s.area_m2, s.level_m, s.up_m, s.normal_spread_deg, s.confidence,
+                            s.colour_class, s.neighbours));
   }
-  write_whole_file(path, text);
+  file.finish();
 }
 
 std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {

@@ -8,6 +8,7 @@
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
 
 namespace ilot {
 namespace {
@@ -225,6 +226,7 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
   IndexResult result{Store(folder, params.unit, read_column<Block>(files.done())), {}, asked, {}};
   ColumnReader<std::uint64_t>(files.rejected()).read(0, result.rejected);
   result.corner = read_column<Index3>(files.corner()).at(0);
+  flush_pass(result.store, Pass::index);
   return result;
 }
 

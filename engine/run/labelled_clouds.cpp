@@ -13,6 +13,7 @@
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/writer.h"
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 #include "engine/version.h"
 #include "kernels/core/parallel.h"
 
@@ -192,6 +193,19 @@ class Labeller {
       }
     }
     return all;
+  }
+
+  // As many as keep the threads busy, and have room.
+  std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
+    if (!input_.random_access()) return 1;
+    constexpr std::uint64_t kLabelsOfRow = sizeof(InputOrder) + sizeof(PlaneLabel) + sizeof(RoofLabel) +
+                                           sizeof(StreetLabel) + sizeof(FacadeLabel) + sizeof(PlaneLabel);
+    constexpr std::uint64_t kCodersOfStretch = 1u << 20;  // models and buffers of reading and writing one
+    std::uint64_t longest = 0;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) longest = std::max(longest, bounds[i + 1] - bounds[i]);
+    const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + kLabelsOfRow;
+    const std::uint64_t room = affordable(context_.budget_bytes) / (longest * row + kCodersOfStretch);
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room, 1, 2 * static_cast<std::uint64_t>(thread_count())));
   }
 
   Stretch read_stretch(std::uint64_t first, std::uint64_t count, std::size_t appended_length) const {

@@ -13,6 +13,7 @@
 #include "engine/error.h"
 #include "engine/report/resources.h"
 #include "engine/settings/config.h"
+#include "engine/store/flushed.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -118,7 +119,7 @@ void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
   for (const char* name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
-                           "rejected", "corner", "lattice"})
+                           "rejected", "corner", "lattice", "flushed"})
     fs::remove_all(store / name);
   remove_starting_with(store, kManifest);
 }
@@ -167,6 +168,11 @@ std::string mebibytes(std::uint64_t bytes) {
 }
 
 }  // namespace
+
+std::uint64_t memory_to_fill(const RunOptions& options) {
+  constexpr std::uint64_t kLeftOut = 12u << 20;
+  return options.memory_bytes - std::min(options.memory_bytes / 2, kLeftOut);
+}
 
 std::uint64_t memory_for_blocks(const RunOptions& options) {
   constexpr std::uint64_t kBase = 56u << 20;
@@ -234,13 +240,13 @@ OutputFolder::OutputFolder(const RunOptions& options, const RunInputs& inputs)
     throw Error((fs::is_directory(store_) ? path_ : store_).string() + ": cannot be created: " + problem.message() +
                 "; give another place");
   }
+  open_flushed(store_);
   fs::remove_all(staging());
   remove_starting_with(path_, "run.json.");  // what a write that was cut short left
   if (!before) write_whole_file(manifest_path, now.dump(1));
 }
 
 void OutputFolder::check_space(std::uint64_t points, std::uint64_t output_bytes) const {
-  constexpr std::uint64_t kStoreBytesPerPoint = 76;
   std::uint64_t written = 0;  // by the run that is resumed
   for (const auto& entry : fs::recursive_directory_iterator(store_))
     if (entry.is_regular_file()) written += entry.file_size();

@@ -43,6 +43,14 @@ bool is_finished(const RunOptions& options, const RunInputs& inputs);
 // What a finished run left of its store when it was stopped while clearing up.
 void clear_finished_store(const RunOptions& options);
 
+// How much of --memory work may fill: without what estimates of the work leave out, the stacks of the threads and what
+// the allocator keeps between blocks. An eighth at 96M, where 16 threads were seen to take 4 MiB of it.
+std::uint64_t memory_to_fill(const RunOptions& options);
+
+// Bytes of the store a point, all products together at most so many at a time: what runs are estimated by. Measured
+// below by tests/run/memory.py.
+constexpr std::uint64_t kStoreBytesPerPoint = 76;
+
 // What --memory leaves for blocks in work, beside the program, its libraries and tables.
 std::uint64_t memory_for_blocks(const RunOptions& options);
 

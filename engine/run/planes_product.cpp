@@ -50,17 +50,16 @@ Segment segment_of(const JoinedPlane& j, const PlaneTally& t, double unit, doubl
 }
 
 // Ids are dense from 1 over the planes that kept enough points, in global order of their first cells.
-PlanesResult number_planes(const JoinedPlanes& joined, const std::vector<PlaneTally>& tallies, bool part_of_a_run,
-                           double unit, double metres_per_unit) {
+PlanesResult number_planes(const Store& store, const JoinedPlanes& joined, bool part_of_a_run, double metres_per_unit) {
   PlanesResult r;
   r.final_id.assign(joined.planes.size() + 1, 0);
-  for (std::size_t i = 0; i < joined.planes.size(); ++i) {
-    if (tallies[i].moments.n < (part_of_a_run ? 1 : joined.planes[i].min_points)) continue;
-    r.segments.push_back(segment_of(joined.planes[i], tallies[i], unit, metres_per_unit));
+  each_tally(store, joined.planes.size(), [&](std::size_t i, const PlaneTally& tally) {
+    if (tally.moments.n < (part_of_a_run ? 1 : joined.planes[i].min_points)) return;
+    r.segments.push_back(segment_of(joined.planes[i], tally, store.unit(), metres_per_unit));
     r.segments.back().id = static_cast<std::uint32_t>(r.segments.size());
     r.planes.push_back(joined.planes[i]);
     r.final_id[i + 1] = r.segments.back().id;
-  }
+  });
   return r;
 }
 
@@ -79,12 +78,11 @@ ColourPalette make_palette(const Store& store, const std::vector<std::unique_ptr
 
 void find_neighbours(const Store& store, const std::vector<Cell>& cells, const CellPlanes& found,
                      const PassContext& context, PlanesResult& r) {
-  for (const Touch& touch : adjacency_pass(store, cells, found, r.final_id, r.planes, context)) {
-    r.neighbours.push_back(
-        neighbours_of(touch, r.planes[touch.a - 1], r.planes[touch.b - 1], store.unit(), context.metres_per_unit));
+  adjacency_pass(store, cells, found, r.final_id, r.planes, context);
+  each_touch(store, [&](const Touch& touch) {
     ++r.segments[touch.a - 1].neighbours;
     ++r.segments[touch.b - 1].neighbours;
-  }
+  });
 }
 
 double median(std::vector<double> values) {
@@ -200,6 +198,13 @@ void find_shapes(const Store& store, const std::vector<Cell>& cells, const Setti
 
 }  // namespace
 
+void each_plane_neighbours(const Store& store, const PlanesResult& r, double metres_per_unit,
+                           const std::function<void(const PlaneNeighbours&)>& take) {
+  each_touch(store, [&](const Touch& touch) {
+    take(neighbours_of(touch, r.planes[touch.a - 1], r.planes[touch.b - 1], store.unit(), metres_per_unit));
+  });
+}
+
 PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                          const Settings& settings, const PassContext& context, Progress& progress, RunRecord& record) {
   progress.begin_stage("normals", store.points());
@@ -213,11 +218,11 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
 
   progress.begin_stage("join", store.points());
   std::vector<Contact> contacts = contact_pass(store, cells, found, context);
-  const JoinedPlanes joined =
+  JoinedPlanes joined =
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle)});
-  const std::vector<PlaneTally> tallies = label_pass(store, cells, found, joined, context, palette);
-  PlanesResult result =
-      number_planes(joined, tallies, context.wanted != nullptr, store.unit(), context.metres_per_unit);
+  label_pass(store, cells, found, joined, context, palette);
+  PlanesResult result = number_planes(store, joined, context.wanted != nullptr, context.metres_per_unit);
+  joined = {};
   find_neighbours(store, cells, found, context, result);
   if (searched_for_curved(found, settings.planes)) find_shapes(store, cells, settings, context, result);
   progress.end_stage();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -18,7 +19,6 @@ namespace ilot {
 
 struct PlanesResult {
   std::vector<Segment> segments;                     // by id
-  std::vector<PlaneNeighbours> neighbours;           // pairs that touch, ascending
   std::vector<JoinedPlane> planes;                   // the same on the lattice
   std::vector<std::uint32_t> final_id;               // per joined plane + 1; [0] = 0
   std::vector<std::vector<NeighbourRange>> ranges;   // per block
@@ -31,5 +31,9 @@ struct PlanesResult {
 // stages to the progress and the values that `auto` stood for to the record.
 PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                          const Settings& settings, const PassContext& context, Progress& progress, RunRecord& record);
+
+// The pairs of planes that touch, ascending, read from the store.
+void each_plane_neighbours(const Store& store, const PlanesResult& planes, double metres_per_unit,
+                           const std::function<void(const PlaneNeighbours&)>& take);
 
 }  // namespace ilot

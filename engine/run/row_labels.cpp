@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
 #include "engine/store/row_order.h"
 
 namespace ilot {
@@ -77,6 +78,7 @@ void rows_pass(const Store& store, const LabelParams& params, const PassContext&
                                             : store.has(block, columns::kPlaneRows);
     if (!done) sort_rows(store, block, params);
   });
+  flush_pass(store, Pass::rows);
 }
 
 std::vector<BlockRows> sample_rows(const Store& store) {

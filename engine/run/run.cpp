@@ -12,6 +12,7 @@
 #include "engine/error.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
+#include "engine/pass/resident.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/report/sha256.h"
@@ -232,7 +233,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     progress.begin_stage("boundaries", index.store.points());
     make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
     write_planes_csv(out.staging() / "planes.csv", planes.segments);
-    write_planes_neighbours_csv(out.staging() / "planes_neighbours.csv", planes.neighbours);
+    PlanesNeighboursCsv neighbours(out.staging() / "planes_neighbours.csv");
+    each_plane_neighbours(index.store, planes, context.metres_per_unit,
+                          [&](const PlaneNeighbours& pair) { neighbours.add(pair); });
+    neighbours.finish();
     record.planes = planes.segments.size();
     if (planes.curved) {
       write_shapes_csv(out.staging() / "shapes.csv", *planes.curved);
@@ -299,7 +303,7 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
                 " files into blocks of at most " + grouped(block_points));
   if (sites > 0) progress.note("would model " + grouped(sites) + " outlines of buildings");
-  progress.note("would need about " + std::to_string((inputs.points * 76 >> 20) + 1) +
+  progress.note("would need about " + std::to_string((inputs.points * kStoreBytesPerPoint >> 20) + 1) +
                 " MiB of disk for the store and " + std::to_string((output_bytes(inputs) >> 20) + 1) +
                 " MiB for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
   return 0;
@@ -321,6 +325,7 @@ int run_in_arena(const RunOptions& given, Progress& progress) {
     progress.note(options.output.string() + ": is finished, nothing is left to do");
     return 0;
   }
+  set_memory_limit(memory_to_fill(options));
   const OutputFolder out(options, inputs);
   out.check_space(inputs.points, options.clouds ? output_bytes(inputs) : 0);
   make_products(options, inputs, sites, out, progress, record);

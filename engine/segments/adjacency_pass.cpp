@@ -7,6 +7,9 @@
 #include <map>
 
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
+#include "engine/store/sorted_columns.h"
+#include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -121,6 +124,10 @@ double distance_at(const JoinedPlane& of, Index3 anchor, Vec3 place) {
   return signed_distance(of.plane, moved);
 }
 
+bool ascending(const Touch& s, const Touch& t) {
+  return s.a != t.a ? s.a < t.a : s.b < t.b;
+}
+
 Vec3 upwards(Vec3 v) {
   const bool down = v.z < 0 || (v.z == 0 && (v.y < 0 || (v.y == 0 && v.x < 0)));
   return down ? -1.0 * v : v;
@@ -128,32 +135,49 @@ Vec3 upwards(Vec3 v) {
 
 }  // namespace
 
-std::vector<Touch> adjacency_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
-                                  const std::vector<std::uint32_t>& final_id, const std::vector<JoinedPlane>& planes,
-                                  const PassContext& context) {
-  std::vector<std::vector<Touch>> parts(cells.size());
-  std::vector<PassTask> tasks;
-  for (const Cell& c : cells) tasks.push_back({c.points * kBytesPerPoint, c.points});
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    parts[i] = touches_in(store, cells[i], cell_planes.cells[i].connectivity, final_id, planes);
-  });
-  std::vector<Touch> all;
-  for (const auto& part : parts) all.insert(all.end(), part.begin(), part.end());
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Touch& s, const Touch& t) { return s.a != t.a ? s.a < t.a : s.b < t.b; });
-  std::vector<Touch> merged;
-  for (const Touch& t : all) {
-    if (merged.empty() || merged.back().a != t.a || merged.back().b != t.b) {
-      merged.push_back(t);
-      continue;
-    }
-    Touch& m = merged.back();
-    m.length += t.length;
-    m.places += t.places;
-    m.place = m.place + t.place;
+void adjacency_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
+                    const std::vector<std::uint32_t>& final_id, const std::vector<JoinedPlane>& planes,
+                    const PassContext& context) {
+  std::vector<std::vector<std::uint32_t>> cells_of(store.blocks().size());
+  std::vector<PassTask> tasks(store.blocks().size());
+  for (std::uint32_t c = 0; c < cells.size(); ++c) {
+    const std::uint32_t block = cells[c].slices.front().block;
+    cells_of[block].push_back(c);
+    tasks[block].bytes += cells[c].points * kBytesPerPoint;
+    tasks[block].points += cells[c].points;
   }
-  std::erase_if(merged, [](const Touch& t) { return t.places < kLeastPlaces; });
-  return merged;
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    if (store.has(block, columns::kTouches)) return;
+    std::vector<std::vector<Touch>> parts(cells_of[block].size());
+    parallel_for(parts.size(), [&](std::size_t p) {
+      const std::uint32_t c = cells_of[block][p];
+      parts[p] = touches_in(store, cells[c], cell_planes.cells[c].connectivity, final_id, planes);
+    });
+    std::vector<Touch> touches;
+    for (const auto& part : parts) touches.insert(touches.end(), part.begin(), part.end());
+    std::stable_sort(touches.begin(), touches.end(), ascending);
+    store.write(block, columns::kTouches, touches);
+  });
+  flush_pass(store, Pass::adjacency);
+}
+
+void each_touch(const Store& store, const std::function<void(const Touch&)>& take) {
+  constexpr std::uint64_t kPlanesTogether = 1 << 10;
+  SortedColumns parts(store, columns::kTouches, [](const Touch& t) { return std::uint64_t{t.a}; });
+  while (parts.next() != parts.kEnd) {
+    std::vector<Touch> some = parts.until(parts.next() + kPlanesTogether);
+    std::stable_sort(some.begin(), some.end(), ascending);  // of one pair in the order of the cells
+    for (std::size_t i = 0; i < some.size();) {
+      Touch sum = some[i++];
+      for (; i < some.size() && some[i].a == sum.a && some[i].b == sum.b; ++i) {
+        sum.length += some[i].length;
+        sum.places += some[i].places;
+        sum.place = sum.place + some[i].place;
+      }
+      if (sum.places >= kLeastPlaces) take(sum);
+    }
+  }
 }
 
 PlaneNeighbours neighbours_of(const Touch& touch, const JoinedPlane& a, const JoinedPlane& b, double unit,

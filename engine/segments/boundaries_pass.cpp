@@ -2,11 +2,13 @@
 #include "engine/segments/boundaries_pass.h"
 
 #include <algorithm>
+#include <mutex>
+#include <tuple>
 
 #include "engine/pass/pass.h"
 #include "engine/segments/boundary_edges.h"
+#include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
-#include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/delaunay/rings.h"
 #include "kernels/delaunay/thinning.h"
@@ -14,7 +16,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerEdge = 200;  // while a plane's rings are assembled
+constexpr std::uint64_t kBytesPerEdge = 56;  // while a plane's rings are assembled and thinned
 constexpr std::size_t kPlanesTogether = 256;
 
 struct RunOfBlock {
@@ -22,88 +24,127 @@ struct RunOfBlock {
   SeamRun run;
 };
 
-struct PlaneBoundary {
-  Outline outline;
-  std::vector<std::uint64_t> vertices;  // points in global order
-};
-
-// The seam edges of a plane, its points numbered by rank and its regions over all blocks.
+// The edges of a plane's boundary, its points numbered by rank.
 struct PlaneEdges {
   std::vector<std::uint64_t> points;  // that edges start at, ascending, in global order
   std::vector<Point2> places;         // of these
   std::vector<BoundaryEdge> edges;
 };
 
-std::vector<SeamEdge> read_edges(const Store& store, const std::vector<RunOfBlock>& runs) {
-  std::size_t count = 0;
-  for (const RunOfBlock& r : runs) count += r.run.count;
-  std::vector<SeamEdge> edges(count);
-  std::uint32_t regions = 0;
-  std::size_t at = 0;
-  for (const RunOfBlock& r : runs) {
-    const auto part = std::span(edges).subspan(at, r.run.count);
-    store.open(r.block, columns::kSeamEdges).read(r.run.first, part);
-    for (SeamEdge& e : part) e.region += regions;
-    regions += r.run.regions;
-    at += part.size();
-  }
-  return edges;
-}
-
-// Every point where an edge ends is one where another starts: the edges of a region close.
-PlaneEdges rank_points(const std::vector<SeamEdge>& edges) {
-  PlaneEdges out;
-  out.edges.resize(edges.size());
-  std::vector<KeyValue> order(edges.size()), scratch(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    order[i] = {edges[i].from, i};
-    out.edges[i].region = edges[i].region;
-  }
-  sort_pairs(order, scratch);
-  for (const KeyValue& o : order) {
-    if (out.points.empty() || out.points.back() != o.key) {
-      out.points.push_back(o.key);
-      out.places.push_back(edges[o.value].at);
+// The seam edges of a plane, from all blocks, by their ends: those of some points at a time.
+class SeamEdges {
+ public:
+  SeamEdges(const Store& store, std::span<const RunOfBlock> runs) : store_(store), runs_(runs), left_(runs.size()) {
+    std::uint64_t first = UINT64_MAX, last = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r) {
+      left_[r] = {0, regions_, next_of(r, 0)};
+      regions_ += runs[r].run.regions;
+      count_ += runs[r].run.count;
+      first = std::min(first, left_[r].next);
+      last = std::max(last, next_of(r, runs[r].run.count - 1));
     }
-    out.edges[o.value].from = static_cast<std::uint32_t>(out.points.size() - 1);
+    if (!runs.empty()) points_at_once_ = (last - first) / (count_ / kAtOnce + 1) + 1;
   }
-  for (std::size_t i = 0; i < edges.size(); ++i) order[i] = {edges[i].to, i};
-  sort_pairs(order, scratch);
-  std::uint32_t rank = 0;
-  for (const KeyValue& o : order) {
-    while (out.points[rank] < o.key) ++rank;
-    out.edges[o.value].to = rank;
+
+  std::size_t count() const { return count_; }
+  std::uint32_t regions() const { return regions_; }  // of all blocks
+
+  // Some edges, complete with those that have the same ends, in the order of the ends, then of the blocks. Empty: no
+  // more.
+  std::vector<SeamEdge> some() {
+    std::uint64_t next = UINT64_MAX;
+    for (const Left& l : left_) next = std::min(next, l.next);
+    std::vector<SeamEdge> edges;
+    if (next == UINT64_MAX) return edges;
+    for (std::size_t r = 0; r < left_.size(); ++r)
+      if (left_[r].next < next + points_at_once_) take(r, next + points_at_once_, edges);
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const SeamEdge& a, const SeamEdge& b) { return ends_of(a) < ends_of(b); });
+    return edges;
   }
-  return out;
+
+ private:
+  static constexpr std::uint64_t kAtOnce = 1 << 16;  // edges, about
+  struct Left {
+    std::uint32_t at = 0, regions = 0;  // edges of the run that were taken; regions of the runs before it
+    std::uint64_t next = UINT64_MAX;    // the smaller end of the next edge
+  };
+
+  std::uint64_t next_of(std::size_t r, std::uint32_t at) const {
+    return ends_of(store_.open(runs_[r].block, columns::kSeamEdges).at(runs_[r].run.first + at)).first;
+  }
+
+  void take(std::size_t r, std::uint64_t end, std::vector<SeamEdge>& edges) {
+    constexpr std::uint32_t kBatch = 1024;
+    const auto reader = store_.open(runs_[r].block, columns::kSeamEdges);
+    Left& l = left_[r];
+    std::vector<SeamEdge> batch;
+    while (l.at < runs_[r].run.count) {
+      batch.resize(std::min(kBatch, runs_[r].run.count - l.at));
+      reader.read(runs_[r].run.first + l.at, batch);
+      for (SeamEdge& e : batch) {
+        l.next = ends_of(e).first;
+        if (l.next >= end) return;
+        e.region += l.regions;
+        edges.push_back(e);
+        ++l.at;
+      }
+    }
+    l.next = UINT64_MAX;
+  }
+
+  const Store& store_;
+  std::span<const RunOfBlock> runs_;
+  std::vector<Left> left_;
+  std::uint64_t points_at_once_ = 1;
+  std::size_t count_ = 0;
+  std::uint32_t regions_ = 0;
+};
+
+// Calls inside(a, b) with the regions of two edges that two blocks give from both sides of one line, and use(edge) for
+// each edge that is given once.
+template <class Inside, class Use>
+void each_edge(SeamEdges seams, const Inside& inside, const Use& use) {
+  for (auto edges = seams.some(); !edges.empty(); edges = seams.some())
+    for (std::size_t i = 0; i < edges.size(); ++i) {
+      if (i + 1 < edges.size() && ends_of(edges[i]) == ends_of(edges[i + 1])) {
+        inside(edges[i].region, edges[i + 1].region);
+        ++i;
+      } else {
+        use(edges[i]);
+      }
+    }
 }
 
-// Takes out the edges that two blocks give from both sides, and joins the regions that meet there.
-std::vector<BoundaryEdge> joined(const std::vector<BoundaryEdge>& edges) {
-  std::vector<KeyValue> order(edges.size());
-  std::uint32_t regions = 0;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const std::uint64_t a = std::min(edges[i].from, edges[i].to), b = std::max(edges[i].from, edges[i].to);
-    order[i] = {a << 32 | b, i};
-    regions = std::max(regions, edges[i].region + 1);
-  }
-  {
-    std::vector<KeyValue> scratch(edges.size());
-    sort_pairs(order, scratch);
-  }
-  std::vector<std::uint32_t> parent(regions);
+// The edges are read twice: first for their points and for the regions that are one, then to be numbered. Every point
+// where an edge ends is one where another starts: the edges of a region close.
+PlaneEdges edges_of_plane(const Store& store, const std::vector<RunOfBlock>& runs) {
+  const SeamEdges seams(store, runs);
+  std::vector<std::uint32_t> parent(seams.regions());
   UnionFind united(parent);
-  std::vector<BoundaryEdge> left;
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const BoundaryEdge& edge = edges[order[i].value];
-    if (i + 1 < order.size() && order[i].key == order[i + 1].key) {
-      united.unite(edge.region, edges[order[i + 1].value].region);
-      ++i;
-    } else {
-      left.push_back(edge);
-    }
-  }
-  for (BoundaryEdge& e : left) e.region = united.find(e.region);
-  return left;
+  PlaneEdges out;
+  out.points.reserve(seams.count());
+  each_edge(
+      seams, [&](std::uint32_t a, std::uint32_t b) { united.unite(a, b); },
+      [&](const SeamEdge& e) { out.points.push_back(e.from); });
+  out.edges.reserve(out.points.size());
+  std::sort(out.points.begin(), out.points.end());
+  out.points.erase(std::unique(out.points.begin(), out.points.end()), out.points.end());
+  out.places.resize(out.points.size());
+  const auto rank = [&](std::uint64_t point) {
+    return static_cast<std::uint32_t>(std::lower_bound(out.points.begin(), out.points.end(), point) -
+                                      out.points.begin());
+  };
+  each_edge(
+      seams, [](std::uint32_t, std::uint32_t) {},
+      [&](const SeamEdge& e) {
+        out.edges.push_back({rank(e.from), rank(e.to), united.find(e.region)});
+        out.places[out.edges.back().from] = e.at;
+      });
+  std::sort(out.edges.begin(), out.edges.end(), [](const BoundaryEdge& a, const BoundaryEdge& b) {
+    return std::tie(a.region, a.from, a.to) < std::tie(b.region, b.from, b.to);
+  });
+  return out;
 }
 
 Outline outline_of(const Polygons& polygons, std::span<const Point2> places, const JoinedPlane& plane, std::uint32_t id,
@@ -122,21 +163,36 @@ Outline outline_of(const Polygons& polygons, std::span<const Point2> places, con
   return out;
 }
 
-PlaneBoundary boundary_of(const Store& store, const BoundaryParams& params, std::uint32_t id,
-                          const std::vector<RunOfBlock>& runs) {
-  PlaneEdges plane = rank_points(read_edges(store, runs));
-  plane.edges = joined(plane.edges);
+// Points of the store, by number, that are vertices of outlines.
+class Vertices {
+ public:
+  explicit Vertices(std::uint64_t points) : marked_(points) {}
+
+  void mark(const std::vector<std::uint32_t>& vertices, const std::vector<std::uint64_t>& points) {
+    const std::lock_guard lock(mutex_);
+    for (const std::uint32_t v : vertices) marked_[points[v]] = true;
+  }
+  bool operator[](std::uint64_t point) const { return marked_[point]; }
+
+ private:
+  std::mutex mutex_;
+  std::vector<bool> marked_;
+};
+
+Outline boundary_of(const Store& store, const BoundaryParams& params, std::uint32_t id,
+                    const std::vector<RunOfBlock>& runs, Vertices& marked) {
+  PlaneEdges plane = edges_of_plane(store, runs);
   const std::span<const Point2> places = plane.places;
   Polygons rings = assemble_rings(plane.edges, places);
+  std::vector<BoundaryEdge>().swap(plane.edges);
   if (params.erosion == Erosion::outside) rings = outer_rings(rings, places);
-  PlaneBoundary result;
-  for (const std::uint32_t v : rings.vertices) result.vertices.push_back(plane.points[v]);
-  result.outline = outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1],
-                              id, store.unit());
-  return result;
+  marked.mark(rings.vertices, plane.points);
+  std::vector<std::uint64_t>().swap(plane.points);
+  return outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1], id,
+                    store.unit());
 }
 
-void write_flags(const Store& store, const std::vector<std::uint64_t>& first, const std::vector<bool>& is_vertex,
+void write_flags(const Store& store, const std::vector<std::uint64_t>& first, const Vertices& is_vertex,
                  std::uint64_t budget) {
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * std::uint64_t{32}, b.points});
@@ -184,23 +240,21 @@ void boundaries_pass(const Store& store, const BoundaryParams& params, const Pas
   std::vector<std::vector<RunOfBlock>> runs(params.planes.size() + 1);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
     for (const SeamRun& r : store.read(b, columns::kSeamRuns)) runs[r.plane].push_back({b, r});
-  std::vector<bool> is_vertex(store.points());
+  Vertices is_vertex(store.points());
   const std::uint64_t budget = context.budget_bytes - std::min(context.budget_bytes / 2, store.points() / 8);
   for (std::size_t done = 1; done < runs.size(); done += kPlanesTogether) {
     const std::size_t count = std::min(kPlanesTogether, runs.size() - done);
-    std::vector<PlaneBoundary> batch(count);
+    std::vector<Outline> batch(count);
     std::vector<PassTask> tasks(count);
     for (std::size_t i = 0; i < count; ++i)
       for (const RunOfBlock& r : runs[done + i]) tasks[i].bytes += r.run.count * kBytesPerEdge;
     run_pass(tasks, budget, [&](std::size_t i) {
-      batch[i] = boundary_of(store, params, static_cast<std::uint32_t>(done + i), runs[done + i]);
+      batch[i] = boundary_of(store, params, static_cast<std::uint32_t>(done + i), runs[done + i], is_vertex);
     });
-    for (const PlaneBoundary& b : batch) {
-      for (const std::uint64_t v : b.vertices) is_vertex[v] = true;
-      take(b.outline);
-    }
+    for (const Outline& outline : batch) take(outline);
   }
   write_flags(store, work.first, is_vertex, budget);
+  flush_pass(store, Pass::boundaries);
 }
 
 }  // namespace ilot

@@ -173,7 +173,9 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
     regions += o.regions;
     o = {};
   }
-  std::stable_sort(edges.begin(), edges.end(), [](const SeamEdge& a, const SeamEdge& b) { return a.plane < b.plane; });
+  std::stable_sort(edges.begin(), edges.end(), [](const SeamEdge& a, const SeamEdge& b) {
+    return std::pair(a.plane, ends_of(a)) < std::pair(b.plane, ends_of(b));
+  });
   std::vector<SeamRun> runs;
   std::vector<std::uint32_t> number(regions, kNoEdge);  // of a region within its run
   for (std::uint32_t i = 0; i < edges.size(); ++i) {

@@ -2,7 +2,9 @@
 // The alpha shapes of one block: what of them its own points own, as edges that the neighbouring blocks' edges
 // complete.
 #pragma once
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 #include "engine/segments/boundary_stretches.h"
 #include "kernels/delaunay/predicates.h"
@@ -18,7 +20,12 @@ struct SeamEdge {
   std::uint32_t plane = 0;         // final id
 };
 
-// Consecutive edges of one plane.
+// Both ends, the smaller first: the same for the two edges that two blocks give of one line.
+inline std::pair<std::uint64_t, std::uint64_t> ends_of(const SeamEdge& e) {
+  return {std::min(e.from, e.to), std::max(e.from, e.to)};
+}
+
+// Consecutive edges of one plane, ascending by their ends.
 struct SeamRun {
   std::uint32_t plane = 0, first = 0, count = 0;
   std::uint32_t regions = 0;

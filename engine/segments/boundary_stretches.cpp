@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/pass/pass.h"
 #include "kernels/core/parallel.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/sampling_step.h"
@@ -102,8 +103,10 @@ BoundaryWork boundary_work(const Store& store, const BoundaryParams& params, con
   for (const JoinedPlane& p : params.planes) epsilon = std::max(epsilon, p.epsilon);
   work.across = static_cast<std::int64_t>(std::ceil(2 * epsilon)) + 2;  // and a unit for rounding
   std::vector<std::vector<Stretch>> cut(store.blocks().size());
-  parallel_for(cut.size(),
-               [&](std::size_t b) { cut[b] = cut_block(store, static_cast<std::uint32_t>(b), most, work.across); });
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * sizeof(std::uint64_t), b.points});
+  run_pass(tasks, context.budget_bytes,
+           [&](std::size_t b) { cut[b] = cut_block(store, static_cast<std::uint32_t>(b), most, work.across); });
   for (std::size_t b = 0; b < cut.size(); ++b) {
     work.first.push_back(work.first.back() + store.blocks()[b].points);
     work.stretches.insert(work.stretches.end(), cut[b].begin(), cut[b].end());

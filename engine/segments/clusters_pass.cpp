@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
 #include "engine/store/view.h"
 #include "engine/units/unit_stretches.h"
 #include "kernels/core/union_find.h"
@@ -185,6 +186,7 @@ std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams&
     store.write(b, columns::kCluster, column);
     context.advance(store.blocks()[b].points);
   });
+  flush_pass(store, Pass::clusters);
   return clusters;
 }
 

@@ -3,9 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "engine/pass/pass.h"
 #include "engine/segments/block_cells.h"
+#include "engine/store/flushed.h"
+#include "engine/store/sorted_columns.h"
+#include "kernels/core/parallel_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/neighbours/knn.h"
 #include "kernels/planes/plane_fit.h"
@@ -122,6 +126,8 @@ class Joiner {
  public:
   Joiner(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes, const JoinParams& params)
       : cells_(cells), planes_(planes), params_(params), parents_(planes.cell_of.size()), sets_(parents_) {
+    groups_.reserve(planes.cell_of.size());
+    normals_.reserve(planes.cell_of.size());
     for (std::uint32_t c = 0; c < cells.size(); ++c) {
       for (const CellPlane& p : read_cell_planes(store, cells[c])) {
         groups_.push_back({p.moments, planes.cells[c].epsilon, planes.cells[c].min_points});
@@ -177,6 +183,25 @@ class Joiner {
   std::vector<Vec3> normals_;  // of the cell planes
 };
 
+// What all blocks say of each pair, some planes at a time.
+std::vector<Contact> merged_contacts(const Store& store) {
+  constexpr std::uint64_t kPlanesTogether = 1 << 12;
+  SortedColumns parts(store, columns::kContacts, [](const Contact& c) { return std::uint64_t{c.a}; });
+  std::vector<Contact> merged;
+  while (parts.next() != parts.kEnd) {
+    std::vector<Contact> some = parts.until(parts.next() + kPlanesTogether);
+    parallel_sort(some, [](const Contact& a, const Contact& b) {
+      return std::tie(a.a, a.b, a.count) < std::tie(b.a, b.b, b.count);
+    });
+    for (const Contact& c : some) {
+      const bool same = !merged.empty() && merged.back().a == c.a && merged.back().b == c.b;
+      if (!same) merged.push_back({c.a, c.b, 0});
+      merged.back().count += c.count;
+    }
+  }
+  return merged;
+}
+
 }  // namespace
 
 std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
@@ -193,26 +218,15 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
     }
     context.advance(store.blocks()[block].points / 2);  // the other half when the labels are decided
   });
-  std::vector<Contact> all;
-  for (std::uint32_t block = 0; block < store.blocks().size(); ++block) {
-    const auto part = store.read(block, columns::kContacts);
-    all.insert(all.end(), part.begin(), part.end());
-  }
-  std::sort(all.begin(), all.end(),
-            [](const Contact& a, const Contact& b) { return a.a != b.a ? a.a < b.a : a.b < b.b; });
-  std::vector<Contact> merged;
-  for (const Contact& c : all) {
-    const bool same = !merged.empty() && merged.back().a == c.a && merged.back().b == c.b;
-    if (!same) merged.push_back({c.a, c.b, 0});
-    merged.back().count += c.count;
-  }
-  return merged;
+  flush_pass(store, Pass::contacts);
+  return merged_contacts(store);
 }
 
 JoinedPlanes join_planes(const Store& store, const std::vector<Cell>& cells, const CellPlanes& planes,
                          std::vector<Contact> contacts, const JoinParams& params) {
-  std::stable_sort(contacts.begin(), contacts.end(),
-                   [](const Contact& a, const Contact& b) { return a.count > b.count; });
+  parallel_sort(contacts, [](const Contact& a, const Contact& b) {
+    return a.count != b.count ? a.count > b.count : std::tie(a.a, a.b) < std::tie(b.a, b.b);
+  });
   Joiner joiner(store, cells, planes, params);
   for (const Contact& c : contacts)
     if (c.count >= kLeastContacts) joiner.try_join(c);

@@ -8,6 +8,8 @@
 
 #include "engine/pass/pass.h"
 #include "engine/segments/block_cells.h"
+#include "engine/store/flushed.h"
+#include "engine/store/sorted_columns.h"
 #include "kernels/core/rng.h"
 #include "kernels/delaunay/plane_frame.h"
 #include "kernels/neighbours/knn.h"
@@ -230,9 +232,8 @@ void add(PlaneTally& sum, const PlaneTally& t) {
 
 }  // namespace
 
-std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
-                                   const JoinedPlanes& joined, const PassContext& context,
-                                   const ColourPalette& palette) {
+void label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
+                const JoinedPlanes& joined, const PassContext& context, const ColourPalette& palette) {
   const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, cell_planes);
   std::vector<PassTask> tasks;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
@@ -246,10 +247,19 @@ std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& 
     }
     context.advance(store.blocks()[block].points - store.blocks()[block].points / 2);
   });
-  std::vector<PlaneTally> tallies(joined.planes.size());
-  for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
-    for (const StoredPlaneTally& t : store.read(block, columns::kTally)) add(tallies[t.plane - 1], t.tally);
-  return tallies;
+  flush_pass(store, Pass::labels);
+}
+
+void each_tally(const Store& store, std::size_t planes,
+                const std::function<void(std::size_t plane, const PlaneTally& tally)>& take) {
+  constexpr std::size_t kPlanesTogether = 256;  // of 400 bytes, from each block that has them
+  SortedColumns parts(store, columns::kTally, [](const StoredPlaneTally& t) { return std::uint64_t{t.plane}; });
+  std::vector<PlaneTally> sums;
+  for (std::size_t first = 0; first < planes; first += kPlanesTogether) {
+    sums.assign(std::min(kPlanesTogether, planes - first), {});
+    for (const StoredPlaneTally& t : parts.until(first + sums.size() + 1)) add(sums[t.plane - 1 - first], t.tally);
+    for (std::size_t i = 0; i < sums.size(); ++i) take(first + i, sums[i]);
+  }
 }
 
 }  // namespace ilot

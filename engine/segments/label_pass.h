@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "engine/segments/join_pass.h"
@@ -24,14 +25,18 @@ struct PlaneTally {
   IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
 };
 
-// Writes "plane" (u32: 0 = none, else 1 + index into the joined planes) of every block, and returns what each plane
-// got. A point keeps the plane that its cell found for it, as joined, while it lies within epsilon of it (cells part
-// the borders of their planes: find_planes). Any other point gets the nearest of the planes that at least two of its 12
-// nearest neighbours within the connectivity have, if it lies within epsilon of one: so planes grow over the borders of
-// cells that had too few points to find them. Points that are not wanted get none. Colours are counted where there is a
-// palette.
-std::vector<PlaneTally> label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
-                                   const JoinedPlanes& joined, const PassContext& context,
-                                   const ColourPalette& palette = {});
+// Writes "plane" (u32: 0 = none, else 1 + index into the joined planes) of every block, and "tally", what each plane
+// got in the block. A point keeps the plane that its cell found for it, as joined, while it lies within epsilon of it
+// (cells part the borders of their planes: find_planes). Any other point gets the nearest of the planes that at least
+// two of its 12 nearest neighbours within the connectivity have, if it lies within epsilon of one: so planes grow over
+// the borders of cells that had too few points to find them. Points that are not wanted get none. Colours are counted
+// where there is a palette.
+void label_pass(const Store& store, const std::vector<Cell>& cells, const CellPlanes& cell_planes,
+                const JoinedPlanes& joined, const PassContext& context, const ColourPalette& palette = {});
+
+// Sums of the column "tally" over all blocks: take(index, tally) for each of so many joined planes, ascending. A plane
+// without points has an empty tally. Memory: some planes at a time.
+void each_tally(const Store& store, std::size_t planes,
+                const std::function<void(std::size_t plane, const PlaneTally& tally)>& take);
 
 }  // namespace ilot

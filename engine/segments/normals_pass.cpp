@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
 #include "engine/store/view.h"
 #include "kernels/neighbours/normals.h"
 
@@ -214,6 +215,7 @@ void normals_pass(const Store& store, const NormalsSettings& settings, const Pas
     }
     context.advance(store.blocks()[block].points);
   });
+  flush_pass(store, Pass::normals);
 }
 
 }  // namespace ilot

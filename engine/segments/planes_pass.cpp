@@ -9,6 +9,7 @@
 #include "engine/segments/cell_cleaning.h"
 #include "engine/segments/cell_shapes.h"
 #include "engine/segments/plane_methods.h"
+#include "engine/store/flushed.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/normals.h"
@@ -264,6 +265,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   all.cells.resize(cells.size());
   for (std::uint32_t c = 0; c < cells.size(); ++c) summarise(store, cells, c, all);
   write_segments(store, cells, all, context);
+  flush_pass(store, Pass::planes);
   return all;
 }
 

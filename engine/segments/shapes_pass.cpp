@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "engine/pass/pass.h"
+#include "engine/store/flushed.h"
 #include "kernels/core/rng.h"
 #include "kernels/core/union_find.h"
 #include "kernels/planes/shape_fit.h"
@@ -214,6 +215,7 @@ std::vector<ShapeTally> shapes_pass(const Store& store, const std::vector<Cell>&
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, columns::kShape)) label_block(store, block, cells, pieces[block], joined, context);
   });
+  flush_pass(store, Pass::shapes);
   std::vector<ShapeTally> sums(joined.shapes.size());
   for (std::uint32_t block = 0; block < store.blocks().size(); ++block)
     for (const auto& [shape, t] : store.read(block, columns::kShapeTally)) {

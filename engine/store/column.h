@@ -14,6 +14,7 @@ enum class Pass : std::uint8_t {
   planes,
   contacts,
   labels,
+  adjacency,
   shapes,
   boundaries,
   facades,
@@ -22,7 +23,7 @@ enum class Pass : std::uint8_t {
   streets,
   rows,
 };
-constexpr int kPasses = 15;
+constexpr int kPasses = 16;
 
 // A column as it is declared: for its files, for the table in engine/store/README.md, and for --resume.
 struct ColumnInfo {

@@ -8,11 +8,12 @@ namespace ilot {
 std::span<const ColumnInfo* const> all_columns() {
   using namespace columns;
   static constexpr const ColumnInfo* kAll[]{
-      &kCodes.info,    &kOrder.info,      &kClass.info,       &kEchoes.info,     &kChunks.info,     &kRole.info,
-      &kNormals.info,  &kColour.info,     &kStation.info,     &kSegment.info,    &kContacts.info,   &kTally.info,
-      &kPlane.info,    &kShapeTally.info, &kShape.info,       &kCoincident.info, &kSeamRuns.info,   &kSeamEdges.info,
-      &kBoundary.info, &kFacade.info,     &kClusterPart.info, &kCluster.info,    &kRoof.info,       &kStreet.info,
-      &kSorted.info,   &kRowOrder.info,   &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info, &kRoofRows.info};
+      &kCodes.info,     &kOrder.info,    &kClass.info,      &kEchoes.info,      &kChunks.info,     &kRole.info,
+      &kNormals.info,   &kColour.info,   &kStation.info,    &kSegment.info,     &kContacts.info,   &kTally.info,
+      &kPlane.info,     &kTouches.info,  &kShapeTally.info, &kShape.info,       &kCoincident.info, &kSeamRuns.info,
+      &kSeamEdges.info, &kBoundary.info, &kFacade.info,     &kClusterPart.info, &kCluster.info,    &kRoof.info,
+      &kStreet.info,    &kSorted.info,   &kRowOrder.info,   &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info,
+      &kRoofRows.info};
   return kAll;
 }
 
@@ -26,6 +27,7 @@ const PassInfo& info_of(Pass pass) {
        {"planes", "cells", "finds planes and curved shapes cell by cell"},
        {"contacts", "", "counts which planes of cells touch each other"},
        {"labels", "", "decides the plane of each point"},
+       {"adjacency", "", "finds which planes touch each other, where and how"},
        {"shapes", "", "decides the curved shape of each point"},
        {"boundaries", "", "triangulates planes and keeps the edges of their boundaries"},
        {"facades", "", "labels the points of facades"},

@@ -20,6 +20,7 @@ struct SeamRun;
 struct StoredPlaneTally;
 struct StoredShapeTally;
 struct StreetLabel;
+struct Touch;
 enum class PointRole : std::uint8_t;
 
 namespace columns {
@@ -55,8 +56,12 @@ inline constexpr Column<Contact> kContacts{
 
 inline constexpr Column<StoredPlaneTally> kTally{
     {"tally", "StoredPlaneTally", Pass::labels, "labels", "sums over the points of each joined plane, ascending"}};
-inline constexpr Column<std::uint32_t> kPlane{{"plane", "u32", Pass::labels, "shapes, boundaries, facades, rows",
+inline constexpr Column<std::uint32_t> kPlane{{"plane", "u32", Pass::labels,
+                                               "adjacency, shapes, boundaries, facades, rows",
                                                "0 = none, else 1 + index of the joined plane"}};
+
+inline constexpr Column<Touch> kTouches{
+    {"touches", "Touch", Pass::adjacency, "adjacency", "where planes touch in the cells that begin in the block"}};
 
 inline constexpr Column<StoredShapeTally> kShapeTally{
     {"shape_tally", "StoredShapeTally", Pass::shapes, "shapes", "sums over the points of each shape, ascending"}};

@@ -5,13 +5,17 @@ namespace ilot {
 
 Store::Store(std::filesystem::path folder, double unit, std::vector<Block> blocks)
     : folder_(std::move(folder)), unit_(unit), blocks_(std::move(blocks)) {
-  for (const Block& b : blocks_) points_ += b.points;
+  boxes_.reserve(blocks_.size());
+  for (const Block& b : blocks_) {
+    points_ += b.points;
+    boxes_.push_back(b.box);
+  }
+  tree_ = BoxTree(boxes_);
 }
 
 std::vector<std::uint32_t> Store::blocks_in(const IndexBox& box) const {
   std::vector<std::uint32_t> found;
-  for (std::uint32_t i = 0; i < blocks_.size(); ++i)
-    if (blocks_[i].box.intersects(box)) found.push_back(i);
+  tree_.find(boxes_, box, found);
   return found;
 }
 

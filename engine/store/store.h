@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/store/box_tree.h"
 #include "engine/store/column_file.h"
 #include "engine/store/columns.h"
 #include "engine/store/lattice.h"
@@ -30,7 +31,7 @@ class Store {
   const std::vector<Block>& blocks() const { return blocks_; }
   std::uint64_t points() const { return points_; }
 
-  // Blocks whose points may lie in the box, in global order. O(blocks).
+  // Blocks whose points may lie in the box, in global order. O(answer * log blocks).
   std::vector<std::uint32_t> blocks_in(const IndexBox& box) const;
 
   template <class T>
@@ -72,6 +73,8 @@ class Store {
   std::filesystem::path folder_;
   double unit_;
   std::vector<Block> blocks_;
+  std::vector<IndexBox> boxes_;  // of the blocks
+  BoxTree tree_;                 // over these
   std::uint64_t points_ = 0;
 };
 

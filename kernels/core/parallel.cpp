@@ -5,10 +5,32 @@
 #include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+#include <tbb/task_group.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "kernels/core/task_group.h"
 
 namespace ilot {
+namespace {
+
+class Group final : public TaskGroup {
+ public:
+  void run(std::function<void()> work) override { group_.run(std::move(work)); }
+  void wait() { group_.wait(); }
+
+ private:
+  tbb::task_group group_;
+};
+
+}  // namespace
+
+void run_tasks(const std::function<void(TaskGroup&)>& start) {
+  Group group;
+  start(group);
+  group.wait();
+}
 
 void parallel_for(std::size_t count, const std::function<void(std::size_t)>& body) {
   tbb::this_task_arena::isolate([&] {

@@ -70,8 +70,11 @@ class Tracer {
 
  public:
   Tracer(std::span<const BoundaryEdge> edges, std::span<const Point2> points)
-      : points_(points), edges_(edges.begin(), edges.end()), used_(edges.size()), place_(points.size(), kNoEdge) {
-    std::sort(edges_.begin(), edges_.end(), before);
+      : points_(points), edges_(edges), used_(edges.size()), place_(points.size(), kNoEdge) {
+    if (std::is_sorted(edges.begin(), edges.end(), before)) return;  // a large boundary comes sorted: no copy
+    sorted_.assign(edges.begin(), edges.end());
+    std::sort(sorted_.begin(), sorted_.end(), before);
+    edges_ = sorted_;
   }
 
   std::vector<Loop> trace() {
@@ -132,7 +135,8 @@ class Tracer {
   }
 
   std::span<const Point2> points_;
-  std::vector<BoundaryEdge> edges_;
+  std::span<const BoundaryEdge> edges_;  // by region, start and end
+  std::vector<BoundaryEdge> sorted_;
   std::vector<std::uint8_t> used_;
   std::vector<std::uint32_t> place_;  // of a vertex in the path that is being walked
   std::vector<Loop> loops_;
@@ -194,6 +198,9 @@ Polygons assemble_rings(std::span<const BoundaryEdge> edges, std::span<const Poi
                                         [&](std::uint32_t v, std::uint32_t w) { return points[v] < points[w]; });
   });
   Polygons out;
+  std::size_t vertices = 0;
+  for (const Loop& loop : loops) vertices += loop.vertices.size();
+  out.vertices.reserve(vertices);
   for (const std::size_t outer : polygon) {
     for (std::size_t i = outer; i < loops.size() && loops[i].region == loops[outer].region; ++i) {
       const auto& v = loops[i].vertices;

@@ -3,8 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <queue>
+#include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "kernels/delaunay/constrained.h"
 
@@ -21,39 +22,110 @@ double squared_distance_to(Point2 p, Point2 a, Point2 b) {
   return across * across / static_cast<double>(length2);
 }
 
+// The vertices of polygons, by their positions in Polygons::vertices.
+struct Places {
+  std::span<const std::uint32_t> vertices;
+  std::span<const Point2> points;
+
+  Point2 operator[](std::uint32_t i) const { return points[vertices[i]]; }
+  std::size_t size() const { return vertices.size(); }
+};
+
 // Places in square cells, to be asked which of them lie in a box.
 class PlaceGrid {
  public:
-  PlaceGrid(std::span<const Point2> places) : places_(places) {
-    if (places.empty()) return;
+  explicit PlaceGrid(Places places) : places_(places) {
+    if (places.size() == 0) return;
     Point2 high = places[0];
     low_ = places[0];
-    for (const Point2 p : places) {
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      const Point2 p = places[i];
       low_ = {std::min(low_.x, p.x), std::min(low_.y, p.y)};
       high = {std::max(high.x, p.x), std::max(high.y, p.y)};
     }
     const double area = (1.0 + high.x - low_.x) * (1.0 + high.y - low_.y);
     cell_ = 1 + static_cast<std::int64_t>(std::sqrt(area / static_cast<double>(places.size())));
-    for (std::uint32_t i = 0; i < places.size(); ++i) cells_.emplace_back(row(places[i].y), column(places[i].x), i);
-    std::sort(cells_.begin(), cells_.end());
+    order_.resize(places.size());
+    std::iota(order_.begin(), order_.end(), 0u);
+    std::sort(order_.begin(), order_.end(),
+              [&](std::uint32_t i, std::uint32_t k) { return std::pair(cell(i), i) < std::pair(cell(k), k); });
   }
 
   template <class Use>
   bool any(Point2 low, Point2 high, const Use& use) const {
-    for (std::int64_t r = row(low.y); r <= row(high.y); ++r)
-      for (auto i = std::lower_bound(cells_.begin(), cells_.end(), std::tuple(r, column(low.x), 0u));
-           i != cells_.end() && std::get<0>(*i) == r && std::get<1>(*i) <= column(high.x); ++i)
-        if (use(std::get<2>(*i))) return true;
+    for (std::int64_t r = row(low.y); r <= row(high.y); ++r) {
+      const Cell last{r, column(high.x)};
+      for (auto i = std::lower_bound(order_.begin(), order_.end(), Cell{r, column(low.x)},
+                                     [&](std::uint32_t k, const Cell&c) { return cell(k) < c; });
+           i != order_.end() && cell(*i) <= last; ++i)
+        if (use(*i)) return true;
+    }
     return false;
   }
 
  private:
+  using Cell = std::pair<std::int64_t, std::int64_t>;  // row, column
+
+  Cell cell(std::uint32_t i) const { return {row(places_[i].y), column(places_[i].x)}; }
   std::int64_t row(std::int64_t y) const { return (y - low_.y) / cell_; }
   std::int64_t column(std::int64_t x) const { return (x - low_.x) / cell_; }
-  std::span<const Point2> places_;
+  Places places_;
   Point2 low_;
   std::int64_t cell_ = 1;
-  std::vector<std::tuple<std::int64_t, std::int64_t, std::uint32_t>> cells_;
+  std::vector<std::uint32_t> order_;  // places by cell, then by index
+};
+
+// Items 0 to n - 1, each in the heap or not: the first of them, in an order that its owner knows. 8 bytes an item.
+template <class Before>
+class IndexHeap {
+ public:
+  IndexHeap(std::size_t items, Before before) : before_(before), at_(items, kNoEdge) { heap_.reserve(items); }
+
+  bool empty() const { return heap_.empty(); }
+  std::uint32_t first() const { return heap_[0]; }
+
+  // To be called before what the order of a held item depends on changes.
+  void remove(std::uint32_t item) {
+    const std::uint32_t at = at_[item];
+    if (at == kNoEdge) return;
+    at_[item] = kNoEdge;
+    const std::uint32_t last = heap_.back();
+    heap_.pop_back();
+    if (last == item) return;
+    put(at, last);
+    up(at);
+    down(at_[last]);
+  }
+
+  void add(std::uint32_t item) {
+    heap_.push_back(item);
+    at_[item] = static_cast<std::uint32_t>(heap_.size() - 1);
+    up(at_[item]);
+  }
+
+ private:
+  void put(std::uint32_t at, std::uint32_t item) {
+    heap_[at] = item;
+    at_[item] = at;
+  }
+  void up(std::uint32_t at) {
+    const std::uint32_t item = heap_[at];
+    for (; at > 0 && before_(item, heap_[(at - 1) / 2]); at = (at - 1) / 2) put(at, heap_[(at - 1) / 2]);
+    put(at, item);
+  }
+  void down(std::uint32_t at) {
+    const std::uint32_t item = heap_[at];
+    for (std::uint32_t child = 2 * at + 1; child < heap_.size(); child = 2 * at + 1) {
+      if (child + 1 < heap_.size() && before_(heap_[child + 1], heap_[child])) ++child;
+      if (!before_(heap_[child], item)) break;
+      put(at, heap_[child]);
+      at = child;
+    }
+    put(at, item);
+  }
+
+  Before before_;
+  std::vector<std::uint32_t> heap_, at_;
 };
 
 // Places are the positions in Polygons::vertices; those left out between a place and the next one follow it in its
@@ -69,8 +141,10 @@ class Thinner {
         last_(ring_.size()),
         gone_(ring_.size()),
         pinned_(ring_.size()),
-        version_(ring_.size()),
-        place_(ring_.size()) {
+        moved2_(ring_.size()),
+        place_{polygons.vertices, points},
+        grid_(place_),
+        offers_(ring_.size(), Before{this}) {
     std::vector<std::uint8_t> uses(points.size());
     for (const std::uint32_t v : polygons.vertices) uses[v] = static_cast<std::uint8_t>(std::min(2, uses[v] + 1));
     for (std::uint32_t r = 0; r < polygons.rings.size(); ++r) {
@@ -80,49 +154,49 @@ class Thinner {
         ring_[i] = r;
         next_[i] = following(i);
         last_[next_[i]] = i;
-        place_[i] = points[polygons.vertices[i]];
         pinned_[i] = uses[polygons.vertices[i]] > 1;
       }
     }
-    grid_ = PlaceGrid(place_);
   }
 
   Polygons thin() {
     for (std::uint32_t i = 0; i < ring_.size(); ++i) offer(i);
-    while (!queue_.empty()) {
-      const Offer offer = queue_.top();
-      queue_.pop();
-      const std::uint32_t i = offer.place;
-      if (gone_[i] || offer.version != version_[i] || left_[ring_[i]] <= 3 || blocked(i)) continue;
+    while (!offers_.empty()) {
+      const std::uint32_t i = offers_.first();
+      offers_.remove(i);
+      if (left_[ring_[i]] <= 3 || blocked(i)) continue;
       leave_out(i);
     }
     return rest();
   }
 
  private:
-  struct Offer {
-    double moved2;         // how far the outline moves
-    std::int64_t length2;  // of the new edge
-    Point2 at;
-    std::uint32_t place, version;
-    bool operator<(const Offer& o) const {  // the queue gives the greatest first
-      return std::tie(o.moved2, o.length2, o.at, o.place) < std::tie(moved2, length2, at, place);
+  // How far the outline moves, the length of the new edge, the place.
+  struct Before {
+    const Thinner* t;
+    bool operator()(std::uint32_t i, std::uint32_t k) const {
+      if (t->moved2_[i] != t->moved2_[k]) return t->moved2_[i] < t->moved2_[k];
+      const std::int64_t a = t->new_length2(i), b = t->new_length2(k);
+      return a != b ? a < b : std::pair(t->place_[i], i) < std::pair(t->place_[k], k);
     }
   };
+
+  std::int64_t new_length2(std::uint32_t i) const { return squared_distance(place_[last_[i]], place_[next_[i]]); }
 
   std::uint32_t following(std::uint32_t i) const {
     const Ring& ring = polygons_.rings[ring_[i]];
     return i + 1 == ring.first + ring.count ? ring.first : i + 1;
   }
 
+  // For a vertex that is not on offer.
   void offer(std::uint32_t i) {
-    ++version_[i];
     if (pinned_[i]) return;
     const Point2 a = place_[last_[i]], b = place_[next_[i]];
     double moved2 = 0;
     for (std::uint32_t k = following(last_[i]); k != next_[i]; k = following(k))
       if (moved2 = std::max(moved2, squared_distance_to(place_[k], a, b)); moved2 >= limit_) return;
-    queue_.push({moved2, squared_distance(a, b), place_[i], i, version_[i]});
+    moved2_[i] = moved2;
+    offers_.add(i);
   }
 
   // Whether another vertex lies in the triangle that would change sides, its border included.
@@ -143,6 +217,8 @@ class Thinner {
   void leave_out(std::uint32_t i) {
     gone_[i] = 1;
     --left_[ring_[i]];
+    offers_.remove(last_[i]);
+    offers_.remove(next_[i]);
     next_[last_[i]] = next_[i];
     last_[next_[i]] = last_[i];
     offer(last_[i]);
@@ -173,10 +249,10 @@ class Thinner {
   double limit_;
   std::vector<std::uint32_t> ring_, left_, next_, last_;
   std::vector<std::uint8_t> gone_, pinned_;
-  std::vector<std::uint32_t> version_;
-  std::vector<Point2> place_;
-  PlaceGrid grid_{{}};
-  std::priority_queue<Offer> queue_;
+  std::vector<double> moved2_;
+  Places place_;
+  PlaceGrid grid_;
+  IndexHeap<Before> offers_;
 };
 
 }  // namespace

@@ -15,7 +15,10 @@ TEST(PlanesNeighboursCsv, OneLineAPair) {
   const TemporaryFolder folder;
   const PlaneNeighbours pairs[]{{1, 2, Touching::edge, 4.5, 90, 0, {1.5, 2, 3}, {0, 0, 1}},
                                 {1, 7, Touching::step, 0.25, 0.5, -0.125, {1, 2, 3.5}, {}}};
-  write_planes_neighbours_csv(folder.path() / "n.csv", pairs);
+  PlanesNeighboursCsv file(folder.path() / "n.csv");
+  for (const PlaneNeighbours& pair : pairs) file.add(pair);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "n.csv"));
+  file.finish();
   std::ostringstream text;
   text << std::ifstream(folder.path() / "n.csv").rdbuf();
   EXPECT_EQ(text.str(),

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdlib>
 #include <mutex>
 #include <stdexcept>
@@ -88,6 +89,86 @@ TEST(Pass, ATaskAboveTheBudgetRunsAlone) {
     EXPECT_EQ(done, 50);
     EXPECT_FALSE(watch.crowded) << budget;
   }
+}
+
+TEST(Pass, WhatIsTooLargeCanBeRefused) {
+  std::vector<PassTask> tasks(20, PassTask{10, 1});
+  tasks[3].bytes = 101;
+  tasks[11].bytes = UINT64_MAX;
+  tasks[12].bytes = 100;
+  for (const int threads : {1, 4}) {
+    std::vector<std::atomic<int>> hits(tasks.size());
+    std::vector<std::size_t> refused;
+    with_threads(threads, [&] {
+      refused = run_pass(
+          tasks, 100, [&](std::size_t i) { ++hits[i]; }, TooLarge::refused);
+    });
+    EXPECT_EQ(refused, (std::vector<std::size_t>{3, 11}));
+    for (std::size_t i = 0; i < tasks.size(); ++i) EXPECT_EQ(hits[i], i == 3 || i == 11 ? 0 : 1) << i;
+  }
+}
+
+// One large task, one that does not fit beside it, and many small ones.
+TEST(Pass, SmallTasksPassALargeOneThatWaits) {
+  std::vector<PassTask> tasks(500, PassTask{1, 1});
+  tasks[0] = {60, 9};
+  tasks[1] = {60, 8};
+  std::mutex mutex;
+  std::vector<std::size_t> started;
+  std::atomic<bool> second{false};
+  std::atomic<int> before{0};
+  with_threads(2, [&] {
+    run_pass(tasks, 100, [&](std::size_t i) {
+      {
+        const std::lock_guard lock(mutex);
+        started.push_back(i);
+      }
+      if (i == 1) second = true;
+      if (i > 1 && !second) ++before;
+      if (i == 0)
+        while (before < 10) std::this_thread::yield();  // as long as small ones do not pass, this does not end
+    });
+  });
+  EXPECT_EQ(started.size(), tasks.size());
+  EXPECT_GE(before, 10);
+}
+
+// The large task fits only when none of the small ones runs: it must not wait for all of them.
+TEST(Pass, OnlySoManyTasksPassOneThatWaits) {
+  constexpr std::size_t kSmall = 5000;
+  std::vector<PassTask> tasks(kSmall, PassTask{50, 1});
+  tasks[0] = {60, 9};
+  tasks[1] = {100, 8};
+  std::atomic<int> started{0}, place{0};
+  with_threads(2, [&] {
+    run_pass(tasks, 100, [&](std::size_t i) {
+      const int now = started++;
+      if (i == 1) place = now;
+      if (i == 0) nap();
+    });
+  });
+  EXPECT_EQ(started, static_cast<int>(kSmall));
+  EXPECT_LE(place, 200) << "of " << kSmall;
+}
+
+// While one task has all the memory, the other threads work in its loops.
+TEST(Pass, NoThreadWaitsWhileALoopHasWork) {
+  const std::vector<PassTask> tasks(3, PassTask{100, 1});
+  with_threads(4, [&] {
+    run_pass(tasks, 100, [&](std::size_t) {
+      std::mutex mutex;
+      std::condition_variable met;
+      std::size_t here = 0;
+      bool two = false;
+      parallel_for(64, [&](std::size_t) {  // each item waits for company, which only another thread can be
+        std::unique_lock lock(mutex);
+        two = two || ++here > 1;
+        met.notify_all();
+        EXPECT_TRUE(met.wait_for(lock, std::chrono::seconds(20), [&] { return two; }));
+        --here;
+      });
+    });
+  });
 }
 
 TEST(Pass, TheLargestStartFirstTiesByIndex) {

@@ -22,7 +22,8 @@ struct Adjacency {
     label_pass(s.cloud.store(), s.cells, s.found, s.joined, context);
     std::vector<std::uint32_t> id(planes.size() + 1);
     std::iota(id.begin(), id.end(), 0u);
-    touches = adjacency_pass(s.cloud.store(), s.cells, s.found, id, planes, context);
+    adjacency_pass(s.cloud.store(), s.cells, s.found, id, planes, context);
+    each_touch(s.cloud.store(), [&](const Touch& touch) { touches.push_back(touch); });
   }
   PlaneNeighbours first() const {
     return neighbours_of(touches[0], planes[touches[0].a - 1], planes[touches[0].b - 1], 0.001, 1);

@@ -22,7 +22,13 @@ std::vector<Index3> roof_gable() {
 }
 
 std::vector<PlaneTally> label(const PlaneStore& s, const PassContext& context = {}) {
-  return label_pass(s.cloud.store(), s.cells, s.found, s.joined, context);
+  label_pass(s.cloud.store(), s.cells, s.found, s.joined, context);
+  std::vector<PlaneTally> tallies;
+  each_tally(s.cloud.store(), s.joined.planes.size(), [&](std::size_t i, const PlaneTally& tally) {
+    EXPECT_EQ(i, tallies.size());
+    tallies.push_back(tally);
+  });
+  return tallies;
 }
 
 double distance(const JoinedPlane& j, Index3 p) {

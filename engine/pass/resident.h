@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: Apache-2.0
+// The memory of the process as a whole: what a run was allowed, and what is left of it. One value for the process, as
+// its memory is one; it decides how many tasks run at once, never what they compute.
+#pragma once
+#include <cstdint>
+
+namespace ilot {
+
+// Most bytes that should be resident; 0 (as at the start) = no limit.
+void set_memory_limit(std::uint64_t bytes);
+
+// How many of the bytes are not in use now; UINT64_MAX without a limit.
+std::uint64_t free_memory();
+
+// Bytes that a step which is no pass may take: its budget, or what of the memory is left.
+std::uint64_t affordable(std::uint64_t budget_bytes);
+
+// Gives back what the allocator keeps of freed memory.
+void trim_memory();
+
+}  // namespace ilot
