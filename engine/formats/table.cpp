@@ -205,7 +205,7 @@ TableLattice lattice_of(std::span<const Column> columns, std::span<const double>
   for (const std::span<const double> rows : {sample, spread})
     for (std::size_t row = 0; row + columns.size() <= rows.size(); row += columns.size())
       survey.add({rows[row + x], rows[row + y], rows[row + z]});
-  return survey.choose();
+  return survey.choose_for_sample();
 }
 
 }  // namespace
@@ -303,13 +303,11 @@ void set_points(CloudInfo& info, std::uint64_t points) {
 
 void note_lattice(CloudInfo& info, const TableLattice& lattice) {
   constexpr int kUsual = 4;
-  const bool counted = lattice.decimals != TableLattice::kUnknown;
-  const auto number = [&](std::uint64_t rows) { return counted ? std::to_string(rows) : std::string("some"); };
   if (lattice.zeros_beyond > 0)
-    info.warnings.push_back(number(lattice.zeros_beyond) +
+    info.warnings.push_back(std::to_string(lattice.zeros_beyond) +
                             " rows are 0 0 0, far from all others (rays without an echo): they are rejected");
   if (lattice.beyond > 0)
-    info.warnings.push_back(number(lattice.beyond) +
+    info.warnings.push_back(std::to_string(lattice.beyond) +
                             " rows are so far from all others that 32 bits do not reach them: they are rejected");
   const bool rounds = lattice.decimals == TableLattice::kUnknown || lattice.decimals > lattice.kept;
   if (lattice.kept < kUsual && rounds)

@@ -68,8 +68,7 @@ class TablePlan {
 // Sets info.points (and declared_points when nothing was declared), with a warning when they are fewer than declared.
 void set_points(CloudInfo& info, std::uint64_t points);
 
-// Adds warnings of what the lattice leaves out or rounds more than people expect. Rows are counted only where the
-// lattice is that of all rows (text); binary numbers are known from samples.
+// Adds warnings of what the lattice leaves out or rounds more than people expect.
 void note_lattice(CloudInfo& info, const TableLattice& lattice);
 
 // Fixed-size rows in a file or in memory. Random access.

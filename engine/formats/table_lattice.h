@@ -32,6 +32,13 @@ class LatticeSurvey {
   void add(Vec3 place, int decimals = TableLattice::kUnknown);
   TableLattice choose();
 
+  // For a sample: rows beyond are not counted, for nobody knows how many there are.
+  TableLattice choose_for_sample() {
+    TableLattice lattice = choose();
+    lattice.beyond = lattice.zeros_beyond = 0;
+    return lattice;
+  }
+
  private:
   static constexpr int kBands = 6;  // 2e3, 2e4 ... 2e7 from the offset, and beyond
 

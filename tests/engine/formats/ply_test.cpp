@@ -42,6 +42,21 @@ std::string binary_ply(bool big) {
   return text;
 }
 
+// A first vertex at 1e9 made all others unusable.
+TEST(Ply, OneFarVertexDecidesNothing) {
+  const Folder folder;
+  std::string text =
+      "ply\nformat ascii 1.0\nelement vertex 3000\nproperty double x\nproperty double y\nproperty double "
+      "z\nend_header\n1e9 1 1\n";
+  for (int i = 1; i < 3000; ++i) text += std::to_string(i) + ".5 2 3\n";
+  spill_text(folder / "a.ply", text);
+  const auto reader = open_cloud(folder / "a.ply");
+  const Rows rows = read_all(*reader, 500);
+  EXPECT_EQ(rows.valid[0], 0);
+  EXPECT_EQ(std::count(rows.valid.begin(), rows.valid.end(), 1), 2999);
+  EXPECT_NEAR(world(rows, reader->info().layout, 1).x, 1.5, 1e-9);
+}
+
 TEST(Ply, BothByteOrdersGiveTheSameRows) {
   const Folder folder;
   spill_text(folder / "little.ply", binary_ply(false));
