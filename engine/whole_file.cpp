@@ -5,11 +5,11 @@
 #include <unistd.h>
 #include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <string>
 #include <utility>
 
 #include "engine/error.h"
+#include "engine/system_reason.h"
 #include "engine/whole_file_writer.h"
 
 namespace ilot {
@@ -65,7 +65,7 @@ void WholeFileWriter::flush() {
 }
 
 void WholeFileWriter::fail() {
-  throw Error(path_.string() + ": cannot be written: " + std::strerror(errno));
+  throw Error(path_.string() + ": cannot be written: " + system_reason(errno));
 }
 
 void write_whole_file(const std::filesystem::path& path, std::string_view content) {

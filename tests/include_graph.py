@@ -16,7 +16,7 @@ LAYER_SEES = {
 HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
           "visibility": 4,
           "segments": 4, "deliverables": 4, "evaluate": 5, "roofs": 6, "facades": 6, "streets": 6, "run": 7}
-EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/version.h", "engine/whole_file.h",
+EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
 PRODUCTS = {"roofs", "facades", "streets"}
 KERNEL_HEIGHT = {"core": 0, "simd": 1, "machines": 2, "neighbours": 2, "planes": 3, "delaunay": 3, "outlines": 4, "meshes": 4, "rasters": 4}

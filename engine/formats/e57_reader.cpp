@@ -128,6 +128,7 @@ class E57Reader final : public PointReader {
     info_.layout = plan_->layout();
     note_lattice(info_, plan_->lattice());
     rewind();
+    release();
   }
 
   const CloudInfo& info() const override { return info_; }
@@ -137,7 +138,9 @@ class E57Reader final : public PointReader {
   }
 
   std::size_t read(std::uint64_t first, std::span<std::byte> records, std::span<std::uint8_t> valid) override {
+    if (first >= info_.points) return 0;
     if (first < row_) rewind();
+    if (!batch_) batch_ = std::make_unique<Batch>();
     while (row_ < first) {
       const std::size_t skipped = next_batch(first - row_);
       if (skipped == 0) return 0;
@@ -153,10 +156,18 @@ class E57Reader final : public PointReader {
       done += got;
     }
     row_ += done;
+    if (row_ == info_.points) release();
     return done;
   }
 
  private:
+  // Of thousands of inputs that have been read none keeps more than its description.
+  void release() {
+    reader_.reset();
+    batch_.reset();
+    pages_.release();
+  }
+
   void measure() {
     std::uint64_t budget = pages_.size(), number = 0;
     std::string first_problem;

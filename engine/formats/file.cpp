@@ -11,6 +11,8 @@
 #include <string>
 
 #include "engine/error.h"
+#include "engine/formats/open_files.h"
+#include "engine/system_reason.h"
 
 namespace ilot {
 namespace {
@@ -18,33 +20,50 @@ namespace {
 constexpr std::size_t kLargestCall = std::size_t{1} << 30;  // one pread or pwrite moves less than 2 GiB
 
 [[noreturn]] void fail(const std::filesystem::path& path, const std::string& what) {
-  throw Error(path.string() + ": " + what + ": " + std::strerror(errno));
+  throw Error(path.string() + ": " + what + ": " + system_reason(errno));
+}
+
+int open_to_read(const std::filesystem::path& path) {
+  return ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
 }
 
 }  // namespace
 
 InputFile::InputFile(const std::filesystem::path& path) : path_(path) {
-  descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
-  if (descriptor_ < 0) fail(path, "cannot be opened");
+  const int descriptor = open_to_read(path);
+  if (descriptor < 0) fail(path, "cannot be opened");
   struct stat status {};
-  if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) {
-    ::close(descriptor_);
-    throw Error(path.string() + ": is not a regular file; give a point cloud file");
-  }
+  const bool regular = ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
+  ::close(descriptor);
+  if (!regular) throw Error(path.string() + ": is not a regular file; give a point cloud file");
   size_ = static_cast<std::uint64_t>(status.st_size);
+  device_ = status.st_dev;
+  inode_ = status.st_ino;
 }
 
 InputFile::~InputFile() {
-  if (descriptor_ >= 0) ::close(descriptor_);
+  open_files().forget(*this);
+}
+
+int InputFile::reopen() const {
+  const int descriptor = open_to_read(path_);
+  if (descriptor < 0) fail(path_, "cannot be opened");
+  struct stat status {};
+  const bool same = ::fstat(descriptor, &status) == 0 && status.st_dev == device_ && status.st_ino == inode_ &&
+                    static_cast<std::uint64_t>(status.st_size) >= size_;
+  if (same) return descriptor;
+  ::close(descriptor);
+  throw Error(path_.string() + ": is another file than at the start of the run; start again");
 }
 
 std::size_t InputFile::read_at(std::uint64_t offset, std::span<std::byte> out) const {
   if (offset >= size_) return 0;
   out = out.first(static_cast<std::size_t>(std::min<std::uint64_t>(out.size(), size_ - offset)));
+  const OpenFiles::Use use(open_files(), *this);
   std::size_t done = 0;
   while (done < out.size()) {
     const std::size_t ask = std::min(out.size() - done, kLargestCall);
-    const ssize_t got = ::pread(descriptor_, out.data() + done, ask, static_cast<off_t>(offset + done));
+    const ssize_t got = ::pread(use.descriptor(), out.data() + done, ask, static_cast<off_t>(offset + done));
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail(path_, "cannot be read at byte " + std::to_string(offset + done));
     if (got == 0) break;
@@ -84,8 +103,11 @@ void OutputFile::append(std::span<const std::byte> bytes) {
 void OutputFile::commit() {
   const int descriptor = descriptor_;
   descriptor_ = -1;
+  const bool flushed = ::fsync(descriptor) == 0 || errno == EINVAL;  // the name must not come before the content
+  const int fault = errno;
   const bool closed = ::close(descriptor) == 0;
-  if (!closed || ::rename(part_.c_str(), path_.c_str()) != 0) {
+  if (!flushed) errno = fault;
+  if (!flushed || !closed || ::rename(part_.c_str(), path_.c_str()) != 0) {
     const int reason = errno;
     ::unlink(part_.c_str());
     errno = reason;

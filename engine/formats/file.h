@@ -8,7 +8,8 @@
 
 namespace ilot {
 
-// A regular file open for reading. Throws Error when it is missing, unreadable or not a file. Reads are thread-safe.
+// A regular file to read. Throws Error when it is missing, unreadable or not a file. Reads are thread-safe. It is
+// opened when it is read, and closed again when too many others are read (open_files.h): any number of them can exist.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);
@@ -23,10 +24,12 @@ class InputFile {
   // appended since it was opened does not belong to it; what was cut off is missing.
   std::size_t read_at(std::uint64_t offset, std::span<std::byte> out) const;
 
+  // A new descriptor. Error when the path names another file by now, or one that has become shorter.
+  int reopen() const;
+
  private:
   std::filesystem::path path_;
-  int descriptor_ = -1;
-  std::uint64_t size_ = 0;
+  std::uint64_t size_ = 0, device_ = 0, inode_ = 0;
 };
 
 // A file written under the name PATH.part and renamed to PATH by commit(). Without commit() nothing stays. Every

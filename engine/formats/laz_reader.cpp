@@ -85,7 +85,9 @@ class LazReader final : public PointReader {
     idle_.erase(it);
     return cursor;
   }
+  // One at the end of its chunk is of no more use, and half a megabyte: there may be thousands of inputs.
   void give_back(std::unique_ptr<Cursor> cursor) {
+    if (cursor->at == UINT64_MAX) return;
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(cursor));
   }

@@ -32,6 +32,12 @@ bool LineReader::fill() {
   return got > 0;
 }
 
+void LineReader::release() {
+  next_ = offset();
+  begin_ = end_ = 0;
+  std::vector<char>().swap(buffer_);
+}
+
 bool LineReader::next(std::string_view& line) {
   std::size_t searched = 0;
   for (;;) {

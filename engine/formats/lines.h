@@ -22,6 +22,9 @@ class LineReader {
   // Where the line after the last one begins.
   std::uint64_t offset() const { return next_ - (end_ - begin_); }
 
+  // Gives the buffer back, 1 MiB; the next line takes a new one.
+  void release();
+
  private:
   bool fill();
 

@@ -206,7 +206,10 @@ class PtxReader final : public PointReader {
       valid[done] = parse_row(line) && plan_->encode(values_, record);
       if (!valid[done]) std::fill(record.begin(), record.end(), std::byte{0});
     }
-    if (row_ == info_.points) report_malformed();
+    if (row_ == info_.points) {
+      report_malformed();
+      lines_.release();
+    }
     return done;
   }
 

@@ -67,6 +67,7 @@ class TextTable final : public PointReader {
       if (!whole) std::fill(record.begin(), record.end(), std::byte{0});
       valid[done] = whole && plan_->encode(values_, record);
     }
+    if (row_ == info_.points) lines_.release();
     return done;
   }
 

@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/report/path_text.h"
 #include "engine/settings/config.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
@@ -17,12 +18,13 @@ using Json = nlohmann::ordered_json;
 Json inputs_json(const RunRecord& record) {
   Json list = Json::array();
   for (const InputRecord& input : record.inputs) {
-    list.push_back({{"path", input.path},
+    list.push_back({{"path", path_text(input.path)},
                     {"format", input.format},
                     {"crs", input.crs},
                     {"points", input.points},
                     {"bytes", input.bytes}});
     if (!input.dialect.empty()) list.back()["dialect"] = input.dialect;
+    if (!input.output.empty()) list.back()["output"] = path_text(input.output);
   }
   return list;
 }
@@ -85,6 +87,13 @@ Json skipped_json(const RunRecord& record) {
   return list;
 }
 
+Json results_json(const RunRecord& record) {
+  Json list = Json::array();
+  for (const ResultRecord& file : record.results)
+    list.push_back({{"path", path_text(file.path)}, {"bytes", file.bytes}});
+  return list;
+}
+
 Json chosen_json(const RunRecord& record) {
   Json list = Json::array();
   for (const ChosenRecord& c : record.chosen) {
@@ -128,6 +137,8 @@ std::string run_json(const RunRecord& record) {
   json["rejected"] = record.points.rejected;
   json["skipped"] = skipped_json(record);
   json["warnings"] = record.warnings;
+  if (!record.request.empty()) json["request"] = Json::parse(record.request);
+  json["results"] = results_json(record);
   json["result_hash"] = record.result_hash;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -20,7 +20,14 @@ struct InputRecord {
   std::string path, format, crs;  // crs: name or empty
   std::uint64_t points = 0;       // that were read
   std::uint64_t bytes = 0;
+  std::string output;  // the labelled cloud, relative to OUT; empty when none is written
   std::string dialect;  // of text: separators, decimal point or comma; else empty
+};
+
+// A file of the result.
+struct ResultRecord {
+  std::string path;  // relative to OUT
+  std::uint64_t bytes = 0;
 };
 
 struct SkippedRecord {
@@ -97,6 +104,8 @@ struct RunRecord {
   std::vector<ChosenRecord> chosen;
   std::vector<std::string> warnings;
   bool unit_assumed = false;
+  std::string request;                // what was asked, JSON (run_request); empty = not recorded
+  std::vector<ResultRecord> results;  // every file but run.json
   std::string result_hash;
 };
 

@@ -19,10 +19,8 @@ class Sha256 {
   std::shared_ptr<void> context_;
 };
 
-// Over all regular files below `folder` in the order of their relative paths (bytes, `/` between parts):
-// path, a zero byte, the size as 8 bytes little-endian, the content. Left out: run.json, report.html and what
-// begins with a dot, each directly below `folder`, and the folder `store` when it stands inside. Reads in
-// pieces of 1 MiB. Error when a file cannot be read.
+// Over product_files(folder, store) in their order: path, a zero byte, the size as 8 bytes little-endian, the content.
+// Reads in pieces of 1 MiB. Error when a file cannot be read.
 std::string result_hash(const std::filesystem::path& folder, const std::filesystem::path& store = {});
 
 }  // namespace ilot

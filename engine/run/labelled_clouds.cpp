@@ -239,7 +239,9 @@ class Labeller {
   std::uint32_t file_;
 };
 
-std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
+}  // namespace
+
+std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   std::map<std::string, int> stems;
   for (const auto& input : inputs) ++stems[cloud_stem(input->info().path)];
   std::set<std::string> used;
@@ -254,12 +256,10 @@ std::vector<std::string> output_names(const std::vector<std::unique_ptr<PointRea
       name = base;
       for (int n = 2; !used.insert(name).second; ++n) name = base + "_" + std::to_string(n);
     }
-    names.push_back(name);
+    names.push_back(name + kCloudExtension);
   }
   return names;
 }
-
-}  // namespace
 
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {
   for (const auto& input : inputs) {
@@ -276,10 +276,10 @@ std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::u
                                     const LabelParams& params, const fs::path& folder, const PassContext& context) {
   fs::create_directories(folder);
   const std::vector<BlockRows> blocks = sample_rows(store);
-  const std::vector<std::string> names = output_names(inputs);
+  const std::vector<std::string> names = labelled_names(inputs);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f)
-    labelled += Labeller(store, blocks, params, context, *inputs[f], f).write(folder / (names[f] + kCloudExtension));
+    labelled += Labeller(store, blocks, params, context, *inputs[f], f).write(folder / names[f]);
   return labelled;
 }
 

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "engine/cloud/area.h"
@@ -18,8 +19,12 @@ namespace ilot {
 // MiB, the longest 100. To be called before the work.
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context);
 
-// Writes a compressed folder/NAME for every input; inputs of equal name get their folder's name in front. Returns the
-// number of points with a plane, a unit, an object or a label.
+// The file name of each input's labelled cloud. Inputs of equal name get their folder's name in front, and a number
+// behind where that is equal too.
+std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs);
+
+// Writes a compressed folder/NAME for every input, NAME of labelled_names(). Returns the number of points with a plane,
+// a unit, an object or a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);

@@ -7,6 +7,7 @@
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 #include "engine/run/input_crs.h"
+#include "engine/pass/pass.h"
 #include "engine/run/read_stations.h"
 #include "engine/run/row_stations.h"
 
@@ -50,7 +51,7 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
   }
   std::error_code ignored;
   record.inputs.push_back({info.path.string(), info.format, crs_name(info.crs), info.points,
-                           std::filesystem::file_size(info.path, ignored), info.dialect});
+                           std::filesystem::file_size(info.path, ignored), "", info.dialect});
 }
 
 // One line for all inputs that write numbers in the same way.
@@ -71,6 +72,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   RunInputs inputs;
   const OpenOptions open{options.dialect, !options.crs.empty() && crs_from_text(options.crs).geographic};
   for (const auto& path : options.inputs) {
+    stop_if_asked();
     auto reader = try_open(path, open, options, progress, record);
     if (!reader) continue;
     note_input(reader->info(), options, progress, record);

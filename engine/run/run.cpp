@@ -15,7 +15,6 @@
 #include "engine/pass/resident.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
-#include "engine/report/sha256.h"
 #include "engine/run/area_in_crs.h"
 #include "engine/run/boundaries_product.h"
 #include "engine/run/cluster_plan.h"
@@ -30,6 +29,7 @@
 #include "engine/run/planes_product.h"
 #include "engine/run/point_roles.h"
 #include "engine/run/roofs_product.h"
+#include "engine/run/run_estimate.h"
 #include "engine/run/streets_product.h"
 #include "engine/segments/cells.h"
 #include "engine/segments/normals_pass.h"
@@ -143,13 +143,6 @@ IndexResult make_index(const RunOptions& options, const RunInputs& inputs, std::
   }
 }
 
-std::uint64_t output_bytes(const RunInputs& inputs) {
-  std::uint64_t bytes = 0;
-  for (const auto& reader : inputs.readers)
-    bytes += reader->info().points * (reader->info().layout.record_length + 8ull);
-  return bytes;
-}
-
 void count_points(const IndexResult& index, const RunInputs& inputs, std::uint64_t labelled, RunRecord& record) {
   record.points.read = inputs.points;
   record.points.labelled = labelled;
@@ -204,9 +197,21 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
                 ExitCode::usage);
 }
 
+// Files that no product which is asked for reads.
+void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& record) {
+  const auto check = [&](const char* option, const std::filesystem::path& path, const char* product) {
+    if (path.empty() || makes(options, product)) return;
+    record.warnings.push_back(std::string(option) + " " + path.string() + " is not used: only the product " + product +
+                              " reads it; add it to --products");
+    progress.warn(record.warnings.back());
+  };
+  check("--footprints", options.footprints, "roofs");
+  check("--train", options.train, "streets");
+}
+
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
-                   const OutputFolder& out, Progress& progress, RunRecord& record) {
+                   OutputFolder& out, Progress& progress, RunRecord& record) {
   PassContext context = pass_context(options, inputs, out.block_points(), progress);
   if (options.clouds) check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("index", inputs.points);
@@ -279,6 +284,8 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
     progress.begin_stage("write", inputs.points);
     rows_pass(index.store, labels, context);
     labelled = write_labelled_clouds(index.store, inputs.readers, labels, out.staging() / "points", context);
+    const std::vector<std::string> names = labelled_names(inputs.readers);
+    for (std::size_t i = 0; i < names.size(); ++i) record.inputs[i].output = "points/" + names[i];
     progress.end_stage();
   } else {
     labelled = count_labelled(index.store, labels, context);
@@ -299,38 +306,24 @@ std::string summary(const RunRecord& record) {
 }
 
 int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t sites, Progress& progress) {
-  const std::uint64_t block_points = affordable_block_points(options, thread_count());
+  const auto threads = static_cast<std::uint64_t>(thread_count());
+  const RunEstimate needs = estimate_run(options, inputs);
+  const auto seconds = static_cast<std::uint64_t>(std::ceil(needs.processor_seconds));
+  const auto mebibytes = [](std::uint64_t bytes) { return std::to_string((bytes >> 20) + 1) + " MiB"; };
   progress.note("would read " + grouped(inputs.points) + " points from " + std::to_string(inputs.readers.size()) +
-                " files into blocks of at most " + grouped(block_points));
+                " files into blocks of at most " + grouped(affordable_block_points(options, thread_count())));
   if (sites > 0) progress.note("would model " + grouped(sites) + " outlines of buildings");
-  progress.note("would need about " + std::to_string((inputs.points * kStoreBytesPerPoint >> 20) + 1) +
-                " MiB of disk for the store and " + std::to_string((output_bytes(inputs) >> 20) + 1) +
-                " MiB for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
+  progress.note("would take about " + grouped(seconds) + " s of processor time, " +
+                grouped((seconds + threads - 1) / threads) + " s on " + std::to_string(threads) +
+                " threads, and at most " + mebibytes(options.memory_bytes - 1) + " of memory");
+  progress.note("would need at most about " + mebibytes(needs.store_bytes) + " of disk for the store and " +
+                mebibytes(needs.result_bytes) +
+                " for the results; free: " + std::to_string(free_disk_bytes(options.output) >> 20) + " MiB");
   return 0;
 }
 
-int run_in_arena(const RunOptions& given, Progress& progress) {
-  RunRecord record;
-  const double start = now();
-  const RunInputs inputs = open_inputs(given, progress, record);
-  RunOptions options = given;
-  if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
-  check_settings(options, inputs);
-  const std::vector<PlannedSite> sites = options.footprints.empty()
-                                             ? std::vector<PlannedSite>{}
-                                             : plan_footprints(options.footprints, inputs.crs, progress, record);
-  if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
-  if (options.existing == Existing::resume && is_finished(options, inputs)) {
-    clear_finished_store(options);
-    progress.note(options.output.string() + ": is finished, nothing is left to do");
-    return 0;
-  }
-  set_memory_limit(memory_to_fill(options));
-  const OutputFolder out(options, inputs);
-  out.check_space(inputs.points, options.clouds ? output_bytes(inputs) : 0);
-  make_products(options, inputs, sites, out, progress, record);
-  out.publish();
-
+// Fills in what is known when all products are made.
+void complete_record(const RunOptions& options, const Progress& progress, double start, RunRecord& record) {
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   if (options.strict && !record.skipped.empty()) record.exit = ExitCode::failed;
   record.settings = options.settings;
@@ -338,11 +331,35 @@ int run_in_arena(const RunOptions& given, Progress& progress) {
   record.threads = thread_count();
   record.memory_bytes = options.memory_bytes;
   record.stages = progress.stages();
-  record.result_hash = result_hash(out.path(), out.store());
   record.seconds = now() - start;
   record.peak_rss_bytes = peak_resident_bytes();
-  write_run_json(record, out.path());
-  out.finish(options.keep_store);
+}
+
+int run_in_arena(const RunOptions& given, Progress& progress) {
+  RunRecord record;
+  RunOptions options = given;
+  const double start = now();
+  std::optional<OutputFolder> out;
+  if (!options.dry_run) out.emplace(options, progress);
+  const RunInputs inputs = open_inputs(options, progress, record);
+  if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
+  check_settings(options, inputs);
+  warn_of_unused(options, progress, record);
+  const std::vector<PlannedSite> sites = options.footprints.empty() || !makes(options, "roofs")
+                                             ? std::vector<PlannedSite>{}
+                                             : plan_footprints(options.footprints, inputs.crs, progress, record);
+  if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
+  if (out->open(inputs) == Opened::finished) {
+    out->finish(options.keep_store);
+    progress.note(options.output.string() + ": is finished, nothing is left to do");
+    return 0;
+  }
+  set_memory_limit(memory_to_fill(options));
+  out->check_space(estimate_run(options, inputs));
+  make_products(options, inputs, sites, *out, progress, record);
+  complete_record(options, progress, start, record);
+  out->publish(record);
+  out->finish(options.keep_store);
   progress.run_done(summary(record));
   return static_cast<int>(record.exit);
 }

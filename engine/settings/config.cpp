@@ -2,11 +2,14 @@
 #include "engine/settings/config.h"
 
 #include <toml++/toml.h>
+
+#include <cerrno>
 #include <fstream>
 #include <sstream>
 
 #include "engine/error.h"
 #include "engine/settings/parameters.h"
+#include "engine/system_reason.h"
 
 namespace ilot {
 namespace {
@@ -153,17 +156,18 @@ void load_config_text(Settings& settings, std::string_view text, const std::stri
   settings = changed;
 }
 
+// Read to its end, since a pipe has no size.
 void load_config(Settings& settings, const std::filesystem::path& path) {
-  std::error_code code;
-  const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (code) throw Error(path.string() + ": cannot read the configuration: " + code.message(), ExitCode::usage);
-  if (size > kMaxConfigBytes) {
-    throw Error(path.string() + ": larger than 1 MiB, so not a configuration of ilot", ExitCode::usage);
-  }
+  const auto fail = [&](const std::string& why) { throw Error(path.string() + ": " + why, ExitCode::usage); };
+  if (std::filesystem::is_directory(path)) fail("is a folder, not a configuration");
+  errno = 0;
   std::ifstream file(path, std::ios::binary);
-  std::string text(static_cast<std::size_t>(size), '\0');
-  file.read(text.data(), static_cast<std::streamsize>(size));
-  if (!file) throw Error(path.string() + ": cannot read the configuration", ExitCode::usage);
+  if (!file) fail("cannot read the configuration: " + system_reason(errno));
+  std::string text(kMaxConfigBytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad()) fail("cannot read the configuration");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > kMaxConfigBytes) fail("larger than 1 MiB, so not a configuration of ilot");
   load_config_text(settings, text, path.string());
 }
 

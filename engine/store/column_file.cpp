@@ -6,10 +6,10 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <string>
 
 #include "engine/error.h"
+#include "engine/system_reason.h"
 
 namespace ilot {
 namespace {
@@ -19,9 +19,8 @@ constexpr const char* kAdvice = "; delete the store and start again";
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
   const int code = errno;
-  std::string advice;
-  if (code == ENOSPC || code == EDQUOT) advice = "; free some space or give --store DIR on another disk, then --resume";
-  throw Error(path.string() + ": " + what + ": " + std::strerror(code) + advice);
+  const bool full = code == ENOSPC || code == EDQUOT || code == EFBIG;
+  throw Error(path.string() + ": " + what + ": " + system_reason(code) + (full ? " (--store DIR), then --resume" : ""));
 }
 
 // FNV-1a of the header but for the check itself. Bytes that are all zero, as disks leave them, do not pass.

@@ -8,17 +8,12 @@ import signal
 import subprocess
 import time
 
-from support import EXE, RunTest, ilot, main, real
+from support import RunTest, ilot, main, real
 
 SLOW = ["--threads", "1", "--block-points", "4096"]
 
 
 class Resume(RunTest):
-    def start(self, inputs, out, *arguments):
-        inputs = inputs if isinstance(inputs, list) else [inputs]
-        return subprocess.Popen([EXE, "run", *map(str, inputs), "-o", str(out), "-q", *map(str, arguments)],
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
     def stop_after(self, seconds, how, inputs, out, *arguments):
         """Starts a run and sends the signal; returns its exit code and what it said."""
         run = self.start(inputs, out, *arguments)

@@ -121,12 +121,14 @@ class RunTest(unittest.TestCase):
     def tearDown(self):
         self.holder.cleanup()
 
-    def district(self, points, **settings):
-        path = self.folder / f"district-{points}.las"
+    def scan(self, scene, points, path, **settings):
         chosen = [word for key, value in settings.items() for word in ("--set", f"scene.{key}={value}")]
-        done = ilot("scan", "district", "-o", path, "--points", points, "-q", *chosen)
+        done = ilot("scan", scene, "-o", path, "--points", points, "-q", *chosen)
         self.assertEqual(done.returncode, 0, done.stderr)
         return path
+
+    def district(self, points, **settings):
+        return self.scan("district", points, self.folder / f"district-{points}.las", **settings)
 
     def work(self, inputs, *arguments, out=None, code=0, env=None, **options):
         """Runs in a new folder; returns it and its run.json."""
@@ -139,6 +141,12 @@ class RunTest(unittest.TestCase):
         for skipped in told["skipped"]:
             self.assertIn(skipped["where"], done.stderr, "what is skipped is told")
         return out, told
+
+    def start(self, inputs, out, *arguments, **options):
+        """A run that goes on while the test does something else."""
+        inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
+        return subprocess.Popen([EXE, "run", *inputs, "-o", str(out), "-q", *map(str, arguments)],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", **options)
 
     def labelled(self, out, name):
         path = self.folder / f"{out.name}-{name}.las"

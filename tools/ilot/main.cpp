@@ -3,11 +3,13 @@
 #include <malloc.h>
 
 #include <csignal>
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 
 #include "engine/error.h"
 #include "engine/pass/stop.h"
+#include "engine/system_reason.h"
 #include "engine/version.h"
 #include "kernels/simd/dispatch.h"
 #include "tools/ilot/commands.h"
@@ -17,19 +19,24 @@ namespace {
 
 using namespace ilot;
 
-// The first signal asks for an orderly stop; the handler is then gone, so that the second one ends the process.
+// The first signal asks for an orderly stop; the handler is then gone, so that the second one ends the process. SIGHUP
+// stays ignored where the parent ignores it (nohup).
 void install_signal_handlers() {
   struct sigaction stop {};
   stop.sa_handler = [](int) { request_stop(); };
   stop.sa_flags = SA_RESETHAND | SA_RESTART;
-  sigaction(SIGINT, &stop, nullptr);
-  sigaction(SIGTERM, &stop, nullptr);
-  sigset_t both;  // a parent may have blocked them
-  sigemptyset(&both);
-  sigaddset(&both, SIGINT);
-  sigaddset(&both, SIGTERM);
-  sigprocmask(SIG_UNBLOCK, &both, nullptr);
+  sigset_t asked;  // a parent may have blocked them
+  sigemptyset(&asked);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(number, nullptr, &before);
+    if (number == SIGHUP && before.sa_handler == SIG_IGN) continue;
+    sigaction(number, &stop, nullptr);
+    sigaddset(&asked, number);
+  }
   signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);  // writing beyond ulimit -f is an error like a full disk
+  sigprocmask(SIG_UNBLOCK, &asked, nullptr);
 }
 
 std::string version_text(bool json) {
@@ -85,10 +92,22 @@ int run_command_line(int argc, char** argv) {
   return action ? action() : 0;
 }
 
+// The library's sentence begins with the name of a C++ function.
+std::string fault_of_path(const std::filesystem::filesystem_error& fault) {
+  const std::string path = fault.path1().empty() ? std::string("a file") : fault.path1().string();
+  const std::string other = fault.path2().empty() ? "" : " (to " + fault.path2().string() + ")";
+  return path + other + ": cannot be worked on: " + system_reason(fault.code().value()) +
+         "; mend this, then start again or --resume";
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   install_signal_handlers();
+  if (stop_requested()) {  // the signal came while the program was loaded, and the parent had blocked it
+    say(fault_line("interrupted before anything was begun"));
+    return static_cast<int>(ExitCode::interrupted);
+  }
   // Blocks go back to the system when they are freed, not into a pool that --memory knows nothing of.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   try {
@@ -98,8 +117,10 @@ int main(int argc, char** argv) {
     return static_cast<int>(fault.code());
   } catch (const std::bad_alloc&) {
     say(fault_line("out of memory: give a smaller --memory or free some"));
+  } catch (const std::filesystem::filesystem_error& fault) {
+    say(fault_line(fault_of_path(fault)));
   } catch (const std::exception& fault) {
-    say(fault_line(std::string("internal error: ") + fault.what()));
+    say(fault_line(std::string("internal error: ") + fault.what() + "; please report it with the command"));
   }
   return static_cast<int>(ExitCode::failed);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/error.h"
+#include "engine/report/allowed_memory.h"
 #include "engine/run/inputs.h"
 #include "engine/run/read_area.h"
 #include "engine/run/run.h"
@@ -18,12 +19,12 @@ namespace ilot {
 namespace {
 
 constexpr const char* kProducts[] = {"planes", "roofs", "facades", "streets"};
-constexpr std::uint64_t kLeastMemory = 96u << 20;
+constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2} << 30;
 
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory = "2G", store, bounds, within, footprints, stations, train, crs, to_crs, dialect,
+  std::string output, config, memory, store, bounds, within, footprints, stations, train, crs, to_crs, dialect,
                               log;
   int threads = 0;
   std::uint64_t block_points = 0;
@@ -57,6 +58,14 @@ std::vector<std::string> products_of(const RunArguments& given) {
   return products;
 }
 
+// Half of what the machine or its control group allows, since others want memory too, and the usual amount at most.
+std::uint64_t memory_of(const RunArguments& given) {
+  if (given.memory.empty()) return std::clamp(allowed_memory_bytes() / 2, kLeastMemory, kUsualMemory);
+  const std::uint64_t bytes = parse_bytes("--memory", given.memory);
+  if (bytes < kLeastMemory) throw Error("--memory: at least 96M is needed", ExitCode::usage);
+  return bytes;
+}
+
 RunOptions options_of(const RunArguments& given) {
   RunOptions options;
   options.settings = settings_of(given);
@@ -67,8 +76,7 @@ RunOptions options_of(const RunArguments& given) {
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
-  options.memory_bytes = parse_bytes("--memory", given.memory);
-  if (options.memory_bytes < kLeastMemory) throw Error("--memory: at least 96M is needed", ExitCode::usage);
+  options.memory_bytes = memory_of(given);
   options.threads = given.threads;
   options.store = given.store;
   options.crs = parse_crs("--crs", given.crs);
@@ -150,7 +158,10 @@ void add_work_options(CLI::App& command, RunArguments& given) {
 }
 
 void add_machine_options(CLI::App& command, RunArguments& given) {
-  command.add_option("--memory", given.memory, "upper bound of resident memory, with K, M, G or T [2G]")
+  command
+      .add_option(
+          "--memory", given.memory,
+          "upper bound of resident memory, with K, M, G or T [2G, at most half of what machine or cgroup allow]")
       ->option_text("BYTES");
   command.add_option("--threads", given.threads, "1 to 1024 threads [all]")
       ->check(CLI::Range(1, 1024))

@@ -65,6 +65,11 @@ bool Pages::read(std::uint64_t offset, std::span<std::byte> out) {
   return true;
 }
 
+void Pages::release() {
+  count_ = 0;
+  std::vector<std::byte>().swap(window_);
+}
+
 // The window from `page` on ends before the first damaged page.
 bool Pages::fill(std::uint64_t page) {
   first_ = failed_ = page;

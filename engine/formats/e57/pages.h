@@ -31,6 +31,9 @@ class Pages {
   // False when a page is missing or damaged; then `out` holds anything.
   bool read(std::uint64_t offset, std::span<std::byte> out);
 
+  // Gives the window back; the next read takes a new one.
+  void release();
+
   // Physical place of the page at which the last read failed.
   std::uint64_t failed_at() const { return failed_ * page_size_; }
 

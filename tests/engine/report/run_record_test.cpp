@@ -19,7 +19,7 @@ RunRecord example() {
   r.settings.planes.epsilon = 0.02;
   r.products = {"planes"};
   r.threads = 2;
-  r.inputs = {{"a.las", "las", "EPSG:2154", 90, 4000}};
+  r.inputs = {{"a.las", "las", "EPSG:2154", 90, 4000, "points/a.laz"}};
   r.stages = {{"index", 2, 3, 100}, {"planes", 0, 0, 0}};
   r.peak_rss_bytes = 1 << 20;
   r.blocks = 4;
@@ -28,6 +28,8 @@ RunRecord example() {
   r.skipped = {{"input", "b.las", "0 points"}};
   r.chosen = {{"planes.min_points", 40.0, "sampling step 0.2 m"}, {"planes.method", std::string("ransac"), "flat"}};
   r.unit_assumed = true;
+  r.request = R"({"crs":"EPSG:2154"})";
+  r.results = {{"planes.csv", 7}, {"points/caf\xE9.laz", 9}};
   r.result_hash = "ab";
   return r;
 }
@@ -41,6 +43,10 @@ TEST(RunRecord, HasTheNamesThatScriptsRelyOn) {
   EXPECT_EQ(j["parameters"]["planes.min_points"], "auto");
   EXPECT_EQ(j["parameters_hash"].get<std::string>().size(), 16u);
   EXPECT_EQ(j["inputs"][0]["path"], "a.las");
+  EXPECT_EQ(j["inputs"][0]["output"], "points/a.laz");
+  EXPECT_EQ(j["request"]["crs"], "EPSG:2154");
+  EXPECT_EQ(j["results"][0]["bytes"], 7);
+  EXPECT_EQ(j["results"][1]["path"], "points/caf\\xE9.laz");
   EXPECT_EQ(j["stages"][0]["name"], "index");
   EXPECT_EQ(j["stages"][0]["seconds"], 2);
   EXPECT_EQ(j["stages"][0]["cpu_seconds"], 3);

@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <string>
+
+namespace ilot {
+
+// What the system says of a file operation that failed with this errno, and what can be done about it: "No space left
+// on device; free some space or choose another disk".
+std::string system_reason(int error);
+
+}  // namespace ilot
