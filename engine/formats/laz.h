@@ -37,9 +37,6 @@ struct LazOptions {
   std::uint32_t chunk_points = 50000;  // fewer of rows beyond 335 bytes: 16 MiB a chunk
 };
 
-// What writing so many rows takes at least: a chunk of them, as it is and compressed, and its encoder.
-std::uint64_t laz_writer_bytes(const RecordLayout& layout, std::uint64_t rows);
-
 // Rows in order; batches of chunks are compressed in parallel. Keeps two chunks of rows per thread and their encoders,
 // but no more than 32 MiB beyond the first.
 std::unique_ptr<PointWriter> create_laz(const std::filesystem::path& path, const CloudSpec& spec,

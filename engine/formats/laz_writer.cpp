@@ -88,7 +88,7 @@ class LazWriter final : public PointWriter {
 
 }  // namespace
 
-std::uint64_t laz_writer_bytes(const RecordLayout& layout, std::uint64_t rows) {
+std::uint64_t cloud_writer_bytes(const RecordLayout& layout, std::uint64_t rows) {
   const laz::ChunkLayout chunk{layout.point_format, layout.record_length};
   const std::uint64_t most = std::min<std::uint64_t>(rows, rows_per_chunk(layout, LazOptions().chunk_points));
   return laz::encoder_bytes(chunk) + 2 * most * layout.record_length;

@@ -34,8 +34,10 @@ class PointWriter {
   virtual void finish() = 0;
 };
 
-// What labelled clouds are written as.
+// What labelled clouds are written as, and the memory that writing so many rows takes at least: a chunk of them, as it
+// is and compressed, and its encoder.
 constexpr const char* kCloudExtension = ".laz";
+std::uint64_t cloud_writer_bytes(const RecordLayout& layout, std::uint64_t rows);
 
 // By extension; .copc.laz is one, and the only one that does not keep the rows in order. Throws Error when the format
 // is not one we write, with the list of those we do.

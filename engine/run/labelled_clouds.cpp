@@ -8,7 +8,6 @@
 
 #include "engine/error.h"
 #include "engine/formats/changed_reader.h"
-#include "engine/formats/laz.h"
 #include "engine/formats/laz_extender.h"
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/writer.h"
@@ -264,7 +263,7 @@ std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointR
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {
   for (const auto& input : inputs) {
     const CloudInfo& info = input->info();
-    const std::uint64_t needed = laz_writer_bytes(info.layout, info.points);
+    const std::uint64_t needed = cloud_writer_bytes(info.layout, info.points);
     if (needed > context.budget_bytes)
       throw Error(info.path.string() + ": its rows of " + std::to_string(info.layout.record_length) + " bytes take " +
                   std::to_string(needed >> 20) + " MiB to be compressed with their labels, and --memory leaves " +
