@@ -22,24 +22,24 @@ namespace {
 
 }  // namespace
 
-ScratchFile::ScratchFile(const std::filesystem::path& folder) : folder_(folder) {
+ScratchBytes::ScratchBytes(const std::filesystem::path& folder) : folder_(folder) {
   std::string name = (folder / "scratch-XXXXXX").string();
   file_ = ::mkostemp(name.data(), O_CLOEXEC);
   if (file_ < 0) fail(folder_, "cannot create a temporary file");
   ::unlink(name.c_str());
 }
 
-ScratchFile::~ScratchFile() {
+ScratchBytes::~ScratchBytes() {
   if (file_ >= 0) ::close(file_);
 }
 
-ScratchFile& ScratchFile::operator=(ScratchFile&& o) noexcept {
+ScratchBytes& ScratchBytes::operator=(ScratchBytes&& o) noexcept {
   std::swap(folder_, o.folder_);
   std::swap(file_, o.file_);
   return *this;
 }
 
-void ScratchFile::write(std::uint64_t offset, std::span<const std::byte> bytes) {
+void ScratchBytes::write(std::uint64_t offset, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
     const ssize_t n = ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (n < 0 && errno == EINTR) continue;
@@ -49,7 +49,7 @@ void ScratchFile::write(std::uint64_t offset, std::span<const std::byte> bytes) 
   }
 }
 
-void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
+void ScratchBytes::read(std::uint64_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
     const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (n < 0 && errno == EINTR) continue;

@@ -15,13 +15,13 @@
 namespace ilot {
 
 // A file that has no name. Any number of threads may read at once. Errors name the folder and the fault.
-class ScratchFile {
+class ScratchBytes {
  public:
-  ScratchFile() = default;
-  explicit ScratchFile(const std::filesystem::path& folder);
-  ~ScratchFile();
-  ScratchFile(ScratchFile&& o) noexcept : folder_(std::move(o.folder_)), file_(std::exchange(o.file_, -1)) {}
-  ScratchFile& operator=(ScratchFile&& o) noexcept;
+  ScratchBytes() = default;
+  explicit ScratchBytes(const std::filesystem::path& folder);
+  ~ScratchBytes();
+  ScratchBytes(ScratchBytes&& o) noexcept : folder_(std::move(o.folder_)), file_(std::exchange(o.file_, -1)) {}
+  ScratchBytes& operator=(ScratchBytes&& o) noexcept;
 
   bool is_open() const { return file_ >= 0; }
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
@@ -49,7 +49,7 @@ class ScratchColumn {
   // So many values without a meaning yet, of an empty column.
   void resize(std::uint64_t count) {
     if (!folder_.empty() && count > most_)
-      file_ = ScratchFile(folder_);
+      file_ = ScratchBytes(folder_);
     else
       values_.resize(count);
     size_ = file_.is_open() ? count : 0;
@@ -82,7 +82,7 @@ class ScratchColumn {
   static constexpr std::size_t kTail = 1024;  // values that wait for the file
 
   void spill() {
-    if (!file_.is_open()) file_ = ScratchFile(folder_);
+    if (!file_.is_open()) file_ = ScratchBytes(folder_);
     file_.write(size_ * sizeof(T), std::as_bytes(std::span<const T>(values_)));
     size_ += values_.size();
     values_.clear();
@@ -94,7 +94,7 @@ class ScratchColumn {
   std::size_t most_;
   std::vector<T> values_;   // all, or those that are not yet in the file
   std::uint64_t size_ = 0;  // of the file, values
-  ScratchFile file_;
+  ScratchBytes file_;
 };
 
 }  // namespace ilot
