@@ -10,10 +10,10 @@
 namespace ilot {
 namespace {
 
-constexpr int kBits = 19;
+constexpr int kCellBits = 19;
 
 CoarseCells counted(std::span<const Index3> points) {
-  CoarseCells cells(kBits);
+  CoarseCells cells(kCellBits);
   for (const Index3& p : points) cells.add(p);
   return cells;
 }
@@ -22,7 +22,7 @@ CoarseCells counted(std::span<const Index3> points) {
 CoarseCells counted_sorted(std::span<const Index3> points) {
   std::map<Tile, std::vector<KeyValue>> tiles;
   for (const Index3& p : points) tiles[key_of(p).tile].push_back({key_of(p).code, 0});
-  CoarseCells cells(kBits);
+  CoarseCells cells(kCellBits);
   for (auto& [tile, keys] : tiles) {
     std::sort(keys.begin(), keys.end());
     cells.add(tile, keys);
@@ -46,11 +46,11 @@ TEST(CoarseCells, CountPointsAndPlaces) {
   std::map<CoarseCell, std::set<PointKey>> places;
   std::map<CoarseCell, std::uint64_t> count;
   for (const Index3& p : points) {
-    places[coarse_cell(p, kBits)].insert(key_of(p));
-    ++count[coarse_cell(p, kBits)];
+    places[coarse_cell(p, kCellBits)].insert(key_of(p));
+    ++count[coarse_cell(p, kCellBits)];
   }
   const CoarseCells cells = counted(points);
-  ASSERT_EQ(cells.bits(), kBits);
+  ASSERT_EQ(cells.bits(), kCellBits);
   ASSERT_EQ(cells.cells().size(), places.size());
   std::size_t few = 0;
   for (const auto& [cell, content] : cells.cells()) {
@@ -75,7 +75,7 @@ TEST(CoarseCells, NeitherOrderNorPartsShow) {
     EXPECT_EQ(counted(points).packed(), wanted);
     const std::span<const Index3> all(points);
     for (const std::size_t parts : {2u, 7u}) {
-      CoarseCells merged(kBits);
+      CoarseCells merged(kCellBits);
       for (std::size_t p = 0; p < parts; ++p) {
         const std::size_t from = all.size() * p / parts, to = all.size() * (p + 1) / parts;
         merged.merge(p % 2 ? counted(all.subspan(from, to - from)) : counted_sorted(all.subspan(from, to - from)));
@@ -84,7 +84,7 @@ TEST(CoarseCells, NeitherOrderNorPartsShow) {
     }
   }
   const CoarseCells wide = counted(clouds[2]);
-  EXPECT_GT(wide.bits(), kBits);
+  EXPECT_GT(wide.bits(), kCellBits);
   EXPECT_LE(wide.cells().size(), kMostCoarseCells);
 }
 

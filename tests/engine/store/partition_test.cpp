@@ -127,14 +127,14 @@ TEST(Partition, StraysAreInNoBlock) {
   const TemporaryFolder folder;
   auto points = test::points_over_tiles(5000, 8);
   const auto plain = plan_blocks(runs_of(folder, "plain", points), 300);
-  constexpr int kBits = 16;
+  constexpr int kFineBits = 16;
   const std::vector<Index3> strays{{70000, 70000, 1200000}, {70000, 70000, 1200000}, {1, 1, -1800000}, {1 << 29, 0, 0}};
   points.insert(points.begin() + 2000, strays.begin(), strays.end());
   std::vector<CoarseCell> cells;
-  for (const Index3& p : strays) cells.push_back(coarse_cell(p, kBits));
+  for (const Index3& p : strays) cells.push_back(coarse_cell(p, kFineBits));
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
-  const auto plan = plan_blocks(runs_of(folder, "strays", points), 300, Strays(kBits, cells));
+  const auto plan = plan_blocks(runs_of(folder, "strays", points), 300, Strays(kFineBits, cells));
   ASSERT_EQ(plan.size(), plain.size());
   for (std::size_t b = 0; b < plan.size(); ++b) {
     EXPECT_EQ(plan[b].node, plain[b].node);

@@ -8,12 +8,12 @@
 namespace ilot {
 namespace {
 
-constexpr int kBits = 19;
-constexpr std::int64_t kEdge = std::int64_t{1} << kBits, kTile = std::int64_t{1} << kTileBits;
+constexpr int kStrayBits = 19;
+constexpr std::int64_t kStrayEdge = std::int64_t{1} << kStrayBits, kTile = std::int64_t{1} << kTileBits;
 constexpr Index3 kLambert{651000000, 6861000000, 50000};
 
-std::vector<Index3> strays(const std::vector<Index3>& points) {
-  CoarseCells cells(kBits);
+std::vector<Index3> stray_points(const std::vector<Index3>& points) {
+  CoarseCells cells(kStrayBits);
   for (const Index3& p : points) cells.add(p);
   const Strays found = find_strays(cells);
   std::vector<Index3> alone;
@@ -44,62 +44,64 @@ const std::vector<Index3>& town() {
 }
 
 TEST(Strays, WhatStandsAloneFarFromEverything) {
-  EXPECT_TRUE(strays(town()).empty());
+  EXPECT_TRUE(stray_points(town()).empty());
   for (const Index3 p :
        {Index3{0, 0, 0}, Index3{kLambert.x + 200000000, kLambert.y, 0}, Index3{0, 0, 1000000000000},
         Index3{kLambert.x, kLambert.y, kLambert.z - 1250000}, Index3{kLambert.x, kLambert.y, kLambert.z + 1250000}})
     for (const std::size_t rows : {1u, 10000u}) {
       const std::vector<Index3> alone(rows, p);
-      EXPECT_EQ(strays(joined(town(), alone)), alone);
-      EXPECT_EQ(strays(joined(alone, town())), alone);
+      EXPECT_EQ(stray_points(joined(town(), alone)), alone);
+      EXPECT_EQ(stray_points(joined(alone, town())), alone);
     }
 }
 
 TEST(Strays, AreManySmallGroupsToo) {
   std::vector<Index3> birds;
   for (int i = 0; i < 20; ++i)
-    birds = joined(birds, cluster({kLambert.x + i * 10 * kEdge, kLambert.y, kLambert.z + 8 * kEdge}, 1000, 15, 9));
-  EXPECT_EQ(strays(joined(town(), birds)).size(), birds.size());
+    birds = joined(birds,
+                   cluster({kLambert.x + i * 10 * kStrayEdge, kLambert.y, kLambert.z + 8 * kStrayEdge}, 1000, 15, 9));
+  EXPECT_EQ(stray_points(joined(town(), birds)).size(), birds.size());
 }
 
 TEST(Strays, NearPointsAreNone) {
   // At a gap of one edge from the cells of the town all still belongs to it.
-  for (const std::int64_t by : {kEdge / 2, kEdge - 200001}) {
-    EXPECT_TRUE(strays(joined(town(), {{kLambert.x, kLambert.y, kLambert.z + 200000 + by}})).empty());
-    EXPECT_TRUE(strays(joined(town(), {{kLambert.x - 200000 - by, kLambert.y, kLambert.z}})).empty());
+  for (const std::int64_t by : {kStrayEdge / 2, kStrayEdge - 200001}) {
+    EXPECT_TRUE(stray_points(joined(town(), {{kLambert.x, kLambert.y, kLambert.z + 200000 + by}})).empty());
+    EXPECT_TRUE(stray_points(joined(town(), {{kLambert.x - 200000 - by, kLambert.y, kLambert.z}})).empty());
   }
   // A chain of single points leads to one that is far.
   std::vector<Index3> chain;
-  for (int i = 0; i < 20; ++i) chain.push_back({kLambert.x + i * kEdge, kLambert.y, kLambert.z});
-  EXPECT_TRUE(strays(joined(town(), chain)).empty());
+  for (int i = 0; i < 20; ++i) chain.push_back({kLambert.x + i * kStrayEdge, kLambert.y, kLambert.z});
+  EXPECT_TRUE(stray_points(joined(town(), chain)).empty());
 }
 
 TEST(Strays, TwoRealPartsBothStay) {
   const auto other = cluster({kLambert.x + 50000000, kLambert.y, kLambert.z}, 100000, 3000, 2);
-  EXPECT_TRUE(strays(joined(town(), other)).empty());
+  EXPECT_TRUE(stray_points(joined(town(), other)).empty());
   const auto small = cluster({kLambert.x + 50000000, kLambert.y, kLambert.z}, 100000, kFewPlaces, 3);
-  EXPECT_TRUE(strays(joined(town(), small)).empty());
+  EXPECT_TRUE(stray_points(joined(town(), small)).empty());
   const auto few = cluster({kLambert.x + 50000000, kLambert.y, kLambert.z}, 100000, kFewPlaces - 1, 3);
-  EXPECT_EQ(strays(joined(town(), few)), few);
+  EXPECT_EQ(stray_points(joined(town(), few)), few);
 }
 
 TEST(Strays, AreNeverMoreThanATenthOfTheRest) {
   const auto eighty = cluster(kLambert, 1000, 80, 4);
-  EXPECT_TRUE(strays(joined(eighty, cluster({0, 0, 0}, 1000, 9, 5))).empty());
-  EXPECT_EQ(strays(joined(eighty, cluster({0, 0, 0}, 1000, 8, 5))).size(), 8u);
+  EXPECT_TRUE(stray_points(joined(eighty, cluster({0, 0, 0}, 1000, 9, 5))).empty());
+  EXPECT_EQ(stray_points(joined(eighty, cluster({0, 0, 0}, 1000, 8, 5))).size(), 8u);
   const std::vector<Index3> zeros(10000, Index3{0, 0, 0});
-  EXPECT_EQ(strays(joined(eighty, zeros)), zeros);
+  EXPECT_EQ(stray_points(joined(eighty, zeros)), zeros);
 }
 
 TEST(Strays, AreNotWhereAllIsSparse) {
-  EXPECT_TRUE(strays({}).empty());
-  EXPECT_TRUE(strays(std::vector<Index3>(100, Index3{7, 7, 7})).empty());
-  EXPECT_TRUE(strays(cluster({0, 0, 0}, std::int64_t{1} << 40, 50000, 6)).empty());
-  EXPECT_TRUE(strays(cluster({0, 0, 0}, std::int64_t{1} << 40, 60, 6)).empty());
+  EXPECT_TRUE(stray_points({}).empty());
+  EXPECT_TRUE(stray_points(std::vector<Index3>(100, Index3{7, 7, 7})).empty());
+  EXPECT_TRUE(stray_points(cluster({0, 0, 0}, std::int64_t{1} << 40, 50000, 6)).empty());
+  EXPECT_TRUE(stray_points(cluster({0, 0, 0}, std::int64_t{1} << 40, 60, 6)).empty());
 }
 
 TEST(Strays, ACloudAroundTheOriginLosesNothing) {
-  EXPECT_TRUE(strays(joined(cluster({0, 0, 0}, 100000, 2000, 7), std::vector<Index3>(10000, Index3{0, 0, 0}))).empty());
+  EXPECT_TRUE(
+      stray_points(joined(cluster({0, 0, 0}, 100000, 2000, 7), std::vector<Index3>(10000, Index3{0, 0, 0}))).empty());
 }
 
 // The order of the points is nothing, and a shift by whole tiles moves the answer along.
@@ -113,11 +115,11 @@ TEST(Strays, FollowThePoints) {
       points = joined(points, cluster({kLambert.x + far(), kLambert.y + far(), kLambert.z + far()}, 1000,
                                       1 + rng.below(120), rng.next()));
     }
-    auto wanted = strays(points);
+    auto wanted = stray_points(points);
     std::vector<Index3> moved;
     for (auto p = points.rbegin(); p != points.rend(); ++p)
       moved.push_back({p->x - 300 * kTile, p->y + 7 * kTile, p->z + kTile});
-    auto found = strays(moved);
+    auto found = stray_points(moved);
     std::reverse(found.begin(), found.end());
     for (Index3& p : found) p = {p.x + 300 * kTile, p.y - 7 * kTile, p.z - kTile};
     EXPECT_EQ(found, wanted) << round;
@@ -126,9 +128,9 @@ TEST(Strays, FollowThePoints) {
 
 // The ranges of codes say the same as the cells.
 TEST(Strays, AreRangesOfCodesInTheirTiles) {
-  auto points = joined(town(), cluster({kLambert.x, kLambert.y, kLambert.z + 3 * kEdge}, 100, 5, 12));
+  auto points = joined(town(), cluster({kLambert.x, kLambert.y, kLambert.z + 3 * kStrayEdge}, 100, 5, 12));
   points.push_back({0, 0, 0});
-  CoarseCells cells(kBits);
+  CoarseCells cells(kStrayBits);
   for (const Index3& p : points) cells.add(p);
   const Strays found = find_strays(cells);
   std::size_t inside = 0;
