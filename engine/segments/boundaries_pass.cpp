@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 #include "engine/segments/boundary_edges.h"
 #include "engine/store/flushed.h"
 #include "kernels/core/parallel.h"
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerEdge = 56;  // while a plane's rings are assembled and thinned
 constexpr std::size_t kPlanesTogether = 256;
+constexpr std::size_t kLargeBoundary = 1 << 16;  // points; between its steps freed memory goes back to the system
 
 struct RunOfBlock {
   std::uint32_t block = 0;
@@ -183,11 +185,14 @@ Outline boundary_of(const Store& store, const BoundaryParams& params, std::uint3
                     const std::vector<RunOfBlock>& runs, Vertices& marked) {
   PlaneEdges plane = edges_of_plane(store, runs);
   const std::span<const Point2> places = plane.places;
+  const bool large = places.size() >= kLargeBoundary;
+  if (large) trim_memory();
   Polygons rings = assemble_rings(plane.edges, places);
   std::vector<BoundaryEdge>().swap(plane.edges);
   if (params.erosion == Erosion::outside) rings = outer_rings(rings, places);
   marked.mark(rings.vertices, plane.points);
   std::vector<std::uint64_t>().swap(plane.points);
+  if (large) trim_memory();
   return outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1], id,
                     store.unit());
 }
