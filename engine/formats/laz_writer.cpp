@@ -13,8 +13,6 @@ namespace {
 
 // Chunks of longer rows than 335 bytes have fewer of them: one must not need more than this.
 constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
-// Rows that wait for being encoded and their encoders, beyond the first chunk of them.
-constexpr std::size_t kBatchBytes = std::size_t{32} << 20;
 
 std::uint32_t rows_per_chunk(const RecordLayout& layout, std::uint32_t chunk_points) {
   return static_cast<std::uint32_t>(rows_at_a_time(layout.record_length, chunk_points, kChunkBytes));
@@ -31,7 +29,7 @@ struct Slot {
 class LazWriter final : public PointWriter {
  public:
   LazWriter(const std::filesystem::path& path, const CloudSpec& spec, const LazOptions& options)
-      : LazWriter(path, plan_las(spec), options) {}
+      : LazWriter(path, plan_las(spec), options, spec.waiting_bytes) {}
 
   std::size_t record_length() const override { return layout().record_length; }
 
@@ -51,15 +49,17 @@ class LazWriter final : public PointWriter {
   }
 
  private:
-  LazWriter(const std::filesystem::path& path, LasPlan plan, const LazOptions& options)
-      : LazWriter(path, plan, compression_of(plan, rows_per_chunk(plan.layout, options.chunk_points))) {}
+  LazWriter(const std::filesystem::path& path, LasPlan plan, const LazOptions& options, std::uint64_t waiting_bytes)
+      : LazWriter(path, plan, compression_of(plan, rows_per_chunk(plan.layout, options.chunk_points)), waiting_bytes) {}
 
-  LazWriter(const std::filesystem::path& path, const LasPlan& plan, const laz::Compression& compression)
+  LazWriter(const std::filesystem::path& path, const LasPlan& plan, const laz::Compression& compression,
+            std::uint64_t waiting_bytes)
       : output_(path, plan, compression),
         chunk_bytes_(std::size_t{compression.chunk_size} * plan.layout.record_length) {
-    const std::size_t each = chunk_bytes_ + laz::encoder_bytes(compression.layout);
-    const auto slots = std::clamp<std::size_t>(kBatchBytes / each, 1, 2 * static_cast<std::size_t>(thread_count()));
-    for (std::size_t i = 0; i < slots; ++i) slots_.emplace_back(compression.layout);
+    const std::uint64_t each = 2 * chunk_bytes_ + laz::encoder_bytes(compression.layout);  // rows, and what they become
+    const auto slots =
+        std::clamp<std::uint64_t>(waiting_bytes / each, 1, 2 * static_cast<std::uint64_t>(thread_count()));
+    for (std::uint64_t i = 0; i < slots; ++i) slots_.emplace_back(compression.layout);
   }
 
   const RecordLayout& layout() const { return output_.plan().layout; }

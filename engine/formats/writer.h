@@ -18,6 +18,9 @@ struct CloudSpec {
   CloudInfo like;                    // header fields, VLRs, CRS and layout of the rows as given to write()
   std::vector<ExtraField> appended;  // ours: behind the input's extra bytes; offsets are filled in by the writer
   std::string software;              // "generating software" of LAS
+  // Most that rows may take while they wait to be compressed together; never less than one chunk. No result depends on
+  // it.
+  std::uint64_t waiting_bytes = std::uint64_t{256} << 20;
 };
 
 class PointWriter {

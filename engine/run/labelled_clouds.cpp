@@ -126,7 +126,8 @@ class Labeller {
 
   // Returns the number of rows of which something is said.
   std::uint64_t write(const fs::path& path) const {
-    const CloudSpec spec = labelled_spec(input_, params_);
+    CloudSpec spec = labelled_spec(input_, params_);
+    spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
     if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
     return copy(*create_cloud(path, spec));
   }
@@ -203,7 +204,7 @@ class Labeller {
     std::uint64_t longest = 0;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) longest = std::max(longest, bounds[i + 1] - bounds[i]);
     const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + kLabelsOfRow;
-    const std::uint64_t room = affordable(context_.budget_bytes) / (longest * row + kCodersOfStretch);
+    const std::uint64_t room = affordable(context_.budget_bytes) / 2 / (longest * row + kCodersOfStretch);
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(room, 1, 2 * static_cast<std::uint64_t>(thread_count())));
   }
 

@@ -41,6 +41,16 @@ class Memory(RunTest):
     def test_peak_stays_within_the_budget(self):
         self.assertLessEqual(self.peak(1000000), 96 << 20)
 
+    def test_threads_share_the_budget(self):
+        """Sixteen threads and their pools of memory have no more than one has, and find the same."""
+        path, hashes = self.district(1000000), set()
+        for memory, threads in (("96M", 16), ("96M", 1), ("2G", 2)):
+            _, told = self.work(path, "--memory", memory, "--threads", threads, timeout=300)
+            hashes.add(told["result_hash"])
+            if memory == "96M":
+                self.assertLessEqual(told["peak_rss_bytes"], 96 << 20, f"{threads} threads")
+        self.assertEqual(len(hashes), 1)
+
 
 class Matrix(RunTest):
     """A sample of tests/full/memory_matrix.py."""
