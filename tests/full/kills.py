@@ -23,7 +23,7 @@ class Kills(Resume):
         self.check("roofs", 30000)
 
     def test_streets(self):
-        self.check("streets", 30000)
+        self.check("streets", 300000, "street")
 
     def test_facades(self):
         self.check("facades", 60000, "facade-restoration")
