@@ -60,6 +60,7 @@ class LazWriter final : public PointWriter {
     const auto slots =
         std::clamp<std::uint64_t>(waiting_bytes / each, 1, 2 * static_cast<std::uint64_t>(thread_count()));
     for (std::uint64_t i = 0; i < slots; ++i) slots_.emplace_back(compression.layout);
+    pending_.reserve(chunk_bytes_ * slots_.size());  // growing would take it twice
   }
 
   const RecordLayout& layout() const { return output_.plan().layout; }

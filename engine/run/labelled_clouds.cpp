@@ -21,8 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kStretch = 50000;    // rows labelled at a time, where chunks do not say, at most
-constexpr std::uint64_t kLabelBytes = 64;  // of what the products say of a row, at most
+constexpr std::size_t kStretch = 50000;  // rows labelled at a time, where chunks do not say, at most
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
@@ -157,16 +156,6 @@ class Labeller {
         [&](const std::vector<std::byte>& rows) { output.write(rows); });
     output.finish();
     return labelled;
-  }
-
-  // As many as the threads have work with and the budget has room for: rows, ours, and what is prepared of both.
-  std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
-    if (!input_.random_access()) return 1;
-    std::uint64_t most_rows = 1;
-    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) most_rows = std::max(most_rows, bounds[i + 1] - bounds[i]);
-    const std::uint64_t row_bytes = 2 * (input_.info().layout.record_length + appended_length) + kLabelBytes;
-    return std::clamp<std::size_t>(context_.budget_bytes / 2 / (most_rows * row_bytes), 1,  // the writer needs some
-                                   2 * static_cast<std::size_t>(thread_count()));
   }
 
   // Reads, labels and prepares the stretches between bounds in parallel, a few at a time, and puts what was prepared in
