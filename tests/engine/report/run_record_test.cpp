@@ -19,7 +19,7 @@ RunRecord example() {
   r.settings.planes.epsilon = 0.02;
   r.products = {"planes"};
   r.threads = 2;
-  r.inputs = {{"a.las", "las", "EPSG:2154", 90, 4000, "points/a.laz"}};
+  r.inputs = {{"a.las", "las", "EPSG:2154", 90, 4000, "points/a.laz", ""}};
   r.stages = {{"index", 2, 3, 100}, {"planes", 0, 0, 0}};
   r.peak_rss_bytes = 1 << 20;
   r.blocks = 4;
