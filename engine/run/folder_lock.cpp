@@ -68,7 +68,8 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& otherwise) : f
   try {
     constexpr int kTries = 1000;  // one is lost for each run that ends at that very moment
     for (int i = 0; !try_open(); ++i)
-      if (i == kTries) throw Error(folder.string() + ": cannot be created; does something else remove it?");
+      if (i == kTries)
+        throw Error(folder.string() + ": cannot be created: something removes it again; give another place");
     const Taken taken = take(file_);
     if (taken == Taken::by_another)
       throw Error(folder.string() + ": " + holder(file_) + "; wait until it ends or stop it, " + otherwise,

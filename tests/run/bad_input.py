@@ -56,7 +56,7 @@ class BadInput(RunTest):
         write("none.las", small_las(self.folder / "x.las", []).read_bytes())
         (self.folder / "x.las").unlink()
         return {"empty.las": ["empty"], "text.las": ["not a LAS"], "header.las": ["header"],
-                "zero.las": ["scale of x", "131", "positive"], "nan-scale.las": ["scale of y"],
+                "zero.las": ["scale of x", "131", "1e-12"], "nan-scale.las": ["scale of y"],
                 "record.las": ["record length", "105"], "none.las": ["no points"]}
 
     def test_files_that_cannot_be_read(self):
@@ -178,16 +178,19 @@ class BadInput(RunTest):
             self.assertEqual(inner.read_bytes(), before)
 
     def test_overwrite(self):
+        """What the earlier run wrote is replaced; what somebody put beside it stays."""
         out, first = self.work(self.good)
-        (out / "points" / "stray.laz").write_text("of an earlier run")
-        (out / "shapes.csv").write_text("of an earlier run")
-        for folder in ("density", "facades", "roofs", "streets"):
-            (out / folder).mkdir()
-            (out / folder / "stray").write_text("of an earlier run")
+        (out / "shapes.csv").write_text("somebody's own")
+        others = ["density", "facades", "roofs", "streets"]
+        for folder in ["points", *others]:
+            (out / folder).mkdir(exist_ok=True)
+            (out / folder / "stray").write_text("somebody's own")
         _, second = self.work(self.good, "--overwrite", out=out)
         self.assertEqual(first["result_hash"], second["result_hash"])
-        self.assertEqual(sorted(p.name for p in out.iterdir()),
-                         ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
+        ours = ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"]
+        self.assertEqual(sorted(p.name for p in out.iterdir()), sorted(ours + others + ["shapes.csv"]))
+        for folder in ["points", *others]:
+            self.assertEqual((out / folder / "stray").read_text(), "somebody's own")
 
     def test_disk_full_at_any_size(self):
         """A limit on file sizes stands for the full disk: every write may be the one that fails."""

@@ -15,11 +15,15 @@ WAYS = [
 ]
 
 
+COLUMN_HEADER = 16  # bytes
+
+
 def contacts(out):
     """How often planes of neighbouring cells touch: what the join decides from."""
     sums = collections.Counter()
     for path in (out / ".store" / "blocks").glob("*.contacts"):
-        for a, b, count in struct.iter_unpack("<III", path.read_bytes()):
+        values = path.read_bytes()[COLUMN_HEADER:]
+        for a, b, count in struct.iter_unpack("<III", values):
             sums[a, b] += count
     return sums
 

@@ -56,6 +56,7 @@ struct StoreOptions {
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;
   std::size_t files = 1;  // the points are dealt out to them in consecutive parts
+  bool keep_strays = false;
 };
 
 // A store of these points in a folder of its own.
@@ -74,6 +75,7 @@ class CloudStore {
     params.unit = kUnit;
     params.block_points = options.block_points;
     params.run_points = options.run_points;
+    params.keep_strays = options.keep_strays;
     store_ = std::make_unique<Store>(build_index(inputs_, params, folder_.path() / "store", {}).store);
   }
   const Store& store() const { return *store_; }

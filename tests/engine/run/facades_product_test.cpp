@@ -104,7 +104,8 @@ FacadesOutcome run_wall(const std::vector<Index3>& points, double heading, bool 
   text << std::ifstream(options.output / "run.json").rdbuf();
   out.record = json::parse(text.str());
   out.points = labelled_points(options.output / "points" / "wall.laz", heading);
-  for (const auto& file : std::filesystem::directory_iterator(options.output / "facades")) {
+  std::error_code none;  // without a facade there is no folder of them
+  for (const auto& file : std::filesystem::directory_iterator(options.output / "facades", none)) {
     out.files.insert(file.path().filename());
     if (file.path().filename() == "facade-001.svg") {
       std::stringstream svg;

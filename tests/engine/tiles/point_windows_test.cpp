@@ -41,7 +41,7 @@ TEST(PointWindows, AStrayPointIsOneWindow) {
   const test::CloudStore alone(points);
   const std::size_t windows = windows_with_points(alone.store(), {}, 100).size();
   points.push_back({-2000000000, -2000000000, 0});
-  const test::CloudStore cloud(points);
+  const test::CloudStore cloud(points, {.keep_strays = true});
   EXPECT_EQ(windows_with_points(cloud.store(), {}, 100).size(), windows + 1);
 }
 
