@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "engine/error.h"
 #include "kernels/core/rng.h"
@@ -83,6 +84,18 @@ std::uint64_t load_id(const std::byte* p, std::uint16_t size) {
   }
 }
 
+// Scanners fill anything from 8 to 16 bits, and mirrors and signs outshine all else.
+double white_intensity(const std::vector<std::uint64_t>& counts) {
+  constexpr double kShare = 0.98;
+  const auto all = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+  std::uint64_t below = 0;
+  for (std::size_t value = 0; value < counts.size(); ++value) {
+    below += counts[value];
+    if (static_cast<double>(below) >= kShare * all) return std::max(1.0, static_cast<double>(value));
+  }
+  return 1;
+}
+
 Colouring by_field(const std::string& name, const RecordLayout& layout) {
   std::string known = "class, height, intensity";
   if (rgb_offset(layout.point_format)) known += ", rgb";
@@ -108,6 +121,7 @@ void note_colour(std::span<const std::byte> record, const RecordLayout& layout, 
   const auto rgb = rgb_offset(layout.point_format);
   for (std::size_t c = 0; rgb && c < 3; ++c)
     range.brightest = std::max(range.brightest, load<std::uint16_t>(&record[*rgb + 2 * c]));
+  ++range.intensities[decode_fields(record, layout.point_format).intensity];
 }
 
 Colouring colouring(const std::string& by, const RecordLayout& layout, const ColourRange& range) {
@@ -115,8 +129,9 @@ Colouring colouring(const std::string& by, const RecordLayout& layout, const Col
   if (by == "class" || by == "classification")
     return [format](auto record) { return colour_of_class(decode_fields(record, format).classification); };
   if (by == "intensity")
-    return [format](auto record) {
-      const auto grey = static_cast<std::uint8_t>(decode_fields(record, format).intensity >> 8);
+    return [format, white = white_intensity(range.intensities)](auto record) {
+      const double share = std::min(1.0, decode_fields(record, format).intensity / white);
+      const auto grey = static_cast<std::uint8_t>(225 * share + 0.5);  // the background is white
       return Rgb{grey, grey, grey};
     };
   if (by == "height")

@@ -4,6 +4,7 @@
 #include <functional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/cloud/record.h"
 #include "tools/render/image.h"
@@ -17,13 +18,15 @@ using Colouring = std::function<Rgb(std::span<const std::byte>)>;
 struct ColourRange {
   double low = 0, high = 0;     // heights in world units that "height" spreads its colours over
   std::uint16_t brightest = 0;  // largest channel of all colours: up to 255 they have 8 bits, else 16
+  std::vector<std::uint64_t> intensities = std::vector<std::uint64_t>(65536);  // by value: how many points have it
 };
 
-// Takes the record's colour into the range; clouds without colours leave it as it is.
+// Takes the record's colour and intensity into the range.
 void note_colour(std::span<const std::byte> record, const RecordLayout& layout, ColourRange& range);
 
-// by: "class" (or "classification"), "height", "intensity", "rgb", or the name of an extra-byte field of
-// integers, whose values get colours far apart (0 = dark grey). Throws Error (usage) when the cloud has no such field.
+// by: "class" (or "classification"), "height", "intensity" (lightest = what 98 % of the points do not exceed), "rgb",
+// or the name of an extra-byte field of integers, whose values get colours far apart (0 = dark grey). Throws Error
+// (usage) when the cloud has no such field.
 Colouring colouring(const std::string& by, const RecordLayout& layout, const ColourRange& range);
 
 }  // namespace ilot::render
