@@ -24,6 +24,8 @@ CLOUD_FORMATS = re.compile(r"\b(las|laz|copc|e57|ply|pcd|ptx|LAS|LAZ|COPC|E57|PL
 DRAWING_FORMATS = re.compile(r"\b(dxf|DXF|CityJSON|GDAL|gdal\w*|ogr\w*|OGR\w*)\b")
 TALKING = re.compile(r"<iostream>|\bstd::(cout|cerr|clog|printf|exit)\b|\b(printf|puts|abort|exit|_exit)\s*\(")
 INTRINSICS = re.compile(r"#\s*include\s*<(\w*intrin|arm_neon|arm_sve)\.h>|\b_mm\d*_\w+\(")
+TYPE = re.compile(r"^(?:template[^\n]*\n)?(?:struct|class|enum class) (\w+)\b[^;{]*\{", re.M)
+NAMESPACE = re.compile(r"^namespace ([\w:]+) \{", re.M)
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^>"]+)[>"]', re.M)
 
 
@@ -94,6 +96,21 @@ def cycle_in(graph):
     return None
 
 
+def names_taken_twice(files):
+    """Types of one name in two headers: the linker joins their functions, and one of the two runs the other's."""
+    headers = {}
+    for name, text in sorted(files.items()):
+        if not name.endswith(".h") or name.split("/")[0] not in ("kernels", "engine"):
+            continue
+        code = strip_comments(text)
+        space = NAMESPACE.search(code)
+        for type_name in set(TYPE.findall(code)):
+            headers.setdefault((space.group(1) if space else "", type_name), []).append(name)
+    for (_, type_name), where in sorted(headers.items()):
+        if len(where) > 1:
+            yield f"{where[1]}: defines {type_name}, as {where[0]} does"
+
+
 def check(files):
     """files: name -> text. Returns the list of faults, one line each."""
     faults = []
@@ -103,7 +120,7 @@ def check(files):
     cycle = cycle_in(graph)
     if cycle:
         faults.append("cycle: " + " -> ".join(cycle))
-    return faults
+    return faults + list(names_taken_twice(files))
 
 
 def self_test():
@@ -121,6 +138,8 @@ def self_test():
         "engine/run/j.h": '#include "engine/run/i.h"\n',
         "engine/run/k.cpp": "#include <gdal.h>\n",
         "engine/cloud/l.cpp": '#include "tools/ilot/console.h"\n',
+        "engine/model/m.h": "namespace ilot {\nstruct Twice {\n};\n}\n",
+        "engine/store/n.h": "namespace ilot {\nclass Twice final {\n};\n}\n",
     }
     faults = "\n".join(check(bad))
     for name in bad:

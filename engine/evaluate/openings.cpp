@@ -43,7 +43,7 @@ bool boxes_meet(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b
 }
 
 void compare(const TrueOpening& truth, std::size_t number, const std::vector<const FacadeElement*>& found,
-             const OpeningParams& params, std::vector<Pair>& pairs) {
+             const OpeningMatching& params, std::vector<Pair>& pairs) {
   Vec3 normal;
   const std::optional<FlatFrame> frame = frame_of_ring(truth.ring, normal);
   if (!frame) return;
@@ -64,7 +64,7 @@ void compare(const TrueOpening& truth, std::size_t number, const std::vector<con
 }  // namespace
 
 OpeningResult judge_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
-                             const OpeningParams& params) {
+                             const OpeningMatching& params) {
   std::vector<const FacadeElement*> found;
   for (const Facade& facade : facades)
     for (const FacadeElement& e : facade.elements)

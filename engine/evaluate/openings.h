@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-struct OpeningParams {
+struct OpeningMatching {
   double least_iou = 0.5;  // of partners, inclusive
   double depth_m = 0.5;    // openings farther than this from the true one's plane are elsewhere
   double metres_per_unit = 1;
@@ -26,6 +26,6 @@ struct OpeningResult {
 // the true one; pairs are matched one to one in the order of their intersection over union (ties: the earlier true one,
 // then the earlier found one). O(t f) box tests.
 OpeningResult judge_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
-                             const OpeningParams& params = {});
+                             const OpeningMatching& params = {});
 
 }  // namespace ilot

@@ -12,7 +12,7 @@ constexpr std::uint64_t kGrain = 1u << 16;  // rows between two boundaries
 constexpr std::size_t kSample = 1000;
 
 // Rows read at a time, as they are in the file and as numbers.
-std::size_t batch_of(const BinaryBody& body, const std::vector<Column>& columns) {
+std::size_t batch_of(const BinaryBody& body, const std::vector<TableColumn>& columns) {
   return rows_at_a_time(std::max<std::size_t>(1, body.stride + columns.size() * sizeof(double)), 1024);
 }
 
@@ -49,7 +49,7 @@ double value_at(const std::byte* p, FieldType type, bool big_endian) {
 }
 
 // Values of `count` rows from `first` on; fewer when the source ends.
-std::vector<double> read_values(const BinaryBody& body, const std::vector<Column>& columns, std::uint64_t first,
+std::vector<double> read_values(const BinaryBody& body, const std::vector<TableColumn>& columns, std::uint64_t first,
                                 std::size_t count) {
   std::vector<std::byte> raw(count * body.stride);
   const std::size_t rows = body.read_at(body.offset + first * body.stride, raw) / body.stride;
@@ -61,13 +61,13 @@ std::vector<double> read_values(const BinaryBody& body, const std::vector<Column
   return values;
 }
 
-std::vector<double> leading_rows(const BinaryBody& body, const std::vector<Column>& columns) {
+std::vector<double> leading_rows(const BinaryBody& body, const std::vector<TableColumn>& columns) {
   return read_values(body, columns, 0,
                      std::min({kSample, batch_of(body, columns), static_cast<std::size_t>(body.rows)}));
 }
 
 // Rows from all over the file: the leading ones may be rays without an echo.
-std::vector<double> spread_rows(const BinaryBody& body, const std::vector<Column>& columns) {
+std::vector<double> spread_rows(const BinaryBody& body, const std::vector<TableColumn>& columns) {
   constexpr std::uint64_t kPlaces = 32, kRows = 32;
   std::vector<double> values;
   if (body.rows <= kSample) return values;
@@ -82,7 +82,7 @@ std::vector<double> spread_rows(const BinaryBody& body, const std::vector<Column
 
 class BinaryTable final : public PointReader {
  public:
-  BinaryTable(CloudInfo info, std::vector<Column> columns, BinaryBody body)
+  BinaryTable(CloudInfo info, std::vector<TableColumn> columns, BinaryBody body)
       : info_(std::move(info)),
         columns_(std::move(columns)),
         body_(std::move(body)),
@@ -123,14 +123,14 @@ class BinaryTable final : public PointReader {
 
  private:
   CloudInfo info_;
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   BinaryBody body_;
   TablePlan plan_;
 };
 
 }  // namespace
 
-std::unique_ptr<PointReader> open_binary_table(CloudInfo info, std::vector<Column> columns, BinaryBody body) {
+std::unique_ptr<PointReader> open_binary_table(CloudInfo info, std::vector<TableColumn> columns, BinaryBody body) {
   return std::make_unique<BinaryTable>(std::move(info), std::move(columns), std::move(body));
 }
 

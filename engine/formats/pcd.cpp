@@ -118,8 +118,8 @@ std::uint64_t declared_points(const InputFile& file, const Header& header) {
 }
 
 // Columns of the groups, and their places in a row. Padding fields are named "_".
-std::vector<Column> columns_of(const std::vector<Group>& groups, BinaryBody& body) {
-  std::vector<Column> columns;
+std::vector<TableColumn> columns_of(const std::vector<Group>& groups, BinaryBody& body) {
+  std::vector<TableColumn> columns;
   for (const Group& group : groups) {
     for (std::size_t i = 0; i < group.count; ++i) {
       const std::string name = group.count == 1 ? group.name : group.name + "_" + std::to_string(i);
@@ -157,7 +157,7 @@ std::vector<std::byte> expand_rows(const InputFile& file, const Header& header, 
 std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info, const Header& header,
                                          const std::vector<Group>& groups) {
   BinaryBody body;
-  std::vector<Column> columns = columns_of(groups, body);
+  std::vector<TableColumn> columns = columns_of(groups, body);
   if (header.data[0] == "binary") {
     body.offset = header.offset;
     body.rows = std::min(info.declared_points, (file->size() - header.offset) / body.stride);
@@ -179,7 +179,7 @@ std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudI
 
 std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info, const Header& header,
                                         const std::vector<Group>& groups) {
-  std::vector<Column> columns;
+  std::vector<TableColumn> columns;
   for (const Group& group : groups)
     for (std::size_t i = 0; i < group.count; ++i)
       columns.push_back({group.count == 1 ? group.name : group.name + "_" + std::to_string(i), group.type});

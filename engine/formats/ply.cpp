@@ -183,8 +183,8 @@ std::size_t vertex_index(const InputFile& file, const Header& header) {
   throw Error(file.path().string() + ": the PLY header declares no element vertex");
 }
 
-std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info, std::vector<Column> columns,
-                                        const Header& header, std::size_t vertex) {
+std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info,
+                                        std::vector<TableColumn> columns, const Header& header, std::size_t vertex) {
   LineReader lines(*file, header.data);
   TextBody body;
   body.first_line = header.lines + 1;
@@ -196,8 +196,8 @@ std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudIn
   return open_text_table(std::move(file), std::move(info), std::move(columns), std::move(body));
 }
 
-std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info, std::vector<Column> columns,
-                                         const Header& header, std::size_t vertex) {
+std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info,
+                                         std::vector<TableColumn> columns, const Header& header, std::size_t vertex) {
   Walker walker(*file, header.data, header.coding == Coding::big);
   for (std::size_t i = 0; i < vertex; ++i) walker.skip(header.elements[i]);
   BinaryBody body;
@@ -207,7 +207,7 @@ std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudI
   body.rows = std::min(info.declared_points, (file->size() - body.offset) / body.stride);
   body.big_endian = header.coding == Coding::big;
   std::size_t place = 0;
-  for (const Column& column : columns) {
+  for (const TableColumn& column : columns) {
     body.places.push_back(place);
     place += type_size(column.type);
   }
@@ -221,7 +221,7 @@ std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudI
 std::unique_ptr<PointReader> open_ply(std::unique_ptr<InputFile> file) {
   const Header header = read_header(*file);
   const std::size_t vertex = vertex_index(*file, header);
-  std::vector<Column> columns;
+  std::vector<TableColumn> columns;
   for (const Property& property : header.elements[vertex].properties) columns.push_back({property.name, property.type});
   CloudInfo info;
   info.path = file->path();

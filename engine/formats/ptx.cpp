@@ -275,7 +275,7 @@ class PtxReader final : public PointReader {
       content_.intensity = content_.intensity || (content && content->intensity);
       content_.colour = content_.colour || (content && content->colour);
     }
-    std::vector<Column> columns{
+    std::vector<TableColumn> columns{
         {"x", FieldType::f64}, {"y", FieldType::f64}, {"z", FieldType::f64}, {"point source id", FieldType::u16}};
     if (content_.intensity) columns.push_back({"intensity", FieldType::u16});
     if (content_.colour)

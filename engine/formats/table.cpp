@@ -198,7 +198,7 @@ void set_field(PointFields& f, int role, double value) {
 }
 
 // The lattice of two samples. How many decimals binary numbers mean nobody knows.
-TableLattice lattice_of(std::span<const Column> columns, std::span<const double> sample,
+TableLattice lattice_of(std::span<const TableColumn> columns, std::span<const double> sample,
                         std::span<const double> spread) {
   const auto [x, y, z] = coordinate_columns(columns);
   LatticeSurvey survey;
@@ -210,7 +210,7 @@ TableLattice lattice_of(std::span<const Column> columns, std::span<const double>
 
 }  // namespace
 
-std::array<std::size_t, 3> coordinate_columns(std::span<const Column> columns) {
+std::array<std::size_t, 3> coordinate_columns(std::span<const TableColumn> columns) {
   std::array<std::size_t, 3> found{columns.size(), columns.size(), columns.size()};
   for (std::size_t i = columns.size(); i-- > 0;) {
     const int role = role_of(columns[i].name);
@@ -219,16 +219,17 @@ std::array<std::size_t, 3> coordinate_columns(std::span<const Column> columns) {
   return found;
 }
 
-bool has_coordinates(std::span<const Column> columns) {
+bool has_coordinates(std::span<const TableColumn> columns) {
   return std::ranges::all_of(coordinate_columns(columns), [&](std::size_t i) { return i < columns.size(); });
 }
 
-TablePlan::TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample,
-                     std::span<const double> spread, const std::optional<TableLattice>& lattice) {
+TablePlan::TablePlan(const std::filesystem::path& path, std::span<const TableColumn> columns,
+                     std::span<const double> sample, std::span<const double> spread,
+                     const std::optional<TableLattice>& lattice) {
   if (!has_coordinates(columns)) throw Error(path.string() + ": has no columns x, y and z; name them in its header");
   if (columns.size() > kMostColumns) throw Error(path.string() + ": has more than 1000 columns");
   bool taken[kPackedRgb + 1] = {};
-  for (const Column& column : columns) {
+  for (const TableColumn& column : columns) {
     Target target;
     target.role = role_of(column.name);
     if (taken[target.role]) target.role = kExtra;
@@ -257,7 +258,7 @@ void TablePlan::choose_format() {
   layout_.record_length = static_cast<std::uint16_t>(standard_size(layout_.point_format));
 }
 
-void TablePlan::add_extra(const std::filesystem::path& path, const Column& column, Target& target) {
+void TablePlan::add_extra(const std::filesystem::path& path, const TableColumn& column, Target& target) {
   ExtraField field;
   field.name = column.name.substr(0, 32);
   field.type = column.type;
@@ -269,7 +270,7 @@ void TablePlan::add_extra(const std::filesystem::path& path, const Column& colum
   layout_.extra.push_back(std::move(field));
 }
 
-void TablePlan::choose_factors(std::span<const Column> columns, std::span<const double> sample) {
+void TablePlan::choose_factors(std::span<const TableColumn> columns, std::span<const double> sample) {
   double most_colour = 0, most_intensity = 0;
   bool colour_fraction = false, intensity_fraction = false;
   for (std::size_t i = 0; i < sample.size(); ++i) {

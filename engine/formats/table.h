@@ -21,16 +21,16 @@
 namespace ilot {
 
 // A column as the file has it. Values travel as double: integers above 2^53 lose their last bits.
-struct Column {
+struct TableColumn {
   std::string name;
   FieldType type = FieldType::f64;  // f64 also for text, where the values decide the range of colours
 };
 
 // Which columns are x, y and z; columns.size() for one that is missing.
-std::array<std::size_t, 3> coordinate_columns(std::span<const Column> columns);
+std::array<std::size_t, 3> coordinate_columns(std::span<const TableColumn> columns);
 
 // True when the names contain x, y and z (or easting, northing, elevation), whatever their case.
-bool has_coordinates(std::span<const Column> columns);
+bool has_coordinates(std::span<const TableColumn> columns);
 
 // How values become rows: point format 6, 7 with colours, 8 with colours and near infrared; scale and offset as
 // LatticeSurvey chooses them. Colours of 8 bits are multiplied by 257, colours and intensities that are fractions up to
@@ -40,7 +40,7 @@ class TablePlan {
   // `sample`: leading rows, columns.size() values each; `spread`: others from all over the file, which the lattice must
   // suit too. Throws Error naming the file when x, y or z is missing or the record would exceed 65,535 bytes.
   // `lattice`: of all rows, where somebody looked at them; else that of the two samples.
-  TablePlan(const std::filesystem::path& path, std::span<const Column> columns, std::span<const double> sample,
+  TablePlan(const std::filesystem::path& path, std::span<const TableColumn> columns, std::span<const double> sample,
             std::span<const double> spread = {}, const std::optional<TableLattice>& lattice = std::nullopt);
 
   const RecordLayout& layout() const { return layout_; }
@@ -56,9 +56,9 @@ class TablePlan {
     double factor = 1;
     std::size_t extra = 0;  // index in layout_.extra
   };
-  void add_extra(const std::filesystem::path& path, const Column& column, Target& target);
+  void add_extra(const std::filesystem::path& path, const TableColumn& column, Target& target);
   void choose_format();
-  void choose_factors(std::span<const Column> columns, std::span<const double> sample);
+  void choose_factors(std::span<const TableColumn> columns, std::span<const double> sample);
 
   std::vector<Target> targets_;
   RecordLayout layout_;
@@ -80,7 +80,7 @@ struct BinaryBody {
   bool big_endian = false;
   std::function<std::size_t(std::uint64_t offset, std::span<std::byte> out)> read_at;  // thread-safe
 };
-std::unique_ptr<PointReader> open_binary_table(CloudInfo info, std::vector<Column> columns, BinaryBody body);
+std::unique_ptr<PointReader> open_binary_table(CloudInfo info, std::vector<TableColumn> columns, BinaryBody body);
 
 // Lines of numbers. Opening reads the file once, for the lattice and for warnings; then rows are read front to back by
 // one thread. Lines that are not as many numbers of the dialect as there are columns are rejected rows: one warning
@@ -95,6 +95,6 @@ struct TextBody {
   bool degrees = false;                            // what x and y are
 };
 std::unique_ptr<PointReader> open_text_table(std::unique_ptr<InputFile> file, CloudInfo info,
-                                             std::vector<Column> columns, TextBody body);
+                                             std::vector<TableColumn> columns, TextBody body);
 
 }  // namespace ilot

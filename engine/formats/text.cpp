@@ -19,8 +19,8 @@ constexpr std::size_t kBeginning = 1000;  // rows from which the dialect is foun
 
 // What stands before the points.
 struct Preamble {
-  std::vector<Column> columns;  // empty: not named
-  std::uint64_t declared = 0;   // 0: no line with the count
+  std::vector<TableColumn> columns;  // empty: not named
+  std::uint64_t declared = 0;        // 0: no line with the count
   std::uint64_t offset = 0, first_line = 1;
   bool ended = false;  // there are no points
 };
@@ -30,8 +30,8 @@ std::string_view without_comment_mark(std::string_view line) {
   return begin == std::string_view::npos ? std::string_view{} : line.substr(begin);
 }
 
-std::vector<Column> named_columns(const std::vector<std::string_view>& fields) {
-  std::vector<Column> columns;
+std::vector<TableColumn> named_columns(const std::vector<std::string_view>& fields) {
+  std::vector<TableColumn> columns;
   for (const std::string_view field : fields) columns.push_back({std::string(field), FieldType::f64});
   return columns;
 }
@@ -68,7 +68,7 @@ Preamble read_preamble(const InputFile& file) {
     const bool numbers = looks_like_numbers(text);
     if (numbers && text.data() == line.data() + line.find_first_not_of(" \t")) return preamble;
     if (numbers) continue;
-    std::vector<Column> columns = named_columns(fields);
+    std::vector<TableColumn> columns = named_columns(fields);
     if (has_coordinates(columns))
       preamble.columns = std::move(columns);
     else if (text.size() == line.size())
@@ -103,7 +103,7 @@ std::vector<double> first_values(std::span<const std::string> rows, const FoundD
 }
 
 // A header that names fewer columns than there are leaves the others without a name.
-std::vector<Column> completed(std::vector<Column> columns, std::size_t count, const std::string& path) {
+std::vector<TableColumn> completed(std::vector<TableColumn> columns, std::size_t count, const std::string& path) {
   if (columns.size() > count)
     throw Error(path + ": its header names " + std::to_string(columns.size()) + " columns, but its rows have " +
                 std::to_string(count) + " numbers; mend the header or remove it");
@@ -111,7 +111,7 @@ std::vector<Column> completed(std::vector<Column> columns, std::size_t count, co
   return columns;
 }
 
-std::vector<Column> guessed_columns(const std::vector<double>& first) {
+std::vector<TableColumn> guessed_columns(const std::vector<double>& first) {
   const bool normals = first.size() >= 6 &&
                        std::all_of(first.begin() + 3, first.begin() + 6, [](double v) { return std::abs(v) <= 1; }) &&
                        std::any_of(first.begin() + 3, first.begin() + 6, [](double v) { return v != std::round(v); });
@@ -121,7 +121,7 @@ std::vector<Column> guessed_columns(const std::vector<double>& first) {
   if (first.size() == 6 && !normals) names.insert(names.end(), {"red", "green", "blue"});
   if (first.size() == 7) names.insert(names.end(), {"intensity", "red", "green", "blue"});
   while (names.size() < first.size()) names.push_back("column" + std::to_string(names.size() + 1));
-  std::vector<Column> columns;
+  std::vector<TableColumn> columns;
   for (const std::string& name : names) columns.push_back({name, FieldType::f64});
   return columns;
 }

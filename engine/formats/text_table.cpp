@@ -31,7 +31,7 @@ std::optional<std::uint64_t> lone_count(std::string_view line) {
 
 class TextTable final : public PointReader {
  public:
-  TextTable(std::unique_ptr<InputFile> file, CloudInfo info, std::vector<Column> columns, TextBody body)
+  TextTable(std::unique_ptr<InputFile> file, CloudInfo info, std::vector<TableColumn> columns, TextBody body)
       : file_(std::move(file)),
         info_(std::move(info)),
         columns_(std::move(columns)),
@@ -155,7 +155,7 @@ class TextTable final : public PointReader {
 
   std::unique_ptr<InputFile> file_;
   CloudInfo info_;
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   TextBody body_;
   std::vector<double> values_;
   std::vector<std::string_view> fields_;
@@ -167,7 +167,7 @@ class TextTable final : public PointReader {
 }  // namespace
 
 std::unique_ptr<PointReader> open_text_table(std::unique_ptr<InputFile> file, CloudInfo info,
-                                             std::vector<Column> columns, TextBody body) {
+                                             std::vector<TableColumn> columns, TextBody body) {
   return std::make_unique<TextTable>(std::move(file), std::move(info), std::move(columns), std::move(body));
 }
 

@@ -63,7 +63,7 @@ class RowValues {
   // wanted.
   template <class Stored, class ToStored>
   void gather(const Column<Stored>& column, Stored none, const PassContext& context, const ToStored& stored) const {
-    constexpr std::uint64_t kBytesPerPoint = 40;
+    constexpr std::uint64_t kBytesPerPoint = 52;
     std::vector<PassTask> tasks;
     for (const Block& b : store_.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
     run_pass(tasks, context.budget_bytes, [&](std::size_t i) {

@@ -99,14 +99,66 @@ std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_
   return points;
 }
 
-bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
-  for (const IntPoint& u : a) {
-    for (const IntPoint& v : b) {
-      const std::int64_t dx = std::int64_t{u.x} - v.x, dy = std::int64_t{u.y} - v.y, dz = std::int64_t{u.z} - v.z;
-      if (dx * dx + dy * dy + dz * dz <= radius2) return true;
-    }
+struct IntBox {
+  IntPoint min, max;
+};
+
+IntBox box_of(std::span<const IntPoint> points) {
+  IntBox b{points.front(), points.front()};
+  for (const IntPoint& p : points) {
+    b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y), std::min(b.min.z, p.z)};
+    b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y), std::max(b.max.z, p.z)};
   }
+  return b;
+}
+
+constexpr std::int64_t squared(std::int64_t v) {
+  return v * v;
+}
+
+// Squared distances between boxes: of their nearest and of their farthest points.
+std::int64_t least_distance2(const IntBox& a, const IntBox& b) {
+  const auto gap = [](std::int64_t a0, std::int64_t a1, std::int64_t b0, std::int64_t b1) {
+    return std::max({std::int64_t{0}, b0 - a1, a0 - b1});
+  };
+  return squared(gap(a.min.x, a.max.x, b.min.x, b.max.x)) + squared(gap(a.min.y, a.max.y, b.min.y, b.max.y)) +
+         squared(gap(a.min.z, a.max.z, b.min.z, b.max.z));
+}
+
+std::int64_t most_distance2(const IntBox& a, const IntBox& b) {
+  const auto span = [](std::int64_t a0, std::int64_t a1, std::int64_t b0, std::int64_t b1) {
+    return std::max(a1, b1) - std::min(a0, b0);
+  };
+  return squared(span(a.min.x, a.max.x, b.min.x, b.max.x)) + squared(span(a.min.y, a.max.y, b.min.y, b.max.y)) +
+         squared(span(a.min.z, a.max.z, b.min.z, b.max.z));
+}
+
+bool any_pair_within(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
+  for (const IntPoint& u : a)
+    for (const IntPoint& v : b)
+      if (squared(std::int64_t{u.x} - v.x) + squared(std::int64_t{u.y} - v.y) + squared(std::int64_t{u.z} - v.z) <=
+          radius2)
+        return true;
   return false;
+}
+
+// The larger set is halved while its box and the other's leave the answer open. Sets in Morton order, as those of the
+// store are, have compact halves; without it two dense bins just out of reach cost the product of their points.
+bool within_reach(std::span<const IntPoint> a, const IntBox& box_a, std::span<const IntPoint> b, const IntBox& box_b,
+                  std::int64_t radius2) {
+  constexpr std::size_t kFewPairs = 256;
+  if (least_distance2(box_a, box_b) > radius2) return false;
+  if (most_distance2(box_a, box_b) <= radius2) return true;
+  if (a.size() * b.size() <= kFewPairs) return any_pair_within(a, b, radius2);
+  if (a.size() < b.size()) return within_reach(b, box_b, a, box_a, radius2);
+  const auto low = a.first(a.size() / 2), high = a.subspan(a.size() / 2);
+  return within_reach(low, box_of(low), b, box_b, radius2) || within_reach(high, box_of(high), b, box_b, radius2);
+}
+
+bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std::int64_t radius2) {
+  constexpr std::size_t kFewPairs = 1024;  // fewer cost less than their boxes
+  if (a.size() * b.size() <= kFewPairs) return any_pair_within(a, b, radius2);
+  return within_reach(a, box_of(a), b, box_of(b), radius2);
 }
 
 constexpr int kMostAway = 2;  // cells between points in reach of each other, along any axis

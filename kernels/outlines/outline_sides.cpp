@@ -89,9 +89,9 @@ std::vector<std::size_t> break_points(const Loop& ring, double tolerance) {
 
 // Total least squares over the vertices of an edge; its ends belong to corners and count only where there is little
 // else.
-Side fit_side(const Loop& ring, std::size_t first, std::size_t last) {
+OutlineSide fit_side(const Loop& ring, std::size_t first, std::size_t last) {
   const std::size_t n = ring.size();
-  Side side;
+  OutlineSide side;
   side.from = flat(ring[first % n]);
   side.to = flat(ring[last % n]);
   side.length = length(side.to - side.from);
@@ -126,12 +126,12 @@ FlatPoint fourfold(FlatPoint direction) {
 
 // The direction that most of the length of sides without a family agrees on, as its fourfold; false when fewer than
 // `least` sides do.
-bool main_direction(const std::vector<std::vector<Side>>& rings, double least_length, int least,
+bool main_direction(const std::vector<std::vector<OutlineSide>>& rings, double least_length, int least,
                     FlatPoint& fourfold_of) {
   const double agreeing = cos_degrees(4 * kAgreeing);
   std::vector<std::pair<FlatPoint, double>> voters;
   for (const auto& sides : rings)
-    for (const Side& s : sides)
+    for (const OutlineSide& s : sides)
       if (s.family < 0 && s.length >= least_length) voters.emplace_back(fourfold(s.direction), s.length * s.length);
   double best = 0;
   for (const auto& [candidate, unused] : voters) {
@@ -152,12 +152,12 @@ bool main_direction(const std::vector<std::vector<Side>>& rings, double least_le
 }
 
 // Turns the sides to the direction or square to it, where that moves their ends by no more than the tolerance.
-void turn_sides(std::vector<std::vector<Side>>& rings, FlatPoint direction, int family, double tolerance) {
+void turn_sides(std::vector<std::vector<OutlineSide>>& rings, FlatPoint direction, int family, double tolerance) {
   const double most_turn = cos_degrees(kMostTurn);
   const FlatPoint axes[4]{
       direction, {-direction.y, direction.x}, {-direction.x, -direction.y}, {direction.y, -direction.x}};
   for (auto& sides : rings) {
-    for (Side& s : sides) {
+    for (OutlineSide& s : sides) {
       if (s.family >= 0) continue;
       for (const FlatPoint axis : axes) {
         if (dot(axis, s.direction) < most_turn) continue;
@@ -170,7 +170,7 @@ void turn_sides(std::vector<std::vector<Side>>& rings, FlatPoint direction, int 
   }
 }
 
-void square_up(std::vector<std::vector<Side>>& rings, double tolerance) {
+void square_up(std::vector<std::vector<OutlineSide>>& rings, double tolerance) {
   for (int family = 0; family < kMostDirections; ++family) {
     FlatPoint q;
     if (!main_direction(rings, family == 0 ? 0 : kLongEnough * tolerance, family == 0 ? 1 : 2, q)) return;
@@ -179,12 +179,12 @@ void square_up(std::vector<std::vector<Side>>& rings, double tolerance) {
 }
 
 // Short edges that only cut the corner of their neighbours.
-void take_out_cuts(std::vector<Side>& sides, double tolerance) {
+void take_out_cuts(std::vector<OutlineSide>& sides, double tolerance) {
   while (sides.size() > 3) {
     const std::size_t n = sides.size();
     std::size_t cut = n;
     for (std::size_t i = 0; i < n; ++i) {
-      const Side &before = sides[(i + n - 1) % n], &after = sides[(i + 1) % n];
+      const OutlineSide &before = sides[(i + n - 1) % n], &after = sides[(i + 1) % n];
       const double limit = kShortCut * tolerance;
       if (sides[i].length > limit || before.length < sides[i].length || after.length < sides[i].length) continue;
       FlatPoint corner;
@@ -199,8 +199,8 @@ void take_out_cuts(std::vector<Side>& sides, double tolerance) {
   }
 }
 
-Side merged(const Side& a, const Side& b) {
-  Side side = a.length >= b.length ? a : b;
+OutlineSide merged(const OutlineSide& a, const OutlineSide& b) {
+  OutlineSide side = a.length >= b.length ? a : b;
   const double whole = a.length + b.length;
   side.centre = (a.length / whole) * a.centre + (b.length / whole) * b.centre;
   side.length = whole;
@@ -214,10 +214,10 @@ Side merged(const Side& a, const Side& b) {
 }
 
 // Sides that go on along each other become one.
-void join_sides(std::vector<Side>& sides, double tolerance) {
+void join_sides(std::vector<OutlineSide>& sides, double tolerance) {
   for (std::size_t i = 0; i < sides.size() && sides.size() > 3;) {
     const std::size_t next = (i + 1) % sides.size();
-    const Side &a = sides[i], &b = sides[next];
+    const OutlineSide &a = sides[i], &b = sides[next];
     const bool goes_on = parallel(a, b) && dot(a.direction, b.direction) > 0 &&
                          std::abs(cross(a.direction, b.centre - a.centre)) <= tolerance;
     if (!goes_on) {
@@ -234,7 +234,7 @@ void join_sides(std::vector<Side>& sides, double tolerance) {
 }  // namespace
 
 // Where two lines meet; false when they are too nearly parallel.
-bool meet(const Side& a, const Side& b, FlatPoint& at) {
+bool meet(const OutlineSide& a, const OutlineSide& b, FlatPoint& at) {
   static const double kLeast = std::sqrt(1 - cos_degrees(kSharpest) * cos_degrees(kSharpest));
   const double sine = cross(a.direction, b.direction);
   if (std::abs(sine) < kLeast) return false;
@@ -242,12 +242,12 @@ bool meet(const Side& a, const Side& b, FlatPoint& at) {
   return true;
 }
 
-bool parallel(const Side& a, const Side& b) {
+bool parallel(const OutlineSide& a, const OutlineSide& b) {
   return a.family >= 0 && a.family == b.family && std::abs(cross(a.direction, b.direction)) < 0.5;
 }
 
-std::vector<std::vector<Side>> sides_of(std::span<const Loop> rings, double tolerance) {
-  std::vector<std::vector<Side>> all;
+std::vector<std::vector<OutlineSide>> sides_of(std::span<const Loop> rings, double tolerance) {
+  std::vector<std::vector<OutlineSide>> all;
   for (const Loop& ring : rings) {
     auto& sides = all.emplace_back();
     const std::vector<std::size_t> breaks = break_points(ring, tolerance);

@@ -10,7 +10,7 @@
 namespace ilot {
 
 // A line that an edge of the outline lies on, in the sense of the ring: the inside is on its left.
-struct Side {
+struct OutlineSide {
   FlatPoint centre, direction;
   double length = 0;
   double scatter2 = -1;  // mean squared distance of its boundary points from it; -1 = too few to tell
@@ -20,12 +20,12 @@ struct Side {
 
 // Per ring its sides, split within the tolerance, fitted, turned to the main directions of all rings, without cuts
 // across corners, joined where they go on along each other. Rings and tolerance in lattice units near the origin.
-std::vector<std::vector<Side>> sides_of(std::span<const std::vector<Point2>> rings, double tolerance);
+std::vector<std::vector<OutlineSide>> sides_of(std::span<const std::vector<Point2>> rings, double tolerance);
 
 // Where two lines meet; false when they are too nearly parallel.
-bool meet(const Side& a, const Side& b, FlatPoint& at);
+bool meet(const OutlineSide& a, const OutlineSide& b, FlatPoint& at);
 
 // Of one main direction, and not square to each other.
-bool parallel(const Side& a, const Side& b);
+bool parallel(const OutlineSide& a, const OutlineSide& b);
 
 }  // namespace ilot

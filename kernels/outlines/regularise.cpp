@@ -15,12 +15,13 @@ using Loop = std::vector<Point2>;
 
 constexpr double kFarCorner = 4;  // tolerances; a corner farther from where the edges part is not one
 
-FlatPoint foot(const Side& s, FlatPoint p) {
+FlatPoint foot(const OutlineSide& s, FlatPoint p) {
   return s.centre + dot(p - s.centre, s.direction) * s.direction;
 }
 
 // The corners between a side and the next one: one where their lines meet, else two where both leave the boundary.
-void add_corners(const Side& a, const Side& b, double tolerance, double outwards, std::vector<FlatPoint>& corners) {
+void add_corners(const OutlineSide& a, const OutlineSide& b, double tolerance, double outwards,
+                 std::vector<FlatPoint>& corners) {
   const FlatPoint part = 0.5 * (a.to + b.from);
   FlatPoint at;
   if (!parallel(a, b) && meet(a, b, at) &&
@@ -37,9 +38,9 @@ double beyond_points(double scatter2, double most) {
 }
 
 // The scatter of sides that have too few points of their own: that of all others.
-double common_scatter2(const std::vector<Side>& sides) {
+double common_scatter2(const std::vector<OutlineSide>& sides) {
   double sum = 0, whole = 0;
-  for (const Side& s : sides) {
+  for (const OutlineSide& s : sides) {
     if (s.scatter2 < 0) continue;
     sum += s.length * s.scatter2;
     whole += s.length;
@@ -47,9 +48,9 @@ double common_scatter2(const std::vector<Side>& sides) {
   return whole > 0 ? sum / whole : HUGE_VAL;
 }
 
-Loop ring_of(std::vector<Side> sides, double tolerance, double outwards) {
+Loop ring_of(std::vector<OutlineSide> sides, double tolerance, double outwards) {
   const double common = common_scatter2(sides);
-  for (Side& s : sides) {
+  for (OutlineSide& s : sides) {
     const double out = beyond_points(s.scatter2 < 0 ? common : s.scatter2, outwards);
     s.centre = s.centre + out * FlatPoint{s.direction.y, -s.direction.x};
   }
@@ -95,7 +96,7 @@ std::vector<Loop> thinned(std::span<const Loop> rings, double tolerance) {
 }
 
 // Holes that shrink to nothing when edges move out are left out.
-std::vector<Loop> outline_of(const std::vector<std::vector<Side>>& sides, double tolerance, double outwards) {
+std::vector<Loop> outline_of(const std::vector<std::vector<OutlineSide>>& sides, double tolerance, double outwards) {
   std::vector<Loop> result;
   for (std::size_t i = 0; i < sides.size(); ++i) {
     Loop ring = ring_of(sides[i], tolerance, outwards);

@@ -20,7 +20,7 @@ class Rows {
  public:
   explicit Rows(const std::vector<Scan>& scans);
 
-  const std::vector<Column>& columns() const { return columns_; }
+  const std::vector<TableColumn>& columns() const { return columns_; }
 
   // The values of point i of a batch, columns().size() of them; those that the scan does not have are zero. `number`
   // of the scan counts from 1. False when the point is in an invalid state. Never throws.
@@ -29,7 +29,7 @@ class Rows {
  private:
   void add(const char* name, FieldType type, Use use, bool wanted);
 
-  std::vector<Column> columns_;
+  std::vector<TableColumn> columns_;
   std::vector<Use> uses_;  // of each column behind x, y, z and the number of the scan
 };
 

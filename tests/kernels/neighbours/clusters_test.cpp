@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <numeric>
+#include <vector>
 
 #include "tests/support/point_sets.h"
 
@@ -41,6 +42,25 @@ TEST(EuclideanClusters, RadiusIsClosed) {
   EXPECT_EQ(euclidean_clusters(set.view(), all, 6).count, 1u);
   EXPECT_EQ(euclidean_clusters(set.view(), all, 4).count, 3u);
   EXPECT_EQ(euclidean_clusters(set.view(), {}, 4).count, 0u);
+}
+
+// Two crowded bins, of which one pair of points at most is in reach.
+TEST(EuclideanClusters, CrowdedBinsOneUnitOutOfReach) {
+  constexpr std::int64_t kRadius = 900;
+  for (const std::uint32_t gap : {900u, 901u}) {
+    std::vector<Cell3> points{{101, 500, 100}, {101 + gap, 500, 100}};
+    for (std::uint32_t i = 0; i < 400; ++i) {
+      const std::uint32_t y = i % 20 * 10, z = i / 20 * 10;
+      points.push_back({i * 37 % 101, y, z});
+      points.push_back({102 + gap + i * 53 % 101, y, z});
+    }
+    const auto set = test::make_set("crowded", points);
+    std::vector<std::uint32_t> all(points.size());
+    std::iota(all.begin(), all.end(), 0u);
+    const Clusters got = euclidean_clusters(set.view(), all, kRadius);
+    EXPECT_EQ(got.count, gap == 900 ? 1u : 2u);
+    EXPECT_EQ(got.id, brute_clusters(set.view(), all, kRadius).id);
+  }
 }
 
 TEST(EuclideanClusters, EqualsBruteForce) {
