@@ -3,24 +3,35 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <utility>
+
 #include "engine/deliverables/gpkg_file.h"
 
 namespace ilot {
 namespace {
 
-OGRMultiPolygon geometry_of(const Outline& outline) {
-  OGRMultiPolygon all;
-  all.set3D(true);
-  for (const Outline::Part& part : outline.parts) {
-    OGRPolygon polygon;
-    polygon.set3D(true);
-    for (const Outline::Ring& ring : part) {
-      OGRLinearRing closed;
-      for (const Vec3& p : ring) closed.addPoint(p.x, p.y, p.z);
-      closed.closeRings();
-      polygon.addRing(&closed);
-    }
-    all.addGeometry(&polygon);
+std::unique_ptr<OGRLinearRing> closed_ring(Outline::Ring ring) {
+  auto closed = std::make_unique<OGRLinearRing>();
+  const int n = static_cast<int>(ring.size());
+  closed->set3D(true);
+  closed->setNumPoints(n + 1, FALSE);
+  for (int i = 0; i <= n; ++i) {
+    const Vec3& p = ring[static_cast<std::size_t>(i % n)];
+    closed->setPoint(i, p.x, p.y, p.z);
+  }
+  return closed;
+}
+
+// Ring by ring is handed over and given up: the ground of a large area has millions of corners.
+std::unique_ptr<OGRMultiPolygon> geometry_of(Outline outline) {
+  auto all = std::make_unique<OGRMultiPolygon>();
+  all->set3D(true);
+  for (Outline::Part& part : outline.parts) {
+    auto polygon = std::make_unique<OGRPolygon>();
+    polygon->set3D(true);
+    for (Outline::Ring& ring : part) polygon->addRingDirectly(closed_ring(std::move(ring)).release());
+    all->addGeometryDirectly(polygon.release());
   }
   return all;
 }
@@ -49,7 +60,7 @@ PlanesGpkg::PlanesGpkg(const std::filesystem::path& path, const Crs& crs)
 
 PlanesGpkg::~PlanesGpkg() = default;
 
-void PlanesGpkg::add(const Segment& s, const Outline& outline) {
+void PlanesGpkg::add(const Segment& s, Outline outline) {
   OGRFeature feature(layer_->planes.GetLayerDefn());
   feature.SetField("plane_id", static_cast<GIntBig>(s.id));
   feature.SetField("content_id", fmt::format("{:016x}", s.content_id).c_str());
@@ -67,8 +78,7 @@ void PlanesGpkg::add(const Segment& s, const Outline& outline) {
   feature.SetField("confidence", s.confidence);
   feature.SetField("colour_class", static_cast<int>(s.colour_class));
   feature.SetField("neighbours", static_cast<GIntBig>(s.neighbours));
-  OGRMultiPolygon geometry = geometry_of(outline);
-  feature.SetGeometry(&geometry);
+  feature.SetGeometryDirectly(geometry_of(std::move(outline)).release());
   layer_->file.add(layer_->planes, feature);
 }
 

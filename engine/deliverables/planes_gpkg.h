@@ -16,7 +16,7 @@ class PlanesGpkg {
  public:
   PlanesGpkg(const std::filesystem::path& path, const Crs& crs);
   ~PlanesGpkg();
-  void add(const Segment& segment, const Outline& outline);
+  void add(const Segment& segment, Outline outline);
   void finish();
 
  private:

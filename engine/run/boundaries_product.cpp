@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <string>
+#include <utility>
 
 #include "engine/deliverables/density_files.h"
 #include "engine/deliverables/planes_gpkg.h"
@@ -78,12 +79,12 @@ void make_boundaries(const Store& store, PlanesResult& planes, const Settings& s
   params.erosion = s.erosion;
   std::filesystem::create_directories(folder);
   PlanesGpkg file(folder / "planes.gpkg", inputs.crs);
-  boundaries_pass(store, params, context, [&](const Outline& outline) {
+  boundaries_pass(store, params, context, [&](Outline outline) {
     Segment& segment = planes.segments[outline.plane_id - 1];
     segment.area_m2 = area_of(outline) * context.metres_per_unit * context.metres_per_unit;
-    file.add(segment, outline);
     planes.outlines.add(outline, segment.area_m2);
     if (const auto asked = mapped.find(outline.plane_id); asked != mapped.end()) asked->second = outline;
+    file.add(segment, std::move(outline));
   });
   file.finish();
   make_density_maps(store, planes, mapped, all_scanners, context, folder);

@@ -9,6 +9,7 @@
 #include "engine/evaluate/facade_proof.h"
 #include "engine/evaluate/facade_sight.h"
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 
 namespace ilot {
 namespace {
@@ -115,6 +116,7 @@ void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std
                    std::vector<FoundFacade>& found, const PassContext& context) {
   count_points(work, walls, found, context);
   if (work.stations.empty()) return;
+  trim_memory();
   const LineOfSight sight = LineOfSight::past([&](const std::function<void(const SectionFace&)>& visit) {
     for_each_obstacle(found, outlines, work.metres_per_unit, visit);
   });

@@ -2,8 +2,6 @@
 #include "engine/run/facades_product.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
-
 #include <algorithm>
 #include <cmath>
 
@@ -14,6 +12,7 @@
 #include "engine/facades/wall_groups.h"
 #include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 #include "engine/run/facade_gathering.h"
 #include "engine/run/facade_labels.h"
 #include "engine/run/facade_proofs.h"
@@ -243,7 +242,7 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
   reach_tops(found, walls, context.metres_per_unit);
   prove_facades(work, walls, planes.outlines.outlines(), found, context);
-  malloc_trim(0);  // of the lines of sight; --memory counts what the allocator would keep
+  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
   write_facade_labels(work, walls, found, context);
   if (!found.empty())
     write_facades(found, walls, work, files_params(settings, inputs, colours_of_points(store, inputs, context)), folder,

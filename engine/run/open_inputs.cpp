@@ -6,8 +6,8 @@
 
 #include "engine/error.h"
 #include "engine/formats/crs.h"
-#include "engine/run/input_crs.h"
 #include "engine/pass/pass.h"
+#include "engine/run/input_crs.h"
 #include "engine/run/read_stations.h"
 #include "engine/run/row_stations.h"
 

@@ -16,6 +16,7 @@
 #include "engine/run/result_swap.h"
 #include "engine/run/run_request.h"
 #include "engine/store/flushed.h"
+#include "engine/store/scratch_file.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
 
@@ -54,9 +55,12 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const char* name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
-                           "rejected", "corner", "lattice", "flushed"})
+  for (const std::string name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
+                                 "rejected", "corner", "lattice", "flushed"}) {
     fs::remove_all(store / name);
+    remove_starting_with(store, name + ".");  // what a write that was cut short left
+  }
+  remove_starting_with(store, kScratchFile);
   remove_starting_with(store, kManifest);
 }
 

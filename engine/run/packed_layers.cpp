@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/run/packed_layers.h"
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <cassert>
 #include <span>
 #include <utility>
+#include "engine/pass/resident.h"
 
 namespace ilot {
 namespace {
@@ -40,12 +39,12 @@ PackedLayers::~PackedLayers() {
   layers_.clear();
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
-  malloc_trim(0);  // rows are small blocks that the allocator would keep, and --memory counts them
+  trim_memory();  // rows are small blocks that the allocator would keep, and --memory counts them
 }
 
 std::shared_ptr<ScratchFile> PackedLayers::file_of(const std::string& layer) {
   auto& file = layers_[layer].file;
-  if (file == nullptr) file = std::make_shared<ScratchFile>(folder_ / layer);
+  if (file == nullptr) file = std::make_shared<ScratchFile>(folder_);
   return file;
 }
 

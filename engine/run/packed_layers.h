@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/run/packed_image.h"
-#include "engine/tiles/scratch_file.h"
+#include "engine/store/scratch_file.h"
 
 namespace ilot {
 

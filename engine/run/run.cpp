@@ -38,7 +38,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostCorners = 1 << 20;         // of outlines that lines of sight are held against: 150 MB
+constexpr std::size_t kMostCorners = 1 << 19;         // of outlines that lines of sight are held against: 40 MB
 constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
 
 double now() {
@@ -322,8 +322,17 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   return 0;
 }
 
+// --memory was too little for one of the steps that docs/limits.md lists: whoever gave it learns what is enough.
+void warn_of_peak(Progress& progress, RunRecord& record) {
+  if (record.peak_rss_bytes <= record.memory_bytes) return;
+  const auto mebibytes = [](std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; };
+  record.warnings.push_back("the peak of memory was " + mebibytes(record.peak_rss_bytes) + ", above --memory (" +
+                            mebibytes(record.memory_bytes) + "); docs/limits.md names the steps that can do this");
+  progress.warn(record.warnings.back());
+}
+
 // Fills in what is known when all products are made.
-void complete_record(const RunOptions& options, const Progress& progress, double start, RunRecord& record) {
+void complete_record(const RunOptions& options, Progress& progress, double start, RunRecord& record) {
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   if (options.strict && !record.skipped.empty()) record.exit = ExitCode::failed;
   record.settings = options.settings;
@@ -333,6 +342,7 @@ void complete_record(const RunOptions& options, const Progress& progress, double
   record.stages = progress.stages();
   record.seconds = now() - start;
   record.peak_rss_bytes = peak_resident_bytes();
+  warn_of_peak(progress, record);
 }
 
 int run_in_arena(const RunOptions& given, Progress& progress) {

@@ -2,13 +2,12 @@
 #include "engine/run/tile_runner.h"
 
 #include <fmt/format.h>
-#include <malloc.h>
-
 #include <algorithm>
 #include <vector>
 
 #include "engine/error.h"
 #include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
 #include "engine/report/resources.h"
 #include "kernels/core/parallel.h"
 
@@ -36,12 +35,12 @@ std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) c
   const auto want = static_cast<std::int64_t>(wanted);
   std::int64_t free = free_bytes();
   if (free < want) {
-    malloc_trim(0);  // what lies freed between packed rows goes back to the system, which --memory counts
+    trim_memory();  // what lies freed between packed rows goes back to the system, which --memory counts
     free = free_bytes();
   }
   if (free < want && memory_ > 0) {
     layers_.spill(static_cast<std::uint64_t>(want - free));
-    malloc_trim(0);
+    trim_memory();
     free = free_bytes();
   }
   if (free >= static_cast<std::int64_t>(least)) return static_cast<std::uint64_t>(std::min(free, want));
@@ -66,7 +65,7 @@ void TileRunner::run(std::span<const std::uint64_t> bytes, const std::function<v
     const std::uint64_t largest = *std::max_element(round.begin(), round.end());
     run_pass(tasks, make_room(largest, largest * threads), [&](std::size_t i) { body(first + i); });
   }
-  malloc_trim(0);
+  trim_memory();
 }
 
 }  // namespace ilot

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <mutex>
 #include <tuple>
+#include <utility>
 
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
@@ -17,7 +18,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerEdge = 56;  // while a plane's rings are assembled and thinned
+constexpr std::uint64_t kBytesPerEdge = 96;  // while a plane's rings are assembled and thinned
 constexpr std::size_t kPlanesTogether = 256;
 constexpr std::size_t kLargeBoundary = 1 << 16;  // points; between its steps freed memory goes back to the system
 
@@ -170,6 +171,10 @@ class Vertices {
  public:
   explicit Vertices(std::uint64_t points) : marked_(points) {}
 
+  void mark(const std::vector<std::uint64_t>& points) {
+    const std::lock_guard lock(mutex_);
+    for (const std::uint64_t point : points) marked_[point] = true;
+  }
   void mark(const std::vector<std::uint32_t>& vertices, const std::vector<std::uint64_t>& points) {
     const std::lock_guard lock(mutex_);
     for (const std::uint32_t v : vertices) marked_[points[v]] = true;
@@ -187,11 +192,14 @@ Outline boundary_of(const Store& store, const BoundaryParams& params, std::uint3
   const std::span<const Point2> places = plane.places;
   const bool large = places.size() >= kLargeBoundary;
   if (large) trim_memory();
+  const bool holes = params.erosion != Erosion::outside;
+  if (holes) marked.mark(std::exchange(plane.points, {}));  // each is on a ring
   Polygons rings = assemble_rings(plane.edges, places);
   std::vector<BoundaryEdge>().swap(plane.edges);
-  if (params.erosion == Erosion::outside) rings = outer_rings(rings, places);
-  marked.mark(rings.vertices, plane.points);
-  std::vector<std::uint64_t>().swap(plane.points);
+  if (!holes) {
+    rings = outer_rings(rings, places);
+    marked.mark(rings.vertices, plane.points);
+  }
   if (large) trim_memory();
   return outline_of(thin_rings(rings, places, params.tolerance * kPlaneSteps), places, params.planes[id - 1], id,
                     store.unit());
@@ -239,7 +247,7 @@ std::vector<std::vector<NeighbourRange>> neighbour_ranges(const Store& store, co
 }
 
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
-                     const std::function<void(const Outline&)>& take) {
+                     const std::function<void(Outline)>& take) {
   const BoundaryWork work = boundary_work(store, params, context);
   edges_of_blocks(store, work, context);
   std::vector<std::vector<RunOfBlock>> runs(params.planes.size() + 1);
@@ -256,7 +264,7 @@ void boundaries_pass(const Store& store, const BoundaryParams& params, const Pas
     run_pass(tasks, budget, [&](std::size_t i) {
       batch[i] = boundary_of(store, params, static_cast<std::uint32_t>(done + i), runs[done + i], is_vertex);
     });
-    for (const Outline& outline : batch) take(outline);
+    for (Outline& outline : batch) take(std::move(outline));
   }
   write_flags(store, work.first, is_vertex, budget);
   flush_pass(store, Pass::boundaries);

@@ -48,6 +48,6 @@ struct BoundaryParams {
 // them. Memory: stretches of at most 2^18 points with what lies around them, one a thread, the edges of some planes at
 // a time, and a bit a point.
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
-                     const std::function<void(const Outline&)>& take);
+                     const std::function<void(Outline)>& take);
 
 }  // namespace ilot

@@ -112,7 +112,7 @@ struct OwnedEdges {
 };
 
 // The edges of triangles whose other side is not among them.
-void add_edges(const Surroundings& around, std::uint32_t plane, const PlaneOrder& order, const Triangulation& t,
+void add_edges(const BoundarySurroundings& around, std::uint32_t plane, const PlaneOrder& order, const Triangulation& t,
                const std::vector<std::uint32_t>& triangles, OwnedEdges& out) {
   std::vector<std::uint32_t> place(t.triangles(), kNoEdge), parent(triangles.size());
   for (std::uint32_t i = 0; i < triangles.size(); ++i) place[triangles[i]] = i;
@@ -137,9 +137,9 @@ void add_edges(const Surroundings& around, std::uint32_t plane, const PlaneOrder
   }
 }
 
-OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const BoundaryWork& work) {
+OwnedEdges owned_edges(const Store& store, const BoundaryStretch& stretch, const BoundaryWork& work) {
   OwnedEdges out;
-  const Surroundings around(store, stretch, work);
+  const BoundarySurroundings around(store, stretch, work);
   around.each_plane([&](const PlanePlaces& p) {
     for (const auto& [left_out, kept] : p.order.duplicates)
       if (around.is_inside(left_out))
@@ -160,7 +160,7 @@ OwnedEdges owned_edges(const Store& store, const Stretch& stretch, const Boundar
 }  // namespace
 
 void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWork& work) {
-  const std::span<const Stretch> all = work.of(block);
+  const std::span<const BoundaryStretch> all = work.of(block);
   std::vector<OwnedEdges> owned(all.size());
   parallel_for(all.size(), [&](std::size_t i) { owned[i] = owned_edges(store, all[i], work); });
   std::vector<SeamEdge> edges;

@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/pass/pass.h"
+#include "engine/units/unit_stretches.h"
 #include "kernels/core/parallel.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/sampling_step.h"
@@ -12,7 +14,9 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 280;  // of a stretch and its surroundings: the triangulation
+// Of a stretch and its surroundings, and of what of these is triangulated: mostly far less than four times the stretch.
+constexpr std::uint64_t kBytesPerPoint = 72, kBytesPerCorner = 208;
+constexpr std::uint64_t kCornersPerPoint = 4;
 
 IndexBox common(const IndexBox& a, const IndexBox& b) {
   return {{std::max(a.min.x, b.min.x), std::max(a.min.y, b.min.y), std::max(a.min.z, b.min.z)},
@@ -24,7 +28,7 @@ struct Cutter {
   std::uint32_t number, most;
   std::span<const std::uint64_t> codes;
   IndexBox box;  // around the points of the block
-  std::vector<Stretch> out;
+  std::vector<BoundaryStretch> out;
 
   void cut(const Node& node, std::uint32_t first, std::uint32_t count) {
     if (count == 0) return;
@@ -43,7 +47,8 @@ struct Cutter {
   }
 };
 
-std::vector<Stretch> cut_block(const Store& store, std::uint32_t block, std::uint32_t most, std::int64_t across) {
+std::vector<BoundaryStretch> cut_block(const Store& store, std::uint32_t block, std::uint32_t most,
+                                       std::int64_t across) {
   const auto codes = store.read(block, columns::kCodes);
   const Block& b = store.blocks()[block];
   Cutter cutter{block, most, codes, b.box.grown(across), {}};
@@ -54,10 +59,10 @@ std::vector<Stretch> cut_block(const Store& store, std::uint32_t block, std::uin
 // Does some stretch hold this place?
 bool is_held(const BoundaryWork& work, Index3 place) {
   const PointKey key = key_of(place);
-  const auto after =
-      std::upper_bound(work.stretches.begin(), work.stretches.end(), key, [](const PointKey& k, const Stretch& s) {
-        return k < PointKey{s.node.tile, s.node.first_code};
-      });
+  const auto after = std::upper_bound(work.stretches.begin(), work.stretches.end(), key,
+                                      [](const PointKey& k, const BoundaryStretch& s) {
+                                        return k < PointKey{s.node.tile, s.node.first_code};
+                                      });
   return after != work.stretches.begin() && std::prev(after)->box.contains(place);
 }
 
@@ -75,7 +80,7 @@ std::int64_t farthest_of(std::span<const NeighbourRange> ranges, std::uint32_t f
 }
 
 // What is looked at for a stretch: all that its triangles' circles reach, and the neighbours of what lies there.
-View plan_surroundings(const Store& store, const Stretch& s, const BoundaryWork& work, IndexBox& box) {
+View plan_surroundings(const Store& store, const BoundaryStretch& s, const BoundaryWork& work, IndexBox& box) {
   const auto& ranges = work.params.ranges;
   const Index3 anchor = store.blocks()[s.block].node.min_corner();
   std::int64_t farthest_own = 1;
@@ -102,7 +107,7 @@ BoundaryWork boundary_work(const Store& store, const BoundaryParams& params, con
   double epsilon = 0;
   for (const JoinedPlane& p : params.planes) epsilon = std::max(epsilon, p.epsilon);
   work.across = static_cast<std::int64_t>(std::ceil(2 * epsilon)) + 2;  // and a unit for rounding
-  std::vector<std::vector<Stretch>> cut(store.blocks().size());
+  std::vector<std::vector<BoundaryStretch>> cut(store.blocks().size());
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * sizeof(std::uint64_t), b.points});
   run_pass(tasks, context.budget_bytes,
@@ -122,33 +127,65 @@ PlaneFrame frame_of_joined(const JoinedPlane& plane) {
 std::uint64_t boundary_bytes(const Store& store, std::uint32_t block, const BoundaryWork& work) {
   std::uint64_t most = 0;
   IndexBox box;
-  const std::span<const Stretch> all = work.of(block);
-  for (const Stretch& s : all) most = std::max<std::uint64_t>(most, plan_surroundings(store, s, work, box).size);
+  const std::span<const BoundaryStretch> all = work.of(block);
+  for (const BoundaryStretch& s : all) {
+    const std::uint64_t around = plan_surroundings(store, s, work, box).size;
+    const std::uint64_t corners = std::min(around, kCornersPerPoint * s.count);
+    most = std::max(most, around * kBytesPerPoint + corners * kBytesPerCorner);
+  }
   const auto together = std::min(all.size(), static_cast<std::size_t>(thread_count()));
-  return together * most * kBytesPerPoint + store.blocks()[block].points * std::uint64_t{8};
+  return together * most + store.blocks()[block].points * std::uint64_t{8};
 }
 
-Surroundings::Surroundings(const Store& store, const Stretch& stretch, const BoundaryWork& work)
-    : work_(work), stretch_(stretch) {
+BoundarySurroundings::BoundarySurroundings(const Store& store, const BoundaryStretch& stretch, const BoundaryWork& work)
+    : work_(work),
+      stretch_(stretch),
+      anchor_(store.blocks()[stretch.block].node.min_corner()),
+      first_own_(work.first[stretch.block] + stretch.first) {
+  find_planes(store);
   IndexBox box;
-  view_ = plan_surroundings(store, stretch, work, box);
-  load_points(store, view_);
-  plane_ = load_column(store, view_, columns::kPlane);
-  for (std::uint32_t i = 0; i < plane_.size(); ++i)
-    plane_[i] = box.contains(view_.position(i)) ? work.params.final_id[plane_[i]] : 0;
-  for (const Slice& s : view_.slices)
-    if (s.block == stretch.block && s.first <= stretch.first && stretch.first < s.first + s.count)
-      own_ = s.at + (stretch.first - s.first);
-  own_end_ = own_ + stretch.count;
+  const View plan = plan_surroundings(store, stretch, work, box);
+  load(store, plan, box);
 }
 
-std::uint64_t Surroundings::number(std::uint32_t i) const {
-  const Slice& s = *std::prev(std::upper_bound(view_.slices.begin(), view_.slices.end(), i,
-                                               [](std::uint32_t at, const Slice& t) { return at < t.at; }));
-  return work_.first[s.block] + s.first + (i - s.at);
+void BoundarySurroundings::find_planes(const Store& store) {
+  const IndexBox near = stretch_.box.grown(work_.across);
+  for_each_stretch_in(store, near, [&](const Stretch& s, std::span<const StretchPoint> inside) {
+    const auto segments = s.read(store, columns::kPlane);
+    for (const StretchPoint& p : inside) {
+      const std::uint32_t plane = work_.params.final_id[segments[p.number]];
+      if (plane != 0 && (planes_.empty() || planes_.back() != plane)) planes_.push_back(plane);
+    }
+  });
+  std::sort(planes_.begin(), planes_.end());
+  planes_.erase(std::unique(planes_.begin(), planes_.end()), planes_.end());
 }
 
-std::vector<std::int32_t> Surroundings::heights(std::uint32_t plane, std::span<const std::uint32_t> points) const {
+void BoundarySurroundings::load(const Store& store, const View& plan, const IndexBox& box) {
+  std::uint32_t last = 0;
+  bool wanted = false;
+  for_each_stretch(store, plan.slices, [&](const Stretch& s) {
+    const auto segments = s.read(store, columns::kPlane);
+    const std::vector<NeighbourRange>& ranges = work_.params.ranges[s.block];
+    std::size_t range = 0;
+    for (std::uint32_t i = 0; i < segments.size(); ++i) {
+      const std::uint32_t plane = work_.params.final_id[segments[i]], point = s.first + i;
+      if (plane == 0) continue;
+      if (plane != last) wanted = std::binary_search(planes_.begin(), planes_.end(), plane);
+      last = plane;
+      if (!wanted) continue;
+      const Index3 p = s.position(i);
+      if (!box.contains(p)) continue;
+      while (point >= ranges[range].first + ranges[range].count) ++range;
+      points_.push_back({work_.first[s.block] + point, static_cast<float>(p.x - anchor_.x),
+                         static_cast<float>(p.y - anchor_.y), static_cast<float>(p.z - anchor_.z), plane,
+                         in_steps(ranges[range].farthest)});
+    }
+  });
+}
+
+std::vector<std::int32_t> BoundarySurroundings::heights(std::uint32_t plane,
+                                                        std::span<const std::uint32_t> points) const {
   const JoinedPlane& joined = work_.params.planes[plane - 1];
   std::vector<std::int32_t> heights;
   for (const std::uint32_t i : points)
@@ -157,47 +194,39 @@ std::vector<std::int32_t> Surroundings::heights(std::uint32_t plane, std::span<c
   return heights;
 }
 
-void Surroundings::each_plane(const std::function<void(const PlanePlaces&)>& use) const {
-  std::vector<std::uint32_t> ids;
-  const IndexBox near = stretch_.box.grown(work_.across);
-  for (std::uint32_t i = 0; i < plane_.size(); ++i)
-    if ((ids.empty() || ids.back() != plane_[i]) && near.contains(view_.position(i))) ids.push_back(plane_[i]);
-  std::sort(ids.begin(), ids.end());
-  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
-  std::vector<std::vector<std::uint32_t>> members(ids.size());
+void BoundarySurroundings::each_plane(const std::function<void(const PlanePlaces&)>& use) const {
+  std::vector<std::vector<std::uint32_t>> members(planes_.size());
   std::uint32_t last = 0;
-  std::vector<std::uint32_t>* of_last = nullptr;  // null: of a plane that is not asked for
-  for (std::uint32_t i = 0; i < plane_.size(); ++i) {
-    if (plane_[i] == 0) continue;
-    if (plane_[i] != last) {
-      last = plane_[i];
-      const auto at = std::lower_bound(ids.begin(), ids.end(), last);
-      of_last = at != ids.end() && *at == last ? &members[static_cast<std::size_t>(at - ids.begin())] : nullptr;
+  std::vector<std::uint32_t>* of_last = nullptr;
+  for (std::uint32_t i = 0; i < points_.size(); ++i) {
+    if (points_[i].plane != last) {
+      last = points_[i].plane;
+      of_last =
+          &members[static_cast<std::size_t>(std::lower_bound(planes_.begin(), planes_.end(), last) - planes_.begin())];
     }
-    if (of_last != nullptr) of_last->push_back(i);
+    of_last->push_back(i);
   }
-  for (std::size_t p = 0; p < ids.size(); ++p)
-    if (ids[p] != 0) use(placed(ids[p], members[p]));
+  for (std::size_t p = 0; p < planes_.size(); ++p)
+    if (!members[p].empty()) use(placed(planes_[p], std::exchange(members[p], {})));
 }
 
 // By where the foot lies; by the point itself where no stretch holds the foot.
-bool Surroundings::is_own(std::uint32_t i, Index3 foot) const {
+bool BoundarySurroundings::is_own(std::uint32_t i, Index3 foot) const {
   if (stretch_.box.contains(foot)) return true;
   return is_inside(i) && !is_held(work_, foot);
 }
 
-PlanePlaces Surroundings::placed(std::uint32_t plane, const std::vector<std::uint32_t>& members) const {
+PlanePlaces BoundarySurroundings::placed(std::uint32_t plane, const std::vector<std::uint32_t>& members) const {
   const JoinedPlane& joined = work_.params.planes[plane - 1];
   const PlaneFrame frame = frame_of_joined(joined);
   std::vector<Point2> places;
   places.reserve(members.size());
   for (const std::uint32_t i : members) places.push_back(project(frame, from_anchor(joined, i)));
-  const std::vector<std::int64_t> farthest = farthest_of_members(members);
   PlanePlaces out{plane, plane_order(places), {}, {}};
   for (std::size_t at = 0; at < out.order.index.size(); ++at) {
     std::uint32_t& i = out.order.index[at];
-    out.farthest.push_back(farthest[i]);
     i = members[i];
+    out.farthest.push_back(points_[i].farthest);
     const Vec3 foot = position(frame, out.order.points[at]);
     const auto whole = [](double v) { return static_cast<std::int64_t>(std::floor(v + 0.5)); };
     out.own.push_back(
@@ -212,28 +241,10 @@ PlanePlaces Surroundings::placed(std::uint32_t plane, const std::vector<std::uin
   return out;
 }
 
-Vec3 Surroundings::from_anchor(const JoinedPlane& joined, std::uint32_t i) const {
-  const Index3 p = view_.position(i);
+Vec3 BoundarySurroundings::from_anchor(const JoinedPlane& joined, std::uint32_t i) const {
+  const Index3 p = position_of(i);
   return {static_cast<double>(p.x - joined.anchor.x), static_cast<double>(p.y - joined.anchor.y),
           static_cast<double>(p.z - joined.anchor.z)};
-}
-
-std::vector<std::int64_t> Surroundings::farthest_of_members(const std::vector<std::uint32_t>& members) const {
-  std::vector<std::int64_t> farthest;
-  farthest.reserve(members.size());
-  std::size_t slice = 0, range = 0;
-  for (const std::uint32_t i : members) {
-    while (i >= view_.slices[slice].at + view_.slices[slice].count) {
-      ++slice;
-      range = 0;
-    }
-    const Slice& s = view_.slices[slice];
-    const std::uint32_t point = s.first + (i - s.at);
-    const auto& ranges = work_.params.ranges[s.block];
-    while (point >= ranges[range].first + ranges[range].count) ++range;
-    farthest.push_back(in_steps(ranges[range].farthest));
-  }
-  return farthest;
 }
 
 }  // namespace ilot

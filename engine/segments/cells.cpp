@@ -140,6 +140,11 @@ std::int64_t margin_of(const Cell& cell) {
   return std::max<std::int64_t>(1, cell.node.edge() >> kMarginShift);
 }
 
+std::uint64_t points_to_load(const Store& store, const Cell& cell) {
+  const View plan = plan_view(store, cell.node.box().grown(margin_of(cell)), cell.node.min_corner());
+  return cell.points + std::min<std::uint64_t>(plan.size - cell.points, kCellPoints + kCellPoints / 64);  // by a hash
+}
+
 CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette) {
   const IndexBox own = cell.node.box(), around = own.grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
@@ -148,7 +153,7 @@ CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& 
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;
   CellPoints cp;
-  reserve(cp, std::min<std::uint64_t>(plan.size, cell.points + 2 * std::uint64_t{kCellPoints}));
+  reserve(cp, points_to_load(store, cell));
   for_each_stretch(store, plan.slices, [&](const Stretch& s) {
     const auto normals = s.read(store, columns::kNormals);
     std::vector<StoredColour> colours;

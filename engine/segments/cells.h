@@ -41,6 +41,10 @@ std::vector<std::vector<CellPiece>> pieces_of_blocks(const Store& store, const s
 // Depth of the margin around a cell that is looked at along with it: 1/16 of its edge, in units.
 std::int64_t margin_of(const Cell& cell);
 
+// About how many points load_cell gives for a cell, at most: its own, and those of the chunks of its margin. More only
+// where more than kCellPoints of the margin coincide.
+std::uint64_t points_to_load(const Store& store, const Cell& cell);
+
 // Points of a cell and of its margin, compact and in global order, as offsets from the cell's corner. A margin of more
 // than kCellPoints points is thinned to about that many by a hash of their codes, so a cell never holds more than twice
 // kCellPoints (unless more coincide). Reads in small batches.

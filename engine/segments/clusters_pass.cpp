@@ -9,6 +9,7 @@
 #include "engine/store/flushed.h"
 #include "engine/store/view.h"
 #include "engine/units/unit_stretches.h"
+#include "kernels/core/parallel.h"
 #include "kernels/core/union_find.h"
 #include "kernels/neighbours/clusters.h"
 
@@ -138,12 +139,9 @@ std::vector<Pair> links_of_block(const Store& store, std::uint32_t block, const 
 }
 
 template <class Body>
-void for_each_block(const Store& store, const PassContext& context, std::uint64_t most_points, const Body& body) {
+void for_each_block(const Store& store, const PassContext& context, const Body& body) {
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) {
-    const std::uint64_t points = std::min<std::uint64_t>(b.points, most_points);
-    tasks.push_back({points * kBytesPerPoint, b.points});
-  }
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) { body(static_cast<std::uint32_t>(i)); });
 }
 
@@ -152,7 +150,7 @@ void for_each_block(const Store& store, const PassContext& context, std::uint64_
 std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams& params, const PassContext& context) {
   const std::size_t blocks = store.blocks().size();
   std::vector<std::vector<CloudCluster>> parts(blocks);
-  for_each_block(store, context, UINT64_MAX, [&](std::uint32_t b) { parts[b] = parts_of_block(store, b, params); });
+  for_each_block(store, context, [&](std::uint32_t b) { parts[b] = parts_of_block(store, b, params); });
   std::vector<std::uint32_t> first(blocks);
   std::uint32_t count = 0;
   for (std::size_t b = 0; b < blocks; ++b) {
@@ -160,8 +158,13 @@ std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams&
     count += static_cast<std::uint32_t>(parts[b].size());
   }
   std::vector<std::vector<Pair>> links(blocks);
-  for_each_block(store, context, kMostLinked,
-                 [&](std::uint32_t b) { links[b] = links_of_block(store, b, params, first); });
+  std::vector<PassTask> tasks(blocks);
+  parallel_for(blocks, [&](std::size_t b) {
+    const std::uint64_t around = plan_view(store, column_around(store.blocks()[b].box, params.radius), {}).size;
+    tasks[b] = {std::min(around, kMostLinked) * kBytesPerPoint, store.blocks()[b].points};
+  });
+  run_pass(tasks, context.budget_bytes,
+           [&](std::size_t b) { links[b] = links_of_block(store, static_cast<std::uint32_t>(b), params, first); });
 
   std::vector<std::uint32_t> parents(count), number(count);
   UnionFind sets(parents);
@@ -180,7 +183,7 @@ std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams&
       }
     }
   }
-  for_each_block(store, context, UINT64_MAX, [&](std::uint32_t b) {
+  for_each_block(store, context, [&](std::uint32_t b) {
     auto column = store.read(b, columns::kClusterPart);
     for (std::uint32_t& c : column) c = c == 0 ? 0 : number[first[b] + c - 1] + 1;
     store.write(b, columns::kCluster, column);

@@ -17,7 +17,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 40;
+constexpr std::uint64_t kBytesPerPoint = 60;
 constexpr int kNearest = 24;
 constexpr std::uint32_t kLeastContacts = 2;
 constexpr double kAgreement = 0.5;  // root mean square of each part from the common plane, in epsilons

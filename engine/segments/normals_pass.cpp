@@ -13,7 +13,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 64;
+constexpr std::uint64_t kBytesPerPoint = 112;    // of the block; twice as many are looked at
+constexpr std::uint64_t kLeastPoints = 1 << 15;  // of small blocks more may lie around
 
 // Points of one block, ascending, that still wait for a halo of this margin.
 struct Waiting {
@@ -79,12 +80,12 @@ std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& 
 // One block's normals: a first halo from the block's own density, wider ones for the points that need them.
 class BlockNormals {
  public:
-  BlockNormals(const Store& store, std::uint32_t block, const NormalsParams& params, std::uint64_t max_points)
+  BlockNormals(const Store& store, std::uint32_t block, const NormalsParams& params)
       : store_(store),
         block_(block),
         params_(params),
         radius_(root(params.max_d2)),
-        max_points_(std::max<std::uint64_t>(max_points, 2 * std::uint64_t{store.blocks()[block].points})),
+        max_points_(2 * std::max<std::uint64_t>(kLeastPoints, store.blocks()[block].points)),
         result_(store.blocks()[block].points) {}
 
   std::vector<PackedNormal> compute() {
@@ -206,11 +207,12 @@ void normals_pass(const Store& store, const NormalsSettings& settings, const Pas
   const auto radius = static_cast<std::int64_t>(std::clamp(units, 1.0, 0x1p22));
   const NormalsParams params{settings.neighbours, radius * radius};
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint * 3 / 2, b.points});
+  for (const Block& b : store.blocks())
+    tasks.push_back({std::max<std::uint64_t>(kLeastPoints, b.points) * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, columns::kNormals)) {
-      const auto result = BlockNormals(store, block, params, context.task_points).compute();
+      const auto result = BlockNormals(store, block, params).compute();
       store.write(block, columns::kNormals, result);
     }
     context.advance(store.blocks()[block].points);

@@ -10,6 +10,7 @@
 #include "engine/segments/cell_shapes.h"
 #include "engine/segments/plane_methods.h"
 #include "engine/store/flushed.h"
+#include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/neighbours/normals.h"
@@ -18,7 +19,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 80;  // beside what the method takes
+constexpr std::uint64_t kBytesPerPoint = 48;  // beside what the method takes
 
 // Result of one cell as it is kept on disk: this header, then the planes, then the labels of the cell's own points.
 struct StoredCell {
@@ -252,9 +253,11 @@ void write_segments(const Store& store, const std::vector<Cell>& cells, const Ce
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context, const ColourPalette& palette) {
   std::filesystem::create_directories(store.folder() / "cells");
-  std::vector<PassTask> tasks;
+  std::vector<PassTask> tasks(cells.size());
   const std::uint64_t bytes = kBytesPerPoint + bytes_per_point(settings.planes.method);
-  for (const Cell& c : cells) tasks.push_back({(c.points + kCellPoints / 4) * bytes, c.points});
+  parallel_for(cells.size(), [&](std::size_t c) {
+    tasks[c] = {points_to_load(store, cells[c]) * bytes, cells[c].points};
+  });
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
     if (!std::filesystem::exists(cell_path(store, cell)))  // written behind the cell's shapes

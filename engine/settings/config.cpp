@@ -218,7 +218,7 @@ std::string parameters_markdown() {
       << "| key | default | range | meaning |\n|---|---|---|---|\n";
   const Settings standard;
   for (const Parameter& p : parameters()) {
-    std::string range = p.kind == ValueKind::boolean ? "true or false" : range_text(p);
+    std::string range = p.kind == ParameterKind::boolean ? "true or false" : range_text(p);
     if (p.optional) range += ", or `auto`";
     out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help << " |\n";
   }

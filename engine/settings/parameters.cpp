@@ -13,9 +13,9 @@ namespace {
 template <class T>
 struct Field {
   static constexpr bool kOptional = false;
-  static constexpr ValueKind kKind = std::is_same_v<T, bool>       ? ValueKind::boolean
-                                     : std::is_floating_point_v<T> ? ValueKind::number
-                                                                   : ValueKind::integer;
+  static constexpr ParameterKind kKind = std::is_same_v<T, bool>       ? ParameterKind::boolean
+                                         : std::is_floating_point_v<T> ? ParameterKind::number
+                                                                       : ParameterKind::integer;
   using Stored = std::conditional_t<std::is_same_v<T, bool>, bool,
                                     std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>>;
   static Value get(const T& field) { return static_cast<Stored>(field); }
@@ -31,7 +31,7 @@ struct Field {
 template <class T>
 struct Field<std::optional<T>> {
   static constexpr bool kOptional = true;
-  static constexpr ValueKind kKind = Field<T>::kKind;
+  static constexpr ParameterKind kKind = Field<T>::kKind;
   static Value get(const std::optional<T>& field) { return field ? Field<T>::get(*field) : Value(Auto{}); }
   static void set(std::optional<T>& field, const Value& value) {
     field.reset();
@@ -42,7 +42,7 @@ struct Field<std::optional<T>> {
 template <>
 struct Field<std::vector<int>> {
   static constexpr bool kOptional = false;
-  static constexpr ValueKind kKind = ValueKind::integers;
+  static constexpr ParameterKind kKind = ParameterKind::integers;
   static Value get(const std::vector<int>& field) { return std::vector<std::int64_t>(field.begin(), field.end()); }
   static void set(std::vector<int>& field, const Value& value) {
     const auto& list = std::get<std::vector<std::int64_t>>(value);
@@ -54,7 +54,7 @@ struct Field<std::vector<int>> {
 template <>
 struct Field<std::vector<double>> {
   static constexpr bool kOptional = false;
-  static constexpr ValueKind kKind = ValueKind::numbers;
+  static constexpr ParameterKind kKind = ParameterKind::numbers;
   static Value get(const std::vector<double>& field) { return field; }
   static void set(std::vector<double>& field, const Value& value) {
     if (const auto* whole = std::get_if<std::vector<std::int64_t>>(&value)) {
@@ -70,7 +70,7 @@ template <class E>
 requires std::is_enum_v<E>
 struct Field<E> {
   static constexpr bool kOptional = false;
-  static constexpr ValueKind kKind = ValueKind::choice;
+  static constexpr ParameterKind kKind = ParameterKind::choice;
   static Value get(E field) { return std::string(names_of(field)[static_cast<std::size_t>(field)]); }
   static void set(E& field, const Value& value) {
     const auto names = names_of(field);
@@ -242,18 +242,18 @@ std::string bound_text(double bound) {
 
 bool fits_kind(const Parameter& p, const Value& value) {
   switch (p.kind) {
-    case ValueKind::boolean:
+    case ParameterKind::boolean:
       return std::holds_alternative<bool>(value);
-    case ValueKind::integer:
+    case ParameterKind::integer:
       return std::holds_alternative<std::int64_t>(value);
-    case ValueKind::number:
+    case ParameterKind::number:
       return std::holds_alternative<double>(value) || std::holds_alternative<std::int64_t>(value);
-    case ValueKind::integers:
+    case ParameterKind::integers:
       return std::holds_alternative<std::vector<std::int64_t>>(value);
-    case ValueKind::numbers:
+    case ParameterKind::numbers:
       return std::holds_alternative<std::vector<double>>(value) ||
              std::holds_alternative<std::vector<std::int64_t>>(value);
-    case ValueKind::choice:
+    case ParameterKind::choice:
       return std::holds_alternative<std::string>(value) &&
              std::find(p.choices.begin(), p.choices.end(), std::get<std::string>(value)) != p.choices.end();
   }
@@ -321,7 +321,7 @@ std::optional<std::string> check_value(const Parameter& p, const Value& value) {
     return p.key + " cannot be \"auto\": it must be " + expected_text(p);
   }
   if (!fits_kind(p, value)) return p.key + " must be " + expected_text(p) + ", not " + to_text(value);
-  if (p.kind != ValueKind::boolean && !in_range(p.range, value)) {
+  if (p.kind != ParameterKind::boolean && !in_range(p.range, value)) {
     return p.key + " = " + to_text(value) + " is out of range: " + range_text(p);
   }
   return std::nullopt;
@@ -331,7 +331,7 @@ std::string expected_text(const Parameter& p) {
   const char* names[] = {"true or false",           "a whole number",    "a number",
                          "a list of whole numbers", "a list of numbers", "one of "};
   std::string text = names[static_cast<int>(p.kind)];
-  if (p.kind == ValueKind::choice) text += range_text(p);
+  if (p.kind == ParameterKind::choice) text += range_text(p);
   if (!p.unit.empty()) text += " (" + p.unit + ")";
   return p.optional ? text + " or \"auto\"" : text;
 }
@@ -353,8 +353,8 @@ std::string to_text(const Value& value) {
 }
 
 std::string range_text(const Parameter& p) {
-  if (p.kind == ValueKind::boolean) return "";
-  if (p.kind == ValueKind::choice) {
+  if (p.kind == ParameterKind::boolean) return "";
+  if (p.kind == ParameterKind::choice) {
     std::string names;
     for (const std::string_view name : p.choices) names += (names.empty() ? "" : ", ") + std::string(name);
     return names;

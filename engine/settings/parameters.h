@@ -23,7 +23,7 @@ struct Auto {
 using Value =
     std::variant<Auto, bool, std::int64_t, double, std::vector<std::int64_t>, std::vector<double>, std::string>;
 
-enum class ValueKind { boolean, integer, number, integers, numbers, choice };
+enum class ParameterKind { boolean, integer, number, integers, numbers, choice };
 
 // Closed. Integers in it are exact up to 2^53.
 struct ValueRange {
@@ -32,7 +32,7 @@ struct ValueRange {
 
 struct Parameter {
   std::string key;  // "planes.epsilon"
-  ValueKind kind;
+  ParameterKind kind;
   bool optional;                              // `auto` is a value
   ValueRange range;                           // of each entry of a list; of no meaning for booleans and choices
   std::span<const std::string_view> choices;  // of a choice

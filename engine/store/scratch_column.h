@@ -12,25 +12,9 @@
 #include <utility>
 #include <vector>
 
+#include "engine/store/scratch_file.h"
+
 namespace ilot {
-
-// A file that has no name. Any number of threads may read at once. Errors name the folder and the fault.
-class ScratchBytes {
- public:
-  ScratchBytes() = default;
-  explicit ScratchBytes(const std::filesystem::path& folder);
-  ~ScratchBytes();
-  ScratchBytes(ScratchBytes&& o) noexcept : folder_(std::move(o.folder_)), file_(std::exchange(o.file_, -1)) {}
-  ScratchBytes& operator=(ScratchBytes&& o) noexcept;
-
-  bool is_open() const { return file_ >= 0; }
-  void write(std::uint64_t offset, std::span<const std::byte> bytes);
-  void read(std::uint64_t offset, std::span<std::byte> bytes) const;
-
- private:
-  std::filesystem::path folder_;
-  int file_ = -1;
-};
 
 // At most `most_in_memory` values are in memory; without a folder all of them are. add() and finish() first, then
 // read() and write() as often as wanted.
@@ -49,7 +33,7 @@ class ScratchColumn {
   // So many values without a meaning yet, of an empty column.
   void resize(std::uint64_t count) {
     if (!folder_.empty() && count > most_)
-      file_ = ScratchBytes(folder_);
+      file_ = ScratchFile(folder_);
     else
       values_.resize(count);
     size_ = file_.is_open() ? count : 0;
@@ -82,7 +66,7 @@ class ScratchColumn {
   static constexpr std::size_t kTail = 1024;  // values that wait for the file
 
   void spill() {
-    if (!file_.is_open()) file_ = ScratchBytes(folder_);
+    if (!file_.is_open()) file_ = ScratchFile(folder_);
     file_.write(size_ * sizeof(T), std::as_bytes(std::span<const T>(values_)));
     size_ += values_.size();
     values_.clear();
@@ -94,7 +78,7 @@ class ScratchColumn {
   std::size_t most_;
   std::vector<T> values_;   // all, or those that are not yet in the file
   std::uint64_t size_ = 0;  // of the file, values
-  ScratchBytes file_;
+  ScratchFile file_;
 };
 
 }  // namespace ilot

@@ -8,14 +8,15 @@
 namespace ilot {
 
 RTCDevice embree_device() {
-  static const RTCDevice shared = rtcNewDevice(nullptr);
+  // Scenes are small and built while nothing else runs. With more threads each takes memory of its own, 5 MB and more.
+  static const RTCDevice shared = rtcNewDevice("threads=1");
   if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
   return shared;
 }
 
 RTCScene embree_scene(std::size_t primitives, void* user, const EmbreeCallbacks& callbacks) {
   const RTCScene scene = rtcNewScene(embree_device());
-  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST | RTC_SCENE_FLAG_COMPACT);
   RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(primitives));
   rtcSetGeometryUserData(geometry, user);

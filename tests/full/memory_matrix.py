@@ -54,12 +54,11 @@ class Run:
             self.said = said.read().strip()
         self.exit = child.returncode
         self.cpu = usage.ru_utime + usage.ru_stime
-        self.seen = self.peak  # as polled, for comparison
-        self.peak = max(self.peak, usage.ru_maxrss * 1024)  # of the process and its children
         record = out / "run.json"
         self.record = json.loads(record.read_text()) if record.exists() else {}
         self.hash = self.record.get("result_hash", f"exit {self.exit}")[:12]
         self.own = self.record.get("peak_rss_bytes", 0)
+        self.peak = max(self.peak, self.own)  # not ru_maxrss, which starts at the size of this process
 
     @staticmethod
     def limit(files):
@@ -70,7 +69,7 @@ class Run:
             resource.setrlimit(resource.RLIMIT_NOFILE, (min(files, hard), hard))
 
     def watch(self, pid, timeout):
-        """VmHWM while it runs: wait4 gives the same number, but for what it does not know of."""
+        """VmHWM while it runs."""
         end = time.monotonic() + timeout
         while True:
             try:

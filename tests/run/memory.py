@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The budget sets the peak, the input does not: ten times the points, the same resident memory."""
 import pathlib
+import random
 import struct
 import subprocess
 import sys
@@ -17,9 +18,10 @@ class Memory(RunTest):
         return told["peak_rss_bytes"]
 
     def test_ten_times_the_points(self):
-        """From 400,000 points on all fixed buffers are full: two batches of four stretches are written."""
+        """From 400,000 points on all fixed buffers are full. Which tasks meet moves the peak by some MiB; three bytes for
+        each further point is less than one of its coordinates takes."""
         small, large = self.peak(500000, "--block-points", "16384"), self.peak(5000000, "--block-points", "16384")
-        self.assertLessEqual(large, 1.1 * small, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
+        self.assertLessEqual(large, small + 3 * 4500000, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
         self.assertLessEqual(large, 96 << 20)
 
     def test_rows_of_60000_bytes(self):
@@ -40,6 +42,18 @@ class Memory(RunTest):
 
     def test_peak_stays_within_the_budget(self):
         self.assertLessEqual(self.peak(1000000), 96 << 20)
+
+    def test_a_peak_above_the_budget_is_said(self):
+        """A plane that is dense in the middle and sparse around it is the known case (docs/limits.md)."""
+        rng = random.Random(1)
+        rows = [(rng.randrange(3000), rng.randrange(3000), rng.randrange(5)) for _ in range(800000)]
+        rows += [(rng.randrange(-120000, 120000), rng.randrange(-120000, 120000), rng.randrange(20)) for _ in range(4000)]
+        path = self.folder / "dense.las"
+        small_las(path, rows)
+        for memory in ("96M", "2G"):
+            _, told = self.work(path, "--memory", memory, "--threads", "2", "--no-clouds", timeout=300)
+            warned = [w for w in told["warnings"] if "the peak of memory was" in w]
+            self.assertEqual(len(warned), 1 if told["peak_rss_bytes"] > told["memory_bytes"] else 0, told["warnings"])
 
     def test_threads_share_the_budget(self):
         """Sixteen threads and their pools of memory have no more than one has, and find the same."""

@@ -163,7 +163,8 @@ class Synthetic(Resume):
         (store / "manifest.json").rename(store / "manifest.json.removed")
         _, told = self.work(path, "--resume", *SLOW, out=out)
         self.assertEqual(told["result_hash"], expected["result_hash"])
-        for name in ("manifest.json.77.tmp", "blocks/x.codes.part", "runs/y.table.part"):
+        for name in ("manifest.json.77.tmp", "index.77.tmp", "flushed.77.tmp", "scratch-aB3xY7", "blocks/x.codes.part",
+                     "runs/y.table.part"):
             (store / name).parent.mkdir(parents=True, exist_ok=True)
             (store / name).write_bytes(b"half")
         (out / ".new" / "points").mkdir(parents=True)

@@ -182,11 +182,11 @@ TEST(SettingsHash, ChangesWithEveryParameter) {
   for (const Parameter& p : parameters()) {
     Settings changed;
     Value value = std::int64_t{static_cast<std::int64_t>(p.range.max)};
-    if (p.kind == ValueKind::boolean) value = p.get(Settings{}) != Value(true);
-    if (p.kind == ValueKind::number) value = p.range.max;
-    if (p.kind == ValueKind::integers) value = std::vector<std::int64_t>{1};
-    if (p.kind == ValueKind::numbers) value = std::vector<double>{p.range.max, 0.5};
-    if (p.kind == ValueKind::choice) value = std::string(p.choices.back());
+    if (p.kind == ParameterKind::boolean) value = p.get(Settings{}) != Value(true);
+    if (p.kind == ParameterKind::number) value = p.range.max;
+    if (p.kind == ParameterKind::integers) value = std::vector<std::int64_t>{1};
+    if (p.kind == ParameterKind::numbers) value = std::vector<double>{p.range.max, 0.5};
+    if (p.kind == ParameterKind::choice) value = std::string(p.choices.back());
     ASSERT_FALSE(check_value(p, value)) << p.key;
     p.set(changed, value);
     EXPECT_EQ(p.get(changed), value) << p.key;
