@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Area opening of 50 pixels of a street's filled range image beside the union-find as published (Meijster, Wilkinson
 // 2002) over std::sort, and as a share of copying. Values must be equal before any timing.
-#include "kernels/rasters/area_opening.h"
+#include "kernels/morphology/area_opening.h"
 
 #include <numeric>
 
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/fill.h"
+#include "kernels/morphology/fill.h"
 
 namespace {
 

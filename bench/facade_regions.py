@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Regions of facades [C9], the bodies of elements [C10] and the meshes of irregularities [C11] beside the truth of a
+"""Regions of facades [Lorraine thesis, 4.1], the bodies of elements [Lorraine thesis, 4.2.1] and the meshes of irregularities [Lorraine thesis, 4.2.2] beside the truth of a
 scanned scene: what `ilot run --products facades` found of each true part, its size against its stated uncertainty, how
 far the meshes lie from the exact surface, whether walls close at corners.
 

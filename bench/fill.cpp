@@ -2,14 +2,14 @@
 // Filling the holes of a street's range image, as it is (one pixel in ten missing) and upside down (objects are holes
 // then), beside a priority flood (Barnes 2014: std::priority_queue, pits in a plain queue) and as a share of copying.
 // Values must be equal before any timing. Tiles of 512 pixels beside the whole.
-#include "kernels/rasters/fill.h"
+#include "kernels/morphology/fill.h"
 
 #include <queue>
 
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/tiled_filling.h"
+#include "kernels/morphology/tiled_filling.h"
 
 namespace {
 

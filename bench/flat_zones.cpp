@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lambda-flat zones of a street's filled range image (1 m, the ground mask) and connected components of its objects,
 // beside the flood from pixel to pixel that one writes first. Labels must be equal before any timing.
-#include "kernels/rasters/flat_zones.h"
+#include "kernels/morphology/flat_zones.h"
 
 #include <cstdlib>
 
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/fill.h"
+#include "kernels/morphology/fill.h"
 
 namespace {
 

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "engine/error.h"
-#include "engine/formats/laz.h"
 #include "engine/formats/laz/chunk_index.h"
+#include "engine/formats/laz/laz.h"
 #include "kernels/core/parallel.h"
 
 namespace {

@@ -2,14 +2,14 @@
 // Reconstruction by dilation, as h-maxima of 10 cm of a street's range image, beside the hybrid of scans and a plain
 // queue as published (Vincent 1993), and a corridor that winds through the image, where scans alone settle nothing.
 // Values must be equal before any timing; as a share of copying.
-#include "kernels/rasters/reconstruct.h"
+#include "kernels/morphology/reconstruct.h"
 
 #include <queue>
 
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/fill.h"
+#include "kernels/morphology/fill.h"
 
 namespace {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marker-driven watershed of the gradient of a street's filled range image, from its maxima above 10 cm, beside one
 // priority queue by level, step and label: the same rule for ties. Labels must be equal before any timing.
-#include "kernels/rasters/watershed.h"
+#include "kernels/morphology/watershed.h"
 
 #include <queue>
 #include <tuple>
@@ -9,9 +9,9 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/rasters/fill.h"
+#include "kernels/morphology/fill.h"
+#include "kernels/morphology/h_maxima.h"
 #include "kernels/rasters/gradient.h"
-#include "kernels/rasters/h_maxima.h"
 
 namespace {
 

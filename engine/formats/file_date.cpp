@@ -6,7 +6,7 @@
 #include <array>
 
 #include "engine/cloud/record.h"
-#include "engine/formats/las_header.h"
+#include "engine/formats/las/las_header.h"
 
 namespace ilot {
 

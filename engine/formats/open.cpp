@@ -6,14 +6,14 @@
 #include <string>
 
 #include "engine/error.h"
-#include "engine/formats/copc.h"
-#include "engine/formats/e57.h"
-#include "engine/formats/las.h"
-#include "engine/formats/laz.h"
-#include "engine/formats/pcd.h"
-#include "engine/formats/ply.h"
-#include "engine/formats/ptx.h"
-#include "engine/formats/text.h"
+#include "engine/formats/copc/copc.h"
+#include "engine/formats/e57/e57.h"
+#include "engine/formats/las/las.h"
+#include "engine/formats/laz/laz.h"
+#include "engine/formats/tables/pcd.h"
+#include "engine/formats/tables/ply.h"
+#include "engine/formats/tables/ptx.h"
+#include "engine/formats/tables/text.h"
 
 namespace ilot {
 namespace {

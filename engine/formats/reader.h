@@ -12,7 +12,7 @@
 
 #include "engine/cloud/cloud_info.h"
 #include "engine/formats/fields.h"
-#include "engine/formats/text_dialect.h"
+#include "engine/formats/tables/text_dialect.h"
 
 namespace ilot {
 

@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "kernels/core/types.h"
-#include "kernels/planes/shape.h"
+#include "kernels/shapes/shape.h"
 
 namespace ilot {
 

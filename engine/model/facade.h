@@ -22,7 +22,7 @@ struct FacadeArc {
   double radius_m = 0, from_deg = 0, to_deg = 0;  // in the facade's plane, from its right axis towards up
 };
 
-// What a part of a facade is for who builds on it [C9].
+// What a part of a facade is for who builds on it [Lorraine thesis, 4.1].
 enum class FacadeRegion : std::uint8_t {
   facade,        // the wall itself: a polygon
   element,       // windows, doors, sills, balconies: a polyhedron
@@ -41,8 +41,8 @@ struct FacadeEdge {
   DrawnStatus status = DrawnStatus::seen;
   std::uint64_t points = 0;                   // support: points of the surfaces that meet in it, near it
   double rms_m = 0;                           // of these points to those surfaces
-  double error_m = 0;                         // bound on its place [C12]
-  double moved_m = 0;                         // by regularisation, at most, at its ends [A9]
+  double error_m = 0;                         // bound on its place [Lorraine thesis, 4.3]
+  double moved_m = 0;                         // by regularisation, at most, at its ends [Marchand 2018, II.3.2]
   std::optional<double> occluded_share = {};  // of its length, that no station could see; none: no station is known
   double covered_share = 0;                   // of its length, with points near
 };
@@ -70,7 +70,7 @@ struct FacadeElement {
   double width_error_m = 0, height_error_m = 0, depth_error_m = 0;
   std::uint64_t points = 0;
   FacadeRegion region = FacadeRegion::element;
-  FacadeBody body{};                // [C10, C11]; without vertices where its ring and its depth say all
+  FacadeBody body{};  // [Lorraine thesis, 4.2.1 and 4.2.2]; without vertices where its ring and its depth say all
   std::vector<FacadeFace> faces{};  // what points and stations say for each
 };
 

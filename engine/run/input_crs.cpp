@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "engine/deliverables/footprints.h"
+#include "engine/deliverables/layers/footprints.h"
 #include "engine/error.h"
 #include "engine/formats/changed_reader.h"
 #include "engine/formats/crs.h"

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "engine/cloud/area.h"
-#include "engine/formats/text_dialect.h"
+#include "engine/formats/tables/text_dialect.h"
+#include "engine/products/streets/streets_product.h"
 #include "engine/settings/settings.h"
 
 namespace ilot {
@@ -27,7 +28,7 @@ struct RunOptions {
   std::optional<Area> area;                             // products inside only, neighbours as halo
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
-  std::filesystem::path train;                          // what things on streets are, to learn from; empty = none
+  StreetTraining train;                                 // what things on streets are, to learn from
   std::optional<TextDialect> dialect;                   // of text inputs; none: found from their rows
   std::string to_crs;                                   // reproject to: "EPSG:2154", "utm" or empty
   std::string crs;                                      // overrides the inputs'; "EPSG:2154" or empty

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "engine/columns/stations_pass.h"
 #include "engine/formats/reader.h"
-#include "engine/segments/stations_pass.h"
 
 namespace ilot {
 

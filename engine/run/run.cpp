@@ -5,34 +5,34 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/deliverables/named_sections.h"
-#include "engine/deliverables/planes_csv.h"
-#include "engine/deliverables/planes_neighbours_csv.h"
-#include "engine/deliverables/shapes_csv.h"
+#include "engine/columns/found_roles.h"
+#include "engine/columns/normals_pass.h"
+#include "engine/columns/point_roles.h"
+#include "engine/deliverables/drawings/named_sections.h"
+#include "engine/deliverables/tables/planes_csv.h"
+#include "engine/deliverables/tables/planes_neighbours_csv.h"
+#include "engine/deliverables/tables/shapes_csv.h"
 #include "engine/error.h"
+#include "engine/labels/labelled_clouds.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/resident.h"
+#include "engine/products/facades/facades_product.h"
+#include "engine/products/planes/boundaries_product.h"
+#include "engine/products/planes/cells/cells.h"
+#include "engine/products/planes/planes_product.h"
+#include "engine/products/roofs/cluster_plan.h"
+#include "engine/products/roofs/footprint_outcome.h"
+#include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/roofs/roofs_product.h"
+#include "engine/products/streets/streets_product.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/run/area_in_crs.h"
-#include "engine/run/boundaries_product.h"
-#include "engine/run/cluster_plan.h"
-#include "engine/run/facades_product.h"
-#include "engine/run/footprint_outcome.h"
-#include "engine/run/footprint_plan.h"
-#include "engine/run/found_roles.h"
 #include "engine/run/input_places.h"
-#include "engine/run/labelled_clouds.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
-#include "engine/run/planes_product.h"
-#include "engine/run/point_roles.h"
-#include "engine/run/roofs_product.h"
 #include "engine/run/run_estimate.h"
-#include "engine/run/streets_product.h"
-#include "engine/segments/cells.h"
-#include "engine/segments/normals_pass.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
@@ -206,7 +206,7 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
     progress.warn(record.warnings.back());
   };
   check("--footprints", options.footprints, "roofs");
-  check("--train", options.train, "streets");
+  check("--train", options.train.places, "streets");
 }
 
 // The run, step by step. Everything lands in the staging folder.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles of a Delaunay triangulation make up the shape of its points [A10, C5, D5], and how blocks share them.
+// Which triangles of a Delaunay triangulation make up the shape of its points [Marchand 2018, II.4.1; Lorraine
+// thesis, 3.2; Boltcheva et al. 2019, 3.3.1], and how blocks share them.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -16,9 +17,9 @@ enum class TriangleRule {
 
 constexpr double kRadiusPerEdge = 4;
 
-// reach: per point, in lattice units, at least 0 [C6]; a triangle takes the largest of its corners'. An edge's length
-// is the one in space where heights are given, in lattice units [D5 II]. Where labels are given, a triangle with
-// corners of two labels is dropped [D5 III].
+// reach: per point, in lattice units, at least 0 [Lorraine thesis, 3.3]; a triangle takes the largest of its corners'.
+// An edge's length is the one in space where heights are given, in lattice units [D5 II]. Where labels are given, a
+// triangle with corners of two labels is dropped [D5 III].
 struct ShapeParams {
   TriangleRule rule = TriangleRule::kCircumradius;
   std::span<const float> reach;
@@ -50,8 +51,8 @@ std::vector<std::uint8_t> needed_points(TriangleRule rule, std::span<const Point
 std::vector<std::uint32_t> owned_triangles(const Triangulation& t, std::span<const Point2> points,
                                            const ShapeParams& params, std::span<const std::uint8_t> own);
 
-// Erosion from the outside only [D5]: adds to the shape the triangles that no path over edges between dropped triangles
-// joins to the outside, so that holes stay shut. O(n).
+// Erosion from the outside only [Boltcheva et al. 2019, 3.3.1]: adds to the shape the triangles that no path over edges
+// between dropped triangles joins to the outside, so that holes stay shut. O(n).
 void keep_enclosed(const Triangulation& t, std::span<std::uint8_t> keep);
 
 }  // namespace ilot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // How far apart the points on a plane are, the diagonal of a cell of their raster: what decides which gaps are openings
-// [C6]. Predicted from the scanner's stations, or else measured from the nearest neighbours.
+// [Lorraine thesis, 3.3]. Predicted from the scanner's stations, or else measured from the nearest neighbours.
 #pragma once
 #include <cstdint>
 #include <span>

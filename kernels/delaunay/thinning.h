@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Fewer triangles for the same outline [A11].
+// Fewer triangles for the same outline [Marchand 2018, II.4.1].
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines of elements without openings, stones above all [A8].
+// Outlines of elements without openings, stones above all [Marchand 2018, II.3.1].
 #pragma once
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the ragged boundary of a point cloud to the outline that somebody built [D6].
+// From the ragged boundary of a point cloud to the outline that somebody built [Boltcheva et al. 2019, 3.3.2].
 #pragma once
 #include <cstdint>
 #include <span>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Cleaning a cloud before planes are sought [A1]. Each filter says per point whether it stays: 1, or 0 = dropped.
+// Cleaning a cloud before planes are sought [Marchand 2018, II.1]. Each filter says per point whether it stays: 1, or 0
+// = dropped.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,8 +18,8 @@ using Kept = std::vector<std::uint8_t>;
 // that have k. Integer sums: the order of points does not matter. O(n).
 Kept density_filter(std::span<const std::int64_t> reach2, double factor = 4);
 
-// Drops clusters [D1] of fewer than min_points; two points farther apart than max_gap are in different clusters unless
-// others lie between. O(n log n).
+// Drops clusters [Boltcheva et al. 2019, 3.1] of fewer than min_points; two points farther apart than max_gap are in
+// different clusters unless others lie between. O(n log n).
 Kept distance_split(Points points, std::int64_t max_gap, std::uint32_t min_points);
 
 // Keeps the slab from `behind` to `before` the plane, signed distances along its normal, both inclusive. O(n).

@@ -26,9 +26,10 @@ struct RefinedPlane {
 std::vector<std::uint32_t> consensus_set(const OrientedPoints& points, std::span<const std::uint32_t> candidates,
                                          const Plane& plane, const RefineParams& params);
 
-// Refinement [C3]: consensus set of the start, least squares, new consensus set, until the set no longer changes, the
-// rounds are used up, or a set would have fewer than min_points (the last set is kept then). Every member lies within
-// epsilon of the plane returned. With too few members at the start: the start and its members. O(rounds x n).
+// Refinement [Lorraine thesis, 2.2.2]: consensus set of the start, least squares, new consensus set, until the set no
+// longer changes, the rounds are used up, or a set would have fewer than min_points (the last set is kept then). Every
+// member lies within epsilon of the plane returned. With too few members at the start: the start and its members.
+// O(rounds x n).
 RefinedPlane refine_plane(const OrientedPoints& points, std::span<const std::uint32_t> candidates, const Plane& start,
                           const RefineParams& params);
 

@@ -28,10 +28,11 @@ struct PairGrowthParams {
   std::uint32_t min_points = 3;         // smaller regions are none
 };
 
-// Region growing after Stamos and Boulaassal [A2]: neighbours p1, p2 are in one region when the angle between their
-// normals is small, they are near, and max(|r12 . n1|, |r12 . n2|) <= max_offset, where r12 joins the two points
-// projected on their local planes (through the centroid of their neighbours). Criteria are symmetric and pairs are
-// joined by union-find, so the regions do not depend on an order of growth. Points without a normal are none. O(n k).
+// Region growing after Stamos and Boulaassal [Marchand 2018, I.3.1.2]: neighbours p1, p2 are in one region when the
+// angle between their normals is small, they are near, and max(|r12 . n1|, |r12 . n2|) <= max_offset, where r12 joins
+// the two points projected on their local planes (through the centroid of their neighbours). Criteria are symmetric and
+// pairs are joined by union-find, so the regions do not depend on an order of growth. Points without a normal are none.
+// O(n k).
 Regions grow_by_pairs(Points points, std::span<const PackedNormal> normals, const NeighbourLists& neighbours,
                       const PairGrowthParams& params);
 
@@ -42,9 +43,10 @@ struct SmoothGrowthParams {
   std::uint32_t min_points = 3;         // smaller regions are none
 };
 
-// Region growing on normals alone [D3]: the document starts from the point of least curvature and grows to neighbours
-// while normals differ by at most 2 degrees, until no point is left. That partition is the connected components of the
-// graph of such pairs, which union-find gives in any order; seeds number the regions and start their planes. O(n k).
+// Region growing on normals alone [Boltcheva et al. 2019, 3.2.1]: the document starts from the point of least curvature
+// and grows to neighbours while normals differ by at most 2 degrees, until no point is left. That partition is the
+// connected components of the graph of such pairs, which union-find gives in any order; seeds number the regions and
+// start their planes. O(n k).
 Regions grow_smooth(Points points, std::span<const PackedNormal> normals, const NeighbourLists& neighbours,
                     const SmoothGrowthParams& params);
 

@@ -40,7 +40,7 @@ PlaneFit fit_around(const Points& p, const Indices& members, std::uint32_t centr
   return fit_plane(moments_of(p, nearest(p, members, centre, count)));
 }
 
-// [D3]; normals are turned to the side of the first before they are summed.
+// [Boltcheva et al. 2019, 3.2.1]; normals are turned to the side of the first before they are summed.
 Plane mean_normal_plane(const Points& p, const Indices& members) {
   const std::size_t wide = std::max<std::size_t>(3, members.size() / 5);
   const std::size_t stride = std::max<std::size_t>(1, members.size() / kMeanNormalSamples);

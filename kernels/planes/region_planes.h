@@ -9,8 +9,8 @@ namespace ilot {
 
 // How the plane of a region is estimated.
 enum class PlaneEstimate {
-  kMeanNormal,    // [D3]: mean of normals over wide neighbourhoods, through the centroid
-  kLeastSquares,  // refined as in [C3]
+  kMeanNormal,    // [Boltcheva et al. 2019, 3.2.1]: mean of normals over wide neighbourhoods, through the centroid
+  kLeastSquares,  // refined as in [Lorraine thesis, 2.2.2]
   kBest,          // the one with more points within epsilon, least squares where they are equal
 };
 

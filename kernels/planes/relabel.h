@@ -40,8 +40,9 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
 void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                    std::uint32_t min_points, PlaneSegments& segments);
 
-// Islands [D4]: a point moves to the plane that most of its neighbours have (the document: 12 of them), if it lies
-// within epsilon of it; a tie changes nothing. One round, on the labels as they were. Returns how many points moved.
+// Islands [Boltcheva et al. 2019, 3.2.2]: a point moves to the plane that most of its neighbours have (the document: 12
+// of them), if it lies within epsilon of it; a tie changes nothing. One round, on the labels as they were. Returns how
+// many points moved.
 std::size_t relabel_islands(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
                             PlaneSegments& segments);
 

@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// What a component is told by [B6], in the document's order.
+// What a component is told by [Hernandez and Marcotegui 2008, 5.2], in the document's order.
 enum class ComponentFeature : std::uint8_t {
   mean_height,
   sd_height,

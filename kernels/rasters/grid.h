@@ -32,8 +32,9 @@ GridFrame frame_of(Points points, std::int64_t pixel);
 constexpr std::uint32_t kNoPixel = 0xffffffffu;
 void pixels_of(Points points, const GridFrame& frame, std::span<std::uint32_t> out);
 
-// Range and accumulation images [B1]: how many points each pixel has, their lowest and highest z. Points outside the
-// frame are left out. O(n + pixels); fastest when neighbours in the list are neighbours in space.
+// Range and accumulation images [Hernandez and Marcotegui 2008, 2.2]: how many points each pixel has, their lowest and
+// highest z. Points outside the frame are left out. O(n + pixels); fastest when neighbours in the list are neighbours
+// in space.
 GridHeights grid_heights(Points points, const GridFrame& frame);
 
 // Adds the images of other points on the same frame. Order of points and of merging cannot show.

@@ -8,8 +8,9 @@
 
 namespace ilot {
 
-// Range and accumulation images [B1] of a virtual camera above that looks down: per pixel the highest z, in scale units
-// from the points' anchor, and the number of points. Usual pixels: 50 mm, and 200 mm to find city blocks.
+// Range and accumulation images [Hernandez and Marcotegui 2008, 2.2] of a virtual camera above that looks down: per
+// pixel the highest z, in scale units from the points' anchor, and the number of points. Usual pixels: 50 mm, and 200
+// mm to find city blocks.
 struct RangeImage {
   GridFrame frame;
   Image range;                              // kNoHeight where there is no point

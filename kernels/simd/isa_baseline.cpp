@@ -13,8 +13,8 @@ constexpr char kName[] = "baseline";
 #include "kernels/neighbours/normals.inl"
 #include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
-#include "kernels/planes/shape_score.inl"
 #include "kernels/rasters/rows.inl"
+#include "kernels/shapes/shape_score.inl"
 
 #include "kernels/simd/table.inl"
 }  // namespace ilot::simd::baseline

@@ -2,7 +2,7 @@
 // Any bytes as CityJSON or a sequence of it; faces of few corners are cut into triangles.
 #include <cstdint>
 
-#include "engine/deliverables/model_file.h"
+#include "engine/deliverables/solids/model_file.h"
 #include "engine/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,10 +2,10 @@
 // Any bytes as a drawing; one that can be read can be judged and has nothing to correct beside itself.
 #include <cstdint>
 
-#include "engine/deliverables/dxf_reader.h"
+#include "engine/compare/drawing_control.h"
+#include "engine/deliverables/drawings/dxf_reader.h"
 #include "engine/error.h"
-#include "engine/evaluate/drawing_control.h"
-#include "engine/evaluate/validate_drawing.h"
+#include "engine/validity/validate_drawing.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ilot;

@@ -3,14 +3,14 @@
 // too.
 #include <cstdint>
 
-#include "engine/deliverables/drawing_svg.h"
-#include "engine/deliverables/dxf_reader.h"
-#include "engine/deliverables/dxf_writer.h"
-#include "engine/deliverables/facade_drawing.h"
-#include "engine/deliverables/facade_json.h"
-#include "engine/deliverables/facade_section.h"
-#include "engine/deliverables/facade_solids.h"
-#include "engine/deliverables/facade_table.h"
+#include "engine/deliverables/drawings/drawing_svg.h"
+#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/drawings/dxf_writer.h"
+#include "engine/deliverables/drawings/facade_drawing.h"
+#include "engine/deliverables/drawings/facade_section.h"
+#include "engine/deliverables/solids/facade_solids.h"
+#include "engine/deliverables/tables/facade_json.h"
+#include "engine/deliverables/tables/facade_table.h"
 #include "engine/error.h"
 
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a file of the LAS family: opened, all points read and held against the header.
-#include "engine/evaluate/validate_las.h"
-#include "engine/formats/las.h"
+#include "engine/formats/las/las.h"
+#include "engine/validity/validate_las.h"
 #include "tests/fuzz/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -2,7 +2,7 @@
 // Any bytes as a mapping of layers.
 #include <cstdint>
 
-#include "engine/deliverables/drawing_layers.h"
+#include "engine/deliverables/drawings/drawing_layers.h"
 #include "engine/error.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

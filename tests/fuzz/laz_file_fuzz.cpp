@@ -7,7 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/file.h"
-#include "engine/formats/laz.h"
+#include "engine/formats/laz/laz.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ilot;

@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "engine/deliverables/city_json_solids.h"
+#include "engine/deliverables/solids/city_json_solids.h"
 #include "engine/error.h"
-#include "engine/evaluate/validity.h"
+#include "engine/validity/validity.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace ilot;

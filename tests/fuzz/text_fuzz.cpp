@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Any bytes as a text file: the first one chooses the extension, which decides on counts and intensities.
-#include "engine/formats/text.h"
+#include "engine/formats/tables/text.h"
 #include "tests/fuzz/fuzz_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

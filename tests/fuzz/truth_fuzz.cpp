@@ -2,8 +2,8 @@
 // Any bytes as the truth of a scene.
 #include <cstdint>
 
+#include "engine/compare/truth.h"
 #include "engine/error.h"
-#include "engine/evaluate/truth.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   try {

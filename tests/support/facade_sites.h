@@ -6,7 +6,7 @@
 #include <functional>
 #include <vector>
 
-#include "engine/facades/facade_site.h"
+#include "engine/products/facades/facade_site.h"
 #include "kernels/core/rng.h"
 
 namespace ilot::test {

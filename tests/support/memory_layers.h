@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "engine/streets/street_layers.h"
+#include "engine/tiles/street_layers.h"
 #include "tests/support/image_tiles.h"
 
 namespace ilot::test {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// How facades meet as engine/facades/facade_joints.h finds it, each asking all others: slow, and plain to read.
+// How facades meet as engine/products/facades/walls/facade_joints.h finds it, each asking all others: slow, and plain
+// to read.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "engine/facades/facade_joints.h"
-#include "engine/facades/side_faces.h"
+#include "engine/products/facades/walls/facade_joints.h"
+#include "engine/products/facades/walls/side_faces.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot::test::plain_joints {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls and dormers as engine/facades/wall_groups.h finds them, each asking all segments: slow, and plain to read.
+// Walls and dormers as engine/products/facades/walls/wall_groups.h finds them, each asking all segments: slow, and
+// plain to read.
 #pragma once
 #include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
 
-#include "engine/facades/wall_groups.h"
+#include "engine/products/facades/walls/wall_groups.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot::test::plain_walls {

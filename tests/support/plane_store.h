@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A store taken through the passes up to the joined planes.
 #pragma once
-#include "engine/segments/join_pass.h"
-#include "engine/segments/normals_pass.h"
+#include "engine/columns/normals_pass.h"
+#include "engine/products/planes/join/join_pass.h"
 #include "kernels/core/portable_math.h"
 #include "tests/support/cloud_store.h"
 #include "tests/support/oriented_sets.h"

@@ -3,7 +3,7 @@
 #pragma once
 #include <functional>
 
-#include "engine/roofs/roof_site.h"
+#include "engine/products/roofs/sites/roof_site.h"
 #include "kernels/core/rng.h"
 
 namespace ilot::test {

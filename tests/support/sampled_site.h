@@ -3,7 +3,7 @@
 #pragma once
 #include <cmath>
 
-#include "engine/facades/facade_site.h"
+#include "engine/products/facades/facade_site.h"
 #include "kernels/core/rng.h"
 
 namespace ilot::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Points on spheres, cylinders, cones and planes with noise along the normal.
 #pragma once
-#include "kernels/planes/shape.h"
+#include "kernels/shapes/shape.h"
 #include "tests/support/oriented_sets.h"
 
 namespace ilot::test {

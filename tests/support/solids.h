@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/evaluate/validity.h"
 #include "engine/model/solid_model.h"
+#include "engine/validity/validity.h"
 
 namespace ilot {
 

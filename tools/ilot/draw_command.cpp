@@ -5,11 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "engine/deliverables/facade_files.h"
-#include "engine/deliverables/facade_json.h"
+#include "engine/compare/truth_facades.h"
+#include "engine/deliverables/pages/facade_files.h"
+#include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"
-#include "engine/evaluate/point_stream.h"
-#include "engine/evaluate/truth_facades.h"
+#include "engine/proof/point_stream.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/render/colours.h"

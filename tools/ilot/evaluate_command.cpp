@@ -4,11 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "engine/deliverables/model_file.h"
+#include "engine/compare/drawing_control.h"
+#include "engine/compare/evaluation_report.h"
+#include "engine/deliverables/solids/model_file.h"
 #include "engine/error.h"
-#include "engine/evaluate/drawing_control.h"
-#include "engine/evaluate/evaluation_report.h"
-#include "engine/evaluate/model_report.h"
+#include "engine/proof/model_report.h"
 #include "engine/whole_file.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"

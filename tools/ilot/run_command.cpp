@@ -14,6 +14,7 @@
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
+#include "training/thing_training.h"
 
 namespace ilot {
 namespace {
@@ -24,8 +25,7 @@ constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2
 // The options as they were given.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory, store, bounds, within, footprints, stations, train, crs, to_crs, dialect,
-                              log;
+  std::string output, config, memory, store, bounds, within, footprints, stations, train, crs, to_crs, dialect, log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
@@ -72,7 +72,7 @@ RunOptions options_of(const RunArguments& given) {
   options.products = products_of(given);
   options.footprints = given.footprints;
   options.stations = given.stations;
-  options.train = given.train;
+  options.train = {given.train, [](std::span<const ThingSample> samples) { return train_things(samples); }};
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;

@@ -8,11 +8,11 @@
 
 #include "engine/error.h"
 #include "kernels/core/parallel.h"
+#include "scan/scanners/stations_file.h"
+#include "scan/scenes.h"
+#include "scan/truth_writer.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
-#include "tools/scan/scenes.h"
-#include "tools/scan/stations_file.h"
-#include "tools/scan/truth_writer.h"
 
 namespace ilot {
 namespace {

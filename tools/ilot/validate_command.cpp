@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "engine/deliverables/dxf_reader.h"
-#include "engine/deliverables/solid_file.h"
+#include "engine/deliverables/drawings/dxf_reader.h"
+#include "engine/deliverables/solids/solid_file.h"
 #include "engine/error.h"
-#include "engine/evaluate/validate_drawing.h"
-#include "engine/evaluate/validate_las.h"
 #include "engine/run/inputs.h"
+#include "engine/validity/validate_drawing.h"
+#include "engine/validity/validate_las.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/validate_models.h"

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "engine/evaluate/validate_models.h"
+#include "engine/validity/validate_models.h"
 
 namespace ilot {
 

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "engine/error.h"
-#include "engine/formats/lines.h"
+#include "engine/formats/tables/lines.h"
 
 namespace ilot::e57 {
 namespace {

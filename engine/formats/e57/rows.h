@@ -8,7 +8,7 @@
 
 #include "engine/formats/e57/description.h"
 #include "engine/formats/e57/packets.h"
-#include "engine/formats/table.h"
+#include "engine/formats/tables/table.h"
 
 namespace ilot::e57 {
 

@@ -2,7 +2,7 @@
 // Files that change after they were opened, in every format: what is read are the points that were counted, or fewer.
 #include <fstream>
 
-#include "tests/engine/formats/laz_fixtures.h"
+#include "tests/engine/formats/laz/laz_fixtures.h"
 #include "tests/support/e57_writer.h"
 
 namespace ilot {

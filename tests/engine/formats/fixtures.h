@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "engine/error.h"
-#include "engine/formats/las.h"
+#include "engine/formats/las/las.h"
 #include "kernels/core/rng.h"
 
 namespace ilot::test {

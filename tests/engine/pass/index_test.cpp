@@ -3,7 +3,7 @@
 
 #include <atomic>
 
-#include "engine/formats/las.h"
+#include "engine/formats/las/las.h"
 #include "tests/engine/formats/fixtures.h"
 #include "tests/support/cloud_store.h"
 

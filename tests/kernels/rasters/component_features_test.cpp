@@ -6,7 +6,7 @@
 #include <cmath>
 #include <map>
 
-#include "kernels/rasters/flat_zones.h"
+#include "kernels/morphology/flat_zones.h"
 #include "tests/support/small_images.h"
 
 namespace ilot {

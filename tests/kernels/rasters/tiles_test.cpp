@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/core/rng.h"
-#include "kernels/rasters/flat_zones.h"
+#include "kernels/morphology/flat_zones.h"
 #include "tests/support/image_tiles.h"
 
 namespace ilot {

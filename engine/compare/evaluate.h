@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+// A result against the truth: everything that both of them hold.
+#pragma once
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/compare/boundary_error.h"
+#include "engine/compare/confusion.h"
+#include "engine/compare/control_points.h"
+#include "engine/compare/objects.h"
+#include "engine/compare/openings.h"
+#include "engine/compare/plane_errors.h"
+#include "engine/compare/plane_sizes.h"
+#include "engine/compare/roofs.h"
+
+namespace ilot {
+
+struct EvaluateParams {
+  std::string found_field = "plane_id";  // u32 extra bytes with the found planes
+  std::optional<int> only_class;         // judge only planes of this true_class
+  std::uint64_t min_points = 1;          // smaller true planes are not judged
+  MatchRule rule = MatchRule::main;
+  double control_point_limit_m = 0.3;
+};
+
+// How the classes of the confusion matrix came about.
+enum class ClassSource : std::uint8_t { labels, facade_labels, segments };
+
+struct PlaneEvaluation {
+  PlaneMatching matching;
+  std::optional<PlaneErrors> errors;  // where planes.csv and true equations are at hand
+  std::optional<PlaneSizes> sizes;    // where the truth has polygons
+};
+
+struct RoofEvaluation {
+  RoofResult result;
+  std::uint64_t models = 0, closed = 0;  // buildings found, those of them whose shells are closed
+};
+
+struct Evaluation {
+  std::string result, truth;  // as the user named them
+  std::uint64_t points = 0;   // of the labelled clouds
+  std::optional<ConfusionMatrix> confusion;
+  ClassSource class_source = ClassSource::segments;
+  std::optional<PlaneEvaluation> planes;
+  std::optional<BoundaryCounts> boundary;
+  std::uint64_t boundary_planes = 0;  // over which it was summed
+  std::optional<std::vector<ControlGroup>> control_points;
+  std::optional<OpeningResult> openings;
+  std::optional<RoofEvaluation> roofs;
+  std::optional<ObjectResult> objects;
+  std::vector<std::string> notes;  // what the truth asks for and the result does not hold
+};
+
+// What lies in an output folder of a run, or the one file given: a labelled cloud, or models of roofs.
+struct ResultFiles {
+  std::vector<std::filesystem::path> clouds, facades;
+  std::optional<std::filesystem::path> planes_csv, roofs;
+};
+ResultFiles find_results(const std::filesystem::path& result);
+
+// Judges `result`, an output folder, a labelled cloud or a file of models, by the truth. Points carry their truth in
+// the extra bytes true_class, true_plane and true_element, so none is matched by place. Two passes over the clouds;
+// memory grows with the number of labels and, where boundaries are judged, by 32 bytes a point. Error when there is
+// nothing to judge.
+Evaluation evaluate(const std::filesystem::path& result, const Truth& truth, const EvaluateParams& params = {});
+
+}  // namespace ilot

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Counts of a labelled cloud's labels, true against found.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "engine/compare/facade_words.h"
+#include "engine/compare/plane_matching.h"
+
+namespace ilot {
+
+struct LabelCounts {
+  LabelPairs planes;                                          // true_plane, found plane or shape
+  LabelPairs class_segments;                                  // true_class, the same
+  LabelPairs class_labels;                                    // true_class, label
+  LabelPairs facade_labels;                                   // the truth in a facade's words, label; 0 of it is other
+  LabelPairs objects;                                         // true_element where it is an object, else 0; object_id
+  LabelPairs object_labels;                                   // object_id, label
+  std::unordered_map<std::uint32_t, std::uint32_t> class_of;  // of true planes, by their first point
+  std::unordered_map<std::uint32_t, std::uint64_t> points_of_plane;  // true planes
+  std::uint64_t points = 0;
+  bool has_true_plane = false, has_true_class = false, has_true_element = false;
+  bool has_planes = false, has_labels = false, has_objects = false, has_boundary = false;
+  bool any_label = false;  // a label other than 0 occurs
+  double metres_per_unit = 1;
+};
+
+// Adds one cloud to the counts. Fields that it has not are passed over. `objects`: the ids among true_element that are
+// objects; `words`: of facades, where there are any. Error when the cloud cannot be read.
+void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
+                  const std::unordered_set<std::uint32_t>& objects, const FacadeWords* words, LabelCounts& counts);
+
+}  // namespace ilot

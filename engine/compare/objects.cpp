@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/compare/objects.h"
+
+#include <algorithm>
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kUnlabelled = 256;  // above every label
+
+std::map<std::uint32_t, std::uint32_t> main_labels(std::span<const LabelPair> labels) {
+  std::map<std::uint32_t, std::pair<std::uint64_t, std::uint32_t>> best;  // object -> points, label
+  for (const LabelPair& pair : labels) {                                  // by rising object, then label
+    if (pair.truth == 0 || pair.found == 0) continue;
+    auto& [points, label] = best[pair.truth];
+    if (pair.points <= points) continue;
+    points = pair.points;
+    label = pair.found;
+  }
+  std::map<std::uint32_t, std::uint32_t> main;
+  for (const auto& [object, entry] : best) main[object] = entry.second;
+  return main;
+}
+
+// Numbers for the true objects' classes, from 1 in alphabetical order.
+std::map<std::string, std::uint32_t> class_numbers(std::span<const TrueObject> truth) {
+  std::map<std::string, std::uint32_t> numbers;
+  for (const TrueObject& object : truth) numbers.emplace(object.class_name, 0);
+  std::uint32_t next = 0;
+  for (auto& [name, number] : numbers) number = ++next;
+  return numbers;
+}
+
+}  // namespace
+
+ObjectResult judge_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
+                           std::span<const LabelPair> labels, const ClassNames& label_names) {
+  const PlaneMatching matching = match_planes(pairs, {}, MatchRule::overlap);
+  std::map<std::uint32_t, std::uint32_t> partner;
+  for (const PlaneMatch& match : matching.matches) partner[match.truth] = match.found;
+  std::map<std::uint32_t, bool> seen;
+  for (const LabelPair& pair : pairs) seen[pair.truth] = true;
+  const std::map<std::uint32_t, std::uint32_t> label_of = main_labels(labels);
+  const std::map<std::string, std::uint32_t> numbers = class_numbers(truth);
+  ClassNames true_names, found_names = label_names;
+  for (const auto& [name, number] : numbers) true_names[number] = name;
+  found_names[kUnlabelled] = "unlabelled";
+  LabelPairs objects;
+  ObjectResult result;
+  for (const TrueObject& object : truth) {
+    if (!seen.contains(object.id)) {
+      ++result.unseen;
+      continue;
+    }
+    ++result.truth;
+    const auto found = partner.find(object.id);
+    std::uint32_t label = 0;
+    if (found != partner.end()) {
+      ++result.detected;
+      const auto labelled = label_of.find(found->second);
+      label = labelled == label_of.end() ? kUnlabelled : labelled->second;
+    }
+    objects.add(numbers.at(object.class_name), label);
+  }
+  result.found = matching.found_planes;
+  result.false_found = result.found - matching.matches.size();
+  result.confusion = confusion_of_labels(objects.sorted(), true_names, found_names);
+  return result;
+}
+
+}  // namespace ilot

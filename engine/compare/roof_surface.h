@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+// Roofs, true or found, in the one shape that comparing them needs.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/compare/overlay.h"
+#include "engine/compare/truth.h"
+#include "engine/model/polygon_model.h"
+
+namespace ilot {
+
+// A roof face. Coordinates relative to an origin that all faces of a comparison share.
+struct RoofFace {
+  std::uint32_t building = 0;
+  std::vector<FlatPolygon> plan;     // projection along z
+  std::vector<Triangle3> triangles;  // in space, covering the face
+  Vec3 normal;                       // upwards, its length the area
+  double offset = 0;                 // normal . p + offset = 0
+  FlatPoint low, high;               // box of the plan
+  double area() const;               // in space
+  double height(FlatPoint p) const;  // of its plane
+};
+
+// Faces of the planes of class `roof`, one per plane and building; faces that stand upright have no plan and are left
+// out.
+std::vector<RoofFace> true_roofs(std::span<const TruePlane> planes, Vec3 origin);
+
+// roof_faces() of the models; the building is the number of the model.
+std::vector<RoofFace> model_roofs(std::span<const PolygonModel> models, Vec3 origin, double metres_per_unit);
+
+bool covers(const RoofFace& face, FlatPoint p);  // by the even-odd rule over all rings of its plan
+
+// All edges of the plan's rings.
+std::vector<FlatEdge> plan_edges(const RoofFace& face);
+
+}  // namespace ilot

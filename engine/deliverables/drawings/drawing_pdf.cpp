@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/drawings/drawing_pdf.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/whole_file.h"
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kPointsPerMm = 72 / 25.4;
+constexpr double kCapitalHeight = 0.718;  // of Helvetica, in font sizes
+constexpr double kThinnest = 0.05;        // mm
+constexpr double kWidestCurve = 0.2;      // bulge that one curve draws: 45 degrees, within 1e-5 of the radius
+
+// Widths of the letters from the blank to the tilde, in thousandths of the font size (Adobe's metrics of Helvetica).
+constexpr std::array<int, 95> kWidths{278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
+                                      556,  556, 556, 556, 556, 556, 556, 556, 556, 556, 278, 278, 584, 584, 584, 556,
+                                      1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
+                                      667,  778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556,
+                                      333,  556, 556, 500, 556, 556, 278, 556, 556, 222, 222, 500, 222, 833, 556, 556,
+                                      556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
+constexpr int kOtherWidth = 556;
+
+// Windows' code page 1252.
+unsigned char western(char32_t code) {
+  constexpr std::array<std::pair<char32_t, unsigned char>, 10> kBeyond{{{0x20AC, 0x80},
+                                                                        {0x2026, 0x85},
+                                                                        {0x0152, 0x8C},
+                                                                        {0x2018, 0x91},
+                                                                        {0x2019, 0x92},
+                                                                        {0x201C, 0x93},
+                                                                        {0x201D, 0x94},
+                                                                        {0x2013, 0x96},
+                                                                        {0x2014, 0x97},
+                                                                        {0x0153, 0x9C}}};
+  if ((code >= 32 && code < 127) || (code >= 0xA0 && code < 0x100)) return static_cast<unsigned char>(code);
+  for (const auto& [from, to] : kBeyond)
+    if (code == from) return to;
+  return '?';
+}
+
+// Metres of the drawing to millimetres from the lower left corner of the paper.
+struct PaperPlace {
+  DrawingBox box;
+  double mm;
+  std::string operator()(FlatPoint p) const {
+    return decimal((p.x - box.min_x) / mm, 3) + " " + decimal((p.y - box.min_y) / mm, 3);
+  }
+};
+
+// The stretch from p to q: a line, or curves of at most 45 degrees.
+void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PaperPlace& at, std::string& path) {
+  if (bulge == 0) {
+    path += at(q) + " l\n";
+    return;
+  }
+  const FlatPoint d{q.x - p.x, q.y - p.y};
+  if (std::abs(bulge) > kWidestCurve) {
+    const FlatPoint top{(p.x + q.x + bulge * d.y) / 2, (p.y + q.y - bulge * d.x) / 2};
+    const double half = bulge / (1 + std::sqrt(1 + bulge * bulge));
+    add_stretch(p, top, half, at, path);
+    add_stretch(top, q, half, at, path);
+    return;
+  }
+  const double along = (1 - bulge * bulge) / 3, aside = 2 * bulge / 3;
+  path += at({p.x + along * d.x + aside * d.y, p.y + along * d.y - aside * d.x}) + " " +
+          at({q.x - along * d.x + aside * d.y, q.y - along * d.y - aside * d.x}) + " " + at(q) + " c\n";
+}
+
+std::string path_of(const DrawingLine& line, const PaperPlace& at) {
+  const auto place = [&](std::size_t i) { return FlatPoint{line.corners[i].x, line.corners[i].y}; };
+  const std::size_t n = line.corners.size();
+  std::string path = at(place(0)) + " m\n";
+  for (std::size_t i = 0; i + 1 < n + line.closed; ++i)
+    add_stretch(place(i), place((i + 1) % n), line.corners[i].bulge, at, path);
+  return path + (line.closed ? "s\n" : "S\n");
+}
+
+// In eight pieces of at most 45 degrees.
+std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
+  constexpr int kPieces = 8;
+  double span = arc.to_deg - arc.from_deg;
+  while (span <= 0) span += 360;
+  const double quarter = span / kPieces / 4, bulge = cos_degrees(quarter - 90) / cos_degrees(quarter);
+  DrawingLine line;
+  for (int i = 0; i <= kPieces; ++i) {
+    const double degrees = arc.from_deg + span * i / kPieces;
+    line.corners.push_back({arc.x + arc.radius * cos_degrees(degrees), arc.y + arc.radius * cos_degrees(degrees - 90),
+                            i < kPieces ? bulge : 0});
+  }
+  return path_of(line, at);
+}
+
+std::string text_of(const DrawingText& text, const PaperPlace& at) {
+  std::string letters;
+  int width = 0;
+  for (const char32_t code : code_points(clean_text(text.text))) {
+    const unsigned char letter = western(code);
+    width += letter >= 32 && letter < 127 ? kWidths[letter - 32u] : kOtherWidth;
+    if (letter == '(' || letter == ')' || letter == '\\') letters += '\\';
+    letters += letter < 127 ? std::string(1, static_cast<char>(letter)) : fmt::format("\\{:03o}", letter);
+  }
+  const double size = text.height / at.mm / kCapitalHeight;
+  const double share = text.anchor == TextAnchor::left ? 0 : text.anchor == TextAnchor::middle ? 0.5 : 1;
+  const double back = share * width * text.height / kCapitalHeight / 1000;
+  const double c = cos_degrees(text.rotation_deg), s = cos_degrees(text.rotation_deg - 90);
+  return fmt::format("BT /F1 {} Tf {} {} {} {} {} Tm ({}) Tj ET\n", decimal(size, 3), decimal(c, 5), decimal(s, 5),
+                     decimal(-s, 5), decimal(c, 5), at({text.x - back * c, text.y - back * s}), letters);
+}
+
+std::string pen_of(const DrawingLayer& layer) {
+  const auto [red, green, blue] = colour_on_paper(layer.colour);
+  const std::string colour = decimal(red / 255.0, 3) + " " + decimal(green / 255.0, 3) + " " + decimal(blue / 255.0, 3);
+  const char* dashes = layer.pattern == LinePattern::dashed   ? "[3 1.5] 0 d"
+                       : layer.pattern == LinePattern::dotted ? "[0.5 1] 0 d"
+                                                              : "[] 0 d";
+  return fmt::format("{0} RG {0} rg {1} w {2}\n", colour, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
+}
+
+// All that lies on one layer; empty when there is nothing.
+std::string strokes_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
+  std::string strokes;
+  for (const DrawingLine& line : drawing.lines)
+    if (line.role == role && !line.is_sample && line.corners.size() > 1) strokes += path_of(line, at);
+  for (const DrawingArc& arc : drawing.arcs)
+    if (arc.role == role) strokes += path_of(arc, at);
+  for (const DrawingPoint& point : drawing.points)
+    if (point.role == role) strokes += at({point.x, point.y}) + " m " + at({point.x, point.y}) + " l S\n";
+  for (const DrawingText& text : drawing.texts)
+    if (text.role == role) strokes += text_of(text, at);
+  if (!strokes.empty()) strokes = pen_of(layers[role]) + strokes;
+  if (role == DrawingRole::title)
+    for (const DrawingLine& line : drawing.lines)
+      if (line.is_sample) strokes += pen_of(layers[line.role]) + path_of(line, at);
+  return strokes;
+}
+
+std::string quoted(const std::string& text) {
+  std::string letters = "(";
+  for (const char32_t code : code_points(clean_text(text))) {
+    const unsigned char letter = western(code);
+    if (letter == '(' || letter == ')' || letter == '\\') letters += '\\';
+    letters += letter < 127 ? std::string(1, static_cast<char>(letter)) : fmt::format("\\{:03o}", letter);
+  }
+  return letters + ")";
+}
+
+// Objects in their order, then where each begins.
+std::string file_of(const std::vector<std::string>& objects) {
+  std::string file = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
+  std::string table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    table += fmt::format("{:010} 00000 n \n", file.size());
+    file += fmt::format("{} 0 obj\n{}\nendobj\n", i + 1, objects[i]);
+  }
+  const std::size_t begin = file.size();
+  return file + table +
+         fmt::format("trailer\n<</Size {} /Root 1 0 R /Info 6 0 R>>\nstartxref\n{}\n%%EOF\n", objects.size() + 1,
+                     begin);
+}
+
+}  // namespace
+
+std::string drawing_pdf(const Drawing& drawing, const DrawingLayers& layers) {
+  constexpr std::size_t kFirstLayer = 7;  // number of its object
+  const PaperPlace at{drawing.sheet, drawing.paper_mm(1)};
+  std::string content = decimal(kPointsPerMm, 6) + " 0 0 " + decimal(kPointsPerMm, 6) + " 0 0 cm 1 J 1 j\n";
+  std::string all, hidden, properties;
+  std::vector<std::string> groups;
+  for (std::size_t i = 0; i < kDrawingRoles; ++i) {
+    const auto role = static_cast<DrawingRole>(i);
+    const std::string strokes = strokes_of(role, drawing, layers, at);
+    if (strokes.empty()) continue;
+    const std::string reference = fmt::format("{} 0 R ", kFirstLayer + groups.size());
+    content += fmt::format("/OC /L{} BDC\n{}EMC\n", groups.size(), strokes);
+    properties += fmt::format("/L{} {}", groups.size(), reference);
+    groups.push_back("<</Type /OCG /Name " + quoted(layers[role].name) + ">>");
+    all += reference;
+    if (!layers[role].shown) hidden += reference;
+  }
+  std::vector<std::string> objects{
+      fmt::format("<</Type /Catalog /Pages 2 0 R /OCProperties <</OCGs [{0}] /D <</Order [{0}] /OFF [{1}]>>>>>>", all,
+                  hidden),
+      "<</Type /Pages /Kids [3 0 R] /Count 1>>",
+      fmt::format("<</Type /Page /Parent 2 0 R /MediaBox [0 0 {} {}] /Contents 5 0 R /Resources <</Font <</F1 4 0 R>> "
+                  "/Properties <<{}>>>>>>",
+                  decimal(drawing.sheet.width() / at.mm * kPointsPerMm, 3),
+                  decimal(drawing.sheet.height() / at.mm * kPointsPerMm, 3), properties),
+      "<</Type /Font /Subtype /Type1 /BaseFont /Helvetica /Encoding /WinAnsiEncoding>>",
+      fmt::format("<</Length {}>>\nstream\n{}endstream", content.size(), content),
+      "<</Title " + quoted(drawing.title) + " /Producer (ilot)>>"};
+  objects.insert(objects.end(), groups.begin(), groups.end());
+  return file_of(objects);
+}
+
+void write_drawing_pdf(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers) {
+  write_whole_file(path, drawing_pdf(drawing, layers));
+}
+
+}  // namespace ilot

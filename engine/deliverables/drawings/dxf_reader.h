@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// DXF drawings (ASCII, R12 to today) as they come: layers, units and flat geometry of the model space.
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/deliverables/drawings/drawing.h"
+
+namespace ilot {
+
+struct DxfEntity {
+  std::string type, layer, handle;     // LINE, LWPOLYLINE, ARC...; the handle may be empty
+  std::uint64_t line = 0;              // of the file where it begins, from 1
+  std::vector<DrawingCorner> corners;  // of lines and polylines; the place of points and texts; the centre of arcs
+  bool closed = false;
+  double radius = 0, from_deg = 0, to_deg = 0;  // of arcs and circles
+  std::string text;
+  bool finite = true;  // false: a number of it is none; it reads as 0
+};
+
+struct DxfDrawing {
+  std::string version;                // AC1015
+  std::optional<std::int64_t> units;  // $INSUNITS: 6 metres, 4 millimetres, 0 unknown
+  std::set<std::string> sections, layers;
+  std::vector<DxfEntity> entities;
+  bool has_end = false;  // EOF
+};
+
+// Entities of blocks and of the paper space are left out, as are meshes; unknown kinds are kept without geometry. Input
+// is hostile: an Error names file and line where group codes are none, a section is not closed, or a pair is cut.
+// Memory grows with the file, at most 256 MiB of which are read.
+DxfDrawing read_dxf(const std::filesystem::path& path);
+DxfDrawing parse_dxf(std::string_view text, const std::string& name);
+
+bool is_dxf_file(const std::filesystem::path& path);  // by its extension
+
+}  // namespace ilot

@@ -1,0 +1,328 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/drawings/facade_annotation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <tuple>
+
+namespace ilot {
+namespace {
+
+// Millimetres on paper.
+constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.4, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
+constexpr double kSameLevel = 0.5;
+
+// Metres with two decimals; halves go up, and what is one to a tenth of a millimetre is one.
+std::string in_centimetres(double metres) {
+  return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
+}
+
+DrawingBox grown(const DrawingBox& b, double by) {
+  return {b.min_x - by, b.min_y - by, b.max_x + by, b.max_y + by};
+}
+
+bool overlap(const DrawingBox& a, const DrawingBox& b) {
+  return a.min_x < b.max_x && b.min_x < a.max_x && a.min_y < b.max_y && b.min_y < a.max_y;
+}
+
+bool holds(const DrawingBox& outer, const DrawingBox& inner) {
+  return outer.min_x <= inner.min_x && inner.max_x <= outer.max_x && outer.min_y <= inner.min_y &&
+         inner.max_y <= outer.max_y;
+}
+
+// Does the segment meet the box? By clipping it to the four sides.
+bool meets(FlatPoint a, FlatPoint b, const DrawingBox& box) {
+  double from = 0, to = 1;
+  const auto clip = [&](double start, double way, double low, double high) {
+    if (way == 0) return start >= low && start <= high;
+    const double t0 = (low - start) / way, t1 = (high - start) / way;
+    from = std::max(from, std::min(t0, t1));
+    to = std::min(to, std::max(t0, t1));
+    return from <= to;
+  };
+  return clip(a.x, b.x - a.x, box.min_x, box.max_x) && clip(a.y, b.y - a.y, box.min_y, box.max_y);
+}
+
+bool is_inside(FlatPoint p, const std::vector<FlatPoint>& ring) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const FlatPoint a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y)) inside = !inside;
+  }
+  return inside;
+}
+
+// Where texts may stand: not across a line of an element, not on another text.
+class FreePlaces {
+ public:
+  explicit FreePlaces(std::span<const FlatElement> flat) {
+    for (const FlatElement& element : flat) rings_.push_back({element.box, chords_of(element)});
+  }
+  bool is_free(const DrawingBox& box) const {
+    for (const DrawingBox& text : taken_)
+      if (overlap(text, box)) return false;
+    for (const auto& [around, ring] : rings_) {
+      if (!overlap(around, box)) continue;
+      for (std::size_t i = 0; i < ring.size(); ++i)
+        if (meets(ring[i], ring[(i + 1) % ring.size()], box)) return false;
+    }
+    return true;
+  }
+  bool is_inside_of(std::size_t element, const DrawingBox& box) const {
+    return is_inside({(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2}, rings_[element].second);
+  }
+  void take(const DrawingBox& box) { taken_.push_back(box); }
+
+ private:
+  std::vector<std::pair<DrawingBox, std::vector<FlatPoint>>> rings_;
+  std::vector<DrawingBox> taken_;
+};
+
+// A text or two, one below the other, centred in a box.
+std::optional<DrawingBox> place_label(const std::vector<std::string>& lines, double height, std::size_t element,
+                                      const FlatElement& flat, const FreePlaces& places, const Drawing& drawing) {
+  double width = 0;
+  for (const std::string& line : lines) width = std::max(width, text_width(line, height));
+  const double tall = height * (1.6 * static_cast<double>(lines.size()) - 0.6), air = drawing.paper_mm(kAround);
+  for (const double up : {0.5, 0.25, 0.75})
+    for (const double right : {0.5, 0.25, 0.75}) {
+      const double x = flat.box.min_x + right * flat.box.width(), y = flat.box.min_y + up * flat.box.height();
+      const DrawingBox box{x - width / 2, y - tall / 2, x + width / 2, y + tall / 2};
+      const DrawingBox airy = grown(box, air);
+      if (holds(flat.box, airy) && places.is_inside_of(element, box) && places.is_free(airy)) return box;
+    }
+  return std::nullopt;
+}
+
+bool is_numbered(const FacadeElement& e) {
+  return e.kind != "outline" && e.kind != "joint" && e.status != DrawnStatus::occluded;
+}
+
+bool is_opening(const FacadeElement& e) {
+  return e.opening || role_of_kind(e.kind) == DrawingRole::opening;
+}
+
+struct Extent {
+  double low = 0, high = 0;
+};
+
+// Groups of which half of the smaller extent is common with the group's first one, in the order of their lowest ends.
+std::vector<std::vector<std::size_t>> groups_along(const std::vector<Extent>& extents) {
+  std::vector<std::size_t> order(extents.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return std::tie(extents[a].low, extents[a].high, a) < std::tie(extents[b].low, extents[b].high, b);
+  });
+  std::vector<std::vector<std::size_t>> groups;
+  for (const std::size_t i : order) {
+    const auto alike = [&](const std::vector<std::size_t>& group) {
+      const Extent &a = extents[group[0]], &b = extents[i];
+      return std::min(a.high, b.high) - std::max(a.low, b.low) > 0.5 * std::min(a.high - a.low, b.high - b.low);
+    };
+    const auto found = std::find_if(groups.begin(), groups.end(), alike);
+    if (found == groups.end())
+      groups.push_back({i});
+    else
+      found->push_back(i);
+  }
+  return groups;
+}
+
+// Ends of what is measured, ascending: the plan's own and those of extents that do not overlap an earlier one.
+std::vector<double> stops_of(std::vector<Extent> extents, Extent whole, double least) {
+  std::sort(extents.begin(), extents.end(),
+            [](Extent a, Extent b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
+  std::vector<double> stops{whole.low};
+  for (const Extent& e : extents) {
+    if (e.low < stops.back() - least) continue;
+    for (const double stop : {e.low, e.high})
+      if (stop > stops.back() + least) stops.push_back(stop);
+  }
+  if (whole.high > stops.back() + least) stops.push_back(whole.high);
+  return stops;
+}
+
+// A chain in its own axes, s along it and t across it away from the plan, put onto the drawing either way.
+class ChainPen {
+ public:
+  enum class Way { horizontal, vertical };
+  ChainPen(Way way, double at, double outwards, Drawing& drawing)
+      : way_(way), at_(at), outwards_(outwards), drawing_(drawing) {}
+
+  void draw(const std::vector<double>& stops) {
+    const double tick = drawing_.paper_mm(kTick), height = drawing_.paper_mm(kSmall);
+    line(stops.front(), 0, stops.back(), 0);
+    for (const double stop : stops) {
+      line(stop, -2.5 * tick, stop, 1.5 * tick);
+      slanted(stop, tick);
+    }
+    bool raised = false;
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
+      const double length = stops[i + 1] - stops[i];
+      const std::string words = in_centimetres(length);
+      // A text longer than its stretch stands further out, on a line of its own.
+      const bool narrow = text_width(words, height) + 2 * tick > length;
+      raised = narrow && !raised;
+      text((stops[i] + stops[i + 1]) / 2, raised ? 2.0 * height : 0.45 * height, height, words);
+      if (!narrow) raised = false;
+    }
+  }
+
+ private:
+  // Above a horizontal chain and left of an upright one: where its texts stand, whichever side of the plan it is on.
+  FlatPoint place(double s, double t) const {
+    return way_ == Way::horizontal ? FlatPoint{s, at_ + t * outwards_} : FlatPoint{at_ + t * outwards_, s};
+  }
+  void line(double s0, double t0, double s1, double t1) {
+    const FlatPoint a = place(s0, t0), b = place(s1, t1);
+    drawing_.lines.push_back({DrawingRole::dimension, {{a.x, a.y}, {b.x, b.y}}, false});
+  }
+  void slanted(double s, double tick) {
+    const FlatPoint p = place(s, 0);
+    drawing_.lines.push_back({DrawingRole::dimension, {{p.x - tick, p.y - tick}, {p.x + tick, p.y + tick}}, false});
+  }
+  void text(double s, double above, double height, const std::string& words) {
+    if (way_ == Way::horizontal)
+      drawing_.texts.push_back({DrawingRole::dimension, s, at_ + above, height, 0, TextAnchor::middle, words});
+    else
+      drawing_.texts.push_back({DrawingRole::dimension, at_ - above, s, height, 90, TextAnchor::middle, words});
+  }
+  Way way_;
+  double at_, outwards_;
+  Drawing& drawing_;
+};
+
+// Centres that keep a pitch from each other and stay as near as they can to where they belong (pools of neighbours that
+// touch move as one).
+std::vector<double> spread(const std::vector<double>& wanted, double pitch) {
+  struct Pool {
+    double sum = 0;
+    std::size_t first = 0, count = 0;
+    double middle() const { return sum / static_cast<double>(count); }
+  };
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < wanted.size(); ++i) {
+    // Less the pitch of those before them, wanted places only have to ascend.
+    pools.push_back({wanted[i] - pitch * static_cast<double>(i), i, 1});
+    while (pools.size() > 1 && pools[pools.size() - 2].middle() > pools.back().middle()) {
+      pools[pools.size() - 2].sum += pools.back().sum;
+      pools[pools.size() - 2].count += pools.back().count;
+      pools.pop_back();
+    }
+  }
+  std::vector<double> places;
+  for (const Pool& pool : pools)
+    for (std::size_t k = 0; k < pool.count; ++k)
+      places.push_back(pool.middle() + pitch * static_cast<double>(pool.first + k));
+  return places;
+}
+
+bool has_level(const FacadeElement& e) {
+  const DrawingRole role = role_of_kind(e.kind);
+  return e.status != DrawnStatus::occluded &&
+         (is_opening(e) || role == DrawingRole::outline || role == DrawingRole::band || role == DrawingRole::balcony);
+}
+
+}  // namespace
+
+void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawing& drawing) {
+  FreePlaces places(flat);
+  std::vector<std::size_t> order(flat.size());  // openings have the first choice of places
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return is_opening(facade.elements[i]); });
+  for (const std::size_t i : order) {
+    const FacadeElement& e = facade.elements[i];
+    if (!is_numbered(e) || flat[i].corners.size() < 3) continue;
+    const std::string id = std::to_string(e.id);
+    const std::string size = in_centimetres(e.width_m) + " x " + in_centimetres(e.height_m);
+    std::vector<std::pair<double, std::vector<std::string>>> tries{{kNumber, {id}}, {kSmall, {id}}};
+    if (is_opening(e) && e.width_m > 0 && e.height_m > 0) tries.insert(tries.begin(), {kSmall, {id, size}});
+    for (const auto& [mm, lines] : tries) {
+      const double height = drawing.paper_mm(mm);
+      const auto box = place_label(lines, height, i, flat[i], places, drawing);
+      if (!box) continue;
+      for (std::size_t k = 0; k < lines.size(); ++k)
+        drawing.texts.push_back({DrawingRole::number, (box->min_x + box->max_x) / 2,
+                                 box->max_y - height * (1 + 1.6 * static_cast<double>(k)), height, 0,
+                                 TextAnchor::middle, lines[k]});
+      places.take(*box);
+      break;
+    }
+  }
+}
+
+void add_levels(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing) {
+  std::vector<double> heights;
+  for (std::size_t i = 0; i < flat.size(); ++i)
+    if (has_level(facade.elements[i]) && !flat[i].corners.empty()) {
+      heights.insert(heights.end(), {flat[i].box.min_y, flat[i].box.max_y});
+      if (facade.elements[i].kind == "outline")  // feet of gables, steps
+        for (const DrawingCorner& corner : flat[i].corners) heights.push_back(corner.y);
+    }
+  std::sort(heights.begin(), heights.end());
+  const double same = drawing.paper_mm(kSameLevel), height = drawing.paper_mm(kSmall);
+  std::vector<double> levels;
+  for (std::size_t i = 0; i < heights.size();) {
+    std::size_t end = i;
+    double sum = 0;
+    for (; end < heights.size() && heights[end] - heights[i] <= same; ++end) sum += heights[end];
+    levels.push_back(sum / static_cast<double>(end - i));
+    i = end;
+  }
+  const std::vector<double> places = spread(levels, 1.5 * height);
+  const double x0 = plan.max_x + drawing.paper_mm(2), lead = drawing.paper_mm(kLead);
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    drawing.lines.push_back(
+        {DrawingRole::level,
+         {{x0, levels[i]}, {x0 + lead, levels[i]}, {x0 + 2 * lead, places[i]}, {x0 + 2.5 * lead, places[i]}},
+         false});
+    drawing.texts.push_back({DrawingRole::level, x0 + 2.7 * lead, places[i] - height / 2, height, 0, TextAnchor::left,
+                             in_centimetres(levels[i])});
+  }
+}
+
+void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing) {
+  std::vector<Extent> across, up;
+  for (std::size_t i = 0; i < flat.size(); ++i) {
+    const FacadeElement& e = facade.elements[i];
+    if (!is_opening(e) || e.status == DrawnStatus::occluded || flat[i].corners.size() < 3) continue;
+    across.push_back({flat[i].box.min_x, flat[i].box.max_x});
+    up.push_back({flat[i].box.min_y, flat[i].box.max_y});
+  }
+  const double least = drawing.paper_mm(kSameLevel), offset = drawing.paper_mm(kOffset),
+               step = drawing.paper_mm(kChain);
+  const Extent wide{plan.min_x, plan.max_x}, tall{plan.min_y, plan.max_y};
+  const auto picked = [](const std::vector<Extent>& from, const std::vector<std::size_t>& group) {
+    std::vector<Extent> chosen;
+    for (const std::size_t i : group) chosen.push_back(from[i]);
+    return chosen;
+  };
+  const auto fullest = [](const std::vector<std::vector<std::size_t>>& groups) {
+    std::size_t best = 0;
+    for (std::size_t i = 1; i < groups.size(); ++i)
+      if (groups[i].size() > groups[best].size()) best = i;
+    return best;
+  };
+  const auto rows = groups_along(up), columns = groups_along(across);
+  const auto horizontal = [&](double at, double outwards, const std::vector<double>& stops) {
+    ChainPen(ChainPen::Way::horizontal, at, outwards, drawing).draw(stops);
+  };
+  double below = plan.min_y - offset, left = plan.min_x - offset;
+  std::vector<double> lowest;
+  if (!rows.empty()) {
+    lowest = stops_of(picked(across, rows[0]), wide, least);
+    horizontal(below, -1, lowest);
+    below -= step;
+    const std::vector<double> stops = stops_of(picked(across, rows[fullest(rows)]), wide, least);
+    if (stops != lowest) horizontal(plan.max_y + offset, 1, stops);
+    ChainPen(ChainPen::Way::vertical, left, -1, drawing)
+        .draw(stops_of(picked(up, columns[fullest(columns)]), tall, least));
+    left -= step;
+  }
+  if (wide.high - wide.low > least) horizontal(below, -1, {wide.low, wide.high});
+  if (tall.high - tall.low > least) ChainPen(ChainPen::Way::vertical, left, -1, drawing).draw({tall.low, tall.high});
+}
+
+}  // namespace ilot

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/layers/facade_image.h"
+
+#include <cpl_string.h>
+#include <cpl_vsi.h>
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+#include "engine/deliverables/drawings/facade_plan.h"
+#include "engine/error.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+#include "kernels/rasters/front_image.h"
+
+extern "C" void GDALRegister_PNG();
+extern "C" void GDALRegister_MEM();
+
+namespace ilot {
+namespace {
+
+constexpr double kStep = 1e-4;  // metres, of distances from the wall
+constexpr double kCounted = 4;  // metres along a side of the parts whose points are counted at a time
+
+DrawingBox extent_of(const Facade& facade, const FacadeImageParams& params) {
+  const FlatPoint origin = flat_place(facade, facade.origin, params.metres_per_unit);
+  DrawingBox box{origin.x, origin.y, origin.x + facade.width_m, origin.y + facade.height_m};
+  bool empty = true;
+  for (const FacadeElement& e : facade.elements)
+    for (const Vec3& corner : e.ring) {
+      const FlatPoint p = flat_place(facade, corner, params.metres_per_unit);
+      if (empty) box = {p.x, p.y, p.x, p.y};
+      empty = false;
+      box = {std::min(box.min_x, p.x), std::min(box.min_y, p.y), std::max(box.max_x, p.x), std::max(box.max_y, p.y)};
+    }
+  const double by = params.around_m;
+  return {box.min_x - by, box.min_y - by, box.max_x + by, box.max_y + by};
+}
+
+// About what may show in a part of the drawing: from its plane back to CRS units.
+PointBox box_about(const Facade& facade, const DrawingBox& part, const FacadeImageParams& params) {
+  constexpr double kRounding = 0.001;  // metres: no point at its border may be lost
+  const double units = 1 / params.metres_per_unit;
+  PointBox box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  for (const double x : {part.min_x - kRounding, part.max_x + kRounding})
+    for (const double y : {part.min_y - kRounding, part.max_y + kRounding})
+      for (const double out : {-params.behind_m - kRounding, params.front_m + kRounding}) {
+        const Vec3 p = facade.origin + (x * units) * facade.right + (y * units - facade.origin.z) * facade.up +
+                       (out * units) * facade.out;
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+      }
+  return box;
+}
+
+// Parts of a box along both axes, ends left out where the next one begins.
+std::vector<DrawingBox> parts_of(const DrawingBox& box, double longest) {
+  constexpr double kMost = 64;
+  const auto pieces = [&](double length) { return std::clamp(std::ceil(length / longest), 1.0, kMost); };
+  const double across = pieces(box.width()), up = pieces(box.height());
+  std::vector<DrawingBox> parts;
+  const auto at = [](double from, double to, double step, double steps) {
+    return step == steps ? to : from + (to - from) * (step / steps);
+  };
+  for (double r = 0; r < up; ++r)
+    for (double c = 0; c < across; ++c)
+      parts.push_back({at(box.min_x, box.max_x, c, across), at(box.min_y, box.max_y, r, up),
+                       at(box.min_x, box.max_x, c + 1, across), at(box.min_y, box.max_y, r + 1, up)});
+  return parts;
+}
+
+std::uint64_t count_points(const Facade& facade, const PointSource& source, const DrawingBox& extent,
+                           const DrawingBox& part, const FacadeImageParams& params) {
+  std::uint64_t inside = 0;
+  const auto within = [](double v, double low, double high, double last) {
+    return v >= low && (v < high || (v == high && high == last));
+  };
+  source(box_about(facade, part, params), [&](std::span<const ImagePoint> points) {
+    for (const ImagePoint& point : points) {
+      const FlatPoint p = flat_place(facade, point.position, params.metres_per_unit);
+      const double out = params.metres_per_unit * dot(point.position - facade.origin, facade.out);
+      inside += within(p.x, part.min_x, part.max_x, extent.max_x) &&
+                within(p.y, part.min_y, part.max_y, extent.max_y) && out <= params.front_m && out >= -params.behind_m;
+    }
+  });
+  return inside;
+}
+
+// The mean distance of points, rounded up to 1, 2 or 5 in its decade.
+double mean_distance(const Facade& facade, const PointSource& source, const DrawingBox& extent,
+                     const FacadeImageParams& params) {
+  const std::vector<DrawingBox> parts = params.tile > 0 ? parts_of(extent, kCounted) : std::vector<DrawingBox>{extent};
+  std::vector<std::uint64_t> counts(parts.size());
+  parallel_for(parts.size(),
+               [&](std::size_t i) { counts[i] = count_points(facade, source, extent, parts[i], params); });
+  const std::uint64_t inside = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
+  const double distance =
+      std::sqrt(extent.width() * extent.height() / static_cast<double>(std::max<std::uint64_t>(inside, 1)));
+  for (double decade = 0.001; decade < 1; decade *= 10)
+    for (const double step : {1.0, 2.0, 5.0})
+      if (step * decade >= distance && step * decade > 0.0015) return step * decade;
+  return 1;
+}
+
+// Pixels with corners at multiples of their size.
+FacadeImage blank_image(const DrawingBox& extent, double pixel_m, const FacadeImageParams& params) {
+  FacadeImage image;
+  for (image.pixel_m = pixel_m;; image.pixel_m *= 2) {
+    const double s = image.pixel_m;
+    const double left = std::floor(extent.min_x / s), right = std::max(std::ceil(extent.max_x / s), left + 1);
+    const double low = std::floor(extent.min_y / s), high = std::max(std::ceil(extent.max_y / s), low + 1);
+    if (!std::isfinite(right - left) || !std::isfinite(high - low)) throw Error("a facade of no finite extent");
+    if ((right - left) * (high - low) > static_cast<double>(params.most_pixels)) continue;
+    image.width = static_cast<std::uint32_t>(right - left);
+    image.height = static_cast<std::uint32_t>(high - low);
+    image.place = {left * s, low * s, right * s, high * s};
+    return image;
+  }
+}
+
+// Columns [c0, c1) and rows [r0, r1) of a picture.
+struct PixelBox {
+  std::uint32_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;
+  std::uint32_t width() const { return c1 - c0; }
+  std::uint32_t height() const { return r1 - r0; }
+  PixelBox grown(std::uint32_t by, std::uint32_t columns, std::uint32_t rows) const {
+    return {c0 > by ? c0 - by : 0, std::min(columns - c1, by) + c1, r0 > by ? r0 - by : 0,
+            std::min(rows - r1, by) + r1};
+  }
+};
+
+std::vector<PixelBox> tiles_of(const FacadeImage& image, std::uint32_t side) {
+  if (side == 0) return {{0, image.width, 0, image.height}};
+  std::vector<PixelBox> tiles;
+  for (std::uint32_t r = 0; r < image.height; r += std::min(side, image.height - r))
+    for (std::uint32_t c = 0; c < image.width; c += std::min(side, image.width - c))
+      tiles.push_back({c, c + std::min(side, image.width - c), r, r + std::min(side, image.height - r)});
+  return tiles;
+}
+
+class Projector {
+ public:
+  Projector(const Facade& facade, const FacadeImage& image, const PixelBox& part, const FacadeImageParams& params)
+      : facade_(facade), image_(image), part_(part), params_(params) {}
+
+  // Points that fall into the part of the image, for one piece of the source.
+  std::span<const FrontPoint> operator()(std::span<const ImagePoint> points) {
+    placed_.clear();
+    for (const ImagePoint& point : points) {
+      const FlatPoint p = flat_place(facade_, point.position, params_.metres_per_unit);
+      const double out = params_.metres_per_unit * dot(point.position - facade_.origin, facade_.out);
+      const double column = std::floor((p.x - image_.place.min_x) / image_.pixel_m);
+      const double row = std::floor((image_.place.max_y - p.y) / image_.pixel_m);
+      if (!(column >= part_.c0 && column < part_.c1 && row >= part_.r0 && row < part_.r1)) continue;
+      if (!(out <= params_.front_m && out >= -params_.behind_m)) continue;
+      const auto pixel =
+          (static_cast<std::uint32_t>(row) - part_.r0) * part_.width() + static_cast<std::uint32_t>(column) - part_.c0;
+      placed_.push_back({pixel, static_cast<std::int32_t>(std::lround(out / kStep)), colour(point, out)});
+    }
+    return placed_;
+  }
+
+ private:
+  std::array<std::uint8_t, 3> colour(const ImagePoint& point, double out) const {
+    if (params_.shade == ImageShade::colour) return point.colour;
+    // The wall is grey; a quarter of a metre before it is white, as much behind it black.
+    const double share = std::clamp(0.5 + out / 0.5, 0.0, 1.0);
+    const auto grey = static_cast<std::uint8_t>(std::lround(255 * share));
+    return {grey, grey, grey};
+  }
+  const Facade& facade_;
+  const FacadeImage& image_;
+  const PixelBox part_;
+  const FacadeImageParams& params_;
+  std::vector<FrontPoint> placed_;
+};
+
+struct PaintedPixels {
+  std::uint64_t points = 0, filled = 0, empty = 0;
+};
+
+// Paints a tile and what lies so far around it that closing its gaps may look there; the tile alone is kept.
+PaintedPixels paint(const Facade& facade, const PointSource& source, const PixelBox& tile,
+                    const FacadeImageParams& params, FacadeImage& image) {
+  const PixelBox part = tile.grown(static_cast<std::uint32_t>(params.fill_rounds), image.width, image.height);
+  const double s = image.pixel_m, left = image.place.min_x, top = image.place.max_y;
+  const PointBox box =
+      box_about(facade, {left + part.c0 * s, top - part.r1 * s, left + part.c1 * s, top - part.r0 * s}, params);
+  FrontImage front(static_cast<std::size_t>(part.width()) * part.height());
+  Projector project(facade, image, part, params);
+  source(box, [&](std::span<const ImagePoint> points) { keep_front(front, project(points)); });
+  const auto band = static_cast<std::int32_t>(std::lround(params.band_m / kStep));
+  source(box, [&](std::span<const ImagePoint> points) { add_colours(front, project(points), band); });
+  std::vector<std::uint8_t> rgba = mean_colours(front);
+  PaintedPixels painted;
+  const auto for_each_row = [&](const auto& visit) {
+    for (std::uint32_t r = tile.r0; r < tile.r1; ++r)
+      visit(r, static_cast<std::size_t>(r - part.r0) * part.width() + tile.c0 - part.c0);
+  };
+  for_each_row([&](std::uint32_t, std::size_t first) {
+    for (std::size_t i = first; i < first + tile.width(); ++i) {
+      painted.points += front.count[i];
+      painted.filled += front.count[i] == 0;
+    }
+  });
+  fill_gaps(rgba, part.width(), part.height(), params.fill_rounds);
+  for_each_row([&](std::uint32_t r, std::size_t first) {
+    const std::uint8_t* from = rgba.data() + 4 * first;
+    for (std::size_t i = 0; i < tile.width(); ++i) painted.empty += from[4 * i + 3] == 0;
+    std::copy_n(from, 4 * tile.width(), image.rgba.data() + 4 * (static_cast<std::size_t>(r) * image.width + tile.c0));
+  });
+  painted.filled -= painted.empty;
+  return painted;
+}
+
+std::string world_file(const FacadeImage& image) {
+  const double s = image.pixel_m;
+  std::string text;
+  for (const double v : {s, 0.0, 0.0, -s, image.place.min_x + s / 2, image.place.max_y - s / 2})
+    text += decimal(v, 9) + "\n";
+  return text;
+}
+
+void keep_silent(CPLErr, CPLErrorNum, const char*) {}
+
+// The image as GDAL sees it, without a copy: it must live as long. Null when GDAL refuses.
+GDALDatasetUniquePtr picture_of(const FacadeImage& image) {
+  GDALDatasetUniquePtr picture(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
+      "", static_cast<int>(image.width), static_cast<int>(image.height), 0, GDT_Byte, nullptr));
+  for (std::size_t band = 0; picture && band < 4; ++band) {
+    char place[64] = {};
+    CPLPrintPointer(place, const_cast<std::uint8_t*>(image.rgba.data() + band), sizeof place - 1);
+    CPLStringList options;
+    options.SetNameValue("DATAPOINTER", place);
+    options.SetNameValue("PIXELOFFSET", "4");
+    options.SetNameValue("LINEOFFSET", std::to_string(4 * static_cast<std::uint64_t>(image.width)).c_str());
+    if (picture->AddBand(GDT_Byte, options.List()) != CE_None) return nullptr;
+  }
+  if (picture) picture->GetRasterBand(4)->SetColorInterpretation(GCI_AlphaBand);
+  return picture;
+}
+
+}  // namespace
+
+FacadeImage facade_image(const Facade& facade, const PointSource& source, const FacadeImageParams& params) {
+  const DrawingBox extent = extent_of(facade, params);
+  FacadeImage image =
+      blank_image(extent, params.pixel_m > 0 ? params.pixel_m : mean_distance(facade, source, extent, params), params);
+  image.rgba.resize(4 * static_cast<std::size_t>(image.width) * image.height);
+  const std::vector<PixelBox> tiles = tiles_of(image, params.tile);
+  std::vector<PaintedPixels> painted(tiles.size());
+  parallel_for(tiles.size(), [&](std::size_t i) { painted[i] = paint(facade, source, tiles[i], params, image); });
+  for (const PaintedPixels& p : painted) {
+    image.points += p.points;
+    image.filled += p.filled;
+    image.empty += p.empty;
+  }
+  return image;
+}
+
+void write_facade_image(const std::filesystem::path& path, const FacadeImage& image) {
+  CPLPushErrorHandler(keep_silent);
+  GDALRegister_MEM();
+  GDALRegister_PNG();
+  // A name of its own for each, since facades may be written side by side.
+  static std::atomic<std::uint64_t> written{0};
+  const std::string name = "/vsimem/ilot-" + std::to_string(written++) + ".png";
+  GDALDatasetUniquePtr picture = picture_of(image);
+  if (picture) {
+    const GDALDatasetUniquePtr copy(GetGDALDriverManager()->GetDriverByName("PNG")->CreateCopy(
+        name.c_str(), picture.get(), FALSE, nullptr, nullptr, nullptr));
+    if (!copy) picture.reset();
+  }
+  const std::string fault = CPLGetLastErrorMsg();
+  CPLPopErrorHandler();
+  vsi_l_offset size = 0;
+  const std::unique_ptr<GByte, decltype(&VSIFree)> png(VSIGetMemFileBuffer(name.c_str(), &size, TRUE), &VSIFree);
+  VSIUnlink((name + ".aux.xml").c_str());
+  if (!picture || !png || size == 0) throw Error(path.string() + ": cannot be written: " + fault);
+  write_whole_file(path, {reinterpret_cast<const char*>(png.get()), size});
+  std::filesystem::path world = path;
+  write_whole_file(world.replace_extension(".pgw"), world_file(image));
+}
+
+}  // namespace ilot

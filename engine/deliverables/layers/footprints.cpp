@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/layers/footprints.h"
+
+#include <cpl_conv.h>
+#include <ogrsf_frmts.h>
+
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "engine/deliverables/layers/spatial_reference.h"
+#include "engine/error.h"
+#include "engine/formats/crs.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 5> kIdAttributes{"identificatie", "id", "building", "gid", "fid"};
+
+void keep_silent(CPLErr, CPLErrorNum, const char*) {}
+
+Error usage(const fs::path& path, const std::string& sentence) {
+  return Error(path.string() + ": " + sentence, ExitCode::usage);
+}
+
+OGRLayer* first_layer_with_features(GDALDataset& file) {
+  for (OGRLayer* layer : file.GetLayers())
+    if (layer->GetFeatureCount() > 0) return layer;
+  return nullptr;
+}
+
+// The vector file and its first layer that has features.
+struct OpenedLayer {
+  GDALDatasetUniquePtr file;
+  OGRLayer* layer = nullptr;
+};
+
+OpenedLayer open_layer(const fs::path& path) {
+  if (!fs::exists(path)) throw usage(path, "there is no such file");
+  CPLSetErrorHandler(keep_silent);
+  GDALAllRegister();
+  CPLErrorReset();
+  OpenedLayer opened{GDALDatasetUniquePtr(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY)), nullptr};
+  if (!opened.file) {
+    const std::string why = CPLGetLastErrorMsg();
+    throw usage(path, "is no vector file that can be read" +
+                          (why.empty() ? " (GeoPackage, GeoJSON, Shapefile and others of GDAL can)" : ": " + why));
+  }
+  opened.layer = first_layer_with_features(*opened.file);
+  if (opened.layer == nullptr) throw usage(path, "holds no features");
+  return opened;
+}
+
+// A format that always claims degrees, with coordinates that cannot be any.
+bool beyond_degrees(const OGRSpatialReference& reference, OGRLayer& layer) {
+  OGREnvelope box;
+  if (!reference.IsGeographic() || layer.GetExtent(&box) != OGRERR_NONE) return false;
+  return box.MinX < -361 || box.MaxX > 361 || box.MinY < -91 || box.MaxY > 91;
+}
+
+// What brings the file's coordinates into the clouds' CRS; none when they are in it, or when nobody knows.
+class ToCloud {
+ public:
+  ToCloud(const fs::path& path, OGRLayer& layer, const Crs& crs, FootprintFile& out) : target_(spatial_reference(crs)) {
+    const OGRSpatialReference* found = layer.GetSpatialRef();
+    if (found == nullptr || target_ == nullptr || beyond_degrees(*found, layer)) {
+      if (found != nullptr && found->IsGeographic() && !beyond_degrees(*found, layer))
+        throw usage(path, "is in degrees, and the CRS of the clouds is not known; give --crs");
+      out.warnings.push_back(path.string() + ": is taken to be in the CRS of the clouds, for " +
+                             (target_ == nullptr ? "theirs is not known" : "its own is not known"));
+      return;
+    }
+    source_.reset(found->Clone());
+    source_->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    for (OGRSpatialReference* reference : {source_.get(), target_.get()}) reference->StripVertical();
+    if (source_->IsSame(target_.get())) return;
+    transformation_.reset(OGRCreateCoordinateTransformation(source_.get(), target_.get()));
+    if (!transformation_) throw usage(path, "its CRS cannot be transformed to that of the clouds");
+    out.transformed = true;
+  }
+
+  bool apply(OGRGeometry& geometry) const {
+    return !transformation_ || geometry.transform(transformation_.get()) == OGRERR_NONE;
+  }
+
+ private:
+  std::unique_ptr<OGRSpatialReference> source_, target_;
+  std::unique_ptr<OGRCoordinateTransformation> transformation_;
+};
+
+std::vector<std::array<double, 2>> ring_of(const OGRLinearRing& ring) {
+  std::vector<std::array<double, 2>> vertices;
+  for (int i = 0; i < ring.getNumPoints(); ++i) vertices.push_back({ring.getX(i), ring.getY(i)});
+  if (vertices.size() > 1 && vertices.front() == vertices.back()) vertices.pop_back();
+  return vertices;
+}
+
+bool is_finite(const FootprintPolygon& polygon) {
+  constexpr double kFarthest = 1e9;
+  for (const auto& ring : polygon)
+    for (const auto& [x, y] : ring)
+      if (!(std::abs(x) < kFarthest && std::abs(y) < kFarthest)) return false;
+  return true;
+}
+
+void collect_polygons(const OGRGeometry& geometry, Footprint& footprint) {
+  if (OGR_GT_IsSubClassOf(wkbFlatten(geometry.getGeometryType()), wkbGeometryCollection)) {
+    for (const OGRGeometry* part : *geometry.toGeometryCollection()) collect_polygons(*part, footprint);
+    return;
+  }
+  if (wkbFlatten(geometry.getGeometryType()) != wkbPolygon) return;
+  FootprintPolygon polygon;
+  for (const OGRLinearRing* ring : *geometry.toPolygon()) polygon.push_back(ring_of(*ring));
+  if (polygon.empty()) return;
+  if (is_finite(polygon)) {
+    footprint.parts.push_back(std::move(polygon));
+  } else {
+    footprint.fault = "its coordinates are not finite";
+  }
+}
+
+void read_geometry(const OGRFeature& feature, const ToCloud& to_cloud, Footprint& footprint) {
+  const OGRGeometry* given = feature.GetGeometryRef();
+  if (given == nullptr || given->IsEmpty()) {
+    footprint.fault = "it has no geometry";
+    return;
+  }
+  const std::unique_ptr<OGRGeometry> geometry(given->getLinearGeometry());
+  geometry->flattenTo2D();
+  if (!to_cloud.apply(*geometry)) {
+    footprint.fault = "it cannot be transformed to the CRS of the clouds";
+    return;
+  }
+  collect_polygons(*geometry, footprint);
+  if (!footprint.parts.empty()) {
+    footprint.fault.clear();
+  } else if (footprint.fault.empty()) {
+    footprint.fault = std::string("it is a ") + OGRGeometryTypeToName(given->getGeometryType()) + ", not a polygon";
+  }
+}
+
+int id_field(const OGRFeatureDefn& definition) {
+  for (const char* name : kIdAttributes)
+    if (const int field = definition.GetFieldIndex(name); field >= 0) return field;
+  return -1;
+}
+
+std::string id_of(const OGRFeature& feature, int field, std::size_t number) {
+  if (field >= 0 && feature.IsFieldSetAndNotNull(field))
+    if (const std::string id = feature.GetFieldAsString(field); !id.empty()) return id;
+  return std::to_string(number);
+}
+
+void make_unique(std::vector<Footprint>& footprints, const fs::path& path, std::vector<std::string>& warnings) {
+  std::set<std::string> used;
+  for (const Footprint& f : footprints) used.insert(f.id);
+  std::map<std::string, int> seen;
+  std::size_t renamed = 0;
+  for (Footprint& f : footprints) {
+    const std::string given = f.id;
+    int& count = seen[given];
+    if (++count == 1) continue;
+    while (!used.insert(f.id = given + "-" + std::to_string(count)).second) ++count;
+    ++renamed;
+  }
+  if (renamed > 0)
+    warnings.push_back(path.string() + ": " + std::to_string(renamed) +
+                       " footprints share the id of another; they got -2, -3 ... behind it");
+}
+
+}  // namespace
+
+FootprintSource footprint_source(const fs::path& path) {
+  const OpenedLayer opened = open_layer(path);
+  FootprintSource source;
+  OGREnvelope box;
+  if (opened.layer->GetExtent(&box) == OGRERR_NONE) {
+    source.min_x = box.MinX;
+    source.min_y = box.MinY;
+    source.max_x = box.MaxX;
+    source.max_y = box.MaxY;
+  }
+  const OGRSpatialReference* found = opened.layer->GetSpatialRef();
+  if (found == nullptr || beyond_degrees(*found, *opened.layer)) return source;
+  char* wkt = nullptr;
+  if (found->exportToWkt(&wkt) == OGRERR_NONE && wkt != nullptr) {
+    try {
+      source.crs = crs_from_text(wkt);
+    } catch (const Error&) {
+      // A CRS that PROJ does not understand is unknown.
+    }
+  }
+  CPLFree(wkt);
+  return source;
+}
+
+FootprintFile read_footprints(const fs::path& path, const Crs& crs) {
+  const OpenedLayer opened = open_layer(path);
+  OGRLayer* layer = opened.layer;
+  FootprintFile out;
+  const ToCloud to_cloud(path, *layer, crs, out);
+  const int field = id_field(*layer->GetLayerDefn());
+  if (field >= 0) out.id_attribute = layer->GetLayerDefn()->GetFieldDefn(field)->GetNameRef();
+  CPLErrorReset();
+  for (const auto& feature : *layer) {
+    Footprint& footprint = out.footprints.emplace_back();
+    footprint.id = id_of(*feature, field, out.footprints.size());
+    read_geometry(*feature, to_cloud, footprint);
+  }
+  if (CPLGetLastErrorType() == CE_Failure && out.footprints.empty())
+    throw Error(path.string() + ": cannot be read: " + CPLGetLastErrorMsg());
+  make_unique(out.footprints, path, out.warnings);
+  return out;
+}
+
+}  // namespace ilot

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/layers/street_map.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/model/street_geometry.h"
+#include "engine/whole_file.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kMargin = 5;         // metres around what is drawn
+constexpr double kLeastSymbol = 0.3;  // metres; smaller things are drawn so large
+constexpr double kScaleBar = 20;      // metres
+
+const char* colour_of(PointLabel label) {
+  switch (label) {
+    case PointLabel::car:
+      return "#2b6cb0";
+    case PointLabel::lamppost:
+      return "#d69e2e";
+    case PointLabel::pedestrian:
+      return "#c53030";
+    default:
+      return "#4a7c59";
+  }
+}
+
+const std::string& name_of(PointLabel label) {
+  return point_label_names().at(static_cast<std::uint32_t>(label));
+}
+
+// CRS to metres from the lower left corner of what is drawn, y down.
+class Sheet {
+ public:
+  Sheet(const StreetPlan& plan, double metres_per_unit) : metres_(metres_per_unit) {
+    for (const StreetObject& o : plan.objects) add(o.middle);
+    for (const auto* parts : {&plan.blocks, &plan.gaps})
+      for (const FacadePart& part : *parts) add(part.from), add(part.to);
+    if (min_.x > max_.x) min_ = max_ = {};
+  }
+  double x(Vec3 p) const { return (p.x - min_.x) * metres_ + kMargin; }
+  double y(Vec3 p) const { return (max_.y - p.y) * metres_ + kMargin; }
+  double width() const { return (max_.x - min_.x) * metres_ + 2 * kMargin; }
+  double height() const { return (max_.y - min_.y) * metres_ + 2 * kMargin; }
+
+ private:
+  void add(Vec3 p) {
+    min_.x = std::min(min_.x, p.x), min_.y = std::min(min_.y, p.y);
+    max_.x = std::max(max_.x, p.x), max_.y = std::max(max_.y, p.y);
+  }
+  double metres_;
+  Vec3 min_{INFINITY, INFINITY, 0}, max_{-INFINITY, -INFINITY, 0};
+};
+
+std::string line(const Sheet& sheet, const FacadePart& part, const char* look, const std::string& title) {
+  return fmt::format("<line x1=\"{:.2f}\" y1=\"{:.2f}\" x2=\"{:.2f}\" y2=\"{:.2f}\" {}><title>{}</title></line>\n",
+                     sheet.x(part.from), sheet.y(part.from), sheet.x(part.to), sheet.y(part.to), look, title);
+}
+
+std::string symbol(const Sheet& sheet, const StreetObject& o, double metres_per_unit) {
+  StreetObject drawn = o;
+  drawn.length_m = std::max(o.length_m, kLeastSymbol);
+  drawn.width_m = std::max(o.width_m, kLeastSymbol);
+  std::string points;
+  for (const Vec3& corner : extent_of(drawn, metres_per_unit))
+    points += fmt::format("{:.2f},{:.2f} ", sheet.x(corner), sheet.y(corner));
+  points.pop_back();
+  return fmt::format("<polygon points=\"{}\" fill=\"{}\"><title>{} {}: {:.0f} %, {:.2f} m high</title></polygon>\n",
+                     points, colour_of(o.label), name_of(o.label), o.id, 100 * o.probability, o.height_m);
+}
+
+std::map<PointLabel, std::size_t> counts_of(const StreetPlan& plan) {
+  std::map<PointLabel, std::size_t> counts;
+  for (const StreetObject& o : plan.objects) ++counts[o.label];
+  return counts;
+}
+
+}  // namespace
+
+std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
+  const Sheet sheet(plan, metres_per_unit);
+  std::string svg = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.2f} {1:.2f}\">\n"
+      "<rect width=\"{0:.2f}\" height=\"{1:.2f}\" fill=\"#fbfaf7\"/>\n",
+      sheet.width(), sheet.height());
+  for (const FacadePart& block : plan.blocks)
+    svg += line(sheet, block, "stroke=\"#8a8478\" stroke-width=\"1\"",
+                fmt::format("block {}.{}: {:.1f} m", block.stretch, block.number, block.length_m));
+  for (const FacadePart& gap : plan.gaps)
+    svg += line(sheet, gap, "stroke=\"#d8a48f\" stroke-width=\"0.4\" stroke-dasharray=\"1 1\"",
+                fmt::format("gap {}.{}: {:.1f} m", gap.stretch, gap.number, gap.length_m));
+  for (const StreetObject& o : plan.objects) svg += symbol(sheet, o, metres_per_unit);
+  svg +=
+      fmt::format("<path d=\"M2 {0:.2f}h{1}\" stroke=\"#333\" stroke-width=\"0.4\"/>\n", sheet.height() - 2, kScaleBar);
+  return svg + "</svg>\n";
+}
+
+void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {
+  const std::string svg = street_map_svg(plan, metres_per_unit);
+  write_whole_file(folder / "streets.svg", svg);
+  std::string html =
+      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Street map</title>\n"
+      "<style>body{font:15px/1.5 system-ui,sans-serif;margin:2rem;color:#222}svg{width:100%;max-height:85vh;"
+      "border:1px solid #ddd}table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem 1rem;text-align:right}"
+      "td:first-child,th:first-child{text-align:left}i{display:inline-block;width:.8em;height:.8em;margin-right:.5em}"
+      "</style></head><body>\n<h1>Street map</h1>\n<table><tr><th>class</th><th>objects</th></tr>\n";
+  for (const auto& [label, count] : counts_of(plan))
+    html += fmt::format("<tr><td><i style=\"background:{}\"></i>{}</td><td>{}</td></tr>\n", colour_of(label),
+                        name_of(label), count);
+  html += fmt::format(
+      "</table>\n<p>{} blocks (grey), {} gaps between them (dashed); the bar is {:.0f} m. North is up.</p>\n",
+      plan.blocks.size(), plan.gaps.size(), kScaleBar);
+  write_whole_file(folder / "streets.html", html + svg + "</body></html>\n");
+}
+
+}  // namespace ilot

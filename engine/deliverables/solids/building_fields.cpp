@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/solids/building_fields.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace ilot {
+namespace {
+
+constexpr auto kWhole = FieldKind::whole;
+constexpr auto kReal = FieldKind::real;
+constexpr auto kText = FieldKind::text;
+constexpr auto kTruth = FieldKind::truth;
+
+constexpr BuildingField kBuildingFields[] = {
+    {"status", kText, "", "`lod22`; `lod12`: one level roof only; `footprint_only`: no solid", nullptr},
+    {"reason", kText, "", "in words, why not `lod22`", nullptr},
+    {"points", kWhole, "", "of the building", nullptr},
+    {"points_of", kText, "",
+     "`unclassified`: there was none of class `classes.building`, those of classes 0, 1 and 12 were taken; where "
+     "ground "
+     "was measured those 1 m above it",
+     nullptr},
+    {"h_ground", kReal, "CRS", "height of the floor", "rf_h_ground"},
+    {"ground_source", kText, "",
+     "`measured`: a tenth of the ground points (`classes.ground`) within 4 m around the outline lie below it; "
+     "`lowest_point`: there were none, the lowest point within the margin of the outline's edges",
+     nullptr},
+    {"h_roof_min", kReal, "CRS", "height of the lowest point on roof faces (of all its points where there is no face)",
+     "rf_h_roof_min"},
+    {"h_roof_50", kReal, "CRS", "height that half of these points do not exceed", "rf_h_roof_50p"},
+    {"h_roof_70", kReal, "CRS", "height that 70% of them do not exceed", "rf_h_roof_70p"},
+    {"h_roof_max", kReal, "CRS", "height of the highest of them", "rf_h_roof_max"},
+    {"area_m2", kReal, "m2", "of the outline", nullptr},
+    {"roof_faces", kWhole, "", "of LoD 2.2", "rf_roof_planes"},
+    {"roof_type", kText, "",
+     "`horizontal`, `multiple horizontal`, `slanted` (some face leans more than 5 degrees), `unknown` (no face), `no "
+     "points`",
+     "rf_roof_type"},
+    {"rmse_m", kReal, "m", "root mean square distance of points from the planes of their faces", "rf_rmse_lod22"},
+    {"coverage", kReal, "", "share of the outline, in cells two sampling steps wide, that holds a point", nullptr},
+    {"outline", kText, "", "what was wrong with the outline and has been mended", nullptr},
+    {"overlaps", kText, "", "ids of the buildings whose outlines share a square metre or more with this one", nullptr},
+    {"unit_id", kWhole, "", "number of the building in this run, dense from 1: `unit_id` of its points", nullptr},
+};
+
+constexpr BuildingField kFaceFields[] = {
+    {"plane_id", kWhole, "", "of roofs: number of the face, dense from 1 over all buildings", nullptr},
+    {"slope_deg", kReal, "deg", "between the face and the level", "rf_slope"},
+    {"azimuth_deg", kReal, "deg", "where the face looks, clockwise from north; none for level faces", "rf_azimuth"},
+    {"area_m2", kReal, "m2", "in space, holes taken off", nullptr},
+};
+
+// What roofer has beside, from others.
+constexpr BuildingField kRooferFields[] = {
+    {"rf_success", kTruth, "", "a solid was made", nullptr},
+    {"rf_extrusion_mode", kText, "",
+     "`standard` for `lod22`, `lod11_fallback` for `lod12`, `skip` for `footprint_only`", nullptr},
+    {"rf_nodata_frac", kReal, "", "1 - `coverage`", nullptr},
+    {"rf_pt_density", kReal, "1/m2", "`points` over `area_m2`", nullptr},
+    {"rf_volume_lod12", kReal, "m3", "of the solid of LoD 1.2", nullptr},
+    {"rf_volume_lod22", kReal, "m3", "of the solid of LoD 2.2", nullptr},
+};
+
+std::string styled_name(const std::string& name, std::span<const BuildingField> fields, AttributeStyle style) {
+  const auto field = std::find_if(fields.begin(), fields.end(), [&](const auto& f) { return f.name == name; });
+  return style == AttributeStyle::roofer && field != fields.end() && field->roofer ? field->roofer : name;
+}
+
+template <class T>
+const T* value_of(const Attributes& attributes, const char* name) {
+  for (const auto& [key, value] : attributes)
+    if (key == name) return std::get_if<T>(&value);
+  return nullptr;
+}
+
+void add_roofers_own(std::span<const Building> levels, double metres_per_unit, Attributes& out) {
+  const Attributes& plain = levels[0].attributes;
+  if (const auto* status = value_of<std::string>(plain, "status")) {
+    const bool none = *status == "footprint_only";
+    out.emplace_back("rf_success", !none);
+    out.emplace_back("rf_extrusion_mode", std::string(none                 ? "skip"
+                                                      : *status == "lod22" ? "standard"
+                                                                           : "lod11_fallback"));
+  }
+  if (const auto* coverage = value_of<double>(plain, "coverage")) out.emplace_back("rf_nodata_frac", 1 - *coverage);
+  const auto* points = value_of<std::int64_t>(plain, "points");
+  const auto* area = value_of<double>(plain, "area_m2");
+  if (points && area && *area > 0) out.emplace_back("rf_pt_density", static_cast<double>(*points) / *area);
+  for (const Building& level : levels) {
+    if (level.surfaces.empty()) continue;
+    if (level.lod == "1.2") out.emplace_back("rf_volume_lod12", volume_m3(level, metres_per_unit));
+    if (level.lod == "2.2") out.emplace_back("rf_volume_lod22", volume_m3(level, metres_per_unit));
+  }
+}
+
+std::vector<std::pair<std::string, FieldKind>> columns_of(std::span<const BuildingField> fields, AttributeStyle style) {
+  std::vector<std::pair<std::string, FieldKind>> columns;
+  for (const BuildingField& f : fields) columns.emplace_back(styled_name(f.name, fields, style), f.kind);
+  return columns;
+}
+
+std::string table_markdown(const char* title, std::span<const BuildingField> fields) {
+  std::string text = fmt::format("| {} | unit | meaning | roofer's style |\n|---|---|---|---|\n", title);
+  for (const BuildingField& f : fields)
+    text += fmt::format("| `{}` | {} | {} | {} |\n", f.name, f.unit, f.meaning,
+                        f.roofer ? fmt::format("`{}`", f.roofer) : "");
+  return text;
+}
+
+}  // namespace
+
+std::span<const BuildingField> building_fields() {
+  return kBuildingFields;
+}
+
+std::span<const BuildingField> face_fields() {
+  return kFaceFields;
+}
+
+Attributes styled_attributes(std::span<const Building> levels, AttributeStyle style, double metres_per_unit) {
+  if (levels.empty()) return {};
+  if (style == AttributeStyle::plain) return levels[0].attributes;
+  Attributes out;
+  for (const auto& [name, value] : levels[0].attributes)
+    out.emplace_back(styled_name(name, kBuildingFields, style), value);
+  add_roofers_own(levels, metres_per_unit, out);
+  return out;
+}
+
+std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle style) {
+  std::vector<std::pair<std::string, FieldKind>> columns = columns_of(kBuildingFields, style);
+  if (style == AttributeStyle::roofer)
+    for (const BuildingField& f : kRooferFields) columns.emplace_back(f.name, f.kind);
+  return columns;
+}
+
+std::vector<std::pair<std::string, FieldKind>> face_columns(AttributeStyle style) {
+  return columns_of(kFaceFields, style);
+}
+
+Attributes face_attributes(const SurfaceShape& shape, AttributeStyle style) {
+  Attributes out{{styled_name("slope_deg", kFaceFields, style), shape.slope_deg}};
+  if (shape.azimuth_deg >= 0) out.emplace_back(styled_name("azimuth_deg", kFaceFields, style), shape.azimuth_deg);
+  out.emplace_back(styled_name("area_m2", kFaceFields, style), shape.area_m2);
+  return out;
+}
+
+std::string building_fields_markdown() {
+  return table_markdown("attribute", kBuildingFields) + "\nOf a roof face:\n\n" +
+         table_markdown("attribute", kFaceFields) + "\nWith `roofs.attribute_style = \"roofer\"` also:\n\n" +
+         table_markdown("attribute", kRooferFields);
+}
+
+}  // namespace ilot

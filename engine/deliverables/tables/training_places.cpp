@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/tables/training_places.h"
+
+#include <ogrsf_frmts.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "engine/deliverables/layers/spatial_reference.h"
+#include "engine/error.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error usage(const fs::path& path, const std::string& sentence) {
+  return Error(path.string() + ": " + sentence, ExitCode::usage);
+}
+
+PointLabel label_of(const fs::path& path, const std::string& name) {
+  if (name == "none") return PointLabel::none;
+  for (const auto& [value, known] : point_label_names()) {
+    const auto label = static_cast<PointLabel>(value);
+    if (known == name && (label == PointLabel::vegetation || label >= PointLabel::car)) return label;
+  }
+  throw usage(path, "there is no class '" + name + "'; there is: car, lamppost, pedestrian, other, vegetation, none");
+}
+
+std::vector<TrainingPlace> read_truth_places(const fs::path& path) {
+  std::ifstream file(path);
+  const auto root = nlohmann::json::parse(file, nullptr, false);
+  if (!root.is_object() || !root.contains("objects")) throw usage(path, "is no truth file with objects");
+  std::vector<TrainingPlace> places;
+  try {
+    for (const auto& o : root.at("objects")) {
+      const auto& at = o.contains("box") ? o.at("box").at("centre") : o.at("base");
+      const Vec3 place{at.at(0).get<double>(), at.at(1).get<double>(), at.at(2).get<double>()};
+      places.push_back({place, label_of(path, o.at("class").get<std::string>())});
+    }
+  } catch (const nlohmann::json::exception& e) {
+    throw usage(path, std::string("an object is broken: ") + e.what());
+  }
+  return places;
+}
+
+int class_field(OGRFeatureDefn& layer) {
+  for (int i = 0; i < layer.GetFieldCount(); ++i)
+    if (EQUAL(layer.GetFieldDefn(i)->GetNameRef(), "class")) return i;
+  return -1;
+}
+
+std::vector<TrainingPlace> read_layer(const fs::path& path, OGRLayer& layer, const Crs& crs) {
+  const int field = class_field(*layer.GetLayerDefn());
+  if (field < 0) throw usage(path, "has no attribute 'class'");
+  std::unique_ptr<OGRCoordinateTransformation> transformation;
+  const auto target = spatial_reference(crs);
+  if (const OGRSpatialReference* found = layer.GetSpatialRef(); found != nullptr && target != nullptr) {
+    const std::unique_ptr<OGRSpatialReference> source(found->Clone());
+    source->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    source->StripVertical(), target->StripVertical();
+    if (!source->IsSame(target.get()))
+      transformation.reset(OGRCreateCoordinateTransformation(source.get(), target.get()));
+  }
+  std::vector<TrainingPlace> places;
+  for (const auto& feature : layer) {
+    OGRGeometry* geometry = feature->GetGeometryRef();
+    if (geometry == nullptr || geometry->IsEmpty()) continue;
+    OGRPoint middle;
+    if (geometry->Centroid(&middle) != OGRERR_NONE) continue;
+    if (transformation && middle.transform(transformation.get()) != OGRERR_NONE) continue;
+    if (!std::isfinite(middle.getX()) || !std::isfinite(middle.getY())) continue;
+    places.push_back({{middle.getX(), middle.getY(), 0}, label_of(path, feature->GetFieldAsString(field))});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::vector<TrainingPlace> read_training_places(const fs::path& path, const Crs& crs) {
+  if (!fs::is_regular_file(path)) throw usage(path, "no such file");
+  if (path.filename().string().ends_with(".truth.json")) return read_truth_places(path);
+  GDALAllRegister();
+  const GDALDatasetUniquePtr file(
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, nullptr, nullptr, nullptr));
+  if (!file) throw usage(path, "is no vector file that can be read");
+  for (OGRLayer* layer : file->GetLayers())
+    if (layer->GetFeatureCount() > 0) return read_layer(path, *layer, crs);
+  throw usage(path, "holds no feature");
+}
+
+}  // namespace ilot

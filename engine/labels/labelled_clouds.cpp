@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/labels/labelled_clouds.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <type_traits>
+
+#include "engine/error.h"
+#include "engine/formats/changed_reader.h"
+#include "engine/formats/laz/laz_extender.h"
+#include "engine/formats/row_buffer.h"
+#include "engine/formats/writer.h"
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/version.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kStretch = 50000;  // rows labelled at a time, where chunks do not say, at most
+
+CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
+  CloudSpec spec;
+  spec.like = reader_of_records(input).info();
+  spec.software = "ilot " + version();
+  const auto add = [&](const char* name, const char* meaning, FieldType type) {
+    spec.appended.push_back({name, meaning, type});
+  };
+  if (params.with_planes || params.with_roofs) add("plane_id", "0 = none", FieldType::u32);
+  if (params.with_planes) {
+    add("residual", "signed distance to plane, m", FieldType::f32);
+    add("boundary", "1 = on its plane's outline", FieldType::u8);
+    if (!params.final_shape.empty()) add("shape_id", "sphere, cylinder, cone; 0 = none", FieldType::u32);
+  }
+  if (params.with_roofs) add("unit_id", "building, 0 = none", FieldType::u32);
+  if (params.with_streets) add("object_id", "on the street, 0 = none", FieldType::u32);
+  if (params.with_facades) add("facade_id", "0 = none", FieldType::u16);
+  if (params.with_facades) add("element_id", "on its facade, 0 = none", FieldType::u32);
+  if (params.with_roofs || params.with_streets || params.with_facades)
+    add("label", "1 ground, 2 roof, 5 facade...", FieldType::u8);
+  if (params.with_roofs) {
+    if (params.with_planes) add("roof_plane_id", "roof face, 0 = none", FieldType::u32);
+  }
+  if (params.write_normals)
+    for (const char* name : {"NormalX", "NormalY", "NormalZ"}) add(name, "unit normal, 0 0 0 = none", FieldType::f32);
+  return spec;
+}
+
+// Signed distance from the coordinates as they stand in the input, in lattice units.
+double residual(const std::byte* record, const LatticeMap& lattice, const JoinedPlane& plane) {
+  const Vec3 offset = lattice.offset_from(plane.anchor, load<std::int32_t>(record), load<std::int32_t>(record + 4),
+                                          load<std::int32_t>(record + 8));
+  return signed_distance(plane.plane, offset);
+}
+
+// Appends values behind a record, one after the other.
+class Appender {
+ public:
+  explicit Appender(std::byte* to) : to_(to) {}
+  template <class T>
+  void add(T value) {
+    store<T>(to_, value);
+    to_ += sizeof value;
+  }
+
+ private:
+  std::byte* to_;
+};
+
+// In the order of labelled_spec().
+void append_labels(const RowLabels& row, double residual_m, const LabelParams& params, std::byte* to) {
+  Appender out(to);
+  if (row.plane != nullptr || row.roof != nullptr)
+    out.add<std::uint32_t>(row.plane != nullptr ? row.plane->plane : row.roof->plane);
+  if (row.plane != nullptr) {
+    out.add<float>(static_cast<float>(residual_m));
+    out.add<std::uint8_t>(row.plane->boundary);
+    if (!params.final_shape.empty()) out.add<std::uint32_t>(row.plane->shape);
+  }
+  if (row.roof != nullptr) out.add<std::uint32_t>(row.roof->unit);
+  if (row.street != nullptr) out.add<std::uint32_t>(row.street->object);
+  if (row.facade != nullptr) {
+    out.add<std::uint16_t>(row.facade->facade);
+    out.add<std::uint32_t>(row.facade->element);
+  }
+  if (row.roof != nullptr || row.street != nullptr || row.facade != nullptr)
+    out.add<std::uint8_t>(static_cast<std::uint8_t>(row.label()));
+  if (row.roof != nullptr && row.plane != nullptr) out.add<std::uint32_t>(row.roof->plane);
+  if (row.plane == nullptr || !params.write_normals) return;
+  for (const std::int16_t n : {row.plane->normal.x, row.plane->normal.y, row.plane->normal.z})
+    out.add<float>(static_cast<float>(n) / 32767.0f);
+}
+
+// Rows of one input and what we say of each.
+struct Stretch {
+  std::vector<std::byte> rows, appended;
+  std::vector<std::uint8_t> valid;
+  std::uint64_t labelled = 0;
+};
+
+// The valid rows, ours behind each.
+std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length) {
+  std::vector<std::byte> out;
+  out.reserve(s.rows.size() + s.appended.size());
+  for (std::size_t i = 0; i < s.valid.size(); ++i) {
+    if (s.valid[i] == 0) continue;
+    const auto row = s.rows.begin() + static_cast<std::ptrdiff_t>(i * length);
+    const auto ours = s.appended.begin() + static_cast<std::ptrdiff_t>(i * appended_length);
+    out.insert(out.end(), row, row + static_cast<std::ptrdiff_t>(length));
+    out.insert(out.end(), ours, ours + static_cast<std::ptrdiff_t>(appended_length));
+  }
+  return out;
+}
+
+// One input on its way to its output.
+class Labeller {
+ public:
+  Labeller(const Store& store, const std::vector<BlockRows>& blocks, const LabelParams& params,
+           const PassContext& context, PointReader& input, std::uint32_t file)
+      : store_(store), blocks_(blocks), params_(params), context_(context), input_(input), file_(file) {}
+
+  // Returns the number of rows of which something is said.
+  std::uint64_t write(const fs::path& path) const {
+    CloudSpec spec = labelled_spec(input_, params_);
+    spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
+    if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
+    return copy(*create_cloud(path, spec));
+  }
+
+ private:
+  // Each chunk of the input becomes one of the output, of which only our fields are coded.
+  std::uint64_t extend(LazExtender& output) const {
+    const std::vector<std::uint64_t> bounds = input_.boundaries();
+    input_.limit_to(kFieldZ);
+    const std::uint64_t labelled = by_stretches(
+        bounds, output.appended_length(),
+        [&](std::size_t chunk, const Stretch& s) { return output.extend(chunk, s.rows, s.appended); },
+        [&](const LazExtender::Chunk& chunk) { output.append(chunk); });
+    input_.limit_to(kAllFields);
+    output.finish();
+    return labelled;
+  }
+
+  std::uint64_t copy(PointWriter& output) const {
+    const std::uint64_t points = input_.info().points;
+    const std::size_t length = input_.info().layout.record_length, ours = output.record_length() - length;
+    const std::uint64_t stretch = rows_at_a_time(length + ours, kStretch);
+    std::vector<std::uint64_t> bounds{0};
+    while (bounds.back() < points) bounds.push_back(std::min(bounds.back() + stretch, points));
+    const std::uint64_t labelled = by_stretches(
+        bounds, ours, [&](std::size_t, const Stretch& s) { return joined_rows(s, length, ours); },
+        [&](const std::vector<std::byte>& rows) { output.write(rows); });
+    output.finish();
+    return labelled;
+  }
+
+  // Reads, labels and prepares the stretches between bounds in parallel, a few at a time, and puts what was prepared in
+  // order.
+  template <class Prepare, class Put>
+  std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, const Prepare& prepare,
+                             const Put& put) const {
+    const std::size_t together = stretches_at_once(bounds, appended_length);
+    std::vector<std::invoke_result_t<Prepare, std::size_t, const Stretch&>> prepared(together);
+    std::vector<std::uint64_t> labelled(together);
+    std::uint64_t all = 0;
+    for (std::size_t at = 0; at + 1 < bounds.size(); at += together) {
+      stop_if_asked();
+      const std::size_t count = std::min(together, bounds.size() - 1 - at);
+      parallel_for(count, [&](std::size_t i) {
+        const Stretch s = read_stretch(bounds[at + i], bounds[at + i + 1] - bounds[at + i], appended_length);
+        labelled[i] = s.labelled;
+        prepared[i] = prepare(at + i, s);
+      });
+      for (std::size_t i = 0; i < count; ++i) {
+        put(prepared[i]);
+        all += labelled[i];
+        context_.advance(bounds[at + i + 1] - bounds[at + i]);
+      }
+    }
+    return all;
+  }
+
+  // As many as keep the threads busy, and have room.
+  std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
+    if (!input_.random_access()) return 1;
+    constexpr std::uint64_t kLabelsOfRow = sizeof(InputOrder) + sizeof(PlaneLabel) + sizeof(RoofLabel) +
+                                           sizeof(StreetLabel) + sizeof(FacadeLabel) + sizeof(PlaneLabel);
+    constexpr std::uint64_t kCodersOfStretch = 1u << 20;  // models and buffers of reading and writing one
+    std::uint64_t longest = 0;
+    for (std::size_t i = 0; i + 1 < bounds.size(); ++i) longest = std::max(longest, bounds[i + 1] - bounds[i]);
+    const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + kLabelsOfRow;
+    const std::uint64_t room = affordable(context_.budget_bytes) / 2 / (longest * row + kCodersOfStretch);
+    return static_cast<std::size_t>(std::clamp<std::uint64_t>(room, 1, 2 * static_cast<std::uint64_t>(thread_count())));
+  }
+
+  Stretch read_stretch(std::uint64_t first, std::uint64_t count, std::size_t appended_length) const {
+    const std::size_t length = input_.info().layout.record_length;
+    Stretch s;
+    s.rows.resize(count * length);
+    s.valid.resize(count);
+    if (input_.read(first, s.rows, s.valid) != count)
+      throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
+    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file_, first), count, params_);
+    const LatticeMap lattice(input_.info().layout, store_.unit());
+    const double metres = store_.unit() * context_.metres_per_unit;
+    s.appended.resize(count * appended_length);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (s.valid[i] == 0) continue;
+      const RowLabels say = labels.row(i);
+      const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
+      const double distance =
+          on_plane ? metres * residual(s.rows.data() + i * length, lattice, params_.planes[say.plane->plane - 1]) : 0;
+      append_labels(say, distance, params_, s.appended.data() + i * appended_length);
+      s.labelled += say.says_anything();
+    }
+    return s;
+  }
+
+  const Store& store_;
+  const std::vector<BlockRows>& blocks_;
+  const LabelParams& params_;
+  const PassContext& context_;
+  PointReader& input_;
+  std::uint32_t file_;
+};
+
+}  // namespace
+
+std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs) {
+  std::map<std::string, int> stems;
+  for (const auto& input : inputs) ++stems[cloud_stem(input->info().path)];
+  std::set<std::string> used;
+  for (const auto& [stem, count] : stems)
+    if (count == 1) used.insert(stem);
+  std::vector<std::string> names;
+  for (const auto& input : inputs) {
+    const fs::path path = fs::absolute(input->info().path);
+    std::string name = cloud_stem(path);
+    if (stems[name] > 1) {
+      const std::string base = path.parent_path().filename().string() + "_" + name;
+      name = base;
+      for (int n = 2; !used.insert(name).second; ++n) name = base + "_" + std::to_string(n);
+    }
+    names.push_back(name + kCloudExtension);
+  }
+  return names;
+}
+
+void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context) {
+  for (const auto& input : inputs) {
+    const CloudInfo& info = input->info();
+    const std::uint64_t needed = cloud_writer_bytes(info.layout, info.points);
+    if (needed > context.budget_bytes)
+      throw Error(info.path.string() + ": its rows of " + std::to_string(info.layout.record_length) + " bytes take " +
+                  std::to_string(needed >> 20) + " MiB to be compressed with their labels, and --memory leaves " +
+                  std::to_string(context.budget_bytes >> 20) + " MiB; give a larger --memory, or --no-clouds");
+  }
+}
+
+std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
+                                    const LabelParams& params, const fs::path& folder, const PassContext& context) {
+  fs::create_directories(folder);
+  const std::vector<BlockRows> blocks = sample_rows(store);
+  const std::vector<std::string> names = labelled_names(inputs);
+  std::uint64_t labelled = 0;
+  for (std::uint32_t f = 0; f < inputs.size(); ++f)
+    labelled += Labeller(store, blocks, params, context, *inputs[f], f).write(folder / names[f]);
+  return labelled;
+}
+
+}  // namespace ilot

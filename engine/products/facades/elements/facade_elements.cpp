@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/elements/facade_elements.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/products/facades/elements/thing_kinds.h"
+#include "engine/products/facades/walls/side_faces.h"
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::array<const char*, 12> kNames{"window", "door",  "sill",    "lintel",     "balcony", "band",
+                                             "bulge",  "stone", "bracket", "protrusion", "recess",  "eaves"};
+
+Vec3 place_of(const FacadeSite& site, double u, double v, double w) {
+  const double units = 1 / site.metres_per_unit;
+  return site.axes.origin + (u * units) * site.axes.right + (v * units) * site.axes.up + (w * units) * site.axes.out;
+}
+
+std::vector<Vec3> ring_of(const FacadeSite& site, const Box2& box, double w) {
+  return {place_of(site, box.u0, box.v0, w), place_of(site, box.u1, box.v0, w), place_of(site, box.u1, box.v1, w),
+          place_of(site, box.u0, box.v1, w)};
+}
+
+// Four corners where neighbouring sides meet.
+std::vector<Vec3> leaning_ring(const FacadeSite& site, const FoundRectangle& r) {
+  const Box2 box = r.box();
+  const double um = (box.u0 + box.u1) / 2, vm = (box.v0 + box.v1) / 2;
+  const auto corner = [&](Side upright, Side level) {
+    const double a = r.lean_of(upright), b = r.lean_of(level);
+    const double u = (r.at(upright) + a * (r.at(level) - b * um - vm)) / (1 - a * b);
+    return place_of(site, u, r.at(level) + b * (u - um), 0);
+  };
+  return {corner(Side::left, Side::bottom), corner(Side::right, Side::bottom), corner(Side::right, Side::top),
+          corner(Side::left, Side::top)};
+}
+
+// The corners of an opening under an arc, from the lower left on, and which side each edge belongs to.
+struct ArchedRing {
+  std::vector<Vec3> corners;
+  std::vector<Side> sides;
+  FacadeArc arc;
+};
+
+ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
+  constexpr double kLongestChord = 5;  // degrees
+  const Box2 box = r.box();
+  const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
+  // A jamb that is a tangent as far as one knows springs at the height of the centre: where the two lines meet moves by
+  // centimetres for a millimetre there.
+  const auto springing = [&](double at, Side jamb) {
+    const double up2 = radius * radius - (at - u) * (at - u);
+    const bool tangent = std::abs(std::abs(at - u) - radius) <= r.error(jamb) + r.arc->error;
+    return v + (up2 > 0 && !tangent ? std::sqrt(up2) : 0);
+  };
+  const double right = springing(box.u1, Side::right), left = springing(box.u0, Side::left);
+  const double from = direction_degrees(box.u1 - u, right - v), to = direction_degrees(box.u0 - u, left - v);
+  ArchedRing ring;
+  const auto add = [&](double at_u, double at_v, Side side) {
+    ring.corners.push_back(place_of(site, at_u, at_v, 0));
+    ring.sides.push_back(side);
+  };
+  add(box.u0, box.v0, Side::bottom);
+  add(box.u1, box.v0, Side::right);
+  add(box.u1, right, Side::top);
+  const int chords = std::max(2, static_cast<int>(std::ceil((to - from) / kLongestChord)));
+  for (int i = 1; i < chords; ++i) {
+    const double angle = from + (to - from) * i / chords;
+    add(u + radius * cos_degrees(angle), v + radius * cos_degrees(angle - 90), Side::top);
+  }
+  add(box.u0, left, Side::left);
+  ring.arc = {place_of(site, u, v, 0), radius, from, to};
+  return ring;
+}
+
+double both(double a, double b) {
+  return std::sqrt(a * a + b * b);
+}
+
+}  // namespace
+
+FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
+  const FoundRectangle& r = thing.shape;
+  FacadeElement e;
+  e.kind = kNames[static_cast<std::size_t>(thing.kind)];
+  e.opening = is_opening(thing.kind);
+  e.family = thing.family;
+  e.row = thing.row;
+  e.column = thing.column;
+  std::vector<Side> sides(kSides.begin(), kSides.end());
+  if (r.arc) {
+    ArchedRing arched = arched_ring(site, r);
+    e.ring = std::move(arched.corners);
+    e.arcs = {arched.arc};
+    sides = std::move(arched.sides);
+  } else if (r.leans()) {
+    e.ring = leaning_ring(site, r);
+  } else {
+    const bool in_wall = e.opening || thing.kind >= FacadeThingKind::protrusion;
+    e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
+  }
+  for (const Side side : sides) {
+    const LocatedEdge& edge = r.side(side);
+    e.edges.push_back({edge.status, edge.points, edge.rms, edge.error, edge.moved});
+  }
+  const auto hidden = static_cast<std::size_t>(std::count_if(
+      r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
+  e.reason = thing.reason;
+  if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
+  e.width_m = r.box().width();
+  e.height_m = r.box().height();
+  e.depth_m = r.depth;
+  e.width_error_m = std::min(r.width_error, both(r.error(Side::left), r.error(Side::right)));
+  e.height_error_m = std::min(r.height_error, both(r.error(Side::bottom), r.error(Side::top)));
+  e.depth_error_m = r.depth_error;
+  e.points = r.points;
+  if (!r.arc && !r.leans() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
+  return e;
+}
+
+FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline) {
+  const FacadeSite& site = samples.site();
+  FacadeElement e;
+  e.kind = "outline";
+  e.region = FacadeRegion::facade;
+  e.edges = outline.edges;
+  for (const Place2& p : outline.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.width_m = std::max(e.width_m, p.u);
+    e.height_m = std::max(e.height_m, p.v);
+  }
+  e.width_error_m = e.height_error_m = site.step;
+  e.points = samples.points_on_wall();
+  return e;
+}
+
+FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
+  FacadeElement e;
+  e.kind = "bulge";
+  e.region = FacadeRegion::irregularity;
+  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const Place2& p : i.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.edges.push_back({DrawnStatus::seen, 0, 0, site.step, 0});
+    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+  }
+  e.width_m = box.width();
+  e.height_m = box.height();
+  e.depth_m = i.rise;
+  e.width_error_m = e.height_error_m = both(site.step, site.step);
+  e.depth_error_m = i.rise_error;
+  e.points = i.points;
+  for (const Vec3& p : i.vertices) e.body.vertices.push_back(place_of(site, p.x, p.y, p.z));
+  for (const auto& t : i.triangles) e.body.faces.push_back({t[0], t[1], t[2]});
+  return e;
+}
+
+}  // namespace ilot

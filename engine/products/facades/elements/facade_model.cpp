@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/elements/facade_model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+#include "engine/products/facades/elements/depth_image.h"
+#include "engine/products/facades/elements/facade_elements.h"
+#include "engine/products/facades/elements/slices.h"
+#include "engine/products/facades/elements/thing_kinds.h"
+#include "engine/products/facades/rays/cell_bands.h"
+#include "engine/products/facades/rays/lanes.h"
+#include "engine/products/facades/walls/side_faces.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kSameThing = 0.8;  // of an area, that what is found twice has in common
+constexpr double kStraight = 0.02;  // metres: a side's ends before and behind, of one that leans not
+constexpr double kMostOf = 0.5;     // of a thing: what is no more than a part lends it no sides
+constexpr double kSamePatch = 0.5;  // of a patch, that lies within an irregularity
+
+double common_area(const Box2& a, const Box2& b) {
+  return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
+         std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
+}
+
+// What is not a part of an irregularity: its patches of plane are no things of their own, and nothing else is in it.
+std::vector<Box2> boxes_of_elements(const std::vector<FacadeThing>& things) {
+  std::vector<Box2> boxes;
+  for (const FacadeThing& t : things)
+    if (t.kind != FacadeThingKind::bulge) boxes.push_back(t.shape.box());
+  return boxes;
+}
+
+void drop_patches(std::vector<FacadeThing>& things, const std::vector<Irregularity>& irregular) {
+  std::erase_if(things, [&](const FacadeThing& t) {
+    const Box2 own = t.shape.box();
+    return t.kind == FacadeThingKind::bulge &&
+           std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
+             Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+             for (const Place2& p : i.ring)
+               box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+             return common_area(box, own) >= kSamePatch * own.width() * own.height();
+           });
+  });
+}
+
+// The order in which elements are numbered.
+bool comes_before(const FacadeThing& a, const FacadeThing& b) {
+  const Box2 p = a.shape.box(), q = b.shape.box();
+  if (a.kind != b.kind) return a.kind < b.kind;
+  if (a.row != b.row) return a.row < b.row;
+  if (p.u0 != q.u0) return p.u0 < q.u0;
+  return p.v0 != q.v0 ? p.v0 < q.v0 : a.shape.depth < b.shape.depth;
+}
+
+// Bulges that overlap are patches of one.
+void merge_bulges(std::vector<FacadeThing>& things) {
+  const auto overlap = [](const FacadeThing& a, const FacadeThing& b) {
+    const Box2 p = a.shape.box(), q = b.shape.box();
+    return a.kind == FacadeThingKind::bulge && b.kind == FacadeThingKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 &&
+           p.v0 < q.v1 && q.v0 < p.v1;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t a = 0; a < things.size(); ++a)
+      for (std::size_t b = a + 1; b < things.size();) {
+        if (!overlap(things[a], things[b])) {
+          ++b;
+          continue;
+        }
+        FoundRectangle &p = things[a].shape, &q = things[b].shape;
+        const auto outer = [&](Side side, bool low) {
+          if (low ? q.at(side) < p.at(side) : q.at(side) > p.at(side)) p.side(side) = q.side(side);
+        };
+        outer(Side::left, true), outer(Side::bottom, true), outer(Side::right, false), outer(Side::top, false);
+        if (q.depth > p.depth) p.depth = q.depth, p.depth_error = q.depth_error;
+        p.points += q.points;
+        things.erase(things.begin() + static_cast<std::ptrdiff_t>(b));
+        more = true;
+      }
+  }
+}
+
+// Sides that points of side faces tell are known better than those between points of the wall and what is behind. An
+// opening that nothing fills has no depth of its own: a niche has.
+void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
+  if (known.depth == 0) known.depth = found.depth, known.depth_error = found.depth_error, known.end = found.end;
+  for (const Side side : kSides)
+    if (found.side(side).by_face && !known.side(side).by_face && found.error(side) < known.error(side))
+      known.side(side) = found.side(side);
+}
+
+// What is large and not found yet, in place of what is only a part of it: the front of a bay.
+void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large, double wall_height) {
+  for (const FoundRectangle& r : large) {
+    const Box2 box = r.box();
+    const auto same_side = [&](const FacadeThing& t) {
+      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != FacadeThingKind::stone;
+    };
+    const auto known = std::find_if(things.begin(), things.end(), [&](const FacadeThing& t) {
+      return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
+    });
+    if (known != things.end()) {
+      const Box2 own = known->shape.box();
+      if (common_area(box, own) >= kMostOf * own.width() * own.height()) take_better_sides(known->shape, r);
+      continue;
+    }
+    // Openings within a recess stay: they go on from its back.
+    std::erase_if(things, [&](const FacadeThing& t) {
+      const Box2 own = t.shape.box();
+      return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
+    });
+    things.push_back({r, kind_of_large(r, wall_height), 0, 0, 0, {}});
+  }
+}
+
+std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params) {
+  std::vector<FoundRectangle> openings, relief, stones, large;
+  const std::array<std::function<void()>, 4> searches{
+      [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
+      [&] { stones = find_stones(samples); }, [&] { openings = find_openings(samples, params.openings); }};
+  in_lanes(params.lanes, searches.size(), [&](std::size_t i) { searches[i](); });
+  drop_pierced_stones(openings, stones);
+  std::vector<FacadeThing> things;
+  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
+  for (const FoundRectangle& r : relief)
+    things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
+  for (const FoundRectangle& s : stones) things.push_back({s, FacadeThingKind::stone, 0, 0, 0, {}});
+  keep_nearest_sills(things);
+  merge_bulges(things);
+  std::erase_if(things, is_rail);
+  add_large_relief(things, large, samples.site().height);
+  return things;
+}
+
+// Sides that do not lean end where the outline is drawn.
+Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
+  const auto side = [](double at, double from, double now) { return std::abs(at - from) < kStraight ? now : at; };
+  return {side(end.u0, measured.u0, drawn.u0), side(end.u1, measured.u1, drawn.u1), side(end.v0, measured.v0, drawn.v0),
+          side(end.v1, measured.v1, drawn.v1)};
+}
+
+// What a thing comes down to at its depth [Lorraine thesis, 4.2.1], where its sides are seen to lean.
+void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples, std::size_t lanes) {
+  constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
+  in_lanes(lanes, things.size(), [&](std::size_t i) {
+    FoundRectangle& r = things[i].shape;
+    const Box2 box = r.box();
+    if (r.end) r.end = straightened(*r.end, box, box);
+    if (r.end || r.arc || r.leans() || things[i].kind == FacadeThingKind::stone || r.depth == 0) return;
+    const double about = 1.5 * SliceParams{}.spacing;
+    const SliceRange range{box.grown(kMargin), r.depth - about, r.depth + about};
+    const std::optional<FacadeSlice> end = end_slice(slices_of(samples, range));
+    if (!end) return;
+    const Box2 extent = whole_extent(samples, range, *end).grown(samples.site().step / 2);
+    const SideFaces faces = side_faces(samples, box, extent, r.depth);
+    r.end = straightened(faces.end, faces.outline, box);
+  });
+}
+
+}  // namespace
+
+std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes) {
+  constexpr double kCells = 30, kLeastCell = 0.02;  // bytes a cell of all images together; metres
+  constexpr std::uint64_t kBands = 8 << 20;         // while these are counted
+  constexpr std::uint64_t kSorting = 5 << 20, kLane = 12 << 20,
+                          kPoint = 200;  // a step has samples of 2^16 or 2^17 points
+  const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
+  const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
+  return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +
+         std::min(kBands + kSorting, kPoint * points) + lanes * std::min(kLane, kPoint * points);
+}
+
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params) {
+  const FacadeSite& site = samples.site();
+  std::vector<FacadeThing> things = things_of(samples, params);
+  const std::vector<Irregularity> irregular = find_irregularities(samples, boxes_of_elements(things), params.irregular);
+  drop_patches(things, irregular);
+  group_things(things, params.regular);
+  if (params.regularise) {
+    regularise_things(things, params.regular);
+    complete_things(things, params.regular);
+    group_things(things, params.regular);
+  }
+  find_ends(things, samples, params.lanes);
+  std::sort(things.begin(), things.end(), comes_before);
+
+  FoundFacade found;
+  Facade& f = found.facade;
+  f.crs = site.crs;
+  f.origin = site.axes.origin;
+  f.right = site.axes.right;
+  f.up = site.axes.up;
+  f.out = site.axes.out;
+  f.elements.push_back(wall_of(samples, wall_outline(samples, params.outline)));
+  f.width_m = f.elements[0].width_m;
+  f.height_m = f.elements[0].height_m;
+  for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;
+  for (const FacadeThing& thing : things) {
+    f.elements.push_back(element_of(site, thing));
+    for (const LocatedEdge& edge : thing.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
+  }
+  for (const Irregularity& i : irregular) f.elements.push_back(irregularity_of(site, i));
+  for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;
+  return found;
+}
+
+}  // namespace ilot

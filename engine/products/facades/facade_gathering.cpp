@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/facade_gathering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/columns/colours_pass.h"
+#include "engine/columns/stations_pass.h"
+#include "engine/store/stretches.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
+
+// The part of a box that another one in CRS units holds, and a step more.
+IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
+  const auto clamped = [&](double at, std::int64_t least, std::int64_t most) {
+    return static_cast<std::int64_t>(std::clamp(at / unit, static_cast<double>(least), static_cast<double>(most)));
+  };
+  const auto at = [&](Vec3 p) {
+    return Index3{clamped(p.x, box.min.x, box.max.x), clamped(p.y, box.min.y, box.max.y),
+                  clamped(p.z, box.min.z, box.max.z)};
+  };
+  return IndexBox{at(part.min), at(part.max)}.grown(1);
+}
+
+// The place around a wall that points are taken from, in its axes: a box that goes across those of the lattice.
+class Slab {
+ public:
+  Slab(const FacadeWork& work, const WallGroup& wall)
+      : into_(work, wall),
+        metres_(work.store.unit() * work.metres_per_unit),
+        axes_{wall.axes.right, wall.axes.up, wall.axes.out},
+        low_{-work.beside, -work.beside, -work.behind},
+        high_{wall.width + work.beside, wall.height + work.beside, work.before} {}
+
+  // Whether some place of a box on the lattice may be in it.
+  bool meets(const IndexBox& box) const {
+    const Vec3 a = into_.of(box.min), b = into_.of(box.max), middle = 0.5 * (a + b);
+    const Vec3 half = 0.5 * metres_ *
+                      Vec3{static_cast<double>(box.max.x - box.min.x), static_cast<double>(box.max.y - box.min.y),
+                           static_cast<double>(box.max.z - box.min.z)};
+    const std::array<double, 3> at{middle.x, middle.y, middle.z};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& axis = axes_[k];
+      const double reach = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z + metres_;
+      if (at[k] + reach < low_[k] || at[k] - reach > high_[k]) return false;
+    }
+    return true;
+  }
+
+ private:
+  LatticeAxes into_;
+  double metres_;  // of a lattice step
+  std::array<Vec3, 3> axes_;
+  std::array<double, 3> low_, high_;
+};
+
+View planned(const FacadeWork& work, const WallGroup& wall) {
+  const Slab slab(work, wall);
+  return plan_view(work.store, box_around(work, wall), {}, [&](const IndexBox& box) { return slab.meets(box); });
+}
+
+void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const SiteStation> number_of,
+                 const TakeFacadePoints& take) {
+  const LatticeAxes into(work, wall);
+  const double epsilon = epsilon_of(wall);
+  std::vector<FacadePoint> points;
+  std::vector<SiteStation> from;
+  for_each_stretch(work.store, planned(work, wall).slices, [&](const Stretch& s) {
+    points.clear(), from.clear();
+    const auto planes = s.read(work.store, columns::kPlane);
+    std::vector<StationNumber> stations;
+    if (work.told) stations = s.read(work.store, columns::kStation);
+    for (std::size_t i = 0; i < planes.size(); ++i) {
+      const Vec3 p = into.of(s.position(i));
+      if (p.x < -work.beside || p.x > wall.width + work.beside || p.y < -work.beside ||
+          p.y > wall.height + work.beside || p.z < -work.behind || p.z > work.before)
+        continue;
+      if (work.told) {
+        const SiteStation number = number_of[stations[i]];
+        if (number == kStationAside && p.z < -epsilon) continue;  // not seen through the wall
+        from.push_back(number);
+      }
+      points.push_back(
+          {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
+    }
+    take(points, from);
+  });
+}
+
+// Outer rings of the wall's segments, onto the wall.
+void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  const LatticeAxes into(work, wall);
+  std::vector<std::uint32_t> numbers;
+  for (const std::uint32_t id : wall.segments) {
+    auto at = std::lower_bound(work.outline_numbers.begin(), work.outline_numbers.end(), OutlineNumber{id, 0});
+    for (; at != work.outline_numbers.end() && at->plane == id; ++at) numbers.push_back(at->number);
+  }
+  std::sort(numbers.begin(), numbers.end());
+  for (const std::uint32_t number : numbers) {
+    for (const Outline::Part& part : work.outlines[number].parts) {
+      OutlineRing& ring = site.rings.emplace_back();
+      for (const Vec3& p : part[0]) {
+        const Vec3 at = into.of_place(p);
+        ring.push_back({at.x, at.y});
+      }
+    }
+  }
+}
+
+// Returns the numbers that the run's stations have in the site.
+std::vector<SiteStation> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
+  std::vector<SiteStation> number_of(work.stations.size() + 1, kStationAside);
+  number_of[0] = kStationUnknown;
+  for (std::size_t i = 0; i < work.stations.size(); ++i) {
+    FacadeStation station = work.steps[i];
+    station.position = LatticeAxes(work, wall).of_place(work.stations[i]);
+    if (!(station.position.z > work.before)) continue;
+    site.stations.push_back(station);
+    const bool numbered = site.stations.size() < kStationAside;
+    number_of[i + 1] = numbered ? static_cast<SiteStation>(site.stations.size()) : kStationUnknown;
+  }
+  return number_of;
+}
+
+}  // namespace
+
+std::vector<OutlineNumber> numbers_of(std::span<const Outline> outlines) {
+  std::vector<OutlineNumber> numbers;
+  numbers.reserve(outlines.size());
+  for (std::size_t i = 0; i < outlines.size(); ++i)
+    numbers.push_back({outlines[i].plane_id, static_cast<std::uint32_t>(i)});
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+LatticeAxes::LatticeAxes(const FacadeWork& work, const WallGroup& wall)
+    : axes_(wall.axes), metres_per_unit_(work.metres_per_unit), metres_(work.store.unit() * work.metres_per_unit) {
+  const double unit = work.store.unit();
+  anchor_ = {std::llround(axes_.origin.x / unit), std::llround(axes_.origin.y / unit),
+             std::llround(axes_.origin.z / unit)};
+  const auto rest = [&](std::int64_t whole, double at) { return static_cast<double>(whole) - at / unit; };
+  rest_ = {rest(anchor_.x, axes_.origin.x), rest(anchor_.y, axes_.origin.y), rest(anchor_.z, axes_.origin.z)};
+}
+
+Vec3 LatticeAxes::of_place(Vec3 place) const {
+  const Vec3 d = metres_per_unit_ * (place - axes_.origin);
+  return {dot(d, axes_.right), dot(d, axes_.up), dot(d, axes_.out)};
+}
+
+double epsilon_of(const WallGroup& wall) {
+  return std::max(wall.epsilon, kEpsilons * wall.rms);
+}
+
+IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
+  const double units = 1 / work.metres_per_unit;
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const double u : {-work.beside, wall.width + work.beside})
+    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
+      for (const double w : {-work.behind, work.before}) {
+        const Vec3 p =
+            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
+  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+}
+
+std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall) {
+  return planned(work, wall).size;
+}
+
+GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall) {
+  GatheredFacade gathered;
+  FacadeSite& site = gathered.site;
+  site.axes = wall.axes;
+  site.metres_per_unit = work.metres_per_unit;
+  site.width = wall.width;
+  site.height = wall.height;
+  site.noise = wall.rms;
+  site.epsilon = epsilon_of(wall);
+  site.step = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  site.wall = wall.segments;
+  site.parallel = wall.parallel;
+  std::sort(site.parallel.begin(), site.parallel.end(),
+            [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
+  add_rings(work, wall, site);
+  gathered.points = [&work, wall, number_of = add_stations(work, wall, site)](const TakeFacadePoints& take) {
+    read_points(work, wall, number_of, take);
+  };
+  return gathered;
+}
+
+PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
+  return [&work, around = box_around(work, wall)](const PointBox& asked,
+                                                  const std::function<void(std::span<const ImagePoint>)>& take) {
+    const double unit = work.store.unit();
+    const IndexBox box = within(around, asked, unit);
+    std::vector<ImagePoint> points;
+    for_each_stretch(work.store, plan_view(work.store, box, {}).slices, [&](const Stretch& s) {
+      std::vector<StoredColour> colours(s.codes.size(), 0);
+      if (work.store.has(s.block, columns::kColour)) colours = s.read(work.store, columns::kColour);
+      points.clear();
+      for (std::size_t i = 0; i < colours.size(); ++i) {
+        const Index3 p = s.position(i);
+        if (!box.contains(p)) continue;  // what else is read with it depends on how the points are stored
+        const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
+        points.push_back(
+            {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},
+             {channel(16), channel(8), channel(0)}});
+      }
+      take(points);
+    });
+  };
+}
+
+}  // namespace ilot

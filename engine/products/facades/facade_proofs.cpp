@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/facade_proofs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <optional>
+
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/proof/facade_proof.h"
+#include "engine/proof/facade_sight.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kStrip = 4;                    // metres along a wall that one task reads
+constexpr std::uint64_t kStripBytes = 4 << 20;  // that it takes
+constexpr double kReach = 0.03;                 // metres, at least: smaller relief is not told from the wall
+constexpr double kEdgeSteps = 2;                // steps of the scan, at least, around an edge
+
+struct Strip {
+  std::size_t facade = 0;
+  double from = 0, to = 0;  // u: closed, open
+};
+
+FacadeProofParams proof_params(const WallGroup& wall, double metres_per_unit) {
+  const double step = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  return {std::max(kReach, epsilon_of(wall)), std::max(kReach, kEdgeSteps * step), metres_per_unit};
+}
+
+std::vector<Strip> strips_of(std::span<const FoundFacade> found, std::span<const WallGroup> walls, double beside) {
+  std::vector<Strip> strips;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto count = static_cast<std::size_t>(walls[i].width / kStrip) + 1;
+    const double width = walls[i].width / static_cast<double>(count);
+    for (std::size_t k = 0; k < count; ++k)
+      strips.push_back({i, k == 0 ? -beside : static_cast<double>(k) * width,
+                        k + 1 == count ? walls[i].width + beside : static_cast<double>(k + 1) * width});
+  }
+  return strips;
+}
+
+// Around a strip of a wall, CRS units.
+PointBox box_of(const FacadeWork& work, const WallGroup& wall, const Strip& strip) {
+  PointBox box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+  const double units = 1 / work.metres_per_unit;
+  const FacadeAxes& axes = wall.axes;
+  for (const double u : {strip.from, strip.to})
+    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
+      for (const double w : {-work.behind, work.before}) {
+        const Vec3 p = axes.origin + units * (u * axes.right + v * axes.up + w * axes.out);
+        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
+        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+      }
+  return box;
+}
+
+ProofTally tally_of(const FacadeWork& work, const WallGroup& wall, const Strip& strip, const Facade& facade,
+                    const FacadeProof& proof) {
+  ProofTally tally = proof.no_points();
+  const double m = work.metres_per_unit;
+  const Vec3 from_wall = m * (wall.axes.origin - facade.origin);  // corners may have moved the facade's origin
+  const double shift = dot(from_wall, facade.right);
+  std::vector<Vec3> places;
+  points_around(work, wall)(box_of(work, wall, strip), [&](std::span<const ImagePoint> points) {
+    places.clear();
+    for (const ImagePoint& p : points) {
+      const Vec3 d = m * (p.position - facade.origin);
+      const Vec3 at{dot(d, facade.right), dot(d, facade.up), dot(d, facade.out)};
+      if (at.x - shift >= strip.from && at.x - shift < strip.to && at.z >= -work.behind && at.z <= work.before)
+        places.push_back(at);
+    }
+    proof.add(places, tally);
+  });
+  return tally;
+}
+
+// All that may stand between a station and a facade, one face after the other.
+void for_each_obstacle(std::span<const FoundFacade> found, std::span<const Outline> outlines, double metres_per_unit,
+                       const std::function<void(const SectionFace&)>& visit) {
+  for (const Outline& outline : outlines)
+    for (const Outline::Part& part : outline.parts) visit({part});
+  for (const FoundFacade& f : found)
+    for (const SurfaceFace& face : facade_surfaces(f.facade, metres_per_unit)) {
+      SectionFace flat{{{}}};
+      for (const Vec3& p : face.corners)
+        flat.rings[0].push_back(f.facade.origin + (1 / metres_per_unit) *
+                                                      (p.x * f.facade.right + p.y * f.facade.up + p.z * f.facade.out));
+      visit(flat);
+    }
+}
+
+void count_points(const FacadeWork& work, std::span<const WallGroup> walls, std::vector<FoundFacade>& found,
+                  const PassContext& context) {
+  std::vector<FacadeProof> proofs;
+  std::vector<ProofTally> tallies;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    proofs.emplace_back(found[i].facade, proof_params(walls[i], work.metres_per_unit));
+    tallies.push_back(proofs.back().no_points());
+  }
+  const std::vector<Strip> strips = strips_of(found, walls, work.beside);
+  std::vector<ProofTally> parts(strips.size());
+  const std::vector<PassTask> tasks(strips.size(), PassTask{kStripBytes, 0});
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const Strip& strip = strips[i];
+    parts[i] = tally_of(work, walls[strip.facade], strip, found[strip.facade].facade, proofs[strip.facade]);
+  });
+  for (std::size_t i = 0; i < strips.size(); ++i) tallies[strips[i].facade].add(parts[i]);
+  for (std::size_t i = 0; i < found.size(); ++i) proofs[i].write(tallies[i], found[i].facade);
+}
+
+}  // namespace
+
+void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
+                   std::vector<FoundFacade>& found, const PassContext& context) {
+  count_points(work, walls, found, context);
+  if (work.stations.empty()) return;
+  trim_memory();
+  const LineOfSight sight = LineOfSight::past([&](const std::function<void(const SectionFace&)>& visit) {
+    for_each_obstacle(found, outlines, work.metres_per_unit, visit);
+  });
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    FacadeSightParams params;
+    params.margin_m = 2 * epsilon_of(walls[i]);
+    params.metres_per_unit = work.metres_per_unit;
+    measure_sight(work.stations, sight, params, found[i].facade);
+  }
+}
+
+}  // namespace ilot

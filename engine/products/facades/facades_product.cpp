@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/facades_product.h"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "engine/columns/colours_pass.h"
+#include "engine/columns/stations_pass.h"
+#include "engine/deliverables/pages/facade_files.h"
+#include "engine/formats/file_date.h"
+#include "engine/pass/pass.h"
+#include "engine/pass/resident.h"
+#include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/facade_gathering.h"
+#include "engine/products/facades/facade_labels.h"
+#include "engine/products/facades/facade_proofs.h"
+#include "engine/products/facades/walls/dormers.h"
+#include "engine/products/facades/walls/facade_joints.h"
+#include "engine/products/facades/walls/wall_groups.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
+constexpr const char* kNoRowStations =
+    "facades: no input says which points are whose station's (point_source_id); it is guessed";
+constexpr const char* kUntold = "facades: {} of {} points do not say which station they are from; theirs are guessed";
+constexpr const char* kOutlinesDropped =
+    "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
+constexpr const char* kNoStations =
+    "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
+
+WallParams wall_params(const FacadesSettings& s, double metres_per_unit) {
+  WallParams p;
+  p.least_width = s.least_width;
+  p.least_height = s.least_height;
+  p.least_area = s.least_width * s.least_height;
+  p.bias = s.bias;
+  p.gap = s.gap;
+  p.relief_front = s.relief;
+  p.metres_per_unit = metres_per_unit;
+  return p;
+}
+
+FacadeParams facade_params(const FacadesSettings& s) {
+  FacadeParams p;
+  p.openings.least_size = s.least_opening;
+  p.regular.alike = s.alike;
+  p.regularise = s.regularise;
+  return p;
+}
+
+// Steps of one facade that may run at once.
+std::size_t lanes_of(std::uint64_t budget_bytes) {
+  constexpr std::uint64_t kOneFor = 64 << 20;
+  return static_cast<std::size_t>(std::clamp<std::uint64_t>(budget_bytes / kOneFor, 1, 16));
+}
+
+DormerParams dormer_params(const FacadesSettings& s) {
+  const FacadeParams facade = facade_params(s);
+  return {facade.openings, facade.regular, facade.outline, facade.regularise};
+}
+
+// Of each wall the fronts in its roof; walls learn how far up these go.
+std::vector<std::vector<WallGroup>> dormers_of(std::vector<WallGroup>& walls, std::span<const Segment> segments,
+                                               const WallParams& params) {
+  DormerFronts fronts(walls, segments, params);
+  std::vector<std::vector<WallGroup>> dormers;
+  for (WallGroup& wall : walls) {
+    dormers.push_back(fronts.of(wall));
+    for (const WallGroup& front : dormers.back()) {
+      const double foot = dot(front.axes.origin - wall.axes.origin, wall.axes.up) * params.metres_per_unit;
+      wall.above = std::max(wall.above, foot + front.height - wall.height);
+    }
+  }
+  return dormers;
+}
+
+Vec3 middle_of(std::span<const Segment> segments) {
+  double points = 0;
+  Vec3 sum;
+  for (const Segment& s : segments) {
+    sum = sum + static_cast<double>(s.points) * (s.centroid - segments[0].centroid);
+    points += static_cast<double>(s.points);
+  }
+  return segments.empty() ? Vec3{} : segments[0].centroid + (1 / points) * sum;
+}
+
+bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
+  if (!context.wanted) return true;
+  const double half = 0.5 / context.metres_per_unit;
+  const Vec3 middle = wall.axes.origin + (half * wall.width) * wall.axes.right + (half * wall.height) * wall.axes.up;
+  return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
+}
+
+// For the title block: the inputs by name, and when their files were made.
+std::string source_of(const RunInputs& inputs) {
+  constexpr std::size_t kNamed = 2;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(inputs.readers.size(), kNamed); ++i) {
+    const CloudInfo& info = inputs.readers[i]->info();
+    const std::string date = file_date(info);
+    text += (i == 0 ? "" : ", ") + info.path.filename().string() + (date.empty() ? "" : " (file of " + date + ")");
+  }
+  if (inputs.readers.size() > kNamed) text += fmt::format(" and {} more", inputs.readers.size() - kNamed);
+  return text;
+}
+
+FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs, bool coloured) {
+  FacadeFilesParams p;
+  p.drawing.scale = settings.facades.scale;
+  p.drawing.metres_per_unit = inputs.crs.metres_per_unit;
+  p.drawing.source = source_of(inputs);
+  p.layers = preset_layers(names_of(settings.facades.layers)[static_cast<std::size_t>(settings.facades.layers)]);
+  p.image.tile = kImageTile;
+  p.sections = {settings.facades.sections, settings.facades.upright_sections, settings.facades.section_lines};
+  if (!coloured) p.image.shade = ImageShade::relief;
+  return p;
+}
+
+// The column "station", where it matters and some input tells it.
+bool tell_stations(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
+                   RunRecord& record) {
+  const bool any = std::any_of(inputs.row_stations.begin(), inputs.row_stations.end(), [](const InputStations& input) {
+    return input.of_all != 0 || !input.of_source.empty();
+  });
+  if (!any) {
+    record.warnings.push_back(kNoRowStations);
+    return false;
+  }
+  const StationTally tally = stations_pass(store, inputs.readers, inputs.row_stations, context);
+  if (tally.untold > 0) {
+    const std::string warning = fmt::format(kUntold, grouped(tally.untold), grouped(tally.told + tally.untold));
+    progress.warn(warning);
+    record.warnings.push_back(warning);
+  }
+  return tally.told > 0;
+}
+
+// The column "colour", which images are painted with; false where no input has colours.
+bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
+  return store.has(0, columns::kColour) || colours_pass(store, inputs.readers, context);
+}
+
+// What facades are to each other, and to walls that are none, once all are known.
+void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> small, double metres_per_unit) {
+  std::vector<Facade> facades;
+  for (FoundFacade& f : found) facades.push_back(std::move(f.facade));
+  for (const WallGroup& wall : small) facades.push_back(bare_facade(wall, metres_per_unit));
+  JointParams joints;
+  joints.metres_per_unit = metres_per_unit;
+  close_corners(facades, joints);
+  add_storey_steps(facades, joints);
+  for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
+}
+
+// Elements may go up beyond a wall: what is drawn of them is read as well.
+void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& walls, double metres_per_unit) {
+  constexpr double kAbove = 0.5;  // metres: as far as pictures go, and more
+  for (std::size_t i = 0; i < found.size(); ++i)
+    for (const FacadeElement& e : found[i].facade.elements)
+      for (const Vec3& p : e.ring) {
+        const double top = dot(p - walls[i].axes.origin, walls[i].axes.up) * metres_per_unit;
+        walls[i].above = std::max(walls[i].above, top + kAbove - walls[i].height);
+      }
+}
+
+// One facade after the other, each in parallel: an image takes 64 MB at most.
+void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
+                   FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
+  FacadesPage page(folder / "facades.html", params.layers);
+  params.page = &page;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Facade& facade = found[i].facade;
+    params.points = points_around(work, walls[i]);
+    write_facade_files(folder, facade, params);
+    progress.unit_done(facade_name(facade.id), 0, i + 1, found.size());
+  }
+  page.finish();
+}
+
+}  // namespace
+
+void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record) {
+  std::vector<Vec3> stations;
+  std::vector<FacadeStation> steps;
+  for (const Station& s : inputs.stations) {
+    stations.push_back(s.position);
+    steps.push_back({{}, s.azimuth_step, s.elevation_step});
+  }
+  if (stations.empty()) record.warnings.push_back(kNoStations);
+  std::vector<WallGroup> walls = find_walls(planes.segments, stations, middle_of(planes.segments),
+                                            wall_params(settings.facades, context.metres_per_unit));
+  std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
+
+  FacadeWork work{store, planes.final_id, stations, steps, planes.outlines.outlines()};
+  work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
+  work.metres_per_unit = context.metres_per_unit;
+  work.outline_numbers = numbers_of(work.outlines);
+  const std::vector<std::vector<WallGroup>> dormers =
+      dormers_of(walls, planes.segments, wall_params(settings.facades, context.metres_per_unit));
+  const std::size_t lanes = lanes_of(context.budget_bytes);
+  std::vector<PassTask> tasks;
+  std::uint64_t points = 0;
+  for (const WallGroup& wall : walls) {
+    const std::uint64_t count = points_to_read(work, wall);
+    tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, lanes), count});
+    points += count;
+  }
+  progress.begin_stage("facades", points);
+  std::filesystem::create_directories(folder);
+  std::vector<FoundFacade> found(walls.size());
+  FacadeParams params = facade_params(settings.facades);
+  params.lanes = lanes;
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    GatheredFacade gathered = gather_facade(work, walls[i]);
+    if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
+    found[i] = find_facade(RaySamples(gathered.site, gathered.points, store.folder()), params);
+    std::vector<DormerFront> fronts;
+    for (const WallGroup& front : dormers[i]) {
+      const GatheredFacade of_front = gather_facade(work, front);
+      fronts.push_back(
+          find_dormer(RaySamples(of_front.site, of_front.points, store.folder()), dormer_params(settings.facades)));
+    }
+    found[i].occluded_edges += add_dormers(fronts, found[i].facade, dormer_params(settings.facades));
+    context.advance(tasks[i].points);
+  });
+  join_facades(found,
+               small_walls(walls, planes.segments, stations, middle_of(planes.segments),
+                           wall_params(settings.facades, context.metres_per_unit)),
+               context.metres_per_unit);
+  FacadeCounts counts;
+  for (FoundFacade& f : found) {
+    f.facade.id = static_cast<std::uint32_t>(++counts.facades);
+    counts.elements += f.facade.elements.size();
+    counts.occluded_edges += f.occluded_edges;
+  }
+  if (planes.outlines.dropped() > 0)
+    record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
+  reach_tops(found, walls, context.metres_per_unit);
+  prove_facades(work, walls, planes.outlines.outlines(), found, context);
+  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
+  write_facade_labels(work, walls, found, context);
+  if (!found.empty())
+    write_facades(found, walls, work, files_params(settings, inputs, colours_of_points(store, inputs, context)), folder,
+                  progress);
+  record.facades = counts;
+  progress.end_stage();
+}
+
+}  // namespace ilot

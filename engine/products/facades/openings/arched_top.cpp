@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/arched_top.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/core/portable_math.h"
+#include "kernels/outlines/circle_fit.h"
+#include "kernels/outlines/edge_split.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kSlices = 24, kLeastSlices = 8;
+constexpr double kJamb = 0.04;       // share of the width at either jamb that is left out
+constexpr double kHighest = 0.65;    // of the width: no arch is higher
+constexpr double kAbove = 0.2;       // metres above the top that was found that are searched
+constexpr double kAside = 0.2;       // of the width, that an arch may stand beside the middle of its opening
+constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
+constexpr double kMostGap = 0.06;    // metres; slices that know their top less well are left out
+constexpr double kRounder = 0.35;    // a circle must leave less than this share of what a level line leaves
+constexpr double kSurround = 0.15;   // metres before the wall, where surrounds end
+constexpr double kBesideArc = 0.03;  // metres beside the first arc that points of the soffit lie
+constexpr std::size_t kLeastSoffit = 60;
+constexpr std::uint64_t kMostSamples = 1 << 17, kMostSoffit = 1 << 16;  // more tell no more
+
+struct Slice {
+  std::vector<double> below, above;
+};
+
+// The wall, the back of a joint between its stones, or a surround that stands out of it and goes on where the soffit
+// ends: a ray that meets one of these does not go through. What stands farther out hides the opening as well as what is
+// above it.
+bool is_above(const RaySamples& samples, const Ray& ray) {
+  if (samples.in_joint(ray)) return true;
+  const Met met = samples.met(ray, 0, samples.site().epsilon);
+  return met == Met::solid || (met == Met::before && static_cast<double>(ray.at.w) < kSurround);
+}
+
+bool is_below(const RaySamples& samples, const Ray& ray) {
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
+}
+
+// Of a circle's upper half; NaN beside it.
+double height_at(const CircleFit& fit, double u) {
+  const double x = u - fit.centre.x;
+  return fit.centre.y + std::sqrt(fit.radius * fit.radius - x * x);
+}
+
+// Whether two circles lie together over the opening. Their radii tell little: those of flat arches differ by a sixth
+// for a centimetre at the crown.
+bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
+  constexpr double kEnd = 0.1;  // of the width
+  const auto near = [&](double share) {
+    const double u = opening.u0 + share * opening.width();
+    return std::abs(height_at(a, u) - height_at(b, u)) <= 2 * kBesideArc;
+  };
+  return near(kEnd) && near(0.5) && near(1 - kEnd);
+}
+
+std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRectangle& opening, const Box2& search) {
+  const FacadeSite& site = samples.site();
+  std::vector<Slice> slices(kSlices);
+  const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kSlices;
+  Rays near = samples.near(search);
+  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  for (const Ray& ray : near) {
+    if (!is_kept(ray, level)) continue;
+    const Place2 p = samples.crossing(ray, 0);
+    const double at = (p.u - search.u0 - margin) / width;
+    if (at < 0 || at >= kSlices || p.v < search.v0 || p.v > search.v1) continue;
+    if (is_below(samples, ray)) slices[static_cast<std::size_t>(at)].below.push_back(p.v);
+    if (is_above(samples, ray)) slices[static_cast<std::size_t>(at)].above.push_back(p.v);
+  }
+  std::vector<PlanePoint> tops;
+  for (std::size_t s = 0; s < kSlices; ++s) {
+    const EdgeSplit split = split_edge(slices[s].below, slices[s].above);
+    const double v = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
+    if (split.found && (!samples.oblique() || split.half_gap < kMostGap))
+      tops.push_back({opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width, v});
+  }
+  return tops;
+}
+
+// The same across the arc, sector by sector: slices lean on it near the jambs.
+std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
+  constexpr double kBeside = 0.08;  // metres
+  const FacadeSite& site = samples.site();
+  const double half = std::min(search.width() / 2 / first.radius, 1.0);
+  const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kSlices;
+  std::vector<Slice> sectors(kSlices);
+  Rays near = samples.near(search);
+  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  for (const Ray& ray : near) {
+    const Place2 p = samples.crossing(ray, 0);
+    const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
+    if (y <= 0 || std::abs(r - first.radius) > kBeside || !is_kept(ray, level)) continue;
+    const double at = (direction_degrees(x, y) - from) / width;
+    if (at < 0 || at >= kSlices) continue;
+    if (is_below(samples, ray)) sectors[static_cast<std::size_t>(at)].below.push_back(r);
+    if (is_above(samples, ray)) sectors[static_cast<std::size_t>(at)].above.push_back(r);
+  }
+  std::vector<PlanePoint> tops;
+  for (std::size_t s = 0; s < kSlices; ++s) {
+    const EdgeSplit split = split_edge(sectors[s].below, sectors[s].above);
+    if (!split.found || (samples.oblique() && split.half_gap > kMostGap)) continue;
+    const double r = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
+    const double angle = from + width * (static_cast<double>(s) + 0.5);
+    tops.push_back({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)});
+  }
+  return tops;
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+// From the points of the soffit beside a first arc; the first where there are too few.
+CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, const Box2& search,
+                  const CircleFit& first) {
+  const FacadeSite& site = samples.site();
+  const double front = -std::max(0.015, 2 * site.epsilon), back = opening.depth + 0.03;
+  const auto off = [](const CircleFit& fit, const PlanePoint& p) {
+    const double x = p.x - fit.centre.x, y = p.y - fit.centre.y;
+    return std::sqrt(x * x + y * y) - fit.radius;
+  };
+  std::vector<PlanePoint> soffit;
+  const auto is_soffit = [&](const Ray& ray) {
+    const PlanePoint at{ray.at.u, ray.at.v};
+    return ray.at.w <= front && ray.at.w >= back && !samples.in_joint(ray) &&
+           at.y >= first.centre.y + 0.1 * first.radius && at.x > search.u0 && at.x < search.u1 &&
+           std::abs(off(first, at)) < kBesideArc;
+  };
+  Rays near = samples.near(search.grown(std::abs(opening.depth)));
+  const int level = thinning_level(near, kMostSoffit, is_soffit);
+  for (const Ray& ray : near)
+    if (is_soffit(ray) && is_kept(ray, level)) soffit.push_back({ray.at.u, ray.at.v});
+  CircleFit fit = first;
+  double beside = kBesideArc;
+  for (int round = 0; round < 4; ++round) {
+    std::vector<PlanePoint> kept;
+    std::vector<double> offs;
+    for (const PlanePoint& p : soffit) offs.push_back(off(fit, p));
+    if (offs.size() < kLeastSoffit) return first;
+    const double middle = round == 0 ? median(offs) : 0;
+    for (std::size_t i = 0; i < soffit.size(); ++i)
+      if (std::abs(offs[i] - middle) < beside) kept.push_back(soffit[i]);
+    if (kept.size() < kLeastSoffit) return first;
+    const CircleFit next = fit_circle(kept);
+    if (!next.found || !together(next, first, search)) return first;
+    fit = next;
+    beside = std::max(beside / 2, 4 * site.noise);
+  }
+  return fit;
+}
+
+}  // namespace
+
+std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRectangle& opening) {
+  const double width = opening.at(Side::right) - opening.at(Side::left);
+  const Box2 search{opening.at(Side::left), opening.at(Side::right),
+                    std::max(opening.at(Side::bottom) + 0.1, opening.at(Side::top) - kHighest * width),
+                    opening.at(Side::top) + kAbove};
+  const std::vector<PlanePoint> tops = tops_of_slices(samples, opening, search);
+  if (tops.size() < kLeastSlices) return std::nullopt;
+  double low = INFINITY, high = -INFINITY, mean = 0, level = 0;
+  for (const PlanePoint& p : tops) {
+    low = std::min(low, p.y), high = std::max(high, p.y);
+    mean += p.y / static_cast<double>(tops.size());
+  }
+  for (const PlanePoint& p : tops) level += (p.y - mean) * (p.y - mean) / static_cast<double>(tops.size());
+  if (high - low < kLeastRise) return std::nullopt;
+  CircleFit fit = fit_circle(tops);
+  if (!fit.found || fit.rms > kRounder * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
+    return std::nullopt;
+  if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kAside * width) return std::nullopt;
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
+    const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);
+    if (next.found && together(next, fit, search)) fit = next;
+  }
+  const CircleFit first = fit;
+  fit = refined(samples, opening, search, first);
+  TopArc arc;
+  arc.centre = {fit.centre.x, fit.centre.y};
+  arc.radius = fit.radius;
+  arc.rms = fit.rms;
+  arc.points = tops.size();
+  arc.error = samples.site().noise / 2 + fit.rms / std::sqrt(static_cast<double>(kLeastSlices));
+  return arc;
+}
+
+}  // namespace ilot

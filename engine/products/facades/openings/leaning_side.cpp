@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/leaning_side.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "kernels/outlines/edge_split.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kStretches = 24, kLeastStretches = 10;
+constexpr double kCorner = 0.04;      // share of the side at either end that is left out
+constexpr double kMostReach = 0.35;   // of the opening's size across, to either side of where the side was found
+constexpr double kMostGap = 0.06;     // metres; stretches that know their place less well are left out
+constexpr double kStraighter = 0.35;  // the line must leave less than this share of what the straight side leaves
+constexpr double kLeastLean = 0.03;   // metres from end to end
+constexpr double kMostLean = 0.9;     // tangent
+constexpr std::uint64_t kMostSamples = 1 << 17;  // of a side: more tell no more
+
+struct Stretch {
+  std::vector<double> inside, outside;
+};
+
+struct Place {
+  double s, t;
+};
+
+// The wall, or something on it that hides nothing of the opening: see arched_top.
+bool is_solid(const RaySamples& samples, const Ray& ray) {
+  return samples.in_joint(ray) || samples.met(ray, 0, samples.site().epsilon) == Met::solid;
+}
+bool is_open(const RaySamples& samples, const Ray& ray) {
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
+}
+
+std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle& opening, Side side) {
+  const bool upright = side == Side::left || side == Side::right;
+  const double outwards = side == Side::right || side == Side::top ? 1 : -1;
+  const Box2 box = opening.box();
+  const double low = upright ? box.v0 : box.u0, length = upright ? box.height() : box.width();
+  const double reach = kMostReach * (upright ? box.width() : box.height()), at = opening.at(side);
+  const double margin = kCorner * length, width = (length - 2 * margin) / kStretches;
+  std::vector<Stretch> stretches(kStretches);
+  const auto place_of = [&](const Ray& ray) {
+    const Place2 p = samples.crossing(ray, 0);
+    return Place{((upright ? p.v : p.u) - low - margin) / width, upright ? p.u : p.v};
+  };
+  const auto is_beside = [&](const Ray& ray) {
+    const Place p = place_of(ray);
+    return p.s >= 0 && p.s < kStretches && std::abs(p.t - at) <= reach;
+  };
+  Rays near = samples.near(box.grown(reach));
+  const int level = thinning_level(near, kMostSamples, is_beside);
+  for (const Ray& ray : near) {
+    if (!is_beside(ray) || !is_kept(ray, level)) continue;
+    const Place p = place_of(ray);
+    Stretch& stretch = stretches[static_cast<std::size_t>(p.s)];
+    if (is_open(samples, ray)) stretch.inside.push_back(outwards * p.t);
+    if (is_solid(samples, ray)) stretch.outside.push_back(outwards * p.t);
+  }
+  std::vector<Place> places;
+  for (std::size_t k = 0; k < kStretches; ++k) {
+    const EdgeSplit split = split_edge(stretches[k].inside, stretches[k].outside);
+    if (!split.found || (samples.oblique() && split.half_gap > kMostGap)) continue;
+    const double t = samples.oblique() ? split.at : split.at + split.half_gap - samples.site().step / 2;
+    places.push_back({(static_cast<double>(k) + 0.5) * width + margin - length / 2, outwards * t});
+  }
+  return places;
+}
+
+}  // namespace
+
+std::optional<LeaningSide> find_leaning_side(const RaySamples& samples, const FoundRectangle& opening, Side side) {
+  const std::vector<Place> places = places_along(samples, opening, side);
+  if (places.size() < kLeastStretches) return std::nullopt;
+  const double n = static_cast<double>(places.size());
+  double ms = 0, mt = 0, ss = 0, st = 0, tt = 0;
+  for (const Place& p : places) ms += p.s / n, mt += p.t / n;
+  for (const Place& p : places)
+    ss += (p.s - ms) * (p.s - ms), st += (p.s - ms) * (p.t - mt), tt += (p.t - mt) * (p.t - mt);
+  LeaningSide line;
+  line.lean = st / ss;
+  line.at = mt - line.lean * ms;
+  const double straight = std::sqrt(tt / n);
+  line.rms = std::sqrt(std::max(0.0, (tt - line.lean * st) / n));
+  line.error = samples.site().noise / 2 + 2 * line.rms / std::sqrt(static_cast<double>(kLeastStretches));
+  const double length = side == Side::left || side == Side::right ? opening.box().height() : opening.box().width();
+  const double leans = std::abs(line.lean) * length;
+  if (leans < std::max(kLeastLean, 2 * opening.error(side)) || std::abs(line.lean) > kMostLean) return std::nullopt;
+  if (line.rms > kStraighter * straight) return std::nullopt;
+  return line;
+}
+
+}  // namespace ilot

@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/located_edge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "engine/products/facades/openings/face_crowd.h"
+#include "kernels/outlines/edge_split.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // of a side, metres: left out at its ends
+constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a shadow
+constexpr double kBeam = 0.002;        // metres: echoes from the rim of a beam hang behind the edge that they came from
+constexpr double kGuessed = 0.5;       // of the depth: how far a ray may be off whose station is guessed among several
+constexpr double kNothingKnown = 3;    // metres: how far a hidden side may be
+constexpr double kBesideGap = 0.02;    // metres beside the gap that points of the face may lie
+constexpr double kCornerDeep = 0.1;    // metres before a thing that points of what it ends at may lie
+constexpr double kCornerReach = 0.02;  // metres beside its last points
+constexpr double kSlotSteps = 2;       // steps along a side that one scan line ends in, at least
+constexpr double kTailOfEnds = 0.05;   // of scan lines that end at one place or the other by chance
+constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
+constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side: more tell no more; some 70 bytes each
+
+bool along_u(Side side) {
+  return side == Side::left || side == Side::right;
+}
+double outwards(Side side) {
+  return side == Side::right || side == Side::top ? 1 : -1;
+}
+
+// What is around one side, t growing outwards.
+struct SideSamples {
+  std::vector<double> inside, outside;
+  std::vector<double> along, outside_along;  // the side, of each of these
+  std::vector<FacePoint> face, corner;
+  std::vector<FacePoint> rim;  // echoes that a thing's edge parted, where their rays cross its plane
+  int level = 0;               // above 0 these are only those that are kept at it
+  std::size_t through = 0;     // rays that go through the plane, kept or not
+  std::size_t hidden = 0;      // rays that end before the plane, beyond the side
+  std::size_t deep = 0;        // rays beside a thing that go far behind the wall
+  double lean = 1;             // tangent of the angle that rays to the face make with the plane's normal, at least 1
+};
+
+struct SideSpan {
+  double t, s0, s1;
+};
+
+SideSpan span_of(const Box2& box, Side side) {
+  const double t = side == Side::left ? box.u0 : side == Side::right ? box.u1 : side == Side::top ? box.v1 : box.v0;
+  double s0 = along_u(side) ? box.v0 : box.u0, s1 = along_u(side) ? box.v1 : box.u1;
+  const double corner = std::min(kCornerMost, kCornerShare * (s1 - s0));
+  return {t * outwards(side), s0 + corner, s1 - corner};
+}
+
+// Whether a side face at t can be seen from there: one that looks outwards from beyond it, else from before it.
+bool turns_to(const Vec3* eye, Side side, double t, bool looks_outwards) {
+  if (eye == nullptr) return true;
+  const double beyond = outwards(side) * (along_u(side) ? eye->x : eye->y) - t;
+  return looks_outwards ? beyond > 0 : beyond < 0;
+}
+
+// How far in a ray came beside a thing, from its plane to where it ended, to the thing's foot or past its ends: all
+// that way is outside. A ray that met the side face crosses the plane beyond the edge, by as much as it is oblique.
+double innermost(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span) {
+  const auto across = [&](Place2 p) { return outwards(side) * (along_u(side) ? p.u : p.v); };
+  const auto along = [&](Place2 p) { return along_u(side) ? p.v : p.u; };
+  const Place2 at = rays.crossing(ray, q.depth);
+  const double w = ray.at.w, t = across(at), s = along(at);
+  if (w >= q.depth || q.face_from >= q.depth) return t;
+  const Place2 end = rays.crossing(ray, std::max(w, q.face_from));
+  const double way = along(end) - s, left = (way > 0 ? span.s1 : span.s0) - s;
+  const double share = std::abs(way) > std::abs(left) ? left / way : 1;
+  return std::min(t, t + share * (across(end) - t));
+}
+
+// Whether a point behind a thing's plane is no surface: on no segment, and beyond a side that its station sees nothing
+// of. A beam that the edge parts comes back from between the thing and what is behind it.
+bool hangs(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, double at_plane) {
+  if (q.hole || !rays.oblique() || ray.at.plane != 0) return false;
+  return !turns_to(rays.eye_of(ray), side, at_plane, true);
+}
+
+// How much the noise along a ray moves a point along the plane, against how much it moves one out of it.
+double lean_of(const Vec3* eye, Side side, double t, double w) {
+  if (eye == nullptr || eye->z <= w) return 1;
+  return std::max(1.0, std::abs(outwards(side) * (along_u(side) ? eye->x : eye->y) - t) / (eye->z - w));
+}
+
+std::size_t slots_of(const SideSpan& span, double step_along) {
+  return static_cast<std::size_t>(std::clamp((span.s1 - span.s0) / (kSlotSteps * step_along), 1.0, 1e4));
+}
+
+std::size_t slot_of(double s, const SideSpan& span, std::size_t slots) {
+  const double at = (s - span.s0) / (span.s1 - span.s0) * static_cast<double>(slots);
+  return std::min(slots - 1, static_cast<std::size_t>(std::max(0.0, at)));
+}
+
+// What one ray says of a side.
+struct SideHit {
+  bool face = false, corner = false, rim = false, solid = false, through = false, hidden = false, deep = false;
+  double t = 0, at_plane = 0, s = 0;  // where it crosses the plane
+  double point_t = 0, point_s = 0;    // where it ends
+  double lean = 1;
+
+  bool has_place() const { return face || corner || rim || solid || through; }
+};
+
+SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span,
+               double reach) {
+  const bool u = along_u(side);
+  const double sign = outwards(side), w = ray.at.w;
+  const double corner_from = q.depth + 2 * q.epsilon, corner_to = q.hole ? corner_from : q.depth + kCornerDeep;
+  const Place2 at = rays.crossing(ray, q.depth);
+  SideHit hit;
+  hit.at_plane = sign * (u ? at.u : at.v);
+  hit.s = u ? at.v : at.u;
+  hit.point_t = sign * static_cast<double>(u ? ray.at.u : ray.at.v);
+  hit.point_s = u ? ray.at.v : ray.at.u;
+  const bool at_face = w > q.face_from && w<q.face_to, at_corner = w> corner_from && w < corner_to;
+  if ((at_face || at_corner) && std::abs(hit.point_t - span.t) <= reach && hit.point_s >= span.s0 &&
+      hit.point_s <= span.s1 && turns_to(rays.eye_of(ray), side, hit.point_t, at_face && !q.hole)) {
+    hit.face = at_face;
+    hit.corner = !at_face;
+    if (at_face && !q.hole) hit.lean = lean_of(rays.eye_of(ray), side, hit.point_t, w);
+  }
+  if (hit.s < span.s0 || hit.s > span.s1) return hit;
+  hit.t = q.hole ? hit.at_plane : innermost(rays, ray, q, side, span);
+  if (std::abs(hit.t - span.t) > reach) return hit;
+  hit.rim = at_face && hangs(rays, ray, q, side, hit.at_plane);
+  const Met met = rays.met(ray, q.depth, q.epsilon);
+  const bool foreign = ray.at.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), ray.at.plane);
+  if (!q.hole && met == Met::solid && foreign) return hit;
+  hit.solid = met == Met::solid;
+  hit.through = met == Met::through;
+  hit.hidden = met == Met::before && hit.t > span.t;
+  hit.deep = !q.hole && met == Met::through && w < -q.face_from;
+  return hit;
+}
+
+void keep(const SideHit& hit, double w, bool hole, SideSamples& out) {
+  if (hit.face) out.face.push_back({hit.point_t, w, hit.point_s});
+  if (hit.corner) out.corner.push_back({hit.point_t, w, hit.point_s});
+  if (hit.rim) out.rim.push_back({hit.at_plane, w, hit.s});
+  if (hit.solid) (hole ? out.outside : out.inside).push_back(hit.t);
+  if (hit.solid && !hole) out.along.push_back(hit.s);
+  if (hit.through) (hole ? out.inside : out.outside).push_back(hit.t);
+  if (hit.through && !hole) out.outside_along.push_back(hit.s);
+}
+
+SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
+  // Rays that cross the plane here cross the wall elsewhere: they lean by less than 45 degrees or so.
+  Rays near = rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)));
+  SideSamples out;
+  out.level = thinning_level(near, kMostSamples,
+                             [&](const Ray& ray) { return hit_of(rays, ray, q, side, span, reach).has_place(); });
+  for (const Ray& ray : near) {
+    const SideHit hit = hit_of(rays, ray, q, side, span, reach);
+    out.through += hit.through, out.hidden += hit.hidden, out.deep += hit.deep;
+    out.lean = std::max(out.lean, hit.lean);
+    if (hit.has_place() && is_kept(ray, out.level)) keep(hit, ray.at.w, q.hole, out);
+  }
+  return out;
+}
+
+// The last of a thing's points along each of `slots` stretches of a side.
+std::vector<double> ends_of(const SideSamples& around, const SideSpan& span, std::size_t slots) {
+  std::vector<double> ends(slots, -INFINITY);
+  for (std::size_t i = 0; i < around.inside.size(); ++i) {
+    double& end = ends[slot_of(around.along[i], span, slots)];
+    end = std::max(end, around.inside[i]);
+  }
+  return ends;
+}
+
+// Rays square to the plane would have met the thing before they came to what lies behind it: what is there was seen
+// another way and tells nothing of the edge.
+void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
+  const std::vector<double> ends = ends_of(around, span, slots);
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < around.outside.size(); ++i)
+    if (around.outside[i] >= ends[slot_of(around.outside_along[i], span, slots)])
+      around.outside[kept++] = around.outside[i];
+  around.outside.resize(kept);
+}
+
+double quantile(std::vector<double>& values, double share) {
+  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), at, values.end());
+  return *at;
+}
+
+void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
+  edge.at = face.at;
+  edge.error = noise / 2 + 2 * face.rms * face.shaky;
+  edge.rms = face.rms;
+  edge.points = face.points;
+  edge.status = DrawnStatus::seen;
+  edge.by_face = true;
+}
+
+// A thing ends where a face stands out of it: their planes meet there, whatever points near the corner were taken for.
+void use_corner(const std::vector<FacePoint>& corner, double about, double beside, const SideSearch& q,
+                const SideSpan& span, double noise, LocatedEdge& edge) {
+  const FaceSearch f{about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0};
+  const FaceLine face = find_face(crowd_of(corner, f), f, q.depth);
+  if (face.points > 0) use_face(face, noise, edge);
+}
+
+// Where a thing ends and nothing is behind: the last points of its scan lines. Lines that cross the side by turns end
+// everywhere within a step of it; where all end at one place it is up to a step farther out. An echo from the rim of a
+// beam lies outside by the beam's radius.
+void set_end(const SideSamples& around, const SideSpan& span, double step, double step_along, double beam,
+             LocatedEdge& edge) {
+  std::vector<double> ends = ends_of(around, span, slots_of(span, step_along));
+  const double last = *std::max_element(ends.begin(), ends.end());
+  std::erase_if(ends, [&](double end) { return !(end > last - kStepsOfShadow * step); });
+  const double high = quantile(ends, 1 - kTailOfEnds);
+  const double open = std::max(0.0, step - (high - quantile(ends, kTailOfEnds)));  // of a step that no line ended in
+  edge.at = high + open / 2 - beam;
+  edge.error = open / 2 + beam;
+  edge.points = around.inside.size() << around.level;
+}
+
+}  // namespace
+
+LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side side) {
+  constexpr double kWider = 2.4;
+  const SideSpan span = span_of(q.box, side);
+  const double sign = outwards(side);
+  SideSamples around = samples_of(samples, q, side, span, q.reach);
+  const std::vector<double>& far_side = q.hole ? around.outside : around.inside;
+  double reach = q.reach;
+  if (far_side.empty()) around = samples_of(samples, q, side, span, reach *= kWider);
+  const Place2 middle =
+      along_u(side) ? Place2{sign * span.t, (span.s0 + span.s1) / 2} : Place2{(span.s0 + span.s1) / 2, sign * span.t};
+  const Place2 steps = samples.step_at(middle);
+  const double step = along_u(side) ? steps.u : steps.v, step_along = along_u(side) ? steps.v : steps.u;
+  if (!q.hole && !samples.oblique()) drop_hidden(around, span, slots_of(span, step_along));
+  LocatedEdge edge;
+  const EdgeSplit split = split_edge(around.inside, around.outside);
+  const double noise = samples.site().noise;
+  const double beam = samples.oblique() ? kBeam : 0;
+  if (!split.found && !q.hole && !around.inside.empty()) {
+    set_end(around, span, step, step_along, beam, edge);
+    edge.error += noise / 2;
+    edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
+    use_corner(around.corner, edge.at, kCornerReach + step, q, span, noise, edge);
+    edge.at *= sign;
+    edge.inner = edge.at;
+    return edge;
+  }
+  if (!split.found) {
+    edge.at = edge.inner = sign * span.t;
+    edge.error = kNothingKnown;
+    edge.status = DrawnStatus::occluded;
+    return edge;
+  }
+  const bool shadow = 2 * split.half_gap > kStepsOfShadow * step;
+  double t = split.at;
+  edge.error = split.half_gap + noise / 2 + beam;
+  if (!q.hole && along_u(side) && samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
+  edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
+  if (!samples.oblique()) {  // what is behind is hidden beside the edge: half a step from the solid side
+    t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
+    edge.error = step / 2 + noise / 2;
+  } else if (shadow) {
+    edge.status = DrawnStatus::occluded;
+  }
+  edge.inner = sign * (split.at - split.half_gap);
+  const double beside = split.half_gap + kBesideGap;
+  const FaceSearch f{split.at - beside, split.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
+                     span.s1 - span.s0};
+  FaceLine face = find_face(crowd_of(around.face, f), f, q.depth);
+  if (face.points == 0 && !q.hole && samples.oblique()) {
+    // Before a hole a parted beam's echo hangs anywhere; before the wall as far on this side of the edge as on that.
+    if (2 * around.deep < around.through)
+      for (const FacePoint& p : around.rim)
+        if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);
+    face = find_touches(crowd_of(std::move(around.face), f), f, noise);
+  }
+  edge.at = t;
+  if (face.points > 0)
+    use_face(face, noise, edge);
+  else
+    use_corner(around.corner, split.at, beside, q, span, noise, edge);
+  edge.at *= sign;
+  return edge;
+}
+
+}  // namespace ilot

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/walls/dormers.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/products/facades/elements/facade_elements.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kBelow = 0.3;      // metres below a front where the roof would be seen
+constexpr double kRoofDepth = 1;    // metres before and behind a front that it may lie there
+constexpr double kSeenBelow = 0.2;  // of the points that a wall would have there
+
+void shift(FoundRectangle& r, double du, double dv) {
+  for (const Side side : kSides) {
+    LocatedEdge& edge = r.side(side);
+    const double by = side == Side::left || side == Side::right ? du : dv;
+    edge.at += by, edge.inner += by;
+  }
+  if (r.arc) r.arc->centre = {r.arc->centre.u + du, r.arc->centre.v + dv};
+  if (r.end) *r.end = {r.end->u0 + du, r.end->u1 + du, r.end->v0 + dv, r.end->v1 + dv};
+}
+
+// Where a front's origin lies in the axes of the facade, metres.
+Vec3 place_in(const Facade& facade, const FacadeSite& front) {
+  const Vec3 d = front.metres_per_unit * (front.axes.origin - facade.origin);
+  return {dot(d, facade.right), dot(d, facade.up), dot(d, facade.out)};
+}
+
+bool foot_is_hidden(const RaySamples& samples) {
+  const FacadeSite& front = samples.site();
+  std::uint64_t seen = 0;
+  for (const Ray& ray : samples.at_places({0, front.width, -kBelow, -front.step})) {
+    const FacadePoint& p = ray.at;
+    seen += p.u >= 0 && p.u <= front.width && p.v < -front.step && p.v >= -kBelow &&
+            std::abs(static_cast<double>(p.w)) < kRoofDepth;
+  }
+  return static_cast<double>(seen) < kSeenBelow * front.width * kBelow / (front.step * front.step);
+}
+
+FacadeElement outline_of(const RaySamples& samples, const DormerParams& params) {
+  const FacadeSite& front = samples.site();
+  FacadeElement e = wall_of(samples, wall_outline(samples, params.outline));
+  e.kind = "dormer";
+  e.region = FacadeRegion::element;
+  e.depth_error_m = front.noise;
+  if (e.edges.empty())
+    for (std::size_t i = 0; i < e.ring.size(); ++i) e.edges.push_back({DrawnStatus::seen, 0, 0, front.step, 0});
+  if (foot_is_hidden(samples)) {
+    e.edges[0].status = DrawnStatus::occluded;
+    e.reason = "its foot is hidden by what stands below it";
+  }
+  return e;
+}
+
+// An opening of a front, in the front's own axes; where that lies in the facade's.
+struct DormerOpening {
+  const FacadeSite* front;
+  Vec3 at;
+  FoundRectangle shape;
+};
+
+// Rows, columns and families are those of all fronts together, in the axes of the facade, behind the facade's own.
+std::vector<FacadeThing> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
+  std::vector<FacadeThing> things;
+  for (const DormerOpening& o : openings) {
+    things.push_back({o.shape, FacadeThingKind::window, 0, 0, 0, {}});
+    shift(things.back().shape, o.at.x, o.at.y);
+  }
+  group_things(things, params.regular);
+  if (!params.regularise) return things;
+  regularise_things(things, params.regular);
+  complete_things(things, params.regular);
+  group_things(things, params.regular);
+  return things;
+}
+
+std::vector<FacadeElement> elements_of(const std::vector<DormerOpening>& openings, const Facade& facade,
+                                       const DormerParams& params) {
+  std::uint32_t rows = 0, families = 0;
+  for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
+  std::vector<FacadeThing> things = grouped(openings, params);
+  std::vector<FacadeElement> elements;
+  for (std::size_t i = 0; i < things.size(); ++i) {
+    shift(things[i].shape, -openings[i].at.x, -openings[i].at.y);
+    things[i].row += rows;
+    if (things[i].family != 0) things[i].family += families;
+    elements.push_back(element_of(*openings[i].front, things[i]));
+  }
+  return elements;
+}
+
+}  // namespace
+
+DormerFront find_dormer(const RaySamples& samples, const DormerParams& params) {
+  DormerFront front{samples.site(), {}, find_openings(samples, params.openings)};
+  front.site.points = {};
+  front.site.from = {};
+  if (!front.openings.empty()) front.outline = outline_of(samples, params);
+  return front;
+}
+
+std::uint64_t add_dormers(const std::vector<DormerFront>& fronts, Facade& facade, const DormerParams& params) {
+  std::vector<FacadeElement> added;
+  std::vector<DormerOpening> openings;
+  for (const DormerFront& front : fronts) {
+    if (front.openings.empty()) continue;
+    const Vec3 at = place_in(facade, front.site);
+    added.push_back(front.outline);
+    added.back().depth_m = at.z;
+    for (const FoundRectangle& r : front.openings) openings.push_back({&front.site, at, r});
+  }
+  for (FacadeElement& e : elements_of(openings, facade, params)) added.push_back(std::move(e));
+  std::uint64_t hidden = 0;
+  for (FacadeElement& e : added) {
+    for (const FacadeEdge& edge : e.edges) hidden += edge.status != DrawnStatus::seen;
+    e.id = static_cast<std::uint32_t>(facade.elements.size() + 1);
+    facade.elements.push_back(std::move(e));
+  }
+  return hidden;
+}
+
+}  // namespace ilot

@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/walls/wall_groups.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "engine/products/facades/walls/box_grid.h"
+
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kParallelDeg = 5;  // planes of a facade's relief lean less than this from its wall
+constexpr double kCoplanarDeg = 2;  // parts of one wall
+constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
+constexpr double kBelow = 0.5;      // metres above and below a wall that its relief may be
+constexpr double kInside = 0.5;     // share of a plane's width that must lie along the wall for it to be its relief
+
+struct Extent {
+  double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
+};
+
+// Of a segment's box in the axes, metres.
+Extent extent_of(const Segment& s, const FacadeAxes& axes, double metres) {
+  const Vec3 middle = 0.5 * (s.min + s.max) - axes.origin, half = 0.5 * (s.max - s.min);
+  const auto along = [&](Vec3 axis, double& low, double& high) {
+    const double at = dot(middle, axis);
+    const double reach = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
+    low = (at - reach) * metres;
+    high = (at + reach) * metres;
+  };
+  Extent e;
+  along(axes.right, e.u0, e.u1);
+  along(axes.up, e.v0, e.v1);
+  const double w = dot(s.centroid - axes.origin, axes.out) * metres;
+  e.w0 = e.w1 = w;
+  return e;
+}
+
+FacadeAxes axes_of(const Segment& s, Vec3 out) {
+  FacadeAxes axes;
+  axes.out = out;
+  axes.origin = s.centroid - signed_distance(s.plane, s.centroid) * s.plane.n;
+  const Vec3 right = cross(Vec3{0, 0, 1}, out);
+  axes.right = (1 / norm(right)) * right;
+  axes.up = cross(axes.out, axes.right);
+  return axes;
+}
+
+Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 middle) {
+  double vote = 0;
+  for (const Vec3& station : stations) {
+    const double off = signed_distance(s.plane, station), far = norm(station - s.centroid);
+    if (off != 0 && far > 0) vote += (off > 0 ? 1 : -1) / (far * far);
+  }
+  if (vote == 0) vote = signed_distance(s.plane, middle) > 0 ? -1 : 1;
+  return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
+}
+
+// Without a station a storey that stands back looks where the wall below it looks.
+Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
+  for (const WallGroup& wall : walls) {
+    const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
+    if (std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg) || std::abs(off) > params.relief_behind)
+      continue;
+    return dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n;
+  }
+  return otherwise;
+}
+
+void include(Extent& all, const Extent& e) {
+  all.u0 = std::min(all.u0, e.u0);
+  all.u1 = std::max(all.u1, e.u1);
+  all.v0 = std::min(all.v0, e.v0);
+  all.v1 = std::max(all.v1, e.v1);
+}
+
+// Segments by where they stand, so that a wall asks those around it alone.
+class SegmentGrid {
+ public:
+  SegmentGrid(std::span<const Segment> segments, std::vector<std::size_t> list, double metres)
+      : segments_(segments), list_(std::move(list)), metres_(metres), grid_(kCell / metres) {
+    // A box along the axes of the CRS meets a wall's box only where its middle is within its own half diagonal of it,
+    // along each of the wall's three axes.
+    constexpr double kDiagonals = 1.8;
+    for (std::size_t k = 0; k < list_.size(); ++k) {
+      const Segment& s = segments_[list_[k]];
+      const Vec3 middle = 0.5 * (s.min + s.max);
+      GroundBox box = kNoGround;
+      box.include(middle);
+      grid_.add(static_cast<std::uint32_t>(k), box.grown(kDiagonals * 0.5 * norm(s.max - s.min)));
+    }
+  }
+  // Places in the list, ascending, of what may reach into a box in the axes (metres).
+  std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
+    constexpr double kRounding = 0.001;  // metres
+    GroundBox box = kNoGround;
+    for (const double u : {e.u0, e.u1})
+      for (const double v : {e.v0, e.v1})
+        for (const double w : {e.w0, e.w1})
+          box.include(axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out));
+    return grid_.near(box.grown(kRounding / metres_));
+  }
+  const Segment& segment(std::size_t k) const { return segments_[list_[k]]; }
+  std::size_t index(std::size_t k) const { return list_[k]; }
+  const std::vector<std::size_t>& list() const { return list_; }
+  double metres() const { return metres_; }
+
+ private:
+  static constexpr double kCell = 16;  // metres
+  std::span<const Segment> segments_;
+  std::vector<std::size_t> list_;
+  double metres_;
+  BoxGrid grid_;
+};
+
+// Whether a segment lies on the wall's plane.
+bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& params) {
+  if (std::abs(dot(s.plane.n, group.axes.out)) < cos_degrees(kCoplanarDeg)) return false;
+  const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
+  return std::abs(extent_of(s, group.axes, params.metres_per_unit).w0) <= off;
+}
+
+bool are_apart(const Extent& e, const Extent& all, double gap) {
+  return e.u0 > all.u1 + gap || e.u1 < all.u0 - gap || e.v0 > all.v1 + gap || e.v1 < all.v0 - gap;
+}
+
+// Adds what lies on the wall's plane and goes on along it, until nothing more does: again and again in the order of the
+// grid's list. Returns which segments, and marks them as taken.
+std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
+                                       WallGroup& group, Extent& all) {
+  std::vector<std::size_t> joined;
+  std::set<std::uint32_t> waiting;  // on the plane and not far
+  const auto look_around = [&] {
+    const Extent around{all.u0 - params.gap, all.u1 + params.gap, all.v0 - params.gap,
+                        all.v1 + params.gap, -params.bias,        params.bias};
+    for (const std::uint32_t k : grid.near(group.axes, around))
+      if (taken[grid.index(k)] == 0 && is_coplanar(grid.segment(k), group, params)) waiting.insert(k);
+  };
+  look_around();
+  for (bool more = true; more;) {
+    more = false;
+    for (auto at = waiting.begin(); at != waiting.end();) {
+      const std::uint32_t k = *at;
+      const Segment& s = grid.segment(k);
+      const Extent e = extent_of(s, group.axes, params.metres_per_unit);
+      if (are_apart(e, all, params.gap)) {
+        ++at;
+        continue;
+      }
+      taken[grid.index(k)] = 1;
+      joined.push_back(grid.index(k));
+      include(all, e);
+      group.segments.push_back(s.id);
+      group.points += s.points;
+      group.area_m2 += s.area_m2;
+      group.epsilon = std::max(group.epsilon, s.epsilon_m);
+      more = true;
+      waiting.erase(at);
+      look_around();
+      at = waiting.upper_bound(k);
+    }
+  }
+  return joined;
+}
+
+// Of one segment so far.
+WallGroup group_of(const Segment& s, Vec3 out) {
+  WallGroup group;
+  group.axes = axes_of(s, out);
+  group.segments = {s.id};
+  group.points = s.points;
+  group.area_m2 = s.area_m2;
+  group.epsilon = s.epsilon_m;
+  group.rms = s.rms_m;
+  return group;
+}
+
+void set_box(WallGroup& group, const Extent& all, double metres) {
+  group.width = all.u1 - all.u0;
+  group.height = all.v1 - all.v0;
+  group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
+}
+
+// Of a front, how much another one covers, seen square to it.
+double common_share(const WallGroup& front, const WallGroup& other, double metres) {
+  const Vec3 d = metres * (front.axes.origin - other.axes.origin);
+  const double u = dot(d, other.axes.right), v = dot(d, other.axes.up);
+  const double across = std::min(u + front.width, other.width) - std::max(u, 0.0);
+  const double up = std::min(v + front.height, other.height) - std::max(v, 0.0);
+  return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
+}
+
+// What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own. The
+// wall's segments are in order.
+void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params, WallGroup& group) {
+  const double least_cos = cos_degrees(kParallelDeg);
+  const Extent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
+  std::vector<std::size_t> candidates;
+  for (const std::uint32_t k : grid.near(group.axes, around)) candidates.push_back(k);
+  std::sort(candidates.begin(), candidates.end(),
+            [&](std::size_t a, std::size_t b) { return grid.index(a) < grid.index(b); });
+  for (const std::size_t k : candidates) {
+    const Segment& s = grid.segment(k);
+    if (std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
+    if (std::binary_search(group.segments.begin(), group.segments.end(), s.id)) continue;
+    const Extent e = extent_of(s, group.axes, params.metres_per_unit);
+    const double common = std::min(e.u1, group.width) - std::max(e.u0, 0.0);
+    if (e.w0 > params.relief_front || e.w0 < -params.relief_behind || !(common >= kInside * (e.u1 - e.u0)) ||
+        e.v0 > group.height + kBelow || e.v1 < -kBelow)
+      continue;
+    const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
+    if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
+      continue;  // an upper storey that stands back
+    taken[grid.index(k)] = 1;
+    group.parallel.push_back({s.id, s.points});
+  }
+}
+
+}  // namespace
+
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
+                                  const WallParams& params) {
+  const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
+  std::vector<std::size_t> by_area;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= most_tilt) by_area.push_back(i);
+  std::sort(by_area.begin(), by_area.end(), [&](std::size_t a, std::size_t b) {
+    return segments[a].area_m2 != segments[b].area_m2 ? segments[a].area_m2 > segments[b].area_m2 : a < b;
+  });
+  const SegmentGrid upright(segments, std::move(by_area), params.metres_per_unit);
+  std::vector<char> taken(segments.size());
+  std::vector<WallGroup> walls;
+  for (const std::size_t i : upright.list()) {
+    const Segment& s = segments[i];
+    if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
+    Vec3 out = street_side(s, stations, middle);
+    if (stations.empty()) out = side_like(s, walls, params, out);
+    WallGroup group = group_of(s, out);
+    Extent all = extent_of(s, group.axes, params.metres_per_unit);
+    taken[i] = 1;
+    const std::vector<std::size_t> joined = join_coplanar(upright, taken, params, group, all);
+    set_box(group, all, params.metres_per_unit);
+    if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
+      taken[i] = 0;
+      for (const std::size_t j : joined) taken[j] = 0;
+      continue;
+    }
+    std::sort(group.segments.begin(), group.segments.end());
+    claim_relief(upright, taken, params, group);
+    walls.push_back(std::move(group));
+  }
+  std::sort(walls.begin(), walls.end(), [](const WallGroup& a, const WallGroup& b) {
+    return a.area_m2 != b.area_m2 ? a.area_m2 > b.area_m2 : a.segments[0] < b.segments[0];
+  });
+  return walls;
+}
+
+std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
+                                   std::span<const Vec3> stations, Vec3 middle, WallParams params) {
+  constexpr double kLeast = 0.5;  // of a facade's width and height
+  std::vector<std::uint8_t> known(segments.size() + 1, 0);
+  for (const WallGroup& wall : walls) {
+    for (const std::uint32_t id : wall.segments) known[id] = 1;
+    for (const ParallelPlane& plane : wall.parallel) known[plane.id] = 1;
+  }
+  params.least_width *= kLeast, params.least_height *= kLeast, params.least_area *= kLeast * kLeast;
+  std::vector<WallGroup> small = find_walls(segments, stations, middle, params);
+  std::erase_if(small, [&](const WallGroup& wall) {
+    return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
+  });
+  return small;
+}
+
+struct DormerFronts::State {
+  std::span<const Segment> segments;
+  WallParams params;
+  DormerFrontParams dormers;
+  SegmentGrid upright;
+  std::vector<char> taken;  // by walls; by fronts while those of one wall are looked for
+};
+
+DormerFronts::DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
+                           const DormerFrontParams& dormers) {
+  constexpr double kMostTilt = 0.5;  // sine: walls and what is parallel to them lean far less
+  std::vector<std::size_t> list;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= kMostTilt) list.push_back(i);
+  params.gap = dormers.gap;
+  state_ = std::make_unique<State>(State{segments, params, dormers,
+                                         SegmentGrid(segments, std::move(list), params.metres_per_unit),
+                                         std::vector<char>(segments.size(), 0)});
+  for (const WallGroup& known : walls)
+    for (const std::uint32_t id : known.segments) state_->taken[id - 1] = 1;
+}
+
+DormerFronts::~DormerFronts() = default;
+
+// What may be a part of a front, the largest first.
+std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
+  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
+  const State& in = *state_;
+  const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
+                      -in.dormers.behind, in.params.bias};
+  std::vector<std::size_t> found;
+  for (const std::uint32_t k : in.upright.near(wall.axes, around)) {
+    const Segment& s = in.upright.segment(k);
+    if (in.taken[in.upright.index(k)] != 0 || std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg))
+      continue;
+    const Extent e = extent_of(s, wall.axes, in.params.metres_per_unit);
+    if (e.w0 > around.w1 || e.w0 < around.w0 || e.u0 < around.u0 || e.u1 > around.u1 || e.v0 < around.v0 ||
+        e.v1 > around.v1 || e.u1 - e.u0 > in.dormers.most_width)
+      continue;
+    found.push_back(in.upright.index(k));
+  }
+  std::sort(found.begin(), found.end(), [&](std::size_t a, std::size_t b) {
+    const double p = in.segments[a].area_m2, q = in.segments[b].area_m2;
+    return p != q ? p > q : a < b;
+  });
+  return found;
+}
+
+std::vector<WallGroup> DormerFronts::of(const WallGroup& wall) {
+  State& in = *state_;
+  const double metres = in.params.metres_per_unit;
+  const SegmentGrid parts(in.segments, candidates(wall), metres);
+  std::vector<WallGroup> fronts;
+  for (const std::size_t i : parts.list()) {
+    if (in.taken[i] != 0) continue;
+    in.taken[i] = 1;
+    const Segment& s = in.segments[i];
+    WallGroup front = group_of(s, dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n);
+    Extent all = extent_of(s, front.axes, metres);
+    join_coplanar(parts, in.taken, in.params, front, all);
+    set_box(front, all, metres);
+    if (front.width < in.dormers.least_width || front.height < in.dormers.least_height ||
+        front.width > in.dormers.most_width)
+      continue;
+    std::sort(front.segments.begin(), front.segments.end());
+    const bool fills = std::any_of(fronts.begin(), fronts.end(), [&](const WallGroup& larger) {
+      return common_share(front, larger, metres) >= kInside;
+    });
+    if (!fills) fronts.push_back(std::move(front));
+  }
+  for (const std::size_t i : parts.list()) in.taken[i] = 0;
+  const auto left = [&](const WallGroup& f) { return dot(f.axes.origin - wall.axes.origin, wall.axes.right); };
+  std::stable_sort(fronts.begin(), fronts.end(),
+                   [&](const WallGroup& a, const WallGroup& b) { return left(a) < left(b); });
+  return fronts;
+}
+
+Facade bare_facade(const WallGroup& wall, double metres_per_unit) {
+  Facade f;
+  f.origin = wall.axes.origin, f.right = wall.axes.right, f.up = wall.axes.up, f.out = wall.axes.out;
+  f.width_m = wall.width, f.height_m = wall.height;
+  FacadeElement e;
+  e.region = FacadeRegion::facade;
+  const Vec3 across = (wall.width / metres_per_unit) * f.right, up = (wall.height / metres_per_unit) * f.up;
+  e.ring = {f.origin, f.origin + across, f.origin + across + up, f.origin + up};
+  e.width_m = wall.width, e.height_m = wall.height;
+  e.width_error_m = e.height_error_m = std::sqrt(wall.area_m2 / static_cast<double>(wall.points));
+  e.depth_error_m = wall.epsilon;
+  e.points = wall.points;
+  f.elements = {e};
+  return f;
+}
+
+}  // namespace ilot

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/cluster_plan.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/columns/clusters_pass.h"
+#include "engine/pass/pass.h"
+#include "engine/products/roofs/site_modeller.h"
+#include "engine/products/roofs/sites/cluster_outline.h"
+#include "engine/products/roofs/sites/outline_repair.h"
+#include "engine/products/roofs/sites/party_walls.h"
+#include "engine/products/roofs/sites/site_points.h"
+#include "engine/units/unit_sample.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLeastDistance = 0.5;  // metres [Boltcheva et al. 2019, 3.1]
+constexpr double kStepsOfDistance = 2;  // sampling steps
+constexpr double kCountingCell = 2.1;   // metres, at most
+constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 256;
+constexpr std::int64_t kMillimetresPerMetre = 1000;
+
+// Building points of a block and the squares of the plan that hold them.
+struct Occupied {
+  std::uint64_t points = 0;
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+};
+
+Occupied occupied_of(const Store& store, std::uint32_t block, int cell_bits) {
+  const auto roles = store.read(block, columns::kRole);
+  const auto codes = store.read(block, columns::kCodes);
+  Occupied o;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != PointRole::building) continue;
+    ++o.points;
+    const Index3 p = index_of({store.blocks()[block].node.tile, codes[i]});
+    const std::pair cell{p.x >> cell_bits, p.y >> cell_bits};
+    if (o.cells.empty() || o.cells.back() != cell) o.cells.push_back(cell);
+  }
+  std::sort(o.cells.begin(), o.cells.end());
+  o.cells.erase(std::unique(o.cells.begin(), o.cells.end()), o.cells.end());
+  return o;
+}
+
+// Metres between building points: the root of the area that they occupy per point.
+double sampling_step(const Store& store, const PassContext& context) {
+  const double unit = store.unit() * context.metres_per_unit;
+  int cell_bits = 0;
+  while (cell_bits < 40 && std::ldexp(unit, cell_bits + 1) <= kCountingCell) ++cell_bits;
+  std::vector<PassTask> tasks;
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesToCount, b.points});
+  std::vector<Occupied> parts(tasks.size());
+  run_pass(tasks, context.budget_bytes,
+           [&](std::size_t i) { parts[i] = occupied_of(store, static_cast<std::uint32_t>(i), cell_bits); });
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells;
+  std::uint64_t points = 0;
+  for (Occupied& o : parts) {
+    points += o.points;
+    cells.insert(cells.end(), o.cells.begin(), o.cells.end());
+    o = {};
+  }
+  std::sort(cells.begin(), cells.end());
+  const auto count = std::unique(cells.begin(), cells.end()) - cells.begin();
+  const double side = std::ldexp(unit, cell_bits);
+  return points == 0 ? 0 : std::sqrt(static_cast<double>(count) * side * side / static_cast<double>(points));
+}
+
+// In steps of a factor of the root of two, so that part of a cloud and the whole of it agree.
+double distance_for(double step) {
+  double distance = kLeastDistance;
+  while (distance < kStepsOfDistance * step) distance *= std::sqrt(2.0);
+  return distance;
+}
+
+double choose_distance(const Store& store, const RoofsSettings& settings, const PassContext& context,
+                       RunRecord& record) {
+  if (settings.cluster_distance) return *settings.cluster_distance;
+  const double step = sampling_step(store, context);
+  const double distance = distance_for(step);
+  record.chosen.push_back({"roofs.cluster_distance", distance,
+                           "0.5 m, times the root of 2 until it is twice the sampling step of the building points, " +
+                               std::to_string(step) + " m"});
+  return distance;
+}
+
+// As many as cover a small building, fewer in a sparse cloud; from the distance, so that part of a cloud and the whole
+// of it agree.
+std::uint64_t choose_points(double distance, const RoofsSettings& settings, RunRecord& record) {
+  if (settings.cluster_points) return static_cast<std::uint64_t>(*settings.cluster_points);
+  constexpr double kSmallBuilding = 10;  // m2
+  constexpr double kFewest = 20, kMost = 100;
+  const double step = distance / kStepsOfDistance;
+  const double points = std::floor(std::clamp(kSmallBuilding / (step * step), kFewest, kMost));
+  record.chosen.push_back({"roofs.cluster_points", points,
+                           "what covers 10 m2 where the sampling step is half of roofs.cluster_distance, 20 to 100"});
+  return static_cast<std::uint64_t>(points);
+}
+
+class Outliner {
+ public:
+  Outliner(const Store& store, const std::vector<CloudCluster>& clusters, double metres_per_unit, double alpha_m)
+      : store_(store), clusters_(clusters), millimetres_(store.unit() * metres_per_unit * kMillimetresPerMetre) {
+    params_.alpha = alpha_m * kMillimetresPerMetre;
+  }
+
+  std::uint64_t points_to_read(std::uint32_t cluster) const {
+    return plan_view(store_, clusters_[cluster].box, {}).size;
+  }
+
+  std::vector<PlannedSite> sites_of(std::uint32_t cluster) const {
+    const CloudCluster& c = clusters_[cluster];
+    const std::string id = std::to_string(c.first.x) + "_" + std::to_string(c.first.y);
+    const std::int64_t x = grid(c.box.min.x), y = grid(c.box.min.y);
+    std::vector<PlannedSite> sites;
+    for (const SitePolygon& polygon : buildings_of(cluster, x, y)) {
+      std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>> rings;
+      for (const auto& ring : polygon) {
+        auto& placed = rings.emplace_back();
+        for (const Point2 p : ring) placed.emplace_back(x + p.x, y + p.y);
+      }
+      const std::string part = sites.empty() ? "" : "-" + std::to_string(sites.size() + 1);
+      sites.push_back({id + part, place_outline(rings), "", ""});
+    }
+    if (sites.empty()) sites.push_back({id, {}, "its points enclose no area", ""});
+    return sites;
+  }
+
+ private:
+  std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
+
+  // Outlines of the cluster, parted where buildings adjoin.
+  std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    const std::vector<Vec3> points = points_of(cluster, x, y);
+    std::vector<Point2> places;
+    places.reserve(points.size());
+    for (const Vec3& p : points)
+      places.push_back({static_cast<std::int32_t>(std::lround(p.x * kMillimetresPerMetre)),
+                        static_cast<std::int32_t>(std::lround(p.y * kMillimetresPerMetre))});
+    std::vector<SitePolygon> outlines = cluster_outline(places, params_);
+    double area = 0;
+    for (const SitePolygon& outline : outlines) area += area_of(outline);
+    const double step = std::sqrt(area / static_cast<double>(points.size()));
+    std::vector<SitePolygon> buildings;
+    for (const SitePolygon& outline : outlines)
+      for (SitePolygon& part : split_at_party_walls(outline, points, step)) buildings.push_back(std::move(part));
+    return buildings;
+  }
+
+  // Metres from the anchor on its grid of millimetres: all points of the cluster, or a sample.
+  std::vector<Vec3> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
+    const auto of_cluster = [&](const Stretch& s) {
+      return [cluster, of = s.read(store_, columns::kCluster)](const StretchPoint& p) {
+        return of[p.number] == cluster + 1;
+      };
+    };
+    const UnitSample sample = sample_unit(store_, clusters_[cluster].box, kMostSitePoints, of_cluster);
+    std::vector<Vec3> points;
+    points.reserve(sample.points.size());
+    for (const KeptPoint& k : sample.points)
+      points.push_back({static_cast<double>(grid(k.position.x) - x) / kMillimetresPerMetre,
+                        static_cast<double>(grid(k.position.y) - y) / kMillimetresPerMetre,
+                        static_cast<double>(grid(k.position.z)) / kMillimetresPerMetre});
+    return points;
+  }
+
+  const Store& store_;
+  const std::vector<CloudCluster>& clusters_;
+  double millimetres_;  // of a lattice unit
+  ClusterOutlineParams params_;
+};
+
+}  // namespace
+
+std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& settings, const PassContext& context,
+                                       Progress& progress, RunRecord& record) {
+  progress.begin_stage("clusters", store.points());
+  const double distance = choose_distance(store, settings, context, record);
+  const std::uint64_t fewest = choose_points(distance, settings, record);
+  const double unit = store.unit() * context.metres_per_unit;
+  const ClusterParams params{PointRole::building, std::max<std::int64_t>(1, std::llround(distance / unit))};
+  const std::vector<CloudCluster> clusters = clusters_pass(store, params, context);
+  const Outliner outliner(store, clusters, context.metres_per_unit, distance);
+  ClustersRecord& told = record.clusters.emplace();
+  std::vector<std::uint32_t> large;
+  std::vector<PassTask> tasks;
+  for (std::uint32_t c = 0; c < clusters.size(); ++c) {
+    ++told.clusters;
+    if (clusters[c].points < fewest) {
+      ++told.too_small;
+      told.points_of_too_small += clusters[c].points;
+      continue;
+    }
+    large.push_back(c);
+    const std::uint64_t points = std::min<std::uint64_t>(outliner.points_to_read(c), kMostSitePoints);
+    tasks.push_back({kBytesOfSite + points * kBytesToOutline, clusters[c].points});
+  }
+  std::vector<std::vector<PlannedSite>> found(large.size());
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) { found[i] = outliner.sites_of(large[i]); });
+  std::vector<PlannedSite> sites;
+  for (auto& of_cluster : found)
+    for (PlannedSite& site : of_cluster) sites.push_back(std::move(site));
+  order_sites(sites);
+  progress.end_stage();
+  return sites;
+}
+
+}  // namespace ilot

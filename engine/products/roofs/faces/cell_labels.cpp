@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/faces/cell_labels.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/products/roofs/faces/least_cut.h"
+
+namespace ilot {
+namespace {
+
+using Cost = std::int64_t;
+constexpr double kCostPerM2 = 1e4;
+constexpr double kNearPlane = 3;    // metres around a plane's points where it is a candidate
+constexpr double kTallestWall = 1;  // metres
+constexpr Cost kForbidden = Cost{1} << 40;
+constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
+constexpr double kFar = 1;           // shares more that a point costs per metre off, up to one metre
+constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
+constexpr double kBareTipSteps = 3;  // a tip that long holds nine points or more, were it as wide: one is seen
+constexpr int kRounds = 8;
+constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; with what hangs on them 64 bytes each
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+struct Box {
+  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
+  void add(double x, double y) {
+    x0 = std::min(x0, x);
+    x1 = std::max(x1, x);
+    y0 = std::min(y0, y);
+    y1 = std::max(y1, y);
+  }
+  bool near(const Box& o, double by) const {
+    return x0 - by <= o.x1 && o.x0 - by <= x1 && y0 - by <= o.y1 && o.y0 - by <= y1;
+  }
+};
+
+// A plane that a cell may have and what it costs.
+struct Candidate {
+  std::uint32_t plane;
+  Cost cost;
+};
+
+struct Border {
+  std::uint32_t a, b;  // cells, from 0
+  FlatPoint from, to;  // metres
+  double length;
+};
+
+// Cells that a plane is a candidate of, and the borders of these.
+struct Reach {
+  std::vector<std::uint32_t> cells, borders;
+  std::uint32_t done_at = 0;  // the last expansion
+};
+
+FlatPoint metres(Point2 p) {
+  return {p.x / 1000.0, p.y / 1000.0};
+}
+
+// Of an area from 0, rounded.
+Cost cost_of(double square_metres) {
+  return static_cast<Cost>(square_metres * kCostPerM2 + 0.5);
+}
+
+// The share of its area that a point costs on a plane; `lean`: of the plane's normal that rises by 1, its length.
+double misfit(const RoofPlane& plane, double lean, Vec3 p, bool labelled, double epsilon) {
+  const double gap = std::abs(p.z - plane.at(p.x, p.y)), off = gap / (lean * epsilon);
+  if (!labelled) return off <= 1 ? 0 : kUnlabelled * std::min(1.0, (off - 1) / 2);
+  if (off <= 1) return kForeign * off * off;
+  return kForeign + (1 - kForeign) * std::min(1.0, (off - 1) / 2) + std::min(kFar, kFar * gap);
+}
+
+class Labelling {
+ public:
+  Labelling(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+            std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params)
+      : site_(site), planes_(planes), cells_(cells), params_(params) {
+    find_borders();
+    if (!find_candidates()) return;
+    add_points(cell_of_point);
+    forbid_overshoot();
+  }
+
+  // Empty where there are too many candidates.
+  std::vector<std::uint32_t> solve() {
+    if (candidates_.empty()) return {};
+    label_.resize(cells_.regions);
+    for (std::uint32_t r = 0; r < cells_.regions; ++r) label_[r] = cheapest(r);
+    find_reaches();
+    changed_at_.assign(cells_.regions, 1);
+    node_.assign(cells_.regions, kNone);
+    bool changed = true;
+    for (int round = 0; round < kRounds && changed; ++round) {
+      changed = false;
+      for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane)
+        if (anything_new(reaches_[plane])) changed |= expand(plane);
+    }
+    std::vector<std::uint32_t> labels;
+    for (const std::uint32_t plane : label_) labels.push_back(plane + 1);
+    return labels;
+  }
+
+ private:
+  void find_borders() {
+    boxes_.resize(cells_.regions);
+    for (const PartitionEdge& e : cells_.edges) {
+      const FlatPoint p = metres(cells_.vertices[e.from]), q = metres(cells_.vertices[e.to]);
+      for (const std::uint32_t r : {e.left, e.right})
+        if (r != kOutside) {
+          boxes_[r - 1].add(p.x, p.y);
+          boxes_[r - 1].add(q.x, q.y);
+        }
+      if (e.left == kOutside || e.right == kOutside) continue;
+      const double length = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
+      borders_.push_back({e.left - 1, e.right - 1, p, q, length});
+    }
+  }
+
+  bool find_candidates() {
+    std::vector<Box> around(planes_.planes.size());
+    for (std::size_t i = 0; i < site_.points.size(); ++i)
+      if (planes_.of_point[i] != 0) around[planes_.of_point[i] - 1].add(site_.points[i].x, site_.points[i].y);
+    candidates_.resize(cells_.regions);
+    std::size_t count = 0;
+    for (std::uint32_t r = 0; r < cells_.regions; ++r) {
+      for (double by = kNearPlane; candidates_[r].empty(); by *= 4)
+        for (std::uint32_t p = 0; p < around.size(); ++p)
+          if (around[p].near(boxes_[r], by)) candidates_[r].push_back({p, 0});
+      count += candidates_[r].size();
+      if (count <= kMostCandidates) continue;
+      candidates_ = {};
+      return false;
+    }
+    return true;
+  }
+
+  void add_points(std::span<const std::uint32_t> region) {
+    const double area = planes_.step * planes_.step;
+    std::vector<double> lean;  // per plane: length of the normal that rises by 1
+    for (const RoofPlane& p : planes_.planes) lean.push_back(std::sqrt(1 + p.gx * p.gx + p.gy * p.gy));
+    for (std::size_t i = 0; i < region.size(); ++i) {
+      if (region[i] == kOutside || planes_.on_wall[i]) continue;
+      const std::uint32_t own = planes_.of_point[i];
+      for (Candidate& c : candidates_[region[i] - 1])
+        if (c.plane + 1 != own)
+          c.cost += cost_of(area *
+                            misfit(planes_.planes[c.plane], lean[c.plane], site_.points[i], own != 0, planes_.epsilon));
+    }
+  }
+
+  // Metres that a face may rise above its highest point: its tip, or a face that has narrowed to nothing, is as steep
+  // as the rest and may be without a point for some steps.
+  double overshoot(const RoofPlane& plane) const {
+    const double slope = std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy);
+    return std::max(params_.overshoot, kBareTipSteps * planes_.step * slope);
+  }
+
+  void forbid_overshoot() {
+    const auto check = [&](std::uint32_t region, FlatPoint at) {
+      if (region == kOutside) return;
+      for (Candidate& c : candidates_[region - 1]) {
+        const RoofPlane& plane = planes_.planes[c.plane];
+        const double over = plane.at(at.x, at.y) - plane.highest - overshoot(plane);
+        if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
+      }
+    };
+    for (const PartitionEdge& e : cells_.edges)
+      for (const std::uint32_t v : {e.from, e.to}) {
+        check(e.left, metres(cells_.vertices[v]));
+        check(e.right, metres(cells_.vertices[v]));
+      }
+  }
+
+  std::uint32_t cheapest(std::uint32_t region) const {
+    const auto& c = candidates_[region];
+    return std::min_element(c.begin(), c.end(), [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; })
+        ->plane;
+  }
+
+  const Candidate* candidate(std::uint32_t region, std::uint32_t plane) const {
+    const auto& c = candidates_[region];
+    const auto at =
+        std::lower_bound(c.begin(), c.end(), plane, [](const Candidate& a, std::uint32_t p) { return a.plane < p; });
+    return at != c.end() && at->plane == plane ? &*at : nullptr;
+  }
+
+  Cost between(const Border& border, std::uint32_t p, std::uint32_t q) const {
+    if (p == q) return 0;
+    const auto gap = [&](FlatPoint at) {
+      return std::min(kTallestWall, std::abs(planes_.planes[p].at(at.x, at.y) - planes_.planes[q].at(at.x, at.y)));
+    };
+    const double height = (gap(border.from) + gap(border.to)) / 2;
+    return cost_of(border.length * (params_.border + params_.wall * height));
+  }
+
+  // What an expansion of each plane can change and what that depends on.
+  void find_reaches() {
+    reaches_.resize(planes_.planes.size());
+    for (std::uint32_t r = 0; r < cells_.regions; ++r)
+      for (const Candidate& c : candidates_[r]) reaches_[c.plane].cells.push_back(r);
+    for (std::uint32_t b = 0; b < borders_.size(); ++b) {
+      const auto &p = candidates_[borders_[b].a], &q = candidates_[borders_[b].b];
+      for (const Candidate& c : p) reaches_[c.plane].borders.push_back(b);
+      for (const Candidate& c : q)
+        if (!candidate(borders_[b].a, c.plane)) reaches_[c.plane].borders.push_back(b);
+    }
+  }
+
+  // Whether a cell that an expansion looks at has changed since the last one, which left nothing to gain.
+  bool anything_new(const Reach& reach) const {
+    return std::any_of(reach.cells.begin(), reach.cells.end(),
+                       [&](std::uint32_t r) { return changed_at_[r] > reach.done_at; }) ||
+           std::any_of(reach.borders.begin(), reach.borders.end(), [&](std::uint32_t b) {
+             return std::max(changed_at_[borders_[b].a], changed_at_[borders_[b].b]) > reach.done_at;
+           });
+  }
+
+  // One expansion of a plane: the cheapest set of cells to take it, among all sets. True when a cell changed.
+  bool expand(std::uint32_t alpha) {
+    Reach& reach = reaches_[alpha];
+    std::vector<std::uint32_t> movable;
+    for (const std::uint32_t r : reach.cells)
+      if (label_[r] != alpha) {
+        node_[r] = static_cast<std::uint32_t>(movable.size());
+        movable.push_back(r);
+      }
+    const std::vector<std::uint8_t> taken = cells_to_take(alpha, movable, reach.borders);
+    for (const std::uint32_t r : movable) node_[r] = kNone;
+    bool changed = false;
+    ++clock_;
+    for (std::size_t i = 0; i < taken.size(); ++i)
+      if (taken[i]) {
+        label_[movable[i]] = alpha;
+        changed_at_[movable[i]] = clock_;
+        changed = true;
+      }
+    reach.done_at = clock_;
+    return changed;
+  }
+
+  // Per movable cell whether it takes the plane; empty: none does.
+  std::vector<std::uint8_t> cells_to_take(std::uint32_t alpha, std::span<const std::uint32_t> movable,
+                                          std::span<const std::uint32_t> borders) const {
+    std::vector<Cost> gain(movable.size());  // of staying over moving
+    for (std::size_t i = 0; i < movable.size(); ++i)
+      gain[i] = candidate(movable[i], alpha)->cost - candidate(movable[i], label_[movable[i]])->cost;
+    std::vector<CutArc> arcs;
+    for (const std::uint32_t at : borders) {
+      const Border& border = borders_[at];
+      const std::uint32_t a = node_[border.a], b = node_[border.b];
+      if (a == kNone && b == kNone) continue;
+      const Cost stay = between(border, label_[border.a], label_[border.b]);
+      const Cost only_b = between(border, label_[border.a], alpha), only_a = between(border, alpha, label_[border.b]);
+      if (b == kNone) {
+        gain[a] += only_a - stay;
+      } else if (a == kNone) {
+        gain[b] += only_b - stay;
+      } else {
+        gain[a] += only_a - stay;
+        gain[b] -= only_a;
+        arcs.push_back({a, b, std::max<Cost>(0, only_a + only_b - stay)});
+      }
+    }
+    if (std::none_of(gain.begin(), gain.end(), [](Cost g) { return g < 0; })) return {};
+    return least_cut(gain, arcs);
+  }
+
+  const RoofSite& site_;
+  const RoofPlanes& planes_;
+  const Partition& cells_;
+  CellLabelParams params_;
+  std::vector<Box> boxes_;
+  std::vector<Border> borders_;
+  std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
+  std::vector<Reach> reaches_;                      // per plane
+  std::vector<std::uint32_t> label_;                // per cell, from 0
+  std::vector<std::uint32_t> node_;                 // per cell: its place among the movable ones, or kNone
+  std::vector<std::uint32_t> changed_at_;           // per cell: the expansion that changed it last
+  std::uint32_t clock_ = 1;                         // counts expansions
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+                                       std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params) {
+  return Labelling(site, planes, cells, cell_of_point, params).solve();
+}
+
+}  // namespace ilot

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+// Tops of dormers, chimneys and other boxes on a roof that are too small for planes of their own.
+#pragma once
+#include "engine/products/roofs/faces/roof_planes.h"
+
+namespace ilot {
+
+// Adds level planes to what find_roof_planes found. The neighbourhood of a point on a top of less than a square metre
+// reaches beyond it, so its normal is of no use; but points without a plane that lie at one height, cover an area and
+// hide all that is below them are a surface all the same: at least 5 points within epsilon of one height, each within
+// two steps of another, at most a fifth as many others within their convex hull, which covers a quarter or more of what
+// so many points stand for (hits on a wall lie on a line). Tops with the most points are taken first, ties by the first
+// point. O(n log n) in points without a plane, as long as few of them lie within two steps of one another.
+void add_level_tops(const RoofSite& site, RoofPlanes& planes);
+
+}  // namespace ilot

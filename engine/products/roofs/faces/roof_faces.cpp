@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/faces/roof_faces.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+
+#include "kernels/core/union_find.h"
+
+namespace ilot {
+namespace {
+
+double length_of(const Partition& p, const PartitionEdge& e) {
+  return std::sqrt(static_cast<double>(squared_distance(p.vertices[e.from], p.vertices[e.to]))) / 1000;
+}
+
+// Cells of one label that hang together, numbered from 1 in the order of their first cells.
+struct Components {
+  std::vector<std::uint32_t> of_cell;
+  std::uint32_t count = 0;
+};
+
+Components components_of(const Partition& cells, std::span<const std::uint32_t> label) {
+  std::vector<std::uint32_t> parents(cells.regions);
+  UnionFind sets(parents);
+  for (const PartitionEdge& e : cells.edges)
+    if (e.left != kOutside && e.right != kOutside && label[e.left - 1] == label[e.right - 1])
+      sets.unite(e.left - 1, e.right - 1);
+  Components c;
+  c.of_cell.resize(cells.regions);
+  for (std::uint32_t r = 0; r < cells.regions; ++r)
+    c.of_cell[r] = sets.find(r) == r ? ++c.count : c.of_cell[sets.find(r)];
+  return c;
+}
+
+// Points of every cell on every plane.
+using PointCounts = std::vector<std::map<std::uint32_t, std::uint32_t>>;
+
+PointCounts count_points(const RoofPlanes& planes, std::span<const std::uint32_t> cell_of_point, std::uint32_t cells) {
+  PointCounts counts(cells);
+  for (std::size_t i = 0; i < cell_of_point.size(); ++i)
+    if (cell_of_point[i] != kOutside && planes.of_point[i] != 0) ++counts[cell_of_point[i] - 1][planes.of_point[i]];
+  return counts;
+}
+
+// Gives the smallest face that cannot stay to its neighbour. False when all can.
+bool give_one_away(const Partition& cells, const std::vector<double>& areas, const PointCounts& counts,
+                   double least_area, std::vector<std::uint32_t>& label) {
+  const Components c = components_of(cells, label);
+  std::vector<double> area(c.count + 1, 0);
+  std::vector<std::uint32_t> points(c.count + 1, 0);
+  for (std::uint32_t r = 0; r < cells.regions; ++r) {
+    area[c.of_cell[r]] += areas[r + 1];
+    const auto at = counts[r].find(label[r]);
+    if (at != counts[r].end()) points[c.of_cell[r]] += at->second;
+  }
+  std::vector<std::map<std::uint32_t, double>> shared(c.count + 1);  // length by the neighbour's label
+  for (const PartitionEdge& e : cells.edges) {
+    if (e.left == kOutside || e.right == kOutside) continue;
+    const std::uint32_t a = c.of_cell[e.left - 1], b = c.of_cell[e.right - 1];
+    if (a == b) continue;
+    shared[a][label[e.right - 1]] += length_of(cells, e);
+    shared[b][label[e.left - 1]] += length_of(cells, e);
+  }
+  std::uint32_t chosen = 0;
+  for (std::uint32_t k = 1; k <= c.count; ++k) {
+    if ((area[k] >= least_area && points[k] > 0) || shared[k].empty()) continue;
+    if (chosen == 0 || area[k] < area[chosen]) chosen = k;
+  }
+  if (chosen == 0) return false;
+  std::uint32_t to = 0;
+  double longest = -1;
+  for (const auto& [plane, length] : shared[chosen])
+    if (length > longest) std::tie(to, longest) = std::pair(plane, length);
+  for (std::uint32_t r = 0; r < cells.regions; ++r)
+    if (c.of_cell[r] == chosen) label[r] = to;
+  return true;
+}
+
+}  // namespace
+
+RoofFaces roof_faces(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
+                     std::span<const std::uint32_t> cell_of_point, std::vector<std::uint32_t> label,
+                     double least_area) {
+  const PointCounts counts = count_points(planes, cell_of_point, cells.regions);
+  const std::vector<double> areas = region_areas(cells);
+  while (give_one_away(cells, areas, counts, least_area, label)) {
+  }
+  const Components c = components_of(cells, label);
+  RoofFaces r;
+  r.planes.resize(c.count);
+  for (std::uint32_t cell = 0; cell < cells.regions; ++cell)
+    r.planes[c.of_cell[cell] - 1] = planes.planes[label[cell] - 1];
+  for (std::size_t i = 0; i < cell_of_point.size(); ++i) {
+    const std::uint32_t cell = cell_of_point[i];
+    const bool lies_on = cell != kOutside && planes.of_point[i] != 0 && label[cell - 1] == planes.of_point[i];
+    r.of_point.push_back(lies_on ? c.of_cell[cell - 1] : 0);
+  }
+  r.faces = merged(cells, c.of_cell, c.count, corners_in(cells, site.outline));
+  return r;
+}
+
+}  // namespace ilot

@@ -1,0 +1,412 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/faces/roof_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <queue>
+#include <tuple>
+
+#include "engine/products/roofs/faces/face_rectangles.h"
+#include "engine/products/roofs/sites/step_offset.h"
+#include "kernels/delaunay/delaunay.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kCreaseSteps = 1;          // farthest, in steps, that a border is seen beside the line of its planes
+constexpr double kLeastSlopeChange = 0.05;  // of two planes that cross in a line worth drawing
+constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a border
+constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
+constexpr double kFarthest = 15;                         // metres that a line goes on to meet another
+constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
+constexpr double kLeastRunSteps = 1;
+constexpr double kAligned = 0.1;           // metres between a step and the line that it is taken to lie on
+constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
+constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
+constexpr std::size_t kMostDirections = 16;
+
+// A place on the border of two planes.
+struct Sighting {
+  FlatPoint at;
+  std::uint32_t a = 0, b = 0;  // planes, a < b
+  FlatPoint upper, lower;      // the points between which it was seen
+};
+
+Point2 millimetres(Vec3 p) {
+  return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
+}
+
+struct Borders {
+  std::vector<Sighting> creases, steps;
+};
+
+class BorderFinder {
+ public:
+  BorderFinder(const RoofSite& site, const RoofPlanes& planes) : site_(site), planes_(planes) {
+    for (std::uint32_t i = 0; i < site.points.size(); ++i)
+      if (planes.of_point[i] != 0) {
+        points_.push_back(millimetres(site.points[i]));
+        from_.push_back(i);
+      }
+  }
+
+  Borders find() {
+    const Triangulation t = delaunay(points_);
+    for (std::uint32_t e = 0; e < t.corner.size(); ++e) {
+      const std::uint32_t from = t.corner[e], to = t.corner[next_edge(e)];
+      if (t.twin[e] != kNoEdge && t.twin[e] < e) continue;
+      if (planes_.of_point[from_[from]] != planes_.of_point[from_[to]]) see(from_[from], from_[to]);
+    }
+    return std::move(borders_);
+  }
+
+ private:
+  void see(std::uint32_t p, std::uint32_t q) {
+    const double longest = std::max(kLongestSteps * planes_.step, kLongestMetres);
+    const Vec3 along = site_.points[q] - site_.points[p];
+    const double length = std::sqrt(along.x * along.x + along.y * along.y);
+    if (length > longest) return;
+    std::uint32_t a = planes_.of_point[p] - 1, b = planes_.of_point[q] - 1;
+    const RoofPlane& pa = planes_.planes[a];
+    const RoofPlane& pb = planes_.planes[b];
+    const Vec3 middle = site_.points[p] + 0.5 * along;
+    const double apart = std::abs(pa.at(middle.x, middle.y) - pb.at(middle.x, middle.y));
+    const double slope = std::sqrt((pa.gx - pb.gx) * (pa.gx - pb.gx) + (pa.gy - pb.gy) * (pa.gy - pb.gy));
+    const double reach = std::max(kCreaseSteps * planes_.step, length);
+    const bool crosses = slope >= kLeastSlopeChange && apart <= slope * reach;
+    if (a > b) std::swap(a, b);
+    if (site_.points[q].z > site_.points[p].z) std::swap(p, q);
+    const FlatPoint upper = flat(site_.points[p]), lower = flat(site_.points[q]);
+    if (crosses) {
+      borders_.creases.push_back({flat(middle), a, b, upper, lower});
+    } else {  // half a step from the upper point: what lies farther may be its shadow
+      const double share = std::min(0.5, 0.5 * planes_.step / length);
+      const FlatPoint at{upper.x + share * (lower.x - upper.x), upper.y + share * (lower.y - upper.y)};
+      borders_.steps.push_back({at, a, b, upper, lower});
+    }
+  }
+
+  static FlatPoint flat(Vec3 p) { return {p.x, p.y}; }
+
+  const RoofSite& site_;
+  const RoofPlanes& planes_;
+  std::vector<Point2> points_;
+  std::vector<std::uint32_t> from_;
+  Borders borders_;
+};
+
+double extension(const RoofPlanes& planes) {
+  return std::max(kExtendSteps * planes.step, kExtendMetres);
+}
+
+// Where two planes have the same height: point and direction of unit length.
+struct Line {
+  FlatPoint at, along;
+};
+
+Line crossing(const RoofPlane& a, const RoofPlane& b, FlatPoint near) {
+  const FlatPoint g{a.gx - b.gx, a.gy - b.gy};
+  const double slope2 = dot(g, g), difference = a.at(near.x, near.y) - b.at(near.x, near.y);
+  const double slope = std::sqrt(slope2);
+  return {{near.x - difference * g.x / slope2, near.y - difference * g.y / slope2}, {-g.y / slope, g.x / slope}};
+}
+
+// A crease for every pair of planes that were seen to cross, as far as that was seen.
+void add_creases(std::vector<Sighting> seen, const RoofPlanes& planes, std::vector<FlatEdge>& lines) {
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Sighting& s, const Sighting& t) { return std::tie(s.a, s.b) < std::tie(t.a, t.b); });
+  for (std::size_t first = 0; first < seen.size();) {
+    std::size_t last = first;
+    while (last < seen.size() && seen[last].a == seen[first].a && seen[last].b == seen[first].b) ++last;
+    if (last - first >= kFewestOnCrease) {
+      const Line line = crossing(planes.planes[seen[first].a], planes.planes[seen[first].b], seen[first].at);
+      double low = INFINITY, high = -INFINITY;
+      for (std::size_t i = first; i < last; ++i) {
+        const double t = dot({seen[i].at.x - line.at.x, seen[i].at.y - line.at.y}, line.along);
+        low = std::min(low, t);
+        high = std::max(high, t);
+      }
+      low -= extension(planes);
+      high += extension(planes);
+      lines.push_back({{line.at.x + low * line.along.x, line.at.y + low * line.along.y},
+                       {line.at.x + high * line.along.x, line.at.y + high * line.along.y}});
+    }
+    first = last;
+  }
+}
+
+std::vector<FlatEdge> outline_edges(const SitePolygon& outline) {
+  std::vector<FlatEdge> edges;
+  for (const auto& ring : outline)
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const Point2 p = ring[i], q = ring[(i + 1) % ring.size()];
+      edges.push_back({{p.x / 1000.0, p.y / 1000.0}, {q.x / 1000.0, q.y / 1000.0}});
+    }
+  return edges;
+}
+
+// Directions in which steps are likely to run, the likeliest first: those of the outline and across it, by length; then
+// down the planes and along them.
+std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<std::pair<double, FlatPoint>> weighted;  // by length
+  const auto add = [&](FlatPoint d, double weight) {
+    const double length = std::sqrt(dot(d, d));
+    if (length <= 0) return;
+    d = {d.x / length, d.y / length};
+    for (auto& [w, known] : weighted)
+      if (std::abs(dot(known, d)) >= kSameDirection) {
+        w += weight;
+        return;
+      }
+    weighted.push_back({weight, d});
+  };
+  std::vector<FlatEdge> edges = outline_edges(site.outline);
+  const auto length = [](const FlatEdge& e) {
+    return std::sqrt((e.b.x - e.a.x) * (e.b.x - e.a.x) + (e.b.y - e.a.y) * (e.b.y - e.a.y));
+  };
+  std::stable_sort(edges.begin(), edges.end(),
+                   [&](const FlatEdge& e, const FlatEdge& f) { return length(e) > length(f); });
+  for (const FlatEdge& e : edges) {
+    const FlatPoint d{e.b.x - e.a.x, e.b.y - e.a.y};
+    add(d, length(e));
+    add({-d.y, d.x}, length(e) / 2);
+  }
+  for (const RoofPlane& p : planes.planes) {
+    if (p.gx * p.gx + p.gy * p.gy < kLeastSlopeChange * kLeastSlopeChange) continue;
+    const double weight = std::sqrt(static_cast<double>(p.points)) * planes.step;
+    add({p.gx, p.gy}, weight);
+    add({-p.gy, p.gx}, weight);
+  }
+  std::stable_sort(weighted.begin(), weighted.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<FlatPoint> directions;
+  for (const auto& [w, d] : weighted)
+    if (directions.size() < kMostDirections) directions.push_back(d);
+  return directions;
+}
+
+// Consecutive sightings of one straight step.
+struct Run {
+  std::vector<std::uint32_t> members;
+  FlatPoint along;
+  double offset = 0, low = 0, high = 0;
+};
+
+FlatPoint on(const Run& run, double t) {
+  return {t * run.along.x - run.offset * run.along.y, t * run.along.y + run.offset * run.along.x};
+}
+
+// Takes runs, those with the most sightings first, each sighting once. Sightings lie in strips of half a step along
+// every direction; a run lies in two neighbouring strips. What a window of two strips can give only shrinks as
+// sightings are taken, so a window is looked at again only when it comes to the top.
+class StepFinder {
+ public:
+  StepFinder(std::vector<Sighting> seen, std::vector<FlatPoint> directions, double step)
+      : seen_(std::move(seen)), directions_(std::move(directions)), step_(step), used_(seen_.size(), 0) {
+    for (std::uint32_t d = 0; d < directions_.size(); ++d) add_strips(d);
+  }
+
+  std::vector<Run> find() {
+    std::vector<Run> runs;
+    while (!windows_.empty()) {
+      const Window window = windows_.top();
+      windows_.pop();
+      Run run = longest(window);
+      if (run.members.size() < kFewestOnStep) continue;
+      if (run.members.size() < window.size) {
+        windows_.push({run.members.size(), window.direction, window.strip});
+        continue;
+      }
+      for (const std::uint32_t i : run.members) used_[i] = 1;
+      place(run);
+      runs.push_back(std::move(run));
+      windows_.push(window);
+    }
+    return runs;
+  }
+
+ private:
+  struct Place {
+    std::int64_t strip;
+    double along, offset;
+    std::uint32_t sighting;
+  };
+  struct Window {
+    std::size_t size;
+    std::uint32_t direction;
+    std::size_t strip;                       // among those of the direction
+    bool operator<(const Window& o) const {  // the top is the largest, ties by place
+      return std::tie(size, o.direction, o.strip) < std::tie(o.size, direction, strip);
+    }
+  };
+
+  void add_strips(std::uint32_t d) {
+    std::vector<Place> places;
+    for (std::uint32_t i = 0; i < seen_.size(); ++i) {
+      const double offset = cross(directions_[d], seen_[i].at);
+      places.push_back(
+          {static_cast<std::int64_t>(std::floor(2 * offset / step_)), dot(directions_[d], seen_[i].at), offset, i});
+    }
+    std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
+      return std::tie(p.strip, p.along, p.offset, p.sighting) < std::tie(q.strip, q.along, q.offset, q.sighting);
+    });
+    std::vector<std::size_t> starts;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (i == 0 || places[i].strip != places[i - 1].strip) starts.push_back(i);
+    starts.push_back(places.size());
+    places_.push_back(std::move(places));
+    starts_.push_back(std::move(starts));
+    for (std::size_t s = 0; s + 1 < starts_[d].size(); ++s) {
+      const Run run = longest({0, d, s});
+      if (run.members.size() >= kFewestOnStep) windows_.push({run.members.size(), d, s});
+    }
+  }
+
+  // Places of a strip and of the next one, along them, that are not taken. Valid until the next call.
+  const std::vector<Place>& places_in(const Window& window) const {
+    const std::vector<Place>& places = places_[window.direction];
+    const std::vector<std::size_t>& starts = starts_[window.direction];
+    const std::size_t first = starts[window.strip], middle = starts[window.strip + 1];
+    std::size_t last = middle;
+    if (middle < places.size() && places[middle].strip == places[first].strip + 1) last = starts[window.strip + 2];
+    std::vector<Place>& merged = merged_;
+    merged.clear();
+    const auto place = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged),
+               [](const Place& p, const Place& q) {
+                 return std::tie(p.along, p.offset, p.sighting) < std::tie(q.along, q.offset, q.sighting);
+               });
+    std::erase_if(merged, [&](const Place& p) { return used_[p.sighting] != 0; });
+    return merged;
+  }
+
+  // The most sightings of a window without a gap; none when they lie too close together to give a direction.
+  Run longest(const Window& window) const {
+    const std::vector<Place>& places = places_in(window);
+    std::size_t best_first = 0, best_last = 0, first = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      if (i > first && places[i].along - places[i - 1].along > kGapSteps * step_) first = i;
+      if (i + 1 - first > best_last - best_first && places[i].along - places[first].along >= kLeastRunSteps * step_) {
+        best_first = first;
+        best_last = i + 1;
+      }
+    }
+    Run run;
+    if (best_last - best_first < kFewestOnStep) return run;
+    for (std::size_t i = best_first; i < best_last; ++i) run.members.push_back(places[i].sighting);
+    run.along = directions_[window.direction];
+    run.low = places[best_first].along;
+    run.high = places[best_last - 1].along;
+    return run;
+  }
+
+  // Across its direction, between the points that it parts.
+  void place(Run& run) const {
+    std::vector<StepGap> gaps;
+    for (const std::uint32_t i : run.members)
+      gaps.push_back({cross(run.along, seen_[i].upper), cross(run.along, seen_[i].lower)});
+    run.offset = step_offset(gaps, step_ * step_ / (run.high - run.low));
+  }
+
+  std::vector<Sighting> seen_;
+  std::vector<FlatPoint> directions_;
+  double step_;
+  std::vector<std::uint8_t> used_;
+  std::vector<std::vector<Place>> places_;        // per direction
+  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end
+  std::priority_queue<Window> windows_;
+  mutable std::vector<Place> merged_;  // what places_in gives
+};
+
+// Runs that a wall of the outline or a longer run continues lie on its line: between the two nothing but slivers would
+// be left.
+void align(std::vector<Run>& runs, const std::vector<FlatEdge>& outline) {
+  std::vector<Line> known;
+  for (const FlatEdge& e : outline) {
+    const FlatPoint d{e.b.x - e.a.x, e.b.y - e.a.y};
+    const double length = std::sqrt(dot(d, d));
+    if (length > 0) known.push_back({e.a, {d.x / length, d.y / length}});
+  }
+  for (Run& run : runs) {
+    const FlatPoint low = on(run, run.low), high = on(run, run.high);
+    const auto off = [&](const Line& line) {
+      const auto from = [&](FlatPoint p) { return std::abs(cross(line.along, {p.x - line.at.x, p.y - line.at.y})); };
+      return std::max(from(low), from(high));
+    };
+    const auto nearest =
+        std::min_element(known.begin(), known.end(), [&](const Line& a, const Line& b) { return off(a) < off(b); });
+    if (nearest == known.end() || off(*nearest) > kAligned) {
+      known.push_back({low, run.along});
+      continue;
+    }
+    const double turn = dot(nearest->along, run.along) < 0 ? -1 : 1;
+    run.along = {turn * nearest->along.x, turn * nearest->along.y};
+    run.offset = cross(run.along, nearest->at);
+    run.low = dot(run.along, low);
+    run.high = dot(run.along, high);
+  }
+}
+
+void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge>& lines) {
+  for (const Run& run : runs) {
+    lines.push_back({on(run, run.low - extend), on(run, run.high + extend)});
+  }
+}
+
+// How far a ray of unit direction runs until it meets an edge; nothing when it does not.
+std::optional<double> distance_along(FlatPoint from, FlatPoint direction, const FlatEdge& edge) {
+  const FlatPoint along{edge.b.x - edge.a.x, edge.b.y - edge.a.y}, to{edge.a.x - from.x, edge.a.y - from.y};
+  const double turn = cross(direction, along);
+  if (turn == 0) return std::nullopt;
+  const double t = cross(to, along) / turn, u = cross(to, direction) / turn;
+  if (t < 0 || u < 0 || u > 1) return std::nullopt;
+  return t;
+}
+
+// Both ends of every line go on to the next line or to the outline, where one is near enough.
+std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, const std::vector<FlatEdge>& outline) {
+  constexpr double kBeyond = 0.01;  // metres past what is met, so that rounding leaves no gap
+  std::vector<FlatEdge> longer = lines;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const FlatPoint d{lines[i].b.x - lines[i].a.x, lines[i].b.y - lines[i].a.y};
+    const double length = std::sqrt(dot(d, d));
+    if (length <= 0) continue;
+    const auto reach = [&](FlatPoint from, FlatPoint direction) {
+      double nearest = kFarthest;
+      const auto meet = [&](const FlatEdge& edge) {
+        nearest = std::min(nearest, distance_along(from, direction, edge).value_or(kFarthest));
+      };
+      for (const FlatEdge& edge : outline) meet(edge);
+      for (std::size_t j = 0; j < lines.size(); ++j)
+        if (j != i) meet(lines[j]);
+      if (nearest >= kFarthest) return from;
+      return FlatPoint{from.x + (nearest + kBeyond) * direction.x, from.y + (nearest + kBeyond) * direction.y};
+    };
+    longer[i].a = reach(lines[i].a, {-d.x / length, -d.y / length});
+    longer[i].b = reach(lines[i].b, {d.x / length, d.y / length});
+  }
+  return longer;
+}
+
+}  // namespace
+
+std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<FlatEdge> lines;
+  if (planes.planes.size() < 2) return lines;
+  Borders borders = BorderFinder(site, planes).find();
+  const std::vector<FlatPoint> directions = likely_directions(site, planes);
+  add_creases(std::move(borders.creases), planes, lines);
+  const std::vector<FlatEdge> outline = outline_edges(site.outline);
+  if (!borders.steps.empty()) {
+    std::vector<Run> runs = StepFinder(std::move(borders.steps), directions, planes.step).find();
+    align(runs, outline);
+    add_steps(runs, extension(planes), lines);
+  }
+  lines = reaching_the_next(lines, outline);
+  const std::vector<FlatEdge> sides = face_rectangles(site, planes, directions, lines);
+  lines.insert(lines.end(), sides.begin(), sides.end());
+  return lines;
+}
+
+}  // namespace ilot

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/footprint_outcome.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace ilot {
+
+namespace {
+
+// The extent of the store's points in the millimetres of outlines.
+GridBox extent_of(const Store& store, const PassContext& context) {
+  constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
+  const double mm = store.unit() * context.metres_per_unit * 1000;
+  GridBox extent{kFar, kFar, -kFar, -kFar};
+  for (const Block& b : store.blocks()) {
+    const auto low = [&](std::int64_t v) { return static_cast<std::int64_t>(std::floor(static_cast<double>(v) * mm)); };
+    const auto high = [&](std::int64_t v) { return static_cast<std::int64_t>(std::ceil(static_cast<double>(v) * mm)); };
+    extent.min_x = std::min(extent.min_x, low(b.box.min.x));
+    extent.min_y = std::min(extent.min_y, low(b.box.min.y));
+    extent.max_x = std::max(extent.max_x, high(b.box.max.x));
+    extent.max_y = std::max(extent.max_y, high(b.box.max.y));
+  }
+  return extent;
+}
+
+std::string first_names(const std::vector<std::string>& names) {
+  constexpr std::size_t kNamed = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), kNamed); ++i) text += (i > 0 ? ", " : "") + names[i];
+  return names.size() > kNamed ? text + " and " + grouped(names.size() - kNamed) + " more" : text;
+}
+
+}  // namespace
+
+void settle_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
+                               Progress& progress, RunRecord& record) {
+  if (!record.footprints) return;
+  const GridBox extent = extent_of(store, context);
+  std::set<std::string> all, beyond;
+  for (const PlannedSite& site : sites) {
+    all.insert(site.id);
+    if (!site.outline.polygon.empty() && !site.outline.box.meets(extent)) beyond.insert(site.id);
+  }
+  const auto is_beyond = [&](const SkippedRecord& s) { return s.what == "unit" && beyond.contains(s.where); };
+  std::vector<std::string>& outside = record.footprints->outside;
+  for (const SkippedRecord& s : record.skipped) {
+    if (is_beyond(s))
+      outside.push_back(s.where);
+    else if (s.what == "unit" && all.contains(s.where))
+      progress.unit_skipped(s.where, s.reason);
+  }
+  std::erase_if(record.skipped, is_beyond);
+  if (!outside.empty())
+    progress.note(grouped(outside.size()) + " of " + grouped(sites.size()) +
+                  " footprints are outside of the cloud's extent: " + first_names(outside));
+}
+
+std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area) {
+  if (!given)
+    return "there is no building: no cluster of points above the ground is large enough; see classes.building, "
+           "roofs.trust_classes and roofs.cluster_points";
+  const auto with = std::count_if(sites.begin(), sites.end(), [](const auto& s) { return !s.outline.polygon.empty(); });
+  if (with == 0)
+    return "none of " + grouped(sites.size()) + " footprints gives an outline" +
+           (sites.empty() ? "" : ": of " + sites.front().id + ", " + sites.front().reason);
+  if (area) return "none of " + grouped(sites.size()) + " footprints is inside of the area (--bounds, --within)";
+  return "none of " + grouped(sites.size()) + " footprints is where the clouds are";
+}
+
+}  // namespace ilot

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/footprint_plan.h"
+
+#include <algorithm>
+
+#include "engine/deliverables/layers/footprints.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kSharedArea = 1;  // m2; less is how outlines were drawn
+
+}  // namespace
+
+std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const Crs& crs, Progress& progress,
+                                         RunRecord& record) {
+  const FootprintFile file = read_footprints(path, crs);
+  std::vector<PlannedSite> sites = plan_sites(file.footprints, crs.metres_per_unit);
+  FootprintsRecord& told = record.footprints.emplace();
+  told.path = path.string();
+  told.footprints = file.footprints.size();
+  told.id_attribute = file.id_attribute;
+  told.transformed = file.transformed;
+  for (const PlannedSite& site : sites) {
+    told.mended += !site.repair.empty();
+    told.without_outline += site.outline.polygon.empty();
+  }
+  for (const std::string& warning : file.warnings) {
+    progress.warn(warning);
+    record.warnings.push_back(warning);
+  }
+  return sites;
+}
+
+std::vector<std::uint32_t> overlapping(std::span<const PlannedSite> sites, const OutlineMap& map, std::size_t site) {
+  std::vector<std::uint32_t> others;
+  if (sites[site].outline.polygon.empty()) return others;
+  for (const std::uint32_t other : map.near(sites[site].outline.box))
+    if (other != site && shared_area(sites[site].outline, sites[other].outline) >= kSharedArea) others.push_back(other);
+  return others;
+}
+
+}  // namespace ilot

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/roof_sink.h"
+
+namespace ilot {
+
+RoofSink::RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
+                   RoofLabels& labels, Progress& progress, RunRecord& record)
+    : files_(folder, {params}, crs),
+      page_(folder / "roofs.html", params.metres_per_unit),
+      labels_(labels),
+      progress_(progress),
+      record_(record) {
+  record.roofs.emplace();
+}
+
+void RoofSink::take(SiteResult& result) {
+  ++units_;
+  for (Building& level : result.levels)
+    for (BuildingSurface& s : level.surfaces) s.plane_id += s.plane_id > 0 ? planes_ : 0;
+  result.levels[0].attributes.emplace_back("unit_id", std::int64_t{units_});
+  files_.add(result.levels);
+  page_.add(result.levels, result.points, result.share_off);
+  labels_.add(units_, planes_ + 1, result.labels);
+  planes_ += result.planes;
+  count(result);
+}
+
+void RoofSink::finish() {
+  files_.finish();
+  page_.finish();
+}
+
+void RoofSink::count(const SiteResult& result) {
+  RoofCounts& counts = *record_.roofs;
+  ++counts.buildings;
+  counts.thinned += result.thinned;
+  counts.lod22 += result.status == RoofStatus::lod22;
+  counts.lod12 += result.status == RoofStatus::lod12;
+  counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
+  if (result.status != RoofStatus::footprint_only) return;
+  ++counts.footprint_only;
+  if (!record_.footprints) progress_.unit_skipped(result.levels[0].id, result.reason);  // else when all are known
+  record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
+}
+
+}  // namespace ilot

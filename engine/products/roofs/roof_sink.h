@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cstdint>
+#include <filesystem>
+
+#include "engine/deliverables/pages/roofs_page.h"
+#include "engine/deliverables/solids/roof_files.h"
+#include "engine/products/roofs/site_modeller.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+
+namespace ilot {
+
+// Takes results in the order of ids: numbers them, writes them, counts them.
+class RoofSink {
+ public:
+  RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs, RoofLabels& labels,
+           Progress& progress, RunRecord& record);
+
+  void take(SiteResult& result);
+  void finish();
+
+ private:
+  void count(const SiteResult& result);
+
+  RoofFiles files_;
+  RoofsPage page_;
+  RoofLabels& labels_;
+  Progress& progress_;
+  RunRecord& record_;
+  std::uint32_t units_ = 0, planes_ = 0;
+};
+
+}  // namespace ilot

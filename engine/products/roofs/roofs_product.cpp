@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/roofs_product.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+
+#include "engine/error.h"
+#include "engine/pass/pass.h"
+#include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/roofs/roof_sink.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kGridMetres = 0.001;
+constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
+constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model, points to show
+
+// A corner of the CRS's own raster of 100 km, near the least corner of the whole cloud: the same for each part of it.
+Vec3 origin_near(Index3 least, double unit, double metres_per_unit) {
+  const double raster = 100000 / metres_per_unit;
+  const auto corner = [&](std::int64_t v) { return std::round(static_cast<double>(v) * unit / raster) * raster; };
+  return {corner(least.x), corner(least.y), 0};
+}
+
+std::vector<std::size_t> wanted_sites(std::span<const PlannedSite> sites, const Store& store,
+                                      const PassContext& context) {
+  std::vector<std::size_t> wanted;
+  const double per_unit = kGridMetres / (store.unit() * context.metres_per_unit);
+  for (std::size_t i = 0; i < sites.size(); ++i) {
+    const PlacedOutline& o = sites[i].outline;
+    if (context.wanted) {
+      if (o.polygon.empty()) continue;
+      const Point2 first = o.polygon[0][0];
+      const auto on_lattice = [&](std::int64_t mm) { return std::llround(static_cast<double>(mm) * per_unit); };
+      if (!context.wanted({on_lattice(o.x + first.x), on_lattice(o.y + first.y), 0})) continue;
+    }
+    wanted.push_back(i);
+  }
+  return wanted;
+}
+
+std::vector<PassTask> costs_of(const SiteWork& work, std::span<const std::size_t> sites) {
+  std::vector<PassTask> tasks(sites.size());
+  parallel_for(sites.size(), [&](std::size_t i) {
+    const std::uint64_t points = points_to_read(work, sites[i]);
+    tasks[i] = {kBytesOfSite + std::min<std::uint64_t>(points, work.most_points) * kBytesOfSitePoint, points};
+  });
+  return tasks;
+}
+
+// Memory of what is known of every site all the time: outlines, the map of them, costs, labels' places.
+std::uint64_t bytes_of_tables(std::span<const PlannedSite> sites) {
+  constexpr std::uint64_t kBytesOfSiteRow = sizeof(PlannedSite) + 200;
+  std::uint64_t bytes = sites.size() * kBytesOfSiteRow;
+  for (const PlannedSite& site : sites)
+    for (const auto& ring : site.outline.polygon) bytes += sizeof ring + ring.size() * sizeof(Point2);
+  return bytes;
+}
+
+// What sites in work may take beside the tables and two batches of results.
+struct RoofBudget {
+  std::uint64_t tasks = 0;
+  std::size_t together = kFewestTogether;
+
+  RoofBudget(std::uint64_t all, std::span<const PlannedSite> sites, std::span<const PassTask> costs) {
+    const std::uint64_t tables = bytes_of_tables(sites);
+    const auto spare = all > tables ? all - tables : 0;
+    together = std::clamp<std::size_t>(spare / 16 / kBytesOfResult, kFewestTogether, kMostTogether);
+    const std::uint64_t results = 2 * std::min(together, costs.size()) * kBytesOfResult;
+    tasks = spare > results ? spare - results : 0;
+    std::uint64_t largest = 0;
+    for (const PassTask& cost : costs) largest = std::max(largest, cost.bytes);
+    if (largest <= tasks) return;
+    throw Error("roofs: " + std::to_string(sites.size()) + " buildings, the largest with " +
+                    std::to_string((largest - kBytesOfSite) / kBytesOfSitePoint) +
+                    " points in its model, need --memory " + std::to_string(((largest - tasks) >> 20) + 1) +
+                    "M more than was given",
+                ExitCode::usage);
+  }
+};
+
+RoofModelParams model_params(const RoofsSettings& s) {
+  RoofModelParams params;
+  params.epsilon = s.epsilon.value_or(0);
+  params.min_points = s.min_points.value_or(0);
+  params.least_face_area = s.least_face_area.value_or(0);
+  params.superstructures = s.superstructures;
+  return params;
+}
+
+// How far the outlines lie beside the points, from at most 64 of them, evenly spread.
+void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
+                          const RoofBudget& budget, Progress& progress, FootprintsRecord& record) {
+  constexpr std::size_t kMost = 64;
+  constexpr double kWorthMoving = 0.02;  // share of the points that would come to lie inside
+  std::vector<std::size_t> sample;
+  std::vector<PassTask> tasks;
+  for (std::size_t n = 0; n < kMost; ++n) {
+    const std::size_t i = n * sites.size() / kMost;
+    if (i >= sites.size() || work.sites[sites[i]].outline.polygon.empty()) continue;
+    if (!sample.empty() && sample.back() == sites[i]) continue;
+    sample.push_back(sites[i]);
+    tasks.push_back(costs[i]);
+  }
+  std::vector<ShiftCounts> counts(sample.size());
+  run_pass(tasks, budget.tasks, [&](std::size_t i) { counts[i] = shifts_around(work, sample[i]); });
+  ShiftCounts all;
+  for (const ShiftCounts& c : counts) add(all, c);
+  const Misalignment found = misalignment_of(all);
+  record.shift_x_m = found.dx_m;
+  record.shift_y_m = found.dy_m;
+  record.inside = found.inside;
+  record.inside_shifted = found.inside_moved;
+  if (found.inside_moved - found.inside < kWorthMoving) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "the footprints lie beside the points: moved by %.2f, %.2f m they would hold %.1f %% of them, not %.1f %%",
+      found.dx_m, found.dy_m, 100 * found.inside_moved, 100 * found.inside);
+  progress.warn(text);
+}
+
+// Consecutive sites and what became of them.
+struct Batch {
+  std::size_t first = 0, end = 0;
+  std::vector<SiteResult> results;
+};
+
+Batch batch_from(std::size_t first, std::size_t sites, std::size_t together) {
+  Batch batch{first, std::min(sites, first + together), {}};
+  batch.results.resize(batch.end - first);
+  return batch;
+}
+
+void deliver(Batch& batch, RoofSink& sink) {
+  for (SiteResult& result : batch.results) {
+    sink.take(result);
+    result = {};
+  }
+}
+
+// Sites in the order of ids, some at a time: worked on in parallel, taken in order. While one batch is worked on, one
+// thread takes the one before.
+void model_sites(const SiteModeller& modeller, std::span<const std::size_t> sites, std::span<const PassTask> costs,
+                 const RoofBudget& budget, const PassContext& context, RoofSink& sink) {
+  Batch before;
+  while (before.end < sites.size()) {
+    Batch batch = batch_from(before.end, sites.size(), budget.together);
+    parallel_for(2, [&](std::size_t turn) {
+      if (turn == 1) return deliver(before, sink);
+      run_pass(costs.subspan(batch.first, batch.results.size()), budget.tasks, [&](std::size_t i) {
+        batch.results[i] = modeller.model(sites[batch.first + i]);
+        context.advance(costs[batch.first + i].points);
+      });
+    });
+    before = std::move(batch);
+  }
+  deliver(before, sink);
+}
+
+// How many sites share ground with another.
+std::uint64_t count_overlapping(std::span<const PlannedSite> sites, const OutlineMap& map) {
+  std::atomic<std::uint64_t> count{0};
+  parallel_for(sites.size(), [&](std::size_t i) { count += !overlapping(sites, map, i).empty(); });
+  return count;
+}
+
+// Points of no building: those that the cloud says are ground.
+std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext& context, std::uint32_t block) {
+  const auto roles = work.store.read(block, columns::kRole);
+  const auto codes = context.wanted ? work.store.read(block, columns::kCodes) : std::vector<std::uint64_t>{};
+  std::vector<PointLabel> labels(roles.size(), PointLabel::none);
+  const Tile tile = work.store.blocks()[block].node.tile;
+  for (std::size_t i = 0; i < roles.size(); ++i) {
+    if (roles[i] != PointRole::ground) continue;
+    if (!context.wanted || context.wanted(index_of({tile, codes[i]}))) labels[i] = PointLabel::ground;
+  }
+  return labels;
+}
+
+}  // namespace
+
+void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
+                const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                RunRecord& record) {
+  std::vector<GridBox> boxes;
+  boxes.reserve(sites.size());
+  for (const PlannedSite& site : sites) boxes.push_back(site.outline.polygon.empty() ? GridBox{} : site.outline.box);
+  const OutlineMap map(std::move(boxes));
+  SiteWork work{store, sites, map, {}, context.metres_per_unit};
+  work.params.margin = settings.roofs.margin;
+  const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
+  const std::vector<PassTask> costs = costs_of(work, wanted);
+  const RoofBudget budget(context.budget_bytes, sites, costs);
+  std::uint64_t points = 0;
+  for (const PassTask& cost : costs) points += cost.points;
+  progress.begin_stage("roofs", points);
+  if (record.footprints) {
+    record.footprints->overlapping = count_overlapping(sites, map);
+    measure_misalignment(work, wanted, costs, budget, progress, *record.footprints);
+  }
+  std::filesystem::create_directories(folder);
+  const CityJsonParams file{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
+                            settings.roofs.attribute_style, context.metres_per_unit};
+  RoofLabels labels(store);
+  RoofSink sink(folder, file, crs, labels, progress, record);
+  const SiteModeller modeller(work, model_params(settings.roofs), file, labels);
+  model_sites(modeller, wanted, costs, budget, context, sink);
+  sink.finish();
+  labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });
+  progress.end_stage();
+}
+
+}  // namespace ilot

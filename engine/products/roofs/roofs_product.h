@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/pass/context.h"
+#include "engine/products/roofs/sites/site_plan.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/settings/settings.h"
+#include "engine/store/store.h"
+
+namespace ilot {
+
+// Sites to buildings, of a store with the column "role" (PointRole): gathers the points of each, models it, writes
+// folder/roofs.city.jsonl (and .json when it is not too large) in the order of the sites and the column "roof"
+// (RoofLabel) of every block. Sites are worked on in parallel, the largest of some hundred first; each depends on its
+// own points and its neighbours' outlines alone. With `context.wanted` those whose first vertex is wanted. Adds the
+// stage "roofs" and the counts.
+void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
+                const PassContext& context, const std::filesystem::path& folder, Progress& progress, RunRecord& record);
+
+}  // namespace ilot

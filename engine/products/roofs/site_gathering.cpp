@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/site_gathering.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ilot {
+namespace {
+
+constexpr std::int64_t kFar = std::int64_t{1} << 52;
+constexpr double kGridMetres = 0.001;
+
+double lattice_step(const SiteWork& work) {
+  return work.store.unit() * work.metres_per_unit;
+}
+
+IndexBox column_over(const SiteWork& work, const PlannedSite& site) {
+  const double step = lattice_step(work);
+  const double reach = reach_of(work.params);
+  const auto low = [&](std::int64_t mm) {
+    return static_cast<std::int64_t>(std::floor((static_cast<double>(mm) * kGridMetres - reach) / step)) - 1;
+  };
+  const auto high = [&](std::int64_t mm) {
+    return static_cast<std::int64_t>(std::ceil((static_cast<double>(mm) * kGridMetres + reach) / step)) + 1;
+  };
+  const GridBox& box = site.outline.box;
+  return {{low(box.min_x), low(box.min_y), -kFar}, {high(box.max_x), high(box.max_y), kFar}};
+}
+
+// The site's outline and those within reach of it, seen from its anchor; `own` is its place among them.
+std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t number, std::size_t& own) {
+  const PlacedOutline& outline = work.sites[number].outline;
+  const auto reach_mm = static_cast<std::int64_t>(std::ceil(reach_of(work.params) / kGridMetres));
+  std::vector<SitePolygon> outlines;
+  for (const std::uint32_t n : work.map.near(outline.box.grown(reach_mm))) {
+    if (n == number) own = outlines.size();
+    outlines.push_back(seen_from(work.sites[n].outline, outline.x, outline.y));
+  }
+  return outlines;
+}
+
+SiteFilter filter_of(const SiteWork& work, std::size_t number) {
+  std::size_t own = 0;
+  const std::vector<SitePolygon> outlines = outlines_around(work, number, own);
+  return {outlines, own, work.params};
+}
+
+}  // namespace
+
+SiteReader::Axis::Axis(std::int64_t anchor_mm, double unit_metres) : step(unit_metres) {
+  constexpr double kRounding = 1e-7;
+  const double anchor = static_cast<double>(anchor_mm) * kGridMetres;
+  from = std::llround(anchor / step);
+  rest = static_cast<double>(from) * step - anchor;
+  if (std::abs(rest) < kRounding) rest = 0;
+}
+
+std::uint64_t points_to_read(const SiteWork& work, std::size_t site) {
+  if (work.sites[site].outline.polygon.empty()) return 0;
+  return plan_view(work.store, column_over(work, work.sites[site]), {}).size;
+}
+
+SiteReader::SiteReader(const SiteWork& work, std::size_t site)
+    : work_(work),
+      planned_(work.sites[site]),
+      box_(column_over(work, planned_)),
+      x_(planned_.outline.x, lattice_step(work)),
+      y_(planned_.outline.y, lattice_step(work)),
+      filter_(filter_of(work, site)) {}
+
+// The building's points. Which they are is known only after the last point around them, so both kinds that they may be
+// of are collected, as long as these are not too many.
+UnitSample SiteReader::sample(GatheredSite& gathered) {
+  SiteMeasure measure(filter_);
+  UnitCollector building(work_.most_points), unclassified(work_.most_points);
+  for_each_stretch_in(work_.store, box_, [&](const Stretch& s, std::span<const StretchPoint> inside) {
+    const auto roles = s.read(work_.store, columns::kRole);
+    gathered.points_around += inside.size();
+    for (const StretchPoint& p : inside) {
+      const Vec3 at = metres(p.position);
+      const PointRole role = roles[p.number];
+      const Belonging belonging = filter_.of(at, role);
+      measure.add(at, role, belonging);
+      if (belonging != Belonging::held) continue;
+      if (role == PointRole::building) building.add({place_of(s, p), p.position});
+      if (role == PointRole::unclassified) unclassified.add({place_of(s, p), p.position});
+    }
+  });
+  rule_ = measure.rule();
+  UnitCollector& kind = rule_.by_class ? building : unclassified;
+  if (!kind.has_all()) return sample_unit(work_.store, box_, work_.most_points, building_points());
+  UnitCollector taken(work_.most_points);
+  for (const KeptPoint& p : kind.take())
+    if (metres(p.position).z >= rule_.lowest) taken.add(p);
+  const std::uint64_t total = taken.total();
+  const Index3 corner = taken.corner();
+  return {taken.take(), total, corner};
+}
+
+GatheredSite SiteReader::gather() {
+  GatheredSite gathered;
+  const UnitSample chosen = sample(gathered);
+  gathered.by_class = rule_.by_class;
+  gathered.thinned = chosen.thinned();
+  gathered.points = chosen.total;
+  RoofSite& site = gathered.site;
+  site.id = planned_.id;
+  site.outline = planned_.outline.polygon;
+  site.ground_source = rule_.ground_source;
+  const double lowest = chosen.points.empty() ? rule_.ground : std::min(rule_.ground, metres(chosen.corner).z);
+  anchor_z_ = std::floor(lowest);
+  site.anchor = {static_cast<double>(planned_.outline.x) * kGridMetres / work_.metres_per_unit,
+                 static_cast<double>(planned_.outline.y) * kGridMetres / work_.metres_per_unit,
+                 anchor_z_ / work_.metres_per_unit};
+  site.ground = rule_.ground - anchor_z_;
+  site.points.reserve(chosen.points.size());
+  gathered.places.reserve(chosen.points.size());
+  for (const KeptPoint& k : chosen.points) {
+    const Vec3 p = metres(k.position);
+    site.points.push_back({p.x, p.y, p.z - anchor_z_});
+    gathered.places.push_back(k.place);
+  }
+  return gathered;
+}
+
+void SiteReader::for_each_stretch(const Visit& visit) const {
+  std::vector<std::uint32_t> numbers;
+  std::vector<Vec3> at;
+  const auto takes = building_points();
+  for_each_stretch_in(work_.store, box_, [&](const Stretch& s, std::span<const StretchPoint> inside) {
+    const auto taken = takes(s);
+    numbers.clear();
+    at.clear();
+    for (const StretchPoint& p : inside) {
+      if (!taken(p)) continue;
+      const Vec3 m = metres(p.position);
+      numbers.push_back(s.first + p.number);
+      at.push_back({m.x, m.y, m.z - anchor_z_});
+    }
+    if (!at.empty()) visit(s.block, numbers, at);
+  });
+}
+
+UnitSample SiteReader::buildings_around() const {
+  return sample_unit(work_.store, box_, work_.most_points, [&](const Stretch& s) {
+    return [roles = s.read(work_.store, columns::kRole)](const StretchPoint& p) {
+      return roles[p.number] == PointRole::building;
+    };
+  });
+}
+
+ShiftCounts shifts_around(const SiteWork& work, std::size_t number) {
+  const SiteReader reader(work, number);
+  const UnitSample sample = reader.buildings_around();
+  std::vector<Vec3> points;
+  points.reserve(sample.points.size());
+  for (const KeptPoint& k : sample.points) points.push_back(reader.metres(k.position));
+  std::size_t own = 0;
+  std::vector<SitePolygon> outlines = outlines_around(work, number, own);
+  std::swap(outlines[0], outlines[own]);
+  ShiftCounts counts;
+  count_shifts(points, outlines, counts);
+  return counts;
+}
+
+}  // namespace ilot

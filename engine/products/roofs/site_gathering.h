@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+// A building's points out of the store, wherever they are and however many.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/products/roofs/sites/misalignment.h"
+#include "engine/products/roofs/sites/outline_map.h"
+#include "engine/products/roofs/sites/site_plan.h"
+#include "engine/products/roofs/sites/site_points.h"
+#include "engine/store/store.h"
+#include "engine/units/unit_sample.h"
+
+namespace ilot {
+
+// Points of a building that its model is made from; of more a thinned sample is taken (units/thinning.h). An airborne
+// cloud of 60 points per square metre has so many on a roof of 2,200 m2, one of 15 on 8,700 m2. So many at
+// kBytesOfSitePoint are 32 MiB: a run of one thread with --memory 96M has them beside what the program itself takes.
+constexpr std::size_t kMostSitePoints = 1u << 17;
+
+// What all sites of a run share. The store has the column "role" (PointRole).
+struct SiteWork {
+  const Store& store;
+  std::span<const PlannedSite> sites;
+  const OutlineMap& map;  // of their outlines
+  SitePointsParams params;
+  double metres_per_unit = 1;
+  std::size_t most_points = kMostSitePoints;
+};
+
+struct GatheredSite {
+  RoofSite site;                    // with all points of the building, or a sample
+  std::vector<StorePlace> places;   // per point of the site
+  bool by_class = true;             // see SiteRule
+  bool thinned = false;             // the site has a sample
+  std::uint64_t points = 0;         // of the building
+  std::uint64_t points_around = 0;  // of any class, over the outline and within reach of it
+};
+
+// Points that are around the site: what reading it costs. 0 without an outline.
+std::uint64_t points_to_read(const SiteWork& work, std::size_t site);
+
+// A site with an outline. Nothing that it gives depends on blocks.
+class SiteReader {
+ public:
+  SiteReader(const SiteWork& work, std::size_t site);
+
+  // Reads the columns over the outline once; three times where the building has more points than work.most_points.
+  GatheredSite gather();
+
+  // Calls visit(block, points, at) for all points of the building in global order, some thousands of one block at a
+  // time: their numbers in the block and where they are, as in RoofSite. After gather().
+  using Visit =
+      std::function<void(std::uint32_t block, std::span<const std::uint32_t> points, std::span<const Vec3> at)>;
+  void for_each_stretch(const Visit& visit) const;
+
+  // Points of buildings around the site, whosever they are, thinned where they are too many.
+  UnitSample buildings_around() const;
+
+  // Where a point is from the site's anchor; heights from 0 of the CRS.
+  Vec3 metres(Index3 p) const { return {x_.metres(p.x), y_.metres(p.y), static_cast<double>(p.z) * x_.step}; }
+
+ private:
+  // One axis of the lattice as seen from the site's anchor.
+  struct Axis {
+    std::int64_t from = 0;      // lattice coordinate nearest to the anchor
+    double rest = 0, step = 1;  // metres: where that is from the anchor; a lattice unit
+
+    Axis(std::int64_t anchor_mm, double unit_metres);
+    double metres(std::int64_t v) const { return static_cast<double>(v - from) * step + rest; }
+  };
+
+  // For sample_unit(): which points of a stretch are the building's.
+  auto building_points() const {
+    return [this](const Stretch& s) {
+      return [this, roles = s.read(work_.store, columns::kRole)](const StretchPoint& p) {
+        const Vec3 at = metres(p.position);
+        const PointRole role = roles[p.number];
+        return rule_.takes(role, at.z) && filter_.of(at, role) == Belonging::held;
+      };
+    };
+  }
+  UnitSample sample(GatheredSite& gathered);
+
+  const SiteWork& work_;
+  const PlannedSite& planned_;
+  IndexBox box_;
+  Axis x_, y_;
+  SiteFilter filter_;
+  SiteRule rule_;
+  double anchor_z_ = 0;
+};
+
+// Counts the points of buildings around the site for a raster of shifts of the outlines.
+ShiftCounts shifts_around(const SiteWork& work, std::size_t site);
+
+}  // namespace ilot

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/site_modeller.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/roofs/solids/point_labels.h"
+#include "engine/validity/validity.h"
+
+namespace ilot {
+namespace {
+
+// Roof faces numbered from 1, whatever numbers the model gave them; the last number.
+std::uint32_t number_planes(RoofModel& model) {
+  std::map<std::uint32_t, std::uint32_t> numbers{{0, 0}};
+  for (const BuildingSurface& s : model.lod22.surfaces)
+    if (s.kind == SurfaceKind::roof) numbers.emplace(s.plane_id, 0);
+  std::uint32_t last = 0;
+  for (auto& [given, number] : numbers)
+    if (given != 0) number = ++last;
+  const auto of = [&](std::uint32_t given) {
+    const auto entry = numbers.find(given);
+    return entry == numbers.end() ? 0 : entry->second;
+  };
+  for (BuildingSurface& s : model.lod22.surfaces) s.plane_id = of(s.plane_id);
+  for (BuildingSurface& s : model.lod12.surfaces) s.plane_id = 0;
+  for (std::uint32_t& face : model.face_of_point) face = of(face);
+  model.map.number.resize(model.map.planes.size());
+  for (std::uint32_t i = 0; i < model.map.number.size(); ++i) model.map.number[i] = of(i + 1);
+  return last;
+}
+
+// val3dity's tolerances are metres.
+ValidityParams tolerances(double metres_per_unit) {
+  ValidityParams params;
+  params.snap /= metres_per_unit;
+  params.plane_distance /= metres_per_unit;
+  return params;
+}
+
+// The first fault as a reason; empty without one.
+std::string fault_of(const Faults& faults) {
+  if (faults.empty()) return {};
+  return "the solid is not valid: " + std::to_string(faults[0].code) + " " + validity_code_name(faults[0].code) + ", " +
+         faults[0].where;
+}
+
+std::string why_empty(const GatheredSite& gathered) {
+  if (gathered.points_around == 0) return "no point of the cloud lies in its outline or around it";
+  return "none of the points in its outline is a building's";
+}
+
+}  // namespace
+
+SiteResult SiteModeller::model(std::size_t number) const {
+  const PlannedSite& planned = work_.sites[number];
+  SiteResult result;
+  if (planned.outline.polygon.empty()) {
+    result.reason = planned.reason;
+    result.levels.emplace_back().id = planned.id;
+    result.levels[0].attributes = {{"status", std::string(name_of(result.status))}, {"reason", planned.reason}};
+    return result;
+  }
+  SiteReader reader(work_, number);
+  const GatheredSite gathered = reader.gather();
+  RoofModel model = model_of(gathered);
+  result.planes = number_planes(model);
+  PointMeasures measures(gathered.site, model, work_.metres_per_unit);
+  if (gathered.thinned)
+    label_all(reader, gathered.site, model, measures, result);
+  else
+    label_sample(gathered, model, measures, result);
+  BuildingAttributes attributes = building_attributes(gathered.site, model, work_.metres_per_unit, measures);
+  add_notes(number, gathered, attributes);
+  result.status = model.status;
+  result.reason = model.reason;
+  result.thinned = gathered.thinned;
+  result.share_off = measures.share_off();
+  result.levels = levels_of(gathered.site, model);
+  result.levels[0].attributes = std::move(attributes);
+  result.points = points_to_show(gathered.site);
+  return result;
+}
+
+RoofModel SiteModeller::model_of(const GatheredSite& gathered) const {
+  if (gathered.site.points.empty()) {
+    RoofModel model;
+    model.reason = why_empty(gathered);
+    return model;
+  }
+  return model_roof(gathered.site, params_, work_.metres_per_unit, [&](const Building& b) {
+    return fault_of(validate_building(b, file_.origin, file_.step, tolerances(work_.metres_per_unit)));
+  });
+}
+
+void SiteModeller::label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,
+                                SiteResult& result) const {
+  const PointLabeller labeller(gathered.site, model, work_.metres_per_unit);
+  const auto& places = gathered.places;
+  std::vector<SitePointLabel> labels;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Vec3 p = gathered.site.points[i];
+    const std::uint32_t face = i < model.face_of_point.size() ? model.face_of_point[i] : 0;
+    measures.add(p, face);
+    labels.push_back({places[i].point, face, labeller.label(p, face)});
+    const bool last = i + 1 == places.size() || places[i + 1].block != places[i].block;
+    if (!last && labels.size() < kStretchPoints) continue;
+    result.labels.push_back(labels_.put_aside(places[i].block, labels));
+    labels.clear();
+  }
+}
+
+void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model,
+                             PointMeasures& measures, SiteResult& result) const {
+  const PointLabeller labeller(site, model, work_.metres_per_unit);
+  std::vector<SitePointLabel> labels;
+  reader.for_each_stretch([&](std::uint32_t block, std::span<const std::uint32_t> points, std::span<const Vec3> at) {
+    const std::vector<std::uint32_t> faces = faces_at(model.map, at);
+    labels.clear();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      measures.add(at[i], faces[i]);
+      labels.push_back({points[i], faces[i], labeller.label(at[i], faces[i])});
+    }
+    result.labels.push_back(labels_.put_aside(block, labels));
+  });
+}
+
+void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const {
+  if (!gathered.by_class && !gathered.site.points.empty())
+    attributes.emplace_back("points_of", std::string("unclassified"));
+  if (!work_.sites[number].repair.empty()) attributes.emplace_back("outline", work_.sites[number].repair);
+  std::string others;
+  for (const std::uint32_t other : overlapping(work_.sites, work_.map, number))
+    others += (others.empty() ? "" : ", ") + work_.sites[other].id;
+  if (!others.empty()) attributes.emplace_back("overlaps", others);
+}
+
+std::vector<Vec3> SiteModeller::points_to_show(const RoofSite& site) const {
+  constexpr std::size_t kMost = 400;
+  std::vector<Vec3> points;
+  const std::size_t every = std::max<std::size_t>(1, site.points.size() / kMost);
+  for (std::size_t i = 0; i < site.points.size(); i += every)
+    points.push_back(site.anchor + (1 / work_.metres_per_unit) * site.points[i]);
+  return points;
+}
+
+std::vector<Building> SiteModeller::levels_of(const RoofSite& site, RoofModel& model) const {
+  std::vector<Building> levels;
+  if (!model.lod12.surfaces.empty()) levels.push_back(std::move(model.lod12)), levels.back().lod = "1.2";
+  if (!model.lod22.surfaces.empty()) levels.push_back(std::move(model.lod22)), levels.back().lod = "2.2";
+  if (levels.empty()) levels.push_back(flat_outline(site, work_.metres_per_unit));
+  for (Building& level : levels) level.id = site.id;
+  return levels;
+}
+
+}  // namespace ilot

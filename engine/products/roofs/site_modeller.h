@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// One site to one building: its points gathered, modelled, labelled and measured.
+#pragma once
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/deliverables/solids/city_json.h"
+#include "engine/products/roofs/roof_labels.h"
+#include "engine/products/roofs/site_gathering.h"
+#include "engine/products/roofs/solids/building_attributes.h"
+
+namespace ilot {
+
+// A building as it is written, but for the numbers that depend on those before it.
+struct SiteResult {
+  std::vector<Building> levels;  // the first has id and attributes
+  RoofStatus status = RoofStatus::footprint_only;
+  std::string reason;
+  bool thinned = false;          // modelled from a sample of its points
+  std::uint32_t planes = 0;      // plane_id of the levels and labels: 1 to this, or 0
+  std::vector<LabelRun> labels;  // of its points
+  std::vector<Vec3> points;      // some of the building's, coordinates of the CRS
+  double share_off = 0;          // of its points that lie on no face
+};
+
+// Memory of a site in work, whatever the number of its points; kBytesOfSitePoint more a point of its model.
+constexpr std::uint64_t kBytesOfSite = 1u << 18, kBytesOfSitePoint = 256;
+
+class SiteModeller {
+ public:
+  SiteModeller(const SiteWork& work, const RoofModelParams& params, const CityJsonParams& file, RoofLabels& labels)
+      : work_(work), params_(params), file_(file), labels_(labels) {}
+
+  // A building of more points than work.most_points is modelled from a sample of them; then each of its points is
+  // labelled by the face above or below it (faces_at), and heights, rmse and counts are of all its points.
+  SiteResult model(std::size_t site) const;
+
+ private:
+  RoofModel model_of(const GatheredSite& gathered) const;
+  void label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,
+                    SiteResult& result) const;
+  void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,
+                 SiteResult& result) const;
+  void add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const;
+  std::vector<Vec3> points_to_show(const RoofSite& site) const;
+  std::vector<Building> levels_of(const RoofSite& site, RoofModel& model) const;
+
+  const SiteWork& work_;
+  RoofModelParams params_;
+  CityJsonParams file_;
+  RoofLabels& labels_;
+};
+
+}  // namespace ilot

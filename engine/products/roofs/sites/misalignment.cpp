@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/sites/misalignment.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ilot {
+namespace {
+
+constexpr double kMillimetre = 0.001;
+
+// Cells of the raster whose centres some outline holds.
+class Raster {
+ public:
+  Raster(std::span<const SitePolygon> outlines, double min_x, double min_y, double max_x, double max_y)
+      : x_(cell(min_x)), y_(cell(min_y)), width_(cell(max_x) - x_ + 1), height_(cell(max_y) - y_ + 1) {
+    inside_.resize(static_cast<std::size_t>(width_ * height_));
+    for (const SitePolygon& outline : outlines) fill(outline);
+  }
+  bool holds(std::int64_t column, std::int64_t row) const {
+    column -= x_;
+    row -= y_;
+    if (column < 0 || column >= width_ || row < 0 || row >= height_) return false;
+    return inside_[static_cast<std::size_t>(row * width_ + column)] != 0;
+  }
+  static std::int64_t cell(double v) { return static_cast<std::int64_t>(std::floor(v / kShiftStep)); }
+
+ private:
+  // Row by row between the crossings of its edges.
+  void fill(const SitePolygon& outline) {
+    std::vector<double> crossings;
+    for (std::int64_t row = 0; row < height_; ++row) {
+      const double y = (static_cast<double>(y_ + row) + 0.5) * kShiftStep;
+      crossings.clear();
+      for (const auto& ring : outline) {
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+          if (a.y > b.y) std::swap(a, b);
+          if (a.y * kMillimetre > y || y >= b.y * kMillimetre) continue;
+          crossings.push_back(kMillimetre *
+                              (a.x + (y / kMillimetre - a.y) * (b.x - a.x) / static_cast<double>(b.y - a.y)));
+        }
+      }
+      std::sort(crossings.begin(), crossings.end());
+      for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) mark(row, crossings[i], crossings[i + 1]);
+    }
+  }
+  void mark(std::int64_t row, double from, double to) {
+    const std::int64_t first = std::max<std::int64_t>(0, cell(from + kShiftStep / 2) - x_);
+    const std::int64_t last = std::min<std::int64_t>(width_ - 1, cell(to - kShiftStep / 2) - x_);
+    for (std::int64_t column = first; column <= last; ++column)
+      inside_[static_cast<std::size_t>(row * width_ + column)] = 1;
+  }
+
+  std::int64_t x_, y_, width_, height_;
+  std::vector<std::uint8_t> inside_;
+};
+
+}  // namespace
+
+void count_shifts(std::span<const Vec3> points, std::span<const SitePolygon> outlines, ShiftCounts& counts) {
+  if (outlines.empty() || outlines[0].empty()) return;
+  const auto& ring = outlines[0][0];
+  const auto [x0, x1] = std::minmax_element(ring.begin(), ring.end(), [](Point2 a, Point2 b) { return a.x < b.x; });
+  const auto [y0, y1] = std::minmax_element(ring.begin(), ring.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  constexpr double kReach = kShiftReach * kShiftStep;
+  const double min_x = x0->x * kMillimetre - kReach, max_x = x1->x * kMillimetre + kReach;
+  const double min_y = y0->y * kMillimetre - kReach, max_y = y1->y * kMillimetre + kReach;
+  const Raster raster(outlines, min_x - kReach, min_y - kReach, max_x + kReach, max_y + kReach);
+  for (const Vec3 p : points) {
+    if (p.x < min_x || p.x > max_x || p.y < min_y || p.y > max_y) continue;
+    ++counts.points;
+    const std::int64_t column = Raster::cell(p.x), row = Raster::cell(p.y);
+    for (int dy = -kShiftReach; dy <= kShiftReach; ++dy)
+      for (int dx = -kShiftReach; dx <= kShiftReach; ++dx)
+        counts.inside[static_cast<std::size_t>((dy + kShiftReach) * kShifts + dx + kShiftReach)] +=
+            raster.holds(column - dx, row - dy);
+  }
+}
+
+void add(ShiftCounts& sum, const ShiftCounts& counts) {
+  for (std::size_t i = 0; i < sum.inside.size(); ++i) sum.inside[i] += counts.inside[i];
+  sum.points += counts.points;
+}
+
+Misalignment misalignment_of(const ShiftCounts& counts) {
+  if (counts.points == 0) return {};
+  const auto at = [&](int dx, int dy) {
+    return counts.inside[static_cast<std::size_t>((dy + kShiftReach) * kShifts + dx + kShiftReach)];
+  };
+  int best_x = 0, best_y = 0;
+  for (int dy = -kShiftReach; dy <= kShiftReach; ++dy) {
+    for (int dx = -kShiftReach; dx <= kShiftReach; ++dx) {
+      const bool shorter = dx * dx + dy * dy < best_x * best_x + best_y * best_y;
+      if (at(dx, dy) > at(best_x, best_y) || (at(dx, dy) == at(best_x, best_y) && shorter)) best_x = dx, best_y = dy;
+    }
+  }
+  const auto share = [&](int dx, int dy) {
+    return static_cast<double>(at(dx, dy)) / static_cast<double>(counts.points);
+  };
+  return {best_x * kShiftStep, best_y * kShiftStep, share(0, 0), share(best_x, best_y)};
+}
+
+}  // namespace ilot

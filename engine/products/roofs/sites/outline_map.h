@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where outlines stand on the ground, so that each finds its neighbours.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "engine/products/roofs/sites/roof_site.h"
+
+namespace ilot {
+
+// Closed box on the millimetre grid of the CRS: a coordinate of the CRS in metres, times 1,000, rounded.
+struct GridBox {
+  std::int64_t min_x = 0, min_y = 0, max_x = -1, max_y = -1;
+
+  bool empty() const { return max_x < min_x; }
+  bool meets(const GridBox& o) const {
+    return min_x <= o.max_x && o.min_x <= max_x && min_y <= o.max_y && o.min_y <= max_y;
+  }
+  GridBox grown(std::int64_t by) const { return {min_x - by, min_y - by, max_x + by, max_y + by}; }
+};
+
+struct PlacedOutline {
+  std::int64_t x = 0, y = 0;  // of the anchor on the grid: whole metres
+  SitePolygon polygon;        // from the anchor; empty = none
+  GridBox box;                // of the polygon, on the grid
+};
+
+// The polygon from an anchor of its own: the whole metre at or below its lower corner. Vertices on the grid; they lie
+// within 500 km of each other.
+PlacedOutline place_outline(const std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>>& rings);
+
+// The polygon as seen from another anchor.
+SitePolygon seen_from(const PlacedOutline& outline, std::int64_t x, std::int64_t y);
+
+class OutlineMap {
+ public:
+  // Boxes of outlines, empty ones of sites without an outline. 32 bytes an outline and 24 a cell of 65 m that it is in.
+  explicit OutlineMap(std::vector<GridBox> boxes);
+
+  // Those whose boxes meet the box, ascending. About O(answers) for boxes of the size of buildings.
+  std::vector<std::uint32_t> near(const GridBox& box) const;
+
+ private:
+  struct Entry {
+    std::int64_t row, column;
+    std::uint32_t outline;
+    friend auto operator<=>(const Entry&, const Entry&) = default;
+  };
+  std::vector<GridBox> boxes_;
+  std::vector<Entry> entries_;        // ascending
+  std::vector<std::uint32_t> large_;  // too large for the cells
+};
+
+}  // namespace ilot

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/sites/site_points.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace ilot {
+namespace {
+
+constexpr double kMillimetre = 0.001;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SiteFilter::EdgeSet::EdgeSet(const SitePolygon& polygon)
+    : min_x(kInfinity), min_y(kInfinity), max_x(-kInfinity), max_y(-kInfinity) {
+  for (const auto& ring : polygon) {
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
+      if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
+      edges.push_back({a.x * kMillimetre, a.y * kMillimetre, b.x * kMillimetre, b.y * kMillimetre});
+      min_x = std::min({min_x, edges.back().x0, edges.back().x1});
+      max_x = std::max({max_x, edges.back().x0, edges.back().x1});
+      min_y = std::min(min_y, edges.back().y0);
+      max_y = std::max(max_y, edges.back().y1);
+    }
+  }
+}
+
+bool SiteFilter::EdgeSet::near(Vec3 p, double reach) const {
+  return p.x >= min_x - reach && p.x <= max_x + reach && p.y >= min_y - reach && p.y <= max_y + reach;
+}
+
+bool SiteFilter::EdgeSet::holds(Vec3 p) const {
+  if (!near(p, 0)) return false;
+  bool inside = false;
+  for (const Edge& e : edges)
+    if (e.y0 <= p.y && p.y < e.y1)
+      inside ^= (e.x1 - e.x0) * (p.y - e.y0) > (p.x - e.x0) * (e.y1 - e.y0);  // the edge passes on the right
+  return inside;
+}
+
+// Squared distance to the nearest edge; infinite when it is surely beyond reach.
+double SiteFilter::EdgeSet::distance2(Vec3 p, double reach) const {
+  if (!near(p, reach)) return kInfinity;
+  double best = kInfinity;
+  for (const Edge& e : edges) {
+    const double ex = e.x1 - e.x0, ey = e.y1 - e.y0, px = p.x - e.x0, py = p.y - e.y0;
+    const double along = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
+    const double dx = px - along * ex, dy = py - along * ey;
+    best = std::min(best, dx * dx + dy * dy);
+  }
+  return best;
+}
+
+SiteFilter::SiteFilter(std::span<const SitePolygon> outlines, std::size_t own, const SitePointsParams& params)
+    : own_(own), params_(params) {
+  for (const SitePolygon& outline : outlines) sets_.emplace_back(outline);
+}
+
+Belonging SiteFilter::of(Vec3 p, PointRole role) const {
+  if (sets_[own_].holds(p)) return Belonging::held;
+  const bool ground = role == PointRole::ground;
+  const double reach = ground ? params_.ground_reach : params_.margin;
+  const double d2 = sets_[own_].distance2(p, reach);
+  if (d2 > reach * reach) return Belonging::none;
+  for (const EdgeSet& set : sets_)
+    if (set.holds(p)) return Belonging::none;
+  if (ground) return Belonging::ground;
+  return is_nearest(p, d2) ? Belonging::held : Belonging::none;
+}
+
+bool SiteFilter::at_edge(Vec3 p) const {
+  return sets_[own_].distance2(p, params_.margin) <= params_.margin * params_.margin;
+}
+
+bool SiteFilter::is_nearest(Vec3 p, double d2) const {
+  for (std::size_t n = 0; n < sets_.size(); ++n) {
+    const double other = n == own_ ? kInfinity : sets_[n].distance2(p, params_.margin);
+    if (n < own_ ? other <= d2 : other < d2) return false;
+  }
+  return true;
+}
+
+void SiteMeasure::add(Vec3 p, PointRole role, Belonging belonging) {
+  if (belonging == Belonging::ground) return ground_.add(p.z);
+  if (belonging == Belonging::none) return;
+  any_building_ |= role == PointRole::building;
+  lowest_ = std::min(lowest_, p.z);
+  if (p.z < lowest_at_edge_ && filter_.at_edge(p)) lowest_at_edge_ = p.z;
+}
+
+SiteRule SiteMeasure::rule() {
+  SiteRule rule;
+  rule.by_class = any_building_;
+  if (ground_.count() > 0) {
+    const SitePointsParams& params = filter_.params();
+    const double last = static_cast<double>(ground_.count() - 1);
+    rule.ground = ground_.nth(static_cast<std::uint64_t>(params.ground_share * last));
+    if (!rule.by_class) rule.lowest = rule.ground + params.clearance;
+    return rule;
+  }
+  rule.ground_source = GroundSource::lowest_point;
+  rule.ground = lowest_at_edge_ < kInfinity ? lowest_at_edge_ : lowest_ < kInfinity ? lowest_ : 0;
+  return rule;
+}
+
+SitePoints choose_points(const Surroundings& around, std::span<const SitePolygon> outlines, std::size_t own,
+                         const SitePointsParams& params) {
+  const SiteFilter filter(outlines, own, params);
+  SiteMeasure measure(filter);
+  std::vector<std::uint32_t> held;
+  for (std::uint32_t i = 0; i < around.points.size(); ++i) {
+    const Belonging belonging = filter.of(around.points[i], around.roles[i]);
+    measure.add(around.points[i], around.roles[i], belonging);
+    if (belonging == Belonging::held) held.push_back(i);
+  }
+  SitePoints site{{}, measure.rule()};
+  for (const std::uint32_t i : held)
+    if (site.rule.takes(around.roles[i], around.points[i].z)) site.building.push_back(i);
+  return site;
+}
+
+}  // namespace ilot

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/solids/roof_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <span>
+
+#include "engine/error.h"
+#include "engine/products/roofs/faces/cell_labels.h"
+#include "engine/products/roofs/faces/partition.h"
+#include "engine/products/roofs/faces/roof_faces.h"
+#include "engine/products/roofs/faces/roof_lines.h"
+#include "engine/products/roofs/faces/roof_planes.h"
+#include "engine/products/roofs/sites/outline_repair.h"
+#include "engine/products/roofs/solids/roof_solid.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLeastFaceArea = 0.25;  // m2
+constexpr double kBlockHeight = 0.7;     // quantile of the points' heights that a block of LoD1.2 ends at
+constexpr double kLeastOutline = 0.01;   // m2
+constexpr std::size_t kFewestPoints = 3;
+constexpr int kAttempts = 4;       // to raise a roof, each time with larger faces only ...
+constexpr double kFewerFaces = 4;  // ... by this factor of their area
+
+Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {
+  Building b;
+  b.id = site.id;
+  b.lod = lod;
+  for (const Vec3& v : solid.vertices) b.vertices.push_back(site.anchor + (1 / metres_per_unit) * v);
+  b.surfaces = std::move(solid.surfaces);
+  return b;
+}
+
+RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
+  std::vector<double> z;
+  for (std::size_t i = 0; i < site.points.size(); ++i)
+    if (!planes.on_wall[i]) z.push_back(site.points[i].z);
+  if (z.empty())
+    for (const Vec3& p : site.points) z.push_back(p.z);
+  const auto at = z.begin() + static_cast<std::ptrdiff_t>(kBlockHeight * static_cast<double>(z.size() - 1));
+  std::nth_element(z.begin(), at, z.end());
+  RoofPlane plane;
+  plane.c = *at;
+  return plane;
+}
+
+// The outline parted and every cell given to a plane.
+struct LabelledCells {
+  Partition cells;
+  std::vector<std::uint32_t> of_point, label;
+};
+
+LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes) {
+  LabelledCells c{part(site.outline, roof_lines(site, planes)), {}, {}};
+  std::vector<FlatPoint> flat;
+  for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
+  c.of_point = regions_of(c.cells, flat);
+  c.label = label_cells(site, planes, c.cells, c.of_point);
+  return c;
+}
+
+// How vertices are shared: faces whose heights agree within same_height, ends of edges below shortest (metres).
+struct Sharing {
+  double same_height, shortest;
+};
+constexpr Sharing kSharing[]{{kSameHeight, 0.003},
+                             {0.4 * kSameHeight, 0.003},
+                             {0.15 * kSameHeight, 0.003},
+                             {0.15 * kSameHeight, 0.02},
+                             {0.15 * kSameHeight, 0.06}};
+
+// Faces raised so that the check lets them pass, one way of sharing vertices after the other: a face that shares them
+// bends, by little in metres but, where it is narrow, by much in degrees. Nothing when none passes; `reason` then says
+// what the first one failed.
+std::optional<Building> raised(const RoofSite& site, const Partition& faces, std::span<const RoofPlane> planes,
+                               const char* lod, double metres_per_unit, const SolidCheck& check, std::string& reason) {
+  for (const Sharing& sharing : kSharing) {
+    Partition closed = faces;
+    close_short_edges(closed, site.outline, sharing.shortest);
+    Building b = building_of(site, raise_roof(std::move(closed), planes, site.ground, sharing.same_height), lod,
+                             metres_per_unit);
+    std::string fault = check(b);
+    if (fault.empty()) {
+      reason.clear();
+      return b;
+    }
+    if (reason.empty()) reason = std::move(fault);
+  }
+  return std::nullopt;
+}
+
+// Raises the block; false, with the reason, when there is none.
+bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per_unit, const SolidCheck& check,
+               RoofModel& model) {
+  const Partition whole = part(site.outline, {});
+  if (whole.regions != 1) {
+    model.reason = "the outline is not one polygon on a grid of 1 mm";
+    return false;
+  }
+  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes)}, "1.2", metres_per_unit, check,
+                      model.reason);
+  if (!block) return false;
+  model.lod12 = std::move(*block);
+  model.status = RoofStatus::lod12;
+  return true;
+}
+
+// The faces of the roof raised; where the check refuses that, with ever more of the small ones given to their
+// neighbours.
+void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
+               const SolidCheck& check, RoofModel& model) {
+  const LabelledCells c = labelled_cells(site, planes);
+  if (c.label.empty() && c.cells.regions > 0) {
+    model.reason = "too many faces: " + std::to_string(planes.planes.size()) + " planes in " +
+                   std::to_string(c.cells.regions) + " cells of the outline; its points may not be a roof's";
+    return;
+  }
+  double least = params.least_face_area > 0 ? params.least_face_area : kLeastFaceArea;
+  std::string first_fault;
+  for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
+    RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, least);
+    auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
+    if (house) {
+      model.lod22 = std::move(*house);
+      model.face_of_point = std::move(roof.of_point);
+      model.map = {std::move(roof.faces), std::move(roof.planes), {}, planes.epsilon};
+      model.status = RoofStatus::lod22;
+      return;
+    }
+    if (attempt == 0) first_fault = model.reason;
+  }
+  model.reason = first_fault;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3> points) {
+  std::vector<FlatPoint> flat;
+  flat.reserve(points.size());
+  for (const Vec3& p : points) flat.push_back({p.x * 1000, p.y * 1000});
+  std::vector<std::uint32_t> faces = regions_of(map.faces, flat);
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    if (faces[i] == kOutside) continue;
+    const RoofPlane& plane = map.planes[faces[i] - 1];
+    const double off = std::abs(points[i].z - plane.at(points[i].x, points[i].y));
+    if (off > map.epsilon * std::sqrt(1 + plane.gx * plane.gx + plane.gy * plane.gy)) faces[i] = 0;
+    if (faces[i] != 0 && !map.number.empty()) faces[i] = map.number[faces[i] - 1];
+  }
+  return faces;
+}
+
+RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
+                     const SolidCheck& check) {
+  RoofModel model;
+  model.face_of_point.assign(site.points.size(), 0);
+  if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
+    model.reason = "the outline has no area";
+    return model;
+  }
+  if (site.points.size() < kFewestPoints) {
+    model.reason = "fewer than 3 points";
+    return model;
+  }
+  const RoofPlanes planes = find_roof_planes(site, params);
+  if (!add_block(site, planes, metres_per_unit, check, model)) return model;
+  if (planes.planes.empty()) {
+    model.reason = "no plane has enough points";
+    return model;
+  }
+  add_house(site, planes, params, metres_per_unit, check, model);
+  return model;
+}
+
+}  // namespace ilot

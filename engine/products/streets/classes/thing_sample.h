@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a model of things is learnt from.
+#pragma once
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "engine/products/streets/classes/thing_model.h"
+
+namespace ilot {
+
+// What a thing is of what stands there: parts are joined to wholes, and these to several in one.
+enum class ThingRole : std::uint8_t { whole, part, several };
+
+// A thing whose class is known. `none`: a remnant that is no thing at all.
+struct ThingSample {
+  ThingFeatures features{};
+  PointLabel label = PointLabel::none;
+  std::uint32_t group = 0;  // things of one group are never parted by a fold: the number of a block
+  ThingRole role = ThingRole::whole;
+  ThingParts parts{};  // places in the list of samples, from 1, of those it joins; 0: none
+};
+
+// Learns a model from samples (training/thing_training.h has one). Error(usage) where nothing can be learnt from them.
+using TrainThings = std::function<ThingModel(std::span<const ThingSample>)>;
+
+}  // namespace ilot

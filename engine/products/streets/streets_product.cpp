@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/streets_product.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/deliverables/layers/street_map.h"
+#include "engine/deliverables/layers/streets_gpkg.h"
+#include "engine/products/streets/ground/tiled_artefacts.h"
+#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/street_labels.h"
+#include "engine/products/streets/street_rasters.h"
+#include "engine/products/streets/street_training.h"
+#include "engine/products/streets/stretch_index.h"
+#include "engine/whole_file.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
+constexpr std::uint64_t kLeastPoints = 3;  // of an object [Hernandez and Marcotegui 2008, 5.3]
+constexpr double kPixelsOfThing = 4;       // of a thing at least
+
+GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
+  return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
+}
+
+ThingsParams things_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
+  ThingsParams params;
+  params.separation.least_area = std::max(s.least_area, kPixelsOfThing * scale.pixel * scale.pixel);
+  params.separation.rise = s.rise;
+  params.mean_accumulation = mean_accumulation;
+  return params;
+}
+
+Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
+  return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
+}
+
+StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const Thing& thing,
+                       const ThingClass& what) {
+  const StreetRaster& raster = street.tiles->raster();
+  StreetObject o;
+  o.label = what.label;
+  o.probability = what.probability;
+  o.base = place_of(raster, thing.x, thing.y, thing.ground);
+  o.middle = place_of(raster, thing.middle_x, thing.middle_y, thing.ground);
+  o.height_m = thing.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  o.length_m = thing.length;
+  o.width_m = thing.width;
+  o.heading_deg = thing.heading_deg;
+  o.area_m2 = thing.features[static_cast<std::size_t>(ComponentFeature::area)];
+  o.points = thing.points;
+  const BlockAddress address = blocks.address(thing.x, thing.y);
+  o.stretch = address.stretch;
+  o.block = address.block;
+  return o;
+}
+
+bool is_object(PointLabel label) {
+  return label >= PointLabel::car && label <= PointLabel::other;
+}
+
+void add_parts(const FoundStreet& street, StreetPlan& plan) {
+  const StreetRaster& raster = street.tiles->raster();
+  const auto part_of = [&](std::size_t s, std::size_t number, const StretchPart& part) {
+    const StreetStretch& stretch = street.stretches[s];
+    const auto at = [&](double along) {
+      const double pixels = along / raster.scale.pixel;
+      return place_of(raster, stretch.x + pixels * stretch.dx, stretch.y + pixels * stretch.dy, 0);
+    };
+    return FacadePart{static_cast<std::uint32_t>(s + 1),
+                      static_cast<std::uint32_t>(number + 1),
+                      at(part.from),
+                      at(part.to),
+                      part.to - part.from,
+                      part.height};
+  };
+  for (std::size_t s = 0; s < street.stretches.size(); ++s) {
+    for (std::size_t b = 0; b < street.stretches[s].blocks.size(); ++b)
+      plan.blocks.push_back(part_of(s, b, street.stretches[s].blocks[b]));
+    for (std::size_t g = 0; g < street.stretches[s].gaps.size(); ++g)
+      plan.gaps.push_back(part_of(s, g, street.stretches[s].gaps[g]));
+  }
+}
+
+void record_choices(const StreetsSettings& settings, const FoundStreet& street, RunRecord& record) {
+  const bool air = street.view == StreetView::air;
+  if (!settings.pixel)
+    record.chosen.push_back(
+        {"streets.pixel", street.tiles->raster().scale.pixel,
+         fmt::format("{} at {:.1f} points a square metre, in steps of 5 cm",
+                     air ? "holds a point nine times in ten" : "half of the sampling step", street.density.median)});
+  if (!settings.view)
+    record.chosen.push_back(
+        {"streets.view", std::string(kStreetViews[static_cast<std::size_t>(street.view)]),
+         fmt::format("{:.1f} % of the points lie in square metres with more than four times as many as most have: {}",
+                     100 * street.density.crowded,
+                     air ? "what is upright was hardly seen" : "what is upright or near was seen best")});
+}
+
+// Says that ground may have been left out, as behind a bridge.
+void tell_of_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
+  if (ground.left_out.empty()) return;
+  double area = 0;
+  for (const double a : ground.left_out) area += a;
+  const std::string sentence = fmt::format(
+      "streets: {:.0f} m2 of ground are worked on; {} level {} of {:.0f} m2 in all, the largest of {:.0f} m2, {} left "
+      "out: nothing within the step of streets.flat joins {} to the ground, as when a bridge crosses the street (a "
+      "flat roof or a deck looks the same)",
+      ground.taken, ground.left_out.size(), ground.left_out.size() == 1 ? "area" : "areas", area,
+      ground.left_out.front(), ground.left_out.size() == 1 ? "is" : "are", ground.left_out.size() == 1 ? "it" : "them");
+  progress.warn(sentence);
+  record.warnings.push_back(sentence);
+}
+
+}  // namespace
+
+FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
+  FoundStreet street;
+  street.density = point_density(store, context);
+  street.view = settings.view.value_or(view_of(street.density));
+  const double pixel = settings.pixel.value_or(pixel_for(street.density.median, street.view));
+  street.tiles = std::make_unique<StreetTiles>(store, context, pixel);
+  const StreetTiles& tiles = *street.tiles;
+  const RasterScale& scale = tiles.raster().scale;
+  ArtefactParams artefacts;
+  artefacts.least_height = settings.least_height;
+  street.ground = find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
+  find_artefacts_tiled(tiles.layers(), scale, artefacts);
+  tiles.spread_level(artefacts.ring_reach);
+  const ThingsParams params = things_params(settings, scale, tiles.mean_accumulation());
+  tiles.count_above(settings.least_height, params.low_height, street.view);
+  street.things = find_things(tiles.layers(), scale, params);
+  street.stretches = find_city_blocks(tiles.layers(), scale);
+  return street;
+}
+
+void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record) {
+  progress.begin_stage("streets", 2 * store.points());
+  std::filesystem::create_directories(folder);
+  const FoundStreet street = find_street(store, settings.streets, context);
+  record_choices(settings.streets, street, record);
+  tell_of_ground(street.ground, progress, record);
+  const StreetClasses model = street_classes(street, train, crs, progress, record);
+  if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
+  const std::vector<ThingClass> classes = model.of(street.things);
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
+  StreetPlan plan;
+  std::vector<std::uint32_t> object_of_thing(street.things.size() + 1, 0);
+  const StretchIndex blocks(street.stretches, street.tiles->raster().scale);
+  const double unit = store.unit();
+  for (std::size_t i = 0; i < street.things.size(); ++i) {
+    if (taken[i] == 0 || !is_object(classes[i].label) || street.things[i].points < kLeastPoints) continue;
+    StreetObject object = object_of(street, blocks, street.things[i], classes[i]);
+    if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
+      continue;
+    object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
+    object_of_thing[i + 1] = object.id;
+    plan.objects.push_back(object);
+  }
+  ThingLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < thing_of.size(); ++part) {
+    const std::uint32_t thing = thing_of[part];
+    const PointLabel label = classes[thing - 1].label;
+    labels.object.push_back(object_of_thing[thing]);
+    labels.label.push_back(is_object(label) && object_of_thing[thing] == 0 ? PointLabel::none : label);
+  }
+  add_parts(street, plan);
+  write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);
+  write_objects_gpkg(folder / "objects.gpkg", plan, crs);
+  write_blocks_gpkg(folder / "blocks.gpkg", plan, crs);
+  write_street_rasters(*street.tiles, folder, crs);
+  write_street_map(folder, plan, context.metres_per_unit);
+  record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
+  progress.end_stage();
+}
+
+}  // namespace ilot

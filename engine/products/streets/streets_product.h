@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/model/street.h"
+#include "engine/products/streets/blocks/city_blocks.h"
+#include "engine/products/streets/classes/thing_sample.h"
+#include "engine/products/streets/ground/tiled_ground.h"
+#include "engine/products/streets/street_tiles.h"
+#include "engine/report/progress.h"
+#include "engine/report/run_record.h"
+#include "engine/settings/settings.h"
+
+namespace ilot {
+
+// A street taken apart, before anything is called by its name.
+struct FoundStreet {
+  std::unique_ptr<StreetTiles> tiles;  // all layers
+  std::vector<Thing> things;           // by number in the layer "things", from 1
+  std::vector<StreetStretch> stretches;
+  GroundZones ground;
+  PointDensity density;
+  StreetView view = StreetView::street;  // where it was scanned from
+};
+
+// From the images to the features of all that stands there (Hernandez and Marcotegui 2008, 2.2 to 5.2). Works in tiles on disk; memory is that of a few tiles and of their borders.
+FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context);
+
+// What things on streets are, to learn from.
+struct StreetTraining {
+  std::filesystem::path places;  // or a model that a run wrote; empty = none
+  TrainThings learn;             // how places become a model; empty: only models are read
+};
+
+// find_street, the class of each thing by the default model or as learnt from `train` (street_classes), and all that is
+// written: the files of `folder` (streets/) and the column "street" (StreetLabel) of every block. Objects whose base is
+// not wanted are left out.
+void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record);
+
+}  // namespace ilot

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/morphology/flat_zones_tiled.h"
+
+#include <cstdlib>
+
+#include "kernels/core/union_find.h"
+#include "kernels/morphology/border_pixels.h"
+#include "kernels/morphology/zone_runs.h"
+#include "kernels/rasters/tiles.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint64_t kBytesOfZone = 24;  // parent, first pixel, root, number
+constexpr std::size_t kPixelsOfRun = 128;   // of a tile whose runs are kept, at least, for each of them
+
+// What a tile tells: of each of its zones the first pixel in the whole and its size, [0] = pixels without one; and the
+// heights and zones of its border.
+struct TileZones {
+  std::vector<std::uint64_t> first, size;
+  std::vector<Height> heights;
+  std::vector<std::uint32_t> zones;
+};
+
+TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, const ZoneRuns& runs) {
+  const TileFrame frame = tile_frame(grid, tile);
+  const Perimeter perimeter{frame.width, frame.height};
+  TileZones told{std::vector<std::uint64_t>(runs.count + 1, UINT64_MAX), std::vector<std::uint64_t>(runs.count + 1, 0),
+                 heights_on(perimeter, image), std::vector<std::uint32_t>(perimeter.size(), 0)};
+  told.size[0] = image.size();
+  for_each_run(runs, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
+    const std::uint64_t first = std::uint64_t{frame.y + y} * grid.width + frame.x + run.from;
+    told.first[zone] = std::min(told.first[zone], first);
+    told.size[zone] += run.to - run.from;
+    told.size[0] -= run.to - run.from;
+    if (y == 0 || y + 1 == frame.height)
+      for (std::uint32_t x = run.from; x < run.to; ++x) told.zones[perimeter.index(x, y)] = zone;
+    if (run.from == 0) told.zones[perimeter.index(0, y)] = zone;
+    if (run.to == frame.width) told.zones[perimeter.index(frame.width - 1, y)] = zone;
+  });
+  return told;
+}
+
+// The zones of all tiles as one list: zone z of tile t is first[t] + z - 1.
+struct ZoneList {
+  std::vector<std::size_t> first;
+  std::vector<std::uint32_t> number;  // in the whole, from 1
+  std::uint32_t count = 0;
+};
+
+void join_across_borders(const TileGrid& grid, const std::vector<TileZones>& told, const ZoneList& list, Height lambda,
+                         Adjacency adjacency, UnionFind& sets) {
+  const BorderPixels pixels(grid);
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    for (std::uint32_t i = 0; i < told[t].zones.size(); ++i) {
+      if (told[t].zones[i] == 0) continue;
+      pixels.for_beyond(pixels.first(t) + i, adjacency, [&](std::uint32_t q) {
+        const std::size_t u = pixels.tile_of(q);
+        const std::uint32_t j = q - pixels.first(u);
+        if (told[u].zones[j] == 0) return;
+        if (std::abs(std::int64_t{told[t].heights[i]} - told[u].heights[j]) <= lambda)
+          sets.unite(static_cast<std::uint32_t>(list.first[t] + told[t].zones[i] - 1),
+                     static_cast<std::uint32_t>(list.first[u] + told[u].zones[j] - 1));
+      });
+    }
+  }
+}
+
+// Numbers the sets by their first pixels.
+void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& list) {
+  std::vector<std::uint64_t> first(list.first.back(), UINT64_MAX);
+  std::vector<std::uint32_t> roots;
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    for (std::size_t z = 1; z < told[t].first.size(); ++z) {
+      const auto at = static_cast<std::uint32_t>(list.first[t] + z - 1);
+      const std::uint32_t root = sets.find(at);
+      if (root == at) roots.push_back(root);
+      first[root] = std::min(first[root], told[t].first[z]);
+    }
+  }
+  std::sort(roots.begin(), roots.end(), [&](std::uint32_t a, std::uint32_t b) { return first[a] < first[b]; });
+  list.number.resize(list.first.back());
+  for (const std::uint32_t root : roots) list.number[root] = ++list.count;
+  for (std::uint32_t at = 0; at < list.number.size(); ++at) list.number[at] = list.number[sets.find(at)];
+}
+
+ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
+  ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
+  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + told[t].first.size() - 1;
+  assert(list.first.back() < (std::size_t{1} << 32));
+  need_bytes(grid, list.first.back() * kBytesOfZone);
+  std::vector<std::uint32_t> parents(list.first.back());
+  UnionFind sets(parents);
+  join_across_borders(grid, told, list, lambda, adjacency, sets);
+  number_sets(told, sets, list);
+  return list;
+}
+
+}  // namespace
+
+ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
+                           const WriteLabels& write) {
+  std::vector<TileZones> told(grid.count());
+  std::vector<ZoneRuns> kept(grid.count());
+  for_each_tile(grid, [&](std::size_t tile) {
+    const Image image = read(tile);
+    ZoneRuns runs = zone_runs(image, lambda, adjacency);
+    told[tile] = told_by(grid, tile, image, runs);
+    if (runs.runs.size() * kPixelsOfRun <= image.size()) kept[tile] = std::move(runs);
+  });
+  const ZoneList list = numbered(grid, told, lambda, adjacency);
+  ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
+  for (std::size_t t = 0; t < told.size(); ++t) {
+    sizes.pixels[0] += told[t].size[0];
+    for (std::size_t z = 1; z < told[t].size.size(); ++z)
+      sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
+  }
+  for_each_tile(grid, [&](std::size_t tile) {
+    ZoneRuns runs = kept[tile].height > 0 ? std::move(kept[tile]) : zone_runs(read(tile), lambda, adjacency);
+    for (std::uint32_t& zone : runs.zone) zone = list.number[list.first[tile] + zone - 1];
+    runs.count = list.count;
+    write(tile, painted(runs));
+  });
+  return sizes;
+}
+
+}  // namespace ilot

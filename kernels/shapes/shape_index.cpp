@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/shapes/shape_index.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "kernels/core/radix_sort.h"
+#include "kernels/neighbours/morton.h"
+
+namespace ilot {
+namespace {
+
+constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
+constexpr std::size_t kFewestInCell = 16;  // points of an average cell of the smallest level
+constexpr double kMargin = 1 + 1e-6;       // more than the rounding of a ball to float32
+
+struct Box {
+  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
+  void add(Vec3 p) {
+    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+  }
+  bool empty() const { return !(min.x <= max.x); }
+};
+
+void add_balls(ShapeIndex& s, const std::vector<Box>& boxes) {
+  std::vector<float> level((boxes.size() + 7) / 8 * 32, kHole);
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Box& b = boxes[i];
+    if (b.empty()) continue;
+    float* group = level.data() + i / 8 * 32 + i % 8;
+    const Vec3 c = 0.5 * (b.min + b.max);
+    group[0] = static_cast<float>(c.x);
+    group[8] = static_cast<float>(c.y);
+    group[16] = static_cast<float>(c.z);
+    const Vec3 centre{group[0], group[8], group[16]};
+    const Vec3 d{std::max(b.max.x - centre.x, centre.x - b.min.x), std::max(b.max.y - centre.y, centre.y - b.min.y),
+                 std::max(b.max.z - centre.z, centre.z - b.min.z)};
+    group[24] = static_cast<float>(norm(d) * kMargin);
+  }
+  s.balls.push_back(std::move(level));
+}
+
+void build_balls(ShapeIndex& s) {
+  std::vector<Box> boxes(s.in_leaf.size());
+  for (std::size_t i = 0; i < s.size; ++i) boxes[i / ShapeIndex::kLeaf].add(s.position(i));
+  add_balls(s, boxes);
+  while (boxes.size() > 8) {
+    std::vector<Box> parents((boxes.size() + 7) / 8);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+      parents[i / 8].add(boxes[i].min);
+      parents[i / 8].add(boxes[i].max);
+    }
+    boxes = std::move(parents);
+    add_balls(s, boxes);
+  }
+}
+
+ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end) {
+  constexpr double kUnit2 = 1 + 1e-3, kRounding = 1e-3;
+  Vec3 sum;
+  double longest2 = 0;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 n = s.normal(i);
+    sum = sum + (dot(n, s.normal(begin)) < 0 ? -1.0 : 1.0) * n;
+    longest2 = std::max(longest2, dot(n, n));
+  }
+  const double length = norm(sum);
+  if (!(length > 0) || longest2 > kUnit2) return {};
+  const Vec3 axis = (1 / length) * sum;
+  double least = 1;
+  for (std::size_t i = begin; i < end; ++i) {
+    const Vec3 n = s.normal(i);
+    least = std::min(least, std::abs(dot(n, axis)) / norm(n));
+  }
+  least = std::max(0.0, least - kRounding);
+  const auto f = [](double v) { return static_cast<float>(v); };
+  return {f(axis.x), f(axis.y), f(axis.z), f(least), f(std::sqrt(1 - least * least))};
+}
+
+// No shape comes near a leaf without points any more, nor to a ball without balls.
+void empty_ball(ShapeIndex& index, std::size_t ball) {
+  for (std::vector<float>& level : index.balls) {
+    float* radii = level.data() + ball / 8 * 32 + 24;
+    radii[ball % 8] = kHole;
+    if (std::any_of(radii, radii + 8, [](float r) { return r == r; })) return;
+    ball /= 8;
+  }
+}
+
+// From the whole box down to cells that hold a few points on average.
+void choose_levels(ShapeIndex& s) {
+  const std::uint64_t differing = s.size > 0 ? s.code.front() ^ s.code[s.size - 1] : 0;
+  const int top = (static_cast<int>(std::bit_width(differing)) + 2) / 3;
+  int lowest = top;
+  while (lowest > 0) {
+    const int shift = 3 * (lowest - 1);
+    std::size_t cells = 1;
+    for (std::size_t i = 1; i < s.size; ++i) cells += s.code[i] >> shift != s.code[i - 1] >> shift;
+    if (cells * kFewestInCell > s.size) break;
+    --lowest;
+  }
+  s.first_level = lowest;
+  s.levels = top - lowest + 1;
+}
+
+}  // namespace
+
+ShapeIndex::Range ShapeIndex::cell_around(std::size_t i, int level) const {
+  const int shift = 3 * level;
+  const std::uint64_t cell = code[i] >> shift;
+  const auto first = code.begin(), last = code.begin() + static_cast<std::ptrdiff_t>(size);
+  const auto begin = std::lower_bound(first, last, cell << shift);
+  const auto end = std::lower_bound(begin, last, (cell + 1) << shift);
+  return {static_cast<std::size_t>(begin - first), static_cast<std::size_t>(end - first)};
+}
+
+ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen, std::uint64_t epoch) {
+  ShapeIndex s;
+  s.epoch = epoch;
+  const Points& p = points.points;
+  std::vector<std::uint32_t> kept;
+  Box box;
+  const bool oriented = points.nx != nullptr;
+  for (const std::uint32_t i : chosen) {
+    if (oriented && points.nx[i] == 0 && points.ny[i] == 0 && points.nz[i] == 0) continue;
+    kept.push_back(i);
+    box.add({p.x[i], p.y[i], p.z[i]});
+  }
+  s.size = s.left = kept.size();
+  const std::size_t leaves = (s.size + ShapeIndex::kLeaf - 1) / ShapeIndex::kLeaf;
+  for (auto* v : {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz}) v->assign(leaves * ShapeIndex::kLeaf, kHole);
+  s.in_leaf.assign(leaves, 0);
+  s.changed.assign(leaves, epoch);
+  if (kept.empty()) return s;
+  s.centre = 0.5 * (box.min + box.max);
+  s.reach = 0.5 * norm(box.max - box.min);
+  assert(box.max.x - box.min.x < 0x1p21 && box.max.y - box.min.y < 0x1p21 && box.max.z - box.min.z < 0x1p21);
+  std::vector<std::uint64_t> codes(s.size);
+  for (std::size_t i = 0; i < s.size; ++i) {
+    const std::uint32_t k = kept[i];
+    codes[i] =
+        morton_code({static_cast<std::uint32_t>(p.x[k] - box.min.x), static_cast<std::uint32_t>(p.y[k] - box.min.y),
+                     static_cast<std::uint32_t>(p.z[k] - box.min.z)});
+  }
+  s.index.resize(s.size);
+  s.code.resize(s.size);
+  std::size_t to = 0;
+  for (const std::uint32_t from : sorted_order(codes)) {
+    const std::uint32_t k = kept[from];
+    s.index[to] = k;
+    s.code[to] = codes[from];
+    s.x[to] = p.x[k];
+    s.y[to] = p.y[k];
+    s.z[to] = p.z[k];
+    s.nx[to] = oriented ? points.nx[k] : 0.0f;
+    s.ny[to] = oriented ? points.ny[k] : 0.0f;
+    s.nz[to] = oriented ? points.nz[k] : 0.0f;
+    ++s.in_leaf[to / ShapeIndex::kLeaf];
+    ++to;
+  }
+  for (std::size_t leaf = 0; leaf < leaves; ++leaf)
+    s.cones.push_back(cone_of(s, leaf * ShapeIndex::kLeaf, std::min(s.size, (leaf + 1) * ShapeIndex::kLeaf)));
+  build_balls(s);
+  choose_levels(s);
+  return s;
+}
+
+void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions) {
+  ++index.epoch;
+  for (const std::uint32_t i : positions) {
+    assert(!index.is_hole(i));
+    index.x[i] = kHole;
+    const std::size_t leaf = i / ShapeIndex::kLeaf;
+    index.changed[leaf] = index.epoch;
+    if (--index.in_leaf[leaf] == 0) empty_ball(index, leaf);
+  }
+  index.left -= positions.size();
+}
+
+}  // namespace ilot

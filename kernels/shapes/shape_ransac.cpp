@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "kernels/shapes/shape_ransac.h"
+
+#include <array>
+#include <cassert>
+#include <numeric>
+#include <optional>
+
+#include "kernels/core/portable_math.h"
+#include "kernels/core/rng.h"
+#include "kernels/neighbours/clusters.h"
+#include "kernels/neighbours/morton.h"
+#include "kernels/shapes/shape_fit.h"
+#include "kernels/shapes/shape_pool.h"
+#include "kernels/shapes/shape_sample.h"
+#include "kernels/shapes/shape_score.h"
+
+namespace ilot {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+
+constexpr std::uint64_t kBatchDraws = 1024;
+constexpr std::size_t kPool = 4096;  // candidates of a kind that are kept
+constexpr std::size_t kSample = std::size_t{1} << 17;
+constexpr double kLocality = 4;  // half a cell around a point of a shape is that shape's, twice over
+constexpr int kRefinements = 10;
+constexpr double kFirstReach = 3;       // epsilons; normals make a rough start
+constexpr double kSimpler = 0.97;       // share of the points for which a simpler kind is preferred
+constexpr double kExplained = 2.0 / 3;  // share on earlier shapes that makes a fringe
+constexpr double kWorthRefining = 0.5;  // share of the best count
+
+struct Extent {
+  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
+  void add(Vec3 p) {
+    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
+    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
+  }
+  ShapeBox grown(std::int64_t margin) const {
+    const auto m = static_cast<double>(margin);
+    return {{min.x - m, min.y - m, min.z - m}, {max.x + m, max.y + m, max.z + m}};
+  }
+  bool holds(Vec3 p, double m) const {
+    return p.x >= min.x - m && p.x <= max.x + m && p.y >= min.y - m && p.y <= max.y + m && p.z >= min.z - m &&
+           p.z <= max.z + m;
+  }
+};
+
+// A shape and positions of its points among the remaining.
+struct Part {
+  Shape shape;
+  Indices members;
+};
+
+class Search {
+ public:
+  Search(const OrientedPoints& points, const ShapeRansacParams& params) : points_(points), params_(params) {
+    result_.label.assign(points.points.size, 0);
+    Indices all(points.points.size);
+    std::iota(all.begin(), all.end(), 0u);
+    all_ = build_shape_index(points, all);
+    max_radius_ = params.max_radius > 0 ? params.max_radius : 2 * all_.reach;
+    needed_hits_ = -natural_log(1 - params.probability);
+    rng_ = Rng(params.key);
+    build_sample();
+  }
+
+  ShapeSegments run() {
+    while (all_.left >= params_.min_points) {
+      const std::optional<std::size_t> best = best_kind();
+      const double least = params_.min_points;
+      const double size = best ? std::max(least, static_cast<double>(pools_[*best].top().bound) * share_) : least;
+      if (expected_hits_per_point_ * size < needed_hits_) {
+        draw_batch();
+      } else if (best) {
+        take(*best);
+      } else {
+        break;
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  // ---- what candidates are drawn from and counted on -------------------------------------------------------------
+  void build_sample() {
+    const std::size_t stride = stride_for(all_.left);
+    share_ = static_cast<double>(stride);
+    sampled_ = stride > 1;
+    if (!sampled_) return;
+    Indices chosen;
+    for (std::size_t i = 0; i < all_.size; ++i)
+      if (!all_.is_hole(i) && mix64(all_.code[i]) % stride == 0) chosen.push_back(all_.index[i]);
+    sample_ = build_shape_index(points_, chosen);
+  }
+  static std::size_t stride_for(std::size_t left) {
+    std::size_t stride = 1;
+    while (left > stride * kSample) stride *= 2;
+    return stride;
+  }
+  const ShapeIndex& sample() const { return sampled_ ? sample_ : all_; }
+
+  ShapeScoreParams score_params() const { return {params_.epsilon, params_.min_cos}; }
+
+  // Half of what the smallest shape should have: its normals make a rough first fit.
+  std::uint32_t least_count() const {
+    return std::max(3u, static_cast<std::uint32_t>(static_cast<double>(params_.min_points) / (4 * share_)));
+  }
+
+  // ---- draws --------------------------------------------------------------------------------------------------------
+  std::optional<std::size_t> living(std::size_t begin, std::size_t end) {
+    constexpr int kTries = 8;
+    for (int i = 0; i < kTries; ++i) {
+      const std::size_t at = begin + rng_.below(end - begin);
+      if (!sample().is_hole(at)) return at;
+    }
+    return std::nullopt;
+  }
+
+  void draw() {
+    const ShapeIndex& s = sample();
+    const auto first = living(0, s.size);
+    if (!first) return;
+    const int level = s.first_level + static_cast<int>(rng_.below(static_cast<std::uint64_t>(s.levels)));
+    const ShapeIndex::Range cell = s.cell_around(*first, level);
+    const auto second = living(cell.begin, cell.end), third = living(cell.begin, cell.end);
+    if (!second || !third || *second == *first || *third == *first || *second == *third) return;
+    ShapeSample sample_points;
+    const std::size_t at[3]{*first, *second, *third};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3 n = s.normal(at[i]);
+      sample_points[i] = {s.position(at[i]), (1 / norm(n)) * n};
+    }
+    for (int kind = 0; kind < kShapeKinds; ++kind) {
+      const auto k = static_cast<ShapeKind>(kind);
+      if ((params_.kinds & shape_bit(k)) == 0) continue;
+      const auto shape = sample_shape(k, sample_points, params_.epsilon, params_.min_cos);
+      if (!shape || shape->radius > max_radius_) continue;
+      const std::uint32_t bound = bound_shape(s, *shape, score_params());
+      if (bound >= least_count()) pools_[static_cast<std::size_t>(kind)].push({*shape, bound, draw_count_, 0});
+    }
+  }
+
+  void draw_batch() {
+    for (std::uint64_t i = 0; i < kBatchDraws; ++i) {
+      ++draw_count_;
+      draw();
+    }
+    expected_hits_per_point_ +=
+        static_cast<double>(kBatchDraws) / (static_cast<double>(all_.left) * sample().levels * kLocality);
+    for (ShapePool& pool : pools_) pool.prune(least_count(), kPool);
+  }
+
+  // ---- choice -------------------------------------------------------------------------------------------------------
+  bool exact(const ShapePool::Candidate& c) const { return c.counted == sample().epoch; }
+
+  void count_top(ShapePool& pool) {
+    ShapePool::Candidate c = pool.pop();
+    c.bound = recount_shape(sample(), c.shape, score_params(), {c.bound, c.counted}, least_count());
+    c.counted = sample().epoch;
+    if (c.bound >= least_count()) pool.push(std::move(c));
+  }
+
+  // The pool whose top has the most points, counted exactly.
+  std::optional<std::size_t> best_kind() {
+    for (;;) {
+      std::optional<std::size_t> best;
+      for (std::size_t k = 0; k < pools_.size(); ++k)
+        if (!pools_[k].empty() && (!best || ShapePool::below(pools_[*best].top(), pools_[k].top()))) best = k;
+      if (!best || exact(pools_[*best].top())) return best;
+      count_top(pools_[*best]);
+    }
+  }
+
+  // ---- refinement ---------------------------------------------------------------------------------------------------
+  Points remaining_points() const { return {all_.x.data(), all_.y.data(), all_.z.data(), all_.size}; }
+
+  // The connected part that shares most points with `like`; the largest when `like` is empty.
+  Indices part_of(const Indices& members, const Indices& like) const {
+    const Clusters clusters = euclidean_clusters(remaining_points(), members, params_.connectivity);
+    Indices votes(clusters.count, 0);
+    std::size_t at = 0;
+    for (std::size_t i = 0; i < members.size(); ++i) {
+      while (at < like.size() && like[at] < members[i]) ++at;
+      votes[clusters.id[i]] += like.empty() || (at < like.size() && like[at] == members[i]);
+    }
+    if (votes.empty()) return {};
+    const auto chosen = static_cast<std::uint32_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
+    Indices part;
+    for (std::size_t i = 0; i < members.size(); ++i)
+      if (clusters.id[i] == chosen) part.push_back(members[i]);
+    return part;
+  }
+
+  bool allowed(const Shape& s) const { return s.radius <= max_radius_; }
+
+  // A part of fewer than min_points may be any of the shape's.
+  Part refine(const Shape& start) const {
+    ShapeScoreParams wide = score_params();
+    wide.epsilon *= kFirstReach;
+    Part part{start, points_on_shape(all_, start, wide)};
+    if (part.members.size() < params_.min_points / 2) return part;  // too few to grow
+    part.members = part_of(part.members, {});
+    const Indices seed = part.members;
+    for (int round = 0; round < kRefinements && part.members.size() >= params_.min_points / 2; ++round) {
+      const ShapeFit fit = fit_shape(remaining_points(), part.members, part.shape);
+      if (!fit.valid || !allowed(fit.shape)) break;
+      Extent around;
+      for (const std::uint32_t i : part.members) around.add(all_.position(i));
+      Indices next = points_on_shape(all_, fit.shape, score_params(), around.grown(params_.connectivity));
+      if (next.size() < params_.min_points) break;
+      part.shape = fit.shape;
+      const bool settled = next == part.members;
+      part.members = std::move(next);
+      if (settled) break;
+    }
+    // Whatever round ended it: the members are those of the shape that is kept.
+    std::erase_if(part.members, [&](std::uint32_t i) {
+      const ShapeView v = view_of(part.shape, all_.position(i));
+      return std::abs(v.distance) > params_.epsilon || std::abs(dot(v.normal, all_.normal(i))) < params_.min_cos;
+    });
+    if (part.members.size() >= params_.min_points) part.members = part_of(part.members, seed);
+    return part;
+  }
+
+  bool is_fringe(const Indices& members) const {
+    std::size_t explained = 0;
+    for (const std::uint32_t i : members) {
+      const Vec3 p = all_.position(i);
+      for (std::size_t s = 0; s < extents_.size(); ++s) {
+        if (!extents_[s].holds(p, static_cast<double>(params_.connectivity))) continue;
+        const ShapeView v = view_of(result_.shapes[s].shape, p);
+        if (std::abs(v.distance) > params_.epsilon) continue;
+        if (std::abs(dot(v.normal, all_.normal(i))) >= params_.min_cos) continue;  // another part of the same shape
+        ++explained;
+        break;
+      }
+    }
+    return static_cast<double>(explained) > kExplained * static_cast<double>(members.size());
+  }
+
+  // ---- taking -------------------------------------------------------------------------------------------------------
+  void take(std::size_t best) {
+    const auto enough = static_cast<std::uint32_t>(kWorthRefining * pools_[best].top().bound);
+    Part chosen;
+    for (std::size_t k = 0; k < pools_.size(); ++k) {
+      while (!pools_[k].empty() && !exact(pools_[k].top())) count_top(pools_[k]);
+      if (pools_[k].empty() || pools_[k].top().bound < enough) continue;
+      ShapePool::Candidate c = pools_[k].pop();
+      Part part = refine(c.shape);
+      if (part.members.size() < params_.min_points) continue;  // the candidate promised more than there is
+      c = {part.shape, bound_shape(sample(), part.shape, score_params()), c.draw, 0};
+      pools_[k].push(std::move(c));  // other parts of the same shape may remain
+      if (kSimpler * static_cast<double>(part.members.size()) > static_cast<double>(chosen.members.size()))
+        chosen = std::move(part);
+    }
+    if (!chosen.members.empty()) keep(chosen);
+  }
+
+  void keep(const Part& part) {
+    if (!is_fringe(part.members)) {
+      Extent extent;
+      double squares = 0;
+      const auto label = static_cast<std::uint32_t>(result_.shapes.size() + 1);
+      for (const std::uint32_t i : part.members) {
+        const Vec3 p = all_.position(i);
+        extent.add(p);
+        const double d = view_of(part.shape, p).distance;
+        squares += d * d;
+        result_.label[all_.index[i]] = label;
+      }
+      result_.shapes.push_back({part.shape, std::sqrt(squares / static_cast<double>(part.members.size())),
+                                static_cast<std::uint32_t>(part.members.size())});
+      extents_.push_back(extent);
+    }
+    remove(part.members);
+  }
+
+  void remove(const Indices& members) {
+    if (sampled_) {
+      std::vector<char> gone(points_.points.size, 0);
+      for (const std::uint32_t i : members) gone[all_.index[i]] = 1;
+      Indices in_sample;
+      for (std::uint32_t i = 0; i < sample_.size; ++i)
+        if (!sample_.is_hole(i) && gone[sample_.index[i]] != 0) in_sample.push_back(i);
+      take_out(sample_, in_sample);
+    }
+    take_out(all_, members);
+    if (all_.left < all_.size / 2) compact();
+    if (stride_for(all_.left) != static_cast<std::size_t>(share_)) {
+      build_sample();
+      for (ShapePool& pool : pools_) rescale(pool);
+    }
+  }
+
+  void compact() {
+    Indices left;
+    for (std::size_t i = 0; i < all_.size; ++i)
+      if (!all_.is_hole(i)) left.push_back(all_.index[i]);
+    all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
+  }
+
+  // Bounds on one sample say nothing about another.
+  void rescale(ShapePool& pool) {
+    ShapePool fresh;
+    while (!pool.empty()) {
+      ShapePool::Candidate c = pool.pop();
+      c.bound = bound_shape(sample(), c.shape, score_params());
+      c.counted = 0;
+      fresh.push(std::move(c));
+    }
+    pool = std::move(fresh);
+  }
+
+  OrientedPoints points_;
+  ShapeRansacParams params_;
+  ShapeIndex all_, sample_;
+  bool sampled_ = false;
+  double share_ = 1;  // points that one of the sample stands for
+  double max_radius_ = 0;
+  Rng rng_{0};
+  std::array<ShapePool, kShapeKinds> pools_;
+  std::uint64_t draw_count_ = 0;
+  double needed_hits_ = 0;
+  double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a shape, per point of that shape
+  ShapeSegments result_;
+  std::vector<Extent> extents_;
+};
+
+}  // namespace
+
+ShapeSegments ransac_shapes(const OrientedPoints& points, const ShapeRansacParams& params) {
+  assert(params.min_points >= 3);
+  if (points.nx == nullptr) return {std::vector<std::uint32_t>(points.points.size, 0), {}};
+  return Search(points, params).run();
+}
+
+}  // namespace ilot

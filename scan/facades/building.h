@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene `building`: a free-standing house seen from six stations all around, with windows, sills and lintels on
+// four facades and irregular bulges in its render (methods.md, cloud of the Lorraine thesis).
+#pragma once
+#include <cstdint>
+#include <span>
+
+#include "scan/scanners/terrestrial.h"
+
+namespace ilot::scan {
+
+// Values of true_class. other: frames, panes, doors, eaves, chimneys, rooms behind panes.
+enum class BuildingClass : std::uint8_t {
+  mixed = kMixedClass,
+  facade = 1,
+  sill = 2,
+  lintel = 3,
+  reveal = 4,
+  bulge = 5,
+  roof = 6,
+  ground = 7,
+  other = 8
+};
+
+std::span<const SceneOption> building_options();
+TerrestrialScan plan_building(const SceneValues& values, std::uint64_t seed);
+
+}  // namespace ilot::scan

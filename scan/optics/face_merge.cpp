@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/optics/face_merge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace ilot::scan {
+namespace {
+
+using Edge = std::pair<std::uint32_t, std::uint32_t>;
+using Ring = std::vector<std::uint32_t>;
+
+// Rises from 0 to 4 as b turns clockwise from a through a whole turn.
+double clockwise_turn(Flat a, Flat b) {
+  const double sine = b.x * a.y - b.y * a.x, cosine = a.x * b.x + a.y * b.y;
+  const double share = sine / (std::abs(sine) + std::abs(cosine));
+  if (cosine < 0) return 2 - share;
+  return share < 0 ? 4 + share : share;
+}
+
+// The edges of a plane's patches that no neighbour of the same plane cancels, as a set of ways out of each vertex.
+std::map<std::uint32_t, std::set<std::uint32_t>> border_of(std::span<const Patch> patches, std::uint32_t plane) {
+  std::set<Edge> edges;
+  for (const Patch& patch : patches) {
+    if (patch.plane != plane) continue;
+    for (std::size_t i = 0; i < patch.ring.size(); ++i) {
+      const std::uint32_t from = patch.ring[i], to = patch.ring[(i + 1) % patch.ring.size()];
+      if (edges.erase({to, from}) == 0) edges.insert({from, to});
+    }
+  }
+  std::map<std::uint32_t, std::set<std::uint32_t>> ways;
+  for (const auto& [from, to] : edges) ways[from].insert(to);
+  return ways;
+}
+
+// Of the ways out of a vertex the one that keeps closest to the inside.
+std::uint32_t tightest(const std::set<std::uint32_t>& ways, std::uint32_t from, std::uint32_t at,
+                       std::span<const Vec3> vertices, Vec3 normal) {
+  if (ways.size() == 1) return *ways.begin();
+  const Flat here = flatten(vertices[at], normal);
+  const auto towards = [&](std::uint32_t v) {
+    const Flat f = flatten(vertices[v], normal);
+    return Flat{f.x - here.x, f.y - here.y};
+  };
+  const Flat back = towards(from);
+  return *std::min_element(ways.begin(), ways.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return clockwise_turn(back, towards(a)) < clockwise_turn(back, towards(b));
+  });
+}
+
+std::vector<Ring> chain(std::map<std::uint32_t, std::set<std::uint32_t>> ways, std::span<const Vec3> vertices,
+                        Vec3 normal) {
+  std::vector<Ring> rings;
+  while (!ways.empty()) {
+    const std::uint32_t start = ways.begin()->first;
+    Ring ring{start};
+    std::uint32_t from = start, at = *ways.begin()->second.begin();
+    const auto leave = [&](std::uint32_t vertex, std::uint32_t to) {
+      ways[vertex].erase(to);
+      if (ways[vertex].empty()) ways.erase(vertex);
+    };
+    leave(from, at);
+    while (at != start) {
+      ring.push_back(at);
+      const std::uint32_t next = tightest(ways.at(at), from, at, vertices, normal);
+      leave(at, next);
+      from = std::exchange(at, next);
+    }
+    rings.push_back(std::move(ring));
+  }
+  return rings;
+}
+
+std::vector<Flat> flatten_ring(const Ring& ring, std::span<const Vec3> vertices, Vec3 normal) {
+  std::vector<Flat> flat;
+  for (std::uint32_t v : ring) flat.push_back(flatten(vertices[v], normal));
+  return flat;
+}
+
+// One face per outline, each hole with the smallest outline around it.
+std::vector<MergedFace> sort_rings(std::vector<Ring> rings, std::uint32_t plane, std::span<const Vec3> vertices,
+                                   Vec3 normal) {
+  std::vector<MergedFace> faces;
+  std::vector<std::vector<Flat>> outlines;
+  std::vector<Ring> holes;
+  for (Ring& ring : rings) {
+    std::vector<Flat> flat = flatten_ring(ring, vertices, normal);
+    if (twice_area(flat) < 0) {
+      holes.push_back(std::move(ring));
+      continue;
+    }
+    faces.push_back({plane, {std::move(ring)}});
+    outlines.push_back(std::move(flat));
+  }
+  for (Ring& hole : holes) {
+    const Flat place = flatten(vertices[hole[0]], normal);
+    std::size_t around = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+      const double area = twice_area(outlines[f]);
+      if (area < least && holds(outlines[f], place)) {
+        around = f;
+        least = area;
+      }
+    }
+    faces[around].rings.push_back(std::move(hole));
+  }
+  return faces;
+}
+
+bool straight(Vec3 before, Vec3 at, Vec3 after) {
+  const Vec3 in = at - before, out = after - at;
+  return norm(cross(in, out)) < 1e-9 * norm(in) * norm(out) && dot(in, out) > 0;
+}
+
+}  // namespace
+
+Flat flatten(Vec3 p, Vec3 normal) {
+  const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+  if (z >= x && z >= y) return normal.z > 0 ? Flat{p.x, p.y} : Flat{p.y, p.x};
+  if (x >= y) return normal.x > 0 ? Flat{p.y, p.z} : Flat{p.z, p.y};
+  return normal.y > 0 ? Flat{p.z, p.x} : Flat{p.x, p.z};
+}
+
+double twice_area(std::span<const Flat> ring) {
+  double sum = 0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Flat a = ring[i], b = ring[(i + 1) % ring.size()];
+    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
+  }
+  return sum;
+}
+
+bool holds(std::span<const Flat> ring, Flat place) {
+  bool inside = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const Flat a = ring[i], b = ring[(i + 1) % ring.size()];
+    if ((a.y > place.y) == (b.y > place.y)) continue;
+    if (place.x < a.x + (b.x - a.x) * ((place.y - a.y) / (b.y - a.y))) inside = !inside;
+  }
+  return inside;
+}
+
+std::vector<MergedFace> merge_patches(std::span<const Patch> patches, std::span<const Vec3> vertices,
+                                      std::span<const Plane> planes) {
+  std::vector<MergedFace> faces;
+  for (std::uint32_t plane = 0; plane < planes.size(); ++plane) {
+    const Vec3 normal = planes[plane].n;
+    std::vector<Ring> rings = chain(border_of(patches, plane), vertices, normal);
+    for (MergedFace& face : sort_rings(std::move(rings), plane, vertices, normal)) faces.push_back(std::move(face));
+  }
+  return faces;
+}
+
+void drop_straight_vertices(std::vector<MergedFace>& faces, std::span<const Vec3> vertices) {
+  std::vector<bool> corner(vertices.size());
+  const auto for_each_vertex = [&](const auto& visit) {
+    for (MergedFace& face : faces)
+      for (Ring& ring : face.rings) visit(ring);
+  };
+  for_each_vertex([&](const Ring& ring) {
+    const std::size_t n = ring.size();
+    for (std::size_t i = 0; i < n; ++i)
+      if (!straight(vertices[ring[(i + n - 1) % n]], vertices[ring[i]], vertices[ring[(i + 1) % n]]))
+        corner[ring[i]] = true;
+  });
+  for_each_vertex([&](Ring& ring) { std::erase_if(ring, [&](std::uint32_t v) { return !corner[v]; }); });
+}
+
+}  // namespace ilot::scan

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/optics/part_scene.h"
+
+#include <algorithm>
+#include <limits>
+
+#include "scan/optics/embree_device.h"
+
+namespace ilot::scan {
+namespace {
+
+// Rays and boxes are floats about the anchor: each rounding is below 2^-24 of the extent, and a direction's error grows
+// with the way. Sixteen of them are more than there are.
+constexpr double kRounding = 0x1p-20;
+
+struct CastContext {
+  RTCIntersectContext embree;  // must come first
+  const Ray* ray;
+  std::vector<Candidate>* found;
+};
+
+// Where the ray enters the box, 0 when it starts inside; infinity when it misses it.
+double entry(const Ray& ray, const Bounds3& box) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  double enter = 0, leave = kInfinity;
+  const auto clip = [&](double origin, double direction, double low, double high) {
+    if (direction == 0) {
+      if (origin < low || origin > high) leave = -1;
+      return;
+    }
+    const double a = (low - origin) / direction, b = (high - origin) / direction;
+    enter = std::max(enter, std::min(a, b));
+    leave = std::min(leave, std::max(a, b));
+  };
+  clip(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
+  clip(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
+  clip(ray.origin.z, ray.direction.z, box.min.z, box.max.z);
+  return enter > leave ? kInfinity : enter;
+}
+
+}  // namespace
+
+struct PartScene::State {
+  std::span<const Part> parts;
+  Vec3 anchor;
+  double margin = 0;           // of Embree's boxes
+  std::vector<Bounds3> boxes;  // of the parts, grown by the reach
+  RTCScene scene = nullptr;
+
+  static void part_bounds(const RTCBoundsFunctionArguments* args) {
+    const auto& self = *static_cast<const State*>(args->geometryUserPtr);
+    set_embree_bounds(self.boxes[args->primID], self.anchor, self.margin, *args->bounds_o);
+  }
+
+  // Never shortens the ray: every box it pierces is reported, in whatever order.
+  static void hit_box(const RTCIntersectFunctionNArguments* args) {
+    if (args->valid[0] == 0) return;
+    const auto& self = *static_cast<const State*>(args->geometryUserPtr);
+    auto& context = *reinterpret_cast<CastContext*>(args->context);
+    const double enters = entry(*context.ray, self.boxes[args->primID]);
+    if (enters < std::numeric_limits<double>::infinity()) context.found->push_back({enters, args->primID});
+  }
+};
+
+Bounds3 bounds_of(std::span<const Part> parts) {
+  Bounds3 all = parts.empty() ? Bounds3{} : bounds_of(parts[0]);
+  for (const Part& part : parts) {
+    const Bounds3 box = bounds_of(part);
+    all.min = {std::min(all.min.x, box.min.x), std::min(all.min.y, box.min.y), std::min(all.min.z, box.min.z)};
+    all.max = {std::max(all.max.x, box.max.x), std::max(all.max.y, box.max.y), std::max(all.max.z, box.max.z)};
+  }
+  return all;
+}
+
+PartScene::PartScene(std::span<const Part> parts, double reach) : state_(std::make_unique<State>()) {
+  const Bounds3 all = bounds_of(parts);
+  state_->parts = parts;
+  state_->anchor = 0.5 * (all.min + all.max);
+  // Sensors stand outside the parts, but not further away than a few times their extent.
+  state_->margin = 1e-4 + kRounding * 4 * norm(all.max - all.min);
+  // Grown in double by more than its rounding, so that flat boxes are met too.
+  const double by = reach + 1e-5;
+  for (const Part& part : parts) {
+    const Bounds3 box = bounds_of(part);
+    state_->boxes.push_back({box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
+  }
+  state_->scene = rtcNewScene(embree_device());
+  rtcSetSceneFlags(state_->scene, RTC_SCENE_FLAG_ROBUST);
+  if (!parts.empty()) {
+    RTCGeometry geometry = rtcNewGeometry(embree_device(), RTC_GEOMETRY_TYPE_USER);
+    rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(parts.size()));
+    rtcSetGeometryUserData(geometry, state_.get());
+    rtcSetGeometryBoundsFunction(geometry, State::part_bounds, nullptr);
+    rtcSetGeometryIntersectFunction(geometry, State::hit_box);
+    rtcCommitGeometry(geometry);
+    rtcAttachGeometry(state_->scene, geometry);
+    rtcReleaseGeometry(geometry);
+  }
+  rtcCommitScene(state_->scene);
+  check_embree("parts", parts.size());
+}
+
+PartScene::~PartScene() {
+  rtcReleaseScene(state_->scene);
+}
+
+void PartScene::candidates(const Ray& ray, std::vector<Candidate>& out) const {
+  out.clear();
+  CastContext context{{}, &ray, &out};
+  rtcInitIntersectContext(&context.embree);
+  RTCRayHit query = embree_query(ray, state_->anchor);
+  rtcIntersect1(state_->scene, &context.embree, &query);
+  std::sort(out.begin(), out.end(), [](const Candidate& a, const Candidate& b) {
+    return a.enters != b.enters ? a.enters < b.enters : a.part < b.part;
+  });
+}
+
+std::optional<PartHit> PartScene::nearest(const Ray& ray, std::span<const Candidate> candidates, double from) const {
+  std::optional<PartHit> best;
+  std::uint32_t best_part = 0;
+  for (const Candidate& candidate : candidates) {
+    if (best && candidate.enters > best->t) break;
+    const auto hit = meet(ray, state_->parts[candidate.part], from);
+    if (!hit || (best && (hit->t > best->t || (hit->t == best->t && best_part < candidate.part)))) continue;
+    best = hit;
+    best_part = candidate.part;
+  }
+  return best;
+}
+
+std::optional<PartHit> PartScene::cast(const Ray& ray, double from) const {
+  std::vector<Candidate> found;
+  candidates(ray, found);
+  return nearest(ray, found, from);
+}
+
+}  // namespace ilot::scan

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+// The wings that roofs are made of. Millimetres; slopes in sixteenths: 12 is 3 in 4, 36.9 degrees.
+#pragma once
+#include "scan/roofs/roof_partition.h"
+
+namespace ilot::scan {
+
+enum class Axis : std::uint8_t { u, v };                        // of a ridge
+enum class Uphill : std::uint8_t { east, west, north, south };  // +u, -u, +v, -v
+
+Wing flat_wing(const GridRect& rect, Whole height);
+Wing shed_wing(const GridRect& rect, Whole eave, Whole slope, Uphill uphill);
+Wing gable_wing(const GridRect& rect, Axis ridge, Whole eave, Whole slope);
+Wing hip_wing(const GridRect& rect, Whole eave, Whole slope, Whole end_slope);
+// The hips begin `lift` above the eaves.
+Wing half_hip_wing(const GridRect& rect, Axis ridge, Whole eave, Whole slope, Whole lift);
+// A hip whose slopes turn flatter where they are `knee` above the eaves; knee / steep whole.
+Wing mansard_wing(const GridRect& rect, Whole eave, Whole steep, Whole shallow, Whole knee);
+// The same between two gables.
+Wing gambrel_wing(const GridRect& rect, Axis ridge, Whole eave, Whole steep, Whole shallow, Whole knee);
+
+// Of the ridge above the eaves.
+Whole gable_rise(const GridRect& rect, Axis ridge, Whole slope);
+
+Wing moved(Wing wing, Whole du, Whole dv, Whole dz);
+Wing mirrored_u(Wing wing, Whole length);  // u becomes length - u
+Wing mirrored_v(Wing wing, Whole depth);   // v becomes depth - v
+
+}  // namespace ilot::scan

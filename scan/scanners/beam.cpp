@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/scanners/beam.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+#include "scan/optics/exact_math.h"
+
+namespace ilot::scan {
+namespace {
+
+constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
+constexpr double kFaintest = 0.004;    // energy below which the receiver hears nothing
+constexpr std::size_t kMaxEchoes = 5;  // of one pulse
+constexpr double kBehind = 1e-4;       // metres behind a pane where the ray goes on
+
+// The footprint: places in units of its radius, and shares of the light. A Gaussian beam holds a quarter of its energy
+// within 0.38 of its 1/e2 radius; the rest is spread over a ring whose mean lies at 0.62 of it.
+struct Spot {
+  double right, up, share;
+};
+constexpr double kRing = 0.62, kHalf = 0.5 * kRing, kHeight = 0.8660254037844386 * kRing;
+constexpr std::array<Spot, 7> kFootprint{{{0, 0, 0.25},
+                                          {kRing, 0, 0.125},
+                                          {kHalf, kHeight, 0.125},
+                                          {-kHalf, kHeight, 0.125},
+                                          {-kRing, 0, 0.125},
+                                          {-kHalf, -kHeight, 0.125},
+                                          {kHalf, -kHeight, 0.125}}};
+
+Vec3 unit(Vec3 v) {
+  return (1 / norm(v)) * v;
+}
+
+}  // namespace
+
+Passage passage(Material material) {
+  switch (material) {
+    case Material::glass:
+      return {0.66, 0.13};
+    case Material::car_paint:
+      return {0.15, 0};
+    case Material::iron:
+      return {0.08, 0};
+    case Material::foliage:
+      return {0.05, 0.45};
+    default:
+      return {};
+  }
+}
+
+// `chance` is one number in [0, 1) for the whole pulse, so that a pane does the same to all of its footprint.
+void BeamTracer::touch(const Ray& ray, double weight, double chance) {
+  double from = 0;
+  for (int pane = 0; pane < 4; ++pane) {
+    const auto hit = scene_.nearest(ray, candidates_, from);
+    if (!hit || hit->t > kMaxRange) return;
+    const Material material = model_.surfaces[hit->surface].material;
+    const Passage way = passage(material);
+    if (chance < way.lost) return;
+    if (chance >= way.lost + way.through) {
+      const double cosine = -dot(hit->normal, ray.direction);
+      touches_.push_back({hit->t, weight * reflectance(material) * cosine, hit->surface});
+      return;
+    }
+    from = hit->t + kBehind;
+    weight *= 0.7;
+    chance = (chance - way.lost) / way.through;  // uniform again
+  }
+}
+
+bool BeamTracer::one_plane(SurfaceId a, SurfaceId b) const {
+  const std::uint32_t plane = model_.surfaces[a].plane;
+  return a == b || (plane != 0 && plane == model_.surfaces[b].plane);
+}
+
+void BeamTracer::gather(std::vector<Echo>& echoes) const {
+  for (std::size_t first = 0; first < touches_.size();) {
+    std::size_t end = first;
+    double energy = 0, moment = 0;
+    while (end < touches_.size() && touches_[end].range - touches_[first].range <= beam_.separation) {
+      energy += touches_[end].energy;
+      moment += touches_[end].energy * touches_[end].range;
+      ++end;
+    }
+    // The surface with most energy, the nearer of equals, and its own mean range.
+    Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0};
+    double most = 0;
+    for (std::size_t i = first; i < end; ++i) {
+      double own = 0, own_moment = 0;
+      for (std::size_t j = first; j < end; ++j) {
+        if (!one_plane(touches_[j].surface, touches_[i].surface)) continue;
+        own += touches_[j].energy;
+        own_moment += touches_[j].energy * touches_[j].range;
+      }
+      if (!(own > most)) continue;
+      most = own;
+      echo.surface = touches_[i].surface;
+      echo.surface_range = own_moment / own;
+    }
+    if (energy >= kFaintest && echoes.size() < kMaxEchoes) echoes.push_back(echo);
+    first = end;
+  }
+}
+
+void BeamTracer::trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>& echoes) {
+  echoes.clear();
+  touches_.clear();
+  const double wander = beam_.angle_noise_deg * kRadiansPerDegree;
+  const double right = wander * gaussian(rng), up = wander * gaussian(rng);
+  const double chance = rng.uniform();
+  const Vec3 axis = unit(aim.axis + right * aim.right + up * aim.up);
+  scene_.candidates({origin, axis}, candidates_);
+  if (candidates_.empty()) return;
+  const double spread = beam_.divergence_mrad * 0.0005;
+  const bool thin = spread == 0 && beam_.diameter == 0;
+  if (thin) touch({origin, axis}, 1, chance);
+  for (const Spot& spot : std::span(kFootprint).first(thin ? 0 : kFootprint.size())) {
+    const Vec3 aside = spot.right * aim.right + spot.up * aim.up;
+    touch({origin + (beam_.diameter / 2) * aside, unit(axis + spread * aside)}, spot.share, chance);
+  }
+  std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
+    return a.range != b.range ? a.range < b.range : a.surface < b.surface;
+  });
+  gather(echoes);
+}
+
+}  // namespace ilot::scan

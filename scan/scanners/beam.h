@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: Apache-2.0
+// One pulse of a terrestrial scanner: what its footprint touches and the echoes that come back.
+#pragma once
+#include <cstdint>
+#include <vector>
+
+#include "kernels/core/rng.h"
+#include "scan/optics/part_scene.h"
+#include "scan/scanners/station.h"
+
+namespace ilot::scan {
+
+struct BeamParams {
+  double range_noise = 0.002;      // metres, standard deviation along the beam
+  double angle_noise_deg = 0.002;  // standard deviation about each of two axes
+  double divergence_mrad = 0.2;    // full angle, 1/e2
+  double diameter = 0.0045;        // metres, at the scanner, 1/e2
+  double separation = 0.3;         // metres: echoes closer than that reach the receiver as one
+};
+
+// Radius of the footprint in metres.
+inline double footprint_radius(const BeamParams& beam, double range) {
+  return beam.diameter / 2 + beam.divergence_mrad * 0.0005 * range;
+}
+
+struct Echo {
+  double range = 0;          // metres, with mixing, without noise
+  double energy = 0;         // received: share of the light times reflectance times cosine of incidence
+  SurfaceId surface = 0;     // that gave most of the energy; pieces of one plane count as one
+  double surface_range = 0;  // its own: differs from range where the footprint mixes two surfaces
+};
+
+// What the windows and the finish of a material do to a pulse.
+struct Passage {
+  double lost = 0;     // share of pulses that give no echo at all: mirrored away
+  double through = 0;  // share that goes on behind
+};
+Passage passage(Material material);
+
+// Follows pulses through one scene. Keeps its own memory: one per thread.
+class BeamTracer {
+ public:
+  BeamTracer(const SceneModel& model, const PartScene& scene, const BeamParams& beam)
+      : model_(model), scene_(scene), beam_(beam) {}
+
+  // The echoes of one pulse, nearest first; none when nothing comes back. rng decides where the beam truly points and
+  // what glass does. The footprint is seven rays: one along the axis and six about it, with the weights of a Gaussian
+  // beam; what they find within the receiver's separation becomes one echo at the mean range, weighted by energy.
+  void trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>& echoes);
+
+ private:
+  struct Touch {
+    double range, energy;
+    SurfaceId surface;
+  };
+  bool one_plane(SurfaceId a, SurfaceId b) const;
+  void touch(const Ray& ray, double weight, double chance);
+  void gather(std::vector<Echo>& echoes) const;
+
+  const SceneModel& model_;
+  const PartScene& scene_;
+  BeamParams beam_;
+  std::vector<Candidate> candidates_;
+  std::vector<Touch> touches_;
+};
+
+// Surfaces further from the station than this are not followed.
+constexpr double kMaxRange = 300;  // metres
+
+}  // namespace ilot::scan

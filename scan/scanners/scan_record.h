@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// Where scenes stand on the French national grid, and what the points of coloured scenes look like as records.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "engine/formats/writer.h"
+#include "scan/optics/material.h"
+
+namespace ilot::scan {
+
+// World coordinates of every scene's own origin, on the French national grid (EPSG:2154).
+constexpr double kEastOrigin = 651000, kNorthOrigin = 6861000;
+constexpr Vec3 kSceneOrigin{kEastOrigin, kNorthOrigin, 0};
+
+// Point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32; the
+// user data are the true material. grid: metres per coordinate unit.
+RecordLayout coloured_layout(double grid);
+
+// A cloud to write records of that layout into, in EPSG:2154.
+CloudSpec cloud_spec(const RecordLayout& layout);
+
+struct ColouredPoint {
+  Vec3 place;  // metres in the scene
+  std::uint16_t intensity = 0;
+  std::uint8_t return_number = 1, return_count = 1;
+  std::uint8_t classification = 0;  // ASPRS
+  std::uint16_t source = 0;
+  double scan_angle_deg = 0;
+  double gps_time = 0;
+  Rgb16 rgb{};
+  std::uint8_t material = 0;  // user data: 1 + Material, 0 = none
+  std::uint8_t true_class = 0;
+  std::uint32_t true_plane = 0, true_element = 0;
+};
+
+void append_record(std::vector<std::byte>& records, const ColouredPoint& point, const RecordLayout& layout);
+
+// The truth that a record of that layout carries.
+struct RecordTruth {
+  std::uint8_t true_class = 0;
+  std::uint32_t true_plane = 0, true_element = 0;
+};
+RecordTruth truth_of(const std::byte* record);
+
+// Its place, metres in the scene.
+Vec3 place_of(const std::byte* record, const RecordLayout& layout);
+
+}  // namespace ilot::scan

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/scanners/terrestrial.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/error.h"
+#include "engine/pass/stop.h"
+#include "kernels/core/parallel.h"
+#include "scan/optics/exact_math.h"
+#include "scan/scanners/scan_record.h"
+#include "scan/scanners/stations_file.h"
+
+namespace ilot::scan {
+namespace {
+
+constexpr std::uint64_t kGrainPulses = 1 << 16, kGrainsAtOnce = 24;
+constexpr double kPulseRate = 100000, kStationSeconds = 3600, kFirstSecond = 200000;
+constexpr double kIntensityRange = 8;  // metres: a white, perpendicular surface fills the scale there
+constexpr double kMostPilotPulses = 400000, kLeastPilotPulses = 60000;
+
+// Columns [first, first + count) of a station.
+struct Grain {
+  std::size_t station = 0;
+  std::uint64_t first = 0, count = 0;
+};
+
+class TerrestrialScanner {
+ public:
+  explicit TerrestrialScanner(const TerrestrialScan& scan)
+      : scan_(scan), layout_(coloured_layout(scan.grid)), scene_(scan.scene.model.parts, reach(scan)) {
+    for (const StationParams& station : scan.scene.stations) {
+      grids_.emplace_back(station);
+      Rng rng(mix64(scan.seed ^ 0x726567ull), station.id);
+      const double x = gaussian(rng), y = gaussian(rng), z = gaussian(rng);
+      shifts_.push_back(scan.registration * Vec3{x, y, z});
+    }
+  }
+
+  std::vector<Grain> grains() const {
+    std::vector<Grain> all;
+    for (std::size_t s = 0; s < grids_.size(); ++s) {
+      const std::uint64_t columns = grids_[s].columns();
+      const std::uint64_t width =
+          std::max<std::uint64_t>(1, kGrainPulses / std::max<std::uint64_t>(1, grids_[s].rows()));
+      for (std::uint64_t first = 0; first < columns; first += width)
+        all.push_back({s, first, std::min(width, columns - first)});
+    }
+    return all;
+  }
+
+  std::vector<std::byte> scan_grain(const Grain& grain) const {
+    const StationGrid& grid = grids_[grain.station];
+    BeamTracer tracer(scan_.scene.model, scene_, scan_.beam);
+    std::vector<Echo> echoes;
+    std::vector<std::byte> records;
+    for (std::uint64_t column = grain.first; column < grain.first + grain.count; ++column) {
+      const SinCos azimuth = grid.azimuth(column);
+      for (std::uint64_t row = 0; row < grid.rows(); ++row) {
+        const Aim aim = grid.aim(azimuth, row);
+        const StationParams& station = scan_.scene.stations[grain.station];
+        Rng rng(mix64(scan_.seed ^ 0x746c73ull) + station.id, grid.key(column, row));
+        tracer.trace(station.position, aim, rng, echoes);
+        const double second = static_cast<double>(column * grid.rows() + row) / kPulseRate;
+        for (std::size_t i = 0; i < echoes.size(); ++i)
+          add_point(grain.station, aim, echoes, i, rng, kFirstSecond + kStationSeconds * station.id + second, records);
+      }
+    }
+    return records;
+  }
+
+ private:
+  static double reach(const TerrestrialScan& scan) {
+    double furthest = 0;
+    const Bounds3 all = bounds_of(scan.scene.model.parts);
+    for (const StationParams& station : scan.scene.stations)
+      furthest = std::max({furthest, norm(all.min - station.position), norm(all.max - station.position)});
+    const double footprint = footprint_radius(scan.beam, std::min(kMaxRange, furthest + norm(all.max - all.min)));
+    return 1.1 * footprint;
+  }
+
+  void add_point(std::size_t at, const Aim& aim, const std::vector<Echo>& echoes, std::size_t i, Rng& rng,
+                 double second, std::vector<std::byte>& records) const {
+    const StationParams& station = scan_.scene.stations[at];
+    const Echo& echo = echoes[i];
+    const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
+    ColouredPoint point;
+    point.place = station.position + range * aim.axis;
+    if (!inside(scan_.scene.keep, point.place)) return;
+    point.place = point.place + shifts_[at];
+    const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
+    point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
+    point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
+    const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
+    point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
+    point.return_number = static_cast<std::uint8_t>(i + 1);
+    point.return_count = static_cast<std::uint8_t>(echoes.size());
+    point.source = station.id;
+    point.gps_time = second;
+    // Mixing that the noise would hide leaves the point to its main surface.
+    if (std::abs(echo.range - echo.surface_range) <= std::max(scan_.beam.range_noise, scan_.grid)) {
+      point.true_class = label.true_class;
+      point.true_plane = label.plane;
+      point.true_element = label.element;
+    } else {
+      point.true_class = kMixedClass;
+    }
+    append_record(records, point, layout_);
+  }
+
+  static bool inside(const Bounds3& box, Vec3 p) {
+    return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
+           p.z <= box.max.z;
+  }
+
+  const TerrestrialScan& scan_;
+  RecordLayout layout_;
+  PartScene scene_;
+  std::vector<StationGrid> grids_;
+  std::vector<Vec3> shifts_;  // of the stations' places as registered
+};
+
+void scale_steps(TerrestrialScan& scan, double factor) {
+  for (StationParams& station : scan.scene.stations) {
+    station.step_horizontal_deg *= factor;
+    station.step_vertical_deg *= factor;
+  }
+}
+
+std::uint64_t count_points(const TerrestrialScan& scan) {
+  std::uint64_t bytes = 0;
+  scan_terrestrial(scan, [&](std::span<const std::byte> records) { bytes += records.size(); });
+  return bytes / coloured_layout(scan.grid).record_length;
+}
+
+// Points per plane and per element, by id.
+struct Tally {
+  std::vector<std::uint64_t> planes, elements, classes = std::vector<std::uint64_t>(256);
+  std::uint64_t points = 0;
+
+  static void count(std::vector<std::uint64_t>& list, std::uint32_t id) {
+    if (id >= list.size()) list.resize(id + 1);
+    ++list[id];
+  }
+  void add(const RecordTruth& truth) {
+    ++points;
+    ++classes[truth.true_class];
+    count(planes, truth.true_plane);
+    count(elements, truth.true_element);
+  }
+  static std::uint64_t of(const std::vector<std::uint64_t>& list, std::uint32_t id) {
+    return id < list.size() ? list[id] : 0;
+  }
+};
+
+void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& tally) {
+  const TerrestrialScene& scene = scan.scene;
+  const BeamParams& beam = scan.beam;
+  truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
+  truth.classes(scene.classes);
+  std::map<int, std::string> materials;
+  for (const SurfaceLabel& label : scene.model.surfaces)
+    materials.emplace(1 + static_cast<int>(label.material), name_of(label.material));
+  truth.materials(materials);
+  for (const StationParams& s : scene.stations)
+    truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
+  for (TruePlane plane : scene.planes) {
+    plane.points = Tally::of(tally.planes, plane.id);
+    truth.add(plane);
+  }
+  for (TrueShape shape : scene.shapes) {
+    shape.points = Tally::of(tally.planes, shape.id);
+    truth.add(shape);
+  }
+  for (TrueElement element : scene.elements) {
+    element.points = Tally::of(tally.elements, element.id);
+    truth.add(element);
+  }
+  for (const TrueOpening& opening : scene.openings) truth.add(opening);
+  for (const TrueControlPoint& point : scene.control_points) truth.add(point);
+  for (const TrueBuilding& building : scene.buildings) truth.add(building);
+}
+
+std::string settings_text(const ScanRequest& request, const TerrestrialScan& scan) {
+  std::string text = "\"scene\":\"" + std::string(request.scene) + "\",\"seed\":" + std::to_string(request.seed);
+  text += request.values.json();
+  return text + ",\"grid_m\":" + std::to_string(scan.grid);
+}
+
+}  // namespace
+
+TerrestrialScan empty_scan(const SceneValues& values, std::uint64_t seed) {
+  TerrestrialScan scan;
+  scan.beam = {values.get("scene.noise"), values.get("scene.angle_noise"), values.get("scene.divergence"),
+               values.get("scene.diameter"), values.get("scene.separation")};
+  scan.registration = values.get("scene.registration");
+  scan.seed = seed;
+  return scan;
+}
+
+void fit_points(TerrestrialScan& scan, std::uint64_t points) {
+  double pulses = 0;
+  for (const StationParams& station : scan.scene.stations) {
+    const StationGrid grid(station);
+    pulses += static_cast<double>(grid.columns()) * static_cast<double>(grid.rows());
+  }
+  const double pilot = std::clamp(4 * static_cast<double>(points), kLeastPilotPulses, kMostPilotPulses);
+  scale_steps(scan, std::sqrt(pulses / pilot));
+  const std::uint64_t seen = count_points(scan);
+  if (seen == 0) throw Error("the stations see nothing of this scene");
+  scale_steps(scan, std::sqrt(static_cast<double>(seen) / static_cast<double>(points)));
+}
+
+void scan_terrestrial(const TerrestrialScan& scan, const std::function<void(std::span<const std::byte>)>& take) {
+  const TerrestrialScanner scanner(scan);
+  const std::vector<Grain> grains = scanner.grains();
+  for (std::size_t first = 0; first < grains.size(); first += kGrainsAtOnce) {
+    if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
+    std::vector<std::vector<std::byte>> batch(std::min<std::size_t>(kGrainsAtOnce, grains.size() - first));
+    parallel_for(batch.size(), [&](std::size_t i) { batch[i] = scanner.scan_grain(grains[first + i]); });
+    for (const std::vector<std::byte>& records : batch) take(records);
+  }
+}
+
+ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& request) {
+  const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(coloured_layout(scan.grid)));
+  TruthWriter truth(truth_path(request.output), settings_text(request, scan));
+  const std::size_t length = writer->record_length();
+  Tally tally;
+  scan_terrestrial(scan, [&](std::span<const std::byte> records) {
+    writer->write(records);
+    for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at]));
+    if (request.written) request.written(records.size() / length);
+  });
+  write_truth(truth, scan, tally);
+  ScanCounts counts{{"points", tally.points}, {"planes", scan.scene.planes.size()}};
+  if (!scan.scene.shapes.empty()) counts.emplace_back("shapes", scan.scene.shapes.size());
+  if (!scan.scene.elements.empty()) counts.emplace_back("elements", scan.scene.elements.size());
+  for (const auto& [value, class_name] : scan.scene.classes)
+    counts.emplace_back("points of " + class_name, tally.classes[static_cast<std::size_t>(value)]);
+  writer->finish();
+  write_stations(stations_path(request.output), scan.scene.stations);
+  truth.finish(counts);
+  return counts;
+}
+
+}  // namespace ilot::scan

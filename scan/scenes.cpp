@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/scenes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/error.h"
+#include "scan/districts/district_file.h"
+#include "scan/facades/building.h"
+#include "scan/facades/facade_haussmann.h"
+#include "scan/facades/facade_restoration.h"
+#include "scan/facades/shapes.h"
+#include "scan/facades/stones.h"
+#include "scan/roofs/roofs_scan.h"
+#include "scan/streets/street_flight.h"
+#include "scan/streets/street_scan.h"
+
+namespace ilot::scan {
+
+namespace {
+
+constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+
+}  // namespace
+
+std::span<const Scene> scenes() {
+  static const std::array kScenes{
+      Scene{"stones", "four facing stones, their joints and two side walls, one station", kScaled, stones_options(),
+            scan_planned<plan_stones>},
+      Scene{"facade-restoration", "a plain town house of fifteen windows, one station off to the left", kScaled,
+            facade_restoration_options(), scan_planned<plan_facade_restoration>},
+      Scene{"facade-haussmann", "a front of banded stone with arches, balconies and a mansard, two stations", kScaled,
+            facade_haussmann_options(), scan_planned<plan_facade_haussmann>},
+      Scene{"building", "a free-standing house with bulges in its render, six stations around it", kScaled,
+            building_options(), scan_planned<plan_building>},
+      Scene{"shapes", "cylinders, spheres, cones and boxes of several sizes on a floor, three stations", kScaled,
+            shapes_options(), scan_planned<plan_shapes>},
+      Scene{"roofs", "445 roofs of every kind with trees beside them, seen from the air; writes their solids too",
+            "about; the density follows", roofs_options(), scan_roofs_scene},
+      Scene{"street", "30 blocks on both sides of a street, 442 objects on its pavements, scanned from a vehicle",
+            "to about 1 %, by scaling the spacing of profiles and pulses", street_options(), scan_street_scene},
+      Scene{"street-air", "that street and the gardens behind its houses, seen from the air",
+            "about; the density follows", street_flight_options(), scan_street_flight_scene},
+      Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
+            "exactly; the area follows from the density", district_options(), scan_district_scene},
+  };
+  return kScenes;
+}
+
+const Scene& find_scene(std::string_view name) {
+  const std::span<const Scene> all = scenes();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Scene& s) { return s.name == name; });
+  if (found == all.end()) throw Error(fmt::format("scan: no scene '{}' (ilot scan --list)", name), ExitCode::usage);
+  return *found;
+}
+
+std::string list_scenes() {
+  std::string text;
+  for (const Scene& scene : scenes()) {
+    text += fmt::format("{:<20} {}\n", scene.name, scene.help);
+    text += fmt::format("  {:<18} {}\n", "--points", scene.points);
+    for (const SceneOption& option : scene.options)
+      text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                          option.standard, option.unit);
+  }
+  return text;
+}
+
+std::string scenes_markdown() {
+  std::string text = "## Options\n\nGenerated from the table in `scan/scenes.cpp`; `--set KEY=VALUE`.\n";
+  for (const Scene& scene : scenes()) {
+    text += fmt::format("\n### {}\n\nA scan of {}. `--points` is met {}.\n\n", scene.name, scene.help, scene.points);
+    text += "| key | default | range | meaning |\n|---|---|---|---|\n";
+    for (const SceneOption& option : scene.options)
+      text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
+                          option.unit, option.help);
+  }
+  return text;
+}
+
+}  // namespace ilot::scan

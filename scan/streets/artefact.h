@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands in a street: cars, lampposts, pedestrians and other things, each of several variants, built from boxes,
+// prisms, cylinders, cones and spheres.
+#pragma once
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "kernels/core/rng.h"
+#include "scan/optics/material.h"
+#include "scan/optics/part.h"
+
+namespace ilot::scan {
+
+enum class ArtefactClass : std::uint8_t { car, lamppost, pedestrian, other };
+const char* name_of(ArtefactClass artefact_class);
+
+// In its own frame: x ahead, y to the left, z up, standing on z = 0 about the origin. The surfaces of the solids are
+// values of Material.
+struct Artefact {
+  std::vector<Solid> solids;
+
+  void box(Vec3 centre, Vec3 size, Material material);
+  // A convex outline in the plane x z, swept over the width about y = 0. Faces as those of prism().
+  Solid& profile(std::span<const Vec2> outline, double width, Material material);
+  // A convex outline in the plane x y, from one height to another.
+  void column(std::span<const Vec2> outline, double from, double to, Material material);
+  void rod(Vec3 from, Vec3 to, double radius, Material material);  // a cylinder between two places
+  void disc(Vec3 centre, Vec3 axis, double thickness, double radius, Material material);
+  void ball(Vec3 centre, double radius, Material material);
+  // A cone about z that narrows from one radius at the bottom to another, smaller one at the top.
+  void taper(Vec3 base, double height, double bottom_radius, double top_radius, Material material);
+};
+
+Bounds3 bounds_of(const Artefact& artefact);
+
+// Names of the variants of a class, at least five. Of `other` each stands as often as it comes among 144 things.
+std::span<const std::string_view> variants_of(ArtefactClass artefact_class);
+
+// Draws the sizes that differ within a variant. The variant must be one of the class.
+Artefact make_artefact(ArtefactClass artefact_class, std::string_view variant, Rng& rng);
+
+// The four sources of the above.
+Artefact make_car(std::string_view variant, Rng& rng);
+Artefact make_lamppost(std::string_view variant, Rng& rng);
+Artefact make_pedestrian(std::string_view variant, Rng& rng);
+Artefact make_furniture(std::string_view variant, Rng& rng);
+
+}  // namespace ilot::scan

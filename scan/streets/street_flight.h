@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+// The scene `street-air`: the street of the scene `street`, and the gardens behind its houses, seen from flight lines.
+#pragma once
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "scan/scanners/airborne.h"
+#include "scan/streets/street_scan.h"
+
+namespace ilot::scan {
+
+std::span<const SceneOption> street_flight_options();
+
+struct StreetFlight {
+  StreetParams street;
+  AirborneParams flight;
+  double noise = 0.02;    // metres, standard deviation of the range
+  double gardens = 4;     // things behind the houses, per block and side
+  double mirrored = 0.6;  // share of the pulses that the darkest paint of a car mirrors away
+};
+
+StreetFlight plan_street_flight(const SceneValues& values, std::uint64_t seed);
+
+// The street as that of scan_street, with its gardens.
+StreetStage set_stage(const StreetFlight& flight);
+
+// Chooses the density so that about so many points come out.
+void fit_points(StreetFlight& flight, const StreetStage& stage, std::uint64_t points);
+
+// Hands over records of coloured_layout(0.001) of what lies up to the end of the gardens. Glass mirrors two thirds of
+// the pulses away, the paint of one car in three a share of its own, evenly drawn up to `mirrored`. Tiles are scanned
+// in parallel, a batch of bounded size at a time; what is handed over does not depend on the threads.
+void scan_street_flight(const StreetFlight& flight, const StreetStage& stage,
+                        const std::function<void(std::span<const std::byte>)>& take);
+
+// Writes the cloud and NAME.truth.json.
+ScanCounts scan_street_flight_scene(const ScanRequest& request);
+
+}  // namespace ilot::scan

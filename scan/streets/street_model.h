@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <vector>
+
+#include "scan/optics/part_scene.h"
+#include "scan/streets/street_objects.h"
+#include "scan/streets/street_plan.h"
+#include "scan/truth_writer.h"
+
+namespace ilot::scan {
+
+// Values of true_class.
+enum class StreetClass : std::uint8_t {
+  ground = 1,
+  facade = 2,
+  car = 3,
+  lamppost = 4,
+  pedestrian = 5,
+  other = 6,
+  vegetation = 7,
+  roof = 8
+};
+StreetClass class_of(ArtefactClass artefact_class);
+const char* name_of(StreetClass street_class);
+
+// The street as what rays meet, in street coordinates. true_plane numbers the planes, true_element the objects.
+struct StreetModel {
+  SceneModel scene;
+  std::vector<Crown> crowns;
+  std::vector<TruePlane> planes;  // street coordinates; points not yet counted
+};
+
+StreetModel build_street_model(const Street& street, const std::vector<StreetObject>& objects);
+
+}  // namespace ilot::scan

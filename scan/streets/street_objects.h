@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+// Sets out the artefacts of a street: cars at the kerb, lampposts and furniture along it, people on the pavements.
+#pragma once
+#include <array>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "scan/scanners/pose.h"
+#include "scan/streets/artefact.h"
+#include "scan/streets/street_plan.h"
+
+namespace ilot::scan {
+
+struct StreetObject {
+  std::uint32_t id = 0;  // from 1
+  ArtefactClass artefact_class = ArtefactClass::other;
+  std::string_view variant;
+  Artefact shape;  // in its own frame
+  Pose pose;       // street coordinates
+  double heading_deg = 0;
+  Bounds3 box;  // of the shape, pitched but not turned, about the base
+  PlanBox plan;
+  std::vector<std::uint32_t> touches;  // ids
+};
+
+// Objects of each class on so many blocks, by ArtefactClass: 67, 33, 198, 144 on 30.
+std::array<std::uint64_t, 4> object_counts(std::uint64_t blocks);
+
+// Objects that do not touch keep at least this distance between their boxes, and from trees.
+constexpr double kClearance = 0.4;
+
+// All objects, in no order of class. Throws Error when the street has no room for one.
+std::vector<StreetObject> place_objects(const Street& street);
+
+}  // namespace ilot::scan

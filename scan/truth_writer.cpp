@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "scan/truth_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <span>
+
+#include "scan/scanners/scan_record.h"
+
+namespace ilot::scan {
+namespace {
+
+constexpr std::size_t kChunk = 1 << 20;  // bytes copied at a time
+
+std::string place_text(Vec3 local) {
+  const Vec3 p = local + kSceneOrigin;
+  return fmt::format("[{:.4f},{:.4f},{:.4f}]", p.x, p.y, p.z);
+}
+
+std::string direction_text(Vec3 v) {
+  return fmt::format("[{},{},{}]", v.x, v.y, v.z);
+}
+
+template <class Items, class Text>
+std::string list_text(const Items& items, const Text& text_of) {
+  std::string text = "[";
+  for (std::size_t i = 0; i < items.size(); ++i) text += (i ? "," : "") + text_of(items[i]);
+  return text + "]";
+}
+
+std::string ring_text(const std::vector<Vec3>& ring) {
+  return list_text(ring, place_text);
+}
+
+std::string ids_text(const std::vector<std::uint32_t>& ids) {
+  return list_text(ids, [](std::uint32_t id) { return std::to_string(id); });
+}
+
+std::string polygon_text(const TruePolygon& polygon) {
+  std::string text = fmt::format(R"({{"building":{},"ring":{})", polygon.building, ring_text(polygon.ring));
+  if (!polygon.holes.empty()) text += R"(,"holes":)" + list_text(polygon.holes, ring_text);
+  return text + "}";
+}
+
+std::string arc_text(const TrueArc& arc) {
+  return fmt::format(R"({{"centre":{},"radius_m":{:.4f},"from_deg":{:.6f},"to_deg":{:.6f}}})", place_text(arc.centre),
+                     arc.radius, arc.from_deg, arc.to_deg);
+}
+
+}  // namespace
+
+struct TruthWriter::Spool {
+  Spool(std::string_view name, const std::filesystem::path& path) : kind(name), file(path) {}
+  std::string kind;
+  OutputFile file;      // never committed: it leaves with the writer
+  std::string pending;  // not yet in the file
+  bool empty = true;
+
+  void flush() {
+    file.append(std::as_bytes(std::span(pending)));
+    pending.clear();
+  }
+};
+
+TruthWriter::TruthWriter(const std::filesystem::path& path, const std::string& settings) : file_(path) {
+  append(fmt::format("{{\"scan\":{{{}}},\n\"crs\":\"EPSG:2154\"", settings));
+}
+
+TruthWriter::~TruthWriter() = default;
+
+void TruthWriter::append(const std::string& text) {
+  file_.append(std::as_bytes(std::span(text)));
+}
+
+void TruthWriter::add_line(std::string_view kind, const std::string& text) {
+  auto spool = std::find_if(spools_.begin(), spools_.end(), [&](const auto& s) { return s->kind == kind; });
+  if (spool == spools_.end()) {
+    const std::filesystem::path path = file_.path().string() + "." + std::string(kind);
+    spool = spools_.insert(spools_.end(), std::make_unique<Spool>(kind, path));
+  }
+  (*spool)->pending += ((*spool)->empty ? "" : ",\n") + text;
+  (*spool)->empty = false;
+  if ((*spool)->pending.size() > kChunk) (*spool)->flush();
+}
+
+void TruthWriter::noise(const TrueNoise& noise) {
+  append(fmt::format(",\n\"noise\":{{\"range_m\":{},\"angle_deg\":{},\"divergence_mrad\":{},\"beam_diameter_m\":{}}}",
+                     noise.range, noise.angle_deg, noise.divergence_mrad, noise.beam_diameter));
+}
+
+void TruthWriter::add_names(std::string_view kind, const std::map<int, std::string>& names) {
+  std::string text;
+  for (const auto& [value, name] : names) text += fmt::format("{}\"{}\":\"{}\"", text.empty() ? "" : ",", value, name);
+  append(fmt::format(",\n\"{}\":{{{}}}", kind, text));
+}
+
+void TruthWriter::classes(const std::map<int, std::string>& names) {
+  add_names("classes", names);
+}
+
+void TruthWriter::materials(const std::map<int, std::string>& names) {
+  add_names("materials", names);
+}
+
+void TruthWriter::add(const TrueStation& s) {
+  add_line("stations", fmt::format(R"({{"id":{},"position":{},"step_horizontal_deg":{},"step_vertical_deg":{}}})", s.id,
+                                   place_text(s.position), s.step_horizontal_deg, s.step_vertical_deg));
+}
+
+void TruthWriter::add(const TruePlane& p) {
+  const double d = p.plane.d - dot(p.plane.n, kSceneOrigin);
+  const std::string area = p.area > 0 ? fmt::format(R"(,"area_m2":{:.4f})", p.area) : "";
+  add_line("planes",
+           fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"element":{}{},"polygons":{}}})",
+                       p.id, p.surface_class, p.plane.n.x, p.plane.n.y, p.plane.n.z, d, p.points, p.element, area,
+                       list_text(p.polygons, polygon_text)));
+}
+
+void TruthWriter::add(const TrueShape& s) {
+  std::string text = fmt::format(R"({{"id":{},"kind":"{}","point":{},"axis":{})", s.id, s.kind, place_text(s.point),
+                                 direction_text(s.axis));
+  if (s.radius > 0) text += fmt::format(R"(,"radius_m":{})", s.radius);
+  if (s.half_angle_deg > 0) text += fmt::format(R"(,"half_angle_deg":{})", s.half_angle_deg);
+  if (s.length > 0) text += fmt::format(R"(,"length_m":{})", s.length);
+  add_line("shapes", text + fmt::format(R"(,"points":{}}})", s.points));
+}
+
+void TruthWriter::add(const TrueElement& e) {
+  std::string text = fmt::format(R"({{"id":{},"kind":"{}","facade":{},"row":{},"column":{},"ring":{})", e.id, e.kind,
+                                 e.facade, e.row, e.column, ring_text(e.ring));
+  if (!e.arcs.empty()) text += R"(,"arcs":)" + list_text(e.arcs, arc_text);
+  add_line("elements", text + fmt::format(R"(,"width_m":{:.4f},"height_m":{:.4f},"depth_m":{:.4f},"points":{}}})",
+                                          e.width, e.height, e.depth, e.points));
+}
+
+void TruthWriter::add(const TrueOpening& o) {
+  add_line("openings", fmt::format(R"({{"id":{},"element":{},"facade":{},"ring":{}}})", o.id, o.element, o.facade,
+                                   ring_text(o.ring)));
+}
+
+void TruthWriter::add(const TrueControlPoint& p) {
+  add_line("control_points",
+           fmt::format(R"({{"group":"{}","element":{},"position":{}}})", p.group, p.element, place_text(p.position)));
+}
+
+void TruthWriter::add(const TrueBuilding& b) {
+  add_line("buildings",
+           fmt::format(R"({{"id":{},"roof":"{}","footprint":{},"faces":{},"eave_m":{:.4f},"ridge_m":{:.4f},)"
+                       R"("ground_m":{:.4f}}})",
+                       b.id, b.roof, ring_text(b.footprint), ids_text(b.faces), b.eave, b.ridge, b.ground));
+}
+
+void TruthWriter::add(const TrueObject& o) {
+  const Vec3 size = o.box_size;
+  add_line("objects", fmt::format(R"({{"id":{},"class":"{}","variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
+                                  R"("heading_deg":{}}},"touches":{},"points":{}}})",
+                                  o.id, o.object_class, o.variant, place_text(o.base), place_text(o.box_centre),
+                                  direction_text(size), o.heading_deg, ids_text(o.touches), o.points));
+}
+
+void TruthWriter::add(const TrueBlock& b) {
+  add_line("blocks", fmt::format(R"({{"id":{},"side":"{}","from":{},"to":{}}})", b.id, b.side, place_text(b.from),
+                                 place_text(b.to)));
+}
+
+void TruthWriter::finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts) {
+  std::vector<std::byte> chunk(kChunk);
+  for (const auto& spool : spools_) {
+    spool->flush();
+    append(",\n\"" + spool->kind + "\":[\n");
+    const InputFile written(spool->file.path().string() + ".part");
+    for (std::uint64_t at = 0; at < written.size();) {
+      const std::size_t got = written.read_at(at, chunk);
+      file_.append(std::span(chunk).first(got));
+      at += got;
+    }
+    append("]");
+  }
+  std::string text;
+  for (const auto& [name, count] : counts) text += fmt::format("{}\"{}\":{}", text.empty() ? "" : ",", name, count);
+  append(",\n\"counts\":{" + text + "}}\n");
+  file_.commit();
+}
+
+std::filesystem::path truth_path(const std::filesystem::path& cloud) {
+  std::filesystem::path path = cloud;
+  return path.replace_extension(".truth.json");
+}
+
+}  // namespace ilot::scan

@@ -1,0 +1,330 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "study/street_samples.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/pass/index.h"
+#include "engine/products/streets/streets_product.h"
+#include "engine/proof/point_stream.h"
+#include "engine/whole_file.h"
+#include "study/cut_reader.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::uint32_t kTree = 7;  // true class
+constexpr double kHalf = 0.5;       // of an object: less is not it
+constexpr double kClearly = 0.2;    // by which one overlap is better than another
+
+struct TrueThing {
+  std::string class_name, variant;
+  std::uint64_t points = 0;
+  bool touches = false;
+  // Of the thing that is most of it.
+  double overlap = 0;  // common points over those of both
+  std::uint64_t common = 0, of_thing = 0;
+};
+
+struct TrueStreet {
+  std::map<std::uint32_t, TrueThing> objects;
+  CutPlane ground;                            // of the road
+  std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides, along the street
+};
+
+Vec3 vec(const nlohmann::json& j) {
+  return {j[0].get<double>(), j[1].get<double>(), j[2].get<double>()};
+}
+
+TrueStreet read_street(const fs::path& cloud) {
+  const fs::path path = fs::path(cloud).replace_extension(".truth.json");
+  std::ifstream file(path);
+  if (!file) throw std::runtime_error(path.string() + ": no truth");
+  const auto root = nlohmann::json::parse(file);
+  TrueStreet street;
+  for (const auto& o : root.at("objects"))
+    street.objects[o.at("id")] = {o.at("class"), o.at("variant"), 0, !o.at("touches").empty()};
+  std::uint64_t most = 0;
+  for (const auto& p : root.at("planes")) {
+    if (p.at("class") != "ground" || p.at("points") <= most) continue;
+    most = p.at("points");
+    const auto& v = p.at("plane");
+    street.ground = {v[0], v[1], v[2], v[3]};
+  }
+  for (const auto& b : root.at("blocks"))
+    if (b.at("side") == "left") street.blocks.emplace_back(vec(b.at("from")), vec(b.at("to")));
+  return street;
+}
+
+// The block that is nearest along the street.
+std::uint32_t block_of(const TrueStreet& street, double x, double y) {
+  const Vec3 from = street.blocks.front().first, to = street.blocks.back().second;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const auto along = [&](double px, double py) {
+    return ((px - from.x) * (to.x - from.x) + (py - from.y) * (to.y - from.y)) / length;
+  };
+  std::uint32_t best = 0;
+  double least = INFINITY;
+  for (std::uint32_t b = 0; b < street.blocks.size(); ++b) {
+    const double s = along(x, y), a = along(street.blocks[b].first.x, street.blocks[b].first.y),
+                 e = along(street.blocks[b].second.x, street.blocks[b].second.y);
+    if (const double d = std::max({0.0, a - s, s - e}); d < least) least = d, best = b;
+  }
+  return best;
+}
+
+// True points by thing, [0] unused: of the parts at first, then of all things.
+struct Shares {
+  std::vector<std::map<std::uint32_t, std::uint64_t>> of_object, of_class;
+  std::vector<std::uint64_t> points;
+
+  explicit Shares(std::size_t things) : of_object(things + 1), of_class(things + 1), points(things + 1, 0) {}
+
+  void add_joined(const std::vector<Thing>& things) {
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      for (const std::uint32_t part : things[i - 1].parts) {
+        if (part == 0) continue;
+        points[i] += points[part];
+        for (const auto& [c, n] : of_class[part]) of_class[i][c] += n;
+        for (const auto& [o, n] : of_object[part]) of_object[i][o] += n;
+      }
+    }
+  }
+};
+
+// Trunks of trees that stand free, once all above is cut off: objects that the truth does not number.
+class Trunks {
+ public:
+  // The number of the trunk that a point of a tree belongs to.
+  std::uint32_t at(double x, double y, TrueStreet& truth) {
+    std::size_t t = 0;
+    while (t < places_.size() && std::hypot(x - places_[t].first, y - places_[t].second) > kWidest) ++t;
+    const auto number = static_cast<std::uint32_t>(kFirst + t);
+    if (t == places_.size()) {
+      places_.emplace_back(x, y);
+      truth.objects[number] = {"other", "trunk", 0, false};
+    }
+    return number;
+  }
+
+ private:
+  static constexpr double kWidest = 1;        // metres
+  static constexpr std::size_t kFirst = 1e6;  // above all numbers of a truth
+  std::vector<std::pair<double, double>> places_;
+};
+
+// Level and things of the pixel of a point; few tiles are kept.
+class TileLook {
+ public:
+  explicit TileLook(const FoundStreet& found) : tiles_(*found.tiles) {}
+
+  struct Seen {
+    Height level = kNoHeight;
+    std::size_t thing = 0;
+  };
+  Seen at(Index3 p) {
+    const StreetRaster& raster = tiles_.raster();
+    const std::int64_t x = raster.column(p.x), y = raster.row(p.y), side = raster.grid.side;
+    const auto tile = static_cast<std::size_t>(y / side * raster.grid.columns() + x / side);
+    auto entry = kept_.find(tile);
+    if (entry == kept_.end()) {
+      if (kept_.size() > 60) kept_.clear();
+      entry = kept_
+                  .try_emplace(tile, layer_tile(tiles_.layers(), "level", tile),
+                               layer_tile(tiles_.layers(), "things", tile))
+                  .first;
+    }
+    const auto pixel = static_cast<std::size_t>(y % side * side + x % side);
+    return {entry->second.first.values[pixel], static_cast<std::size_t>(entry->second.second.values[pixel])};
+  }
+
+ private:
+  const StreetTiles& tiles_;
+  std::map<std::size_t, std::pair<Image, Image>> kept_;
+};
+
+// Reads all points: what stands in which thing, and how much of the ground is found.
+Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand, TrueStreet& truth, Street& street) {
+  const CloudInfo& info = reader.info();
+  const ExtraField kind = *find_integer_field(info.layout, "true_class");
+  const ExtraField element = *find_integer_field(info.layout, "true_element");
+  const StreetRaster& raster = found.tiles->raster();
+  const LatticeMap lattice(info.layout, raster.unit);
+  const Height least = raster.scale.units(StreetsSettings{}.least_height);
+  Shares shares(found.things.size());
+  TileLook look(found);
+  Trunks trunks;
+  for_each_record(reader, [&](const std::byte* record) {
+    std::int32_t raw[3];
+    std::memcpy(raw, record, sizeof raw);
+    Index3 p;
+    if (!lattice.map(raw[0], raw[1], raw[2], p)) return;
+    auto object = static_cast<std::uint32_t>(integer_of(record, element));
+    const auto true_class = static_cast<std::uint32_t>(integer_of(record, kind));
+    if (trunks_stand && true_class == kTree)
+      object = trunks.at(raw[0] * info.layout.scale[0], raw[1] * info.layout.scale[1], truth);
+    const auto entry = truth.objects.find(object);
+    if (entry != truth.objects.end()) ++entry->second.points;
+    const TileLook::Seen seen = look.at(p);
+    const bool on_ground = seen.level != kNoHeight && p.z - seen.level < least;
+    street.ground += true_class == 1;
+    street.ground_found += true_class == 1 && on_ground;
+    if (seen.thing == 0 || on_ground) return;
+    ++shares.points[seen.thing];
+    ++shares.of_class[seen.thing][true_class];
+    if (entry != truth.objects.end()) ++shares.of_object[seen.thing][object];
+  });
+  shares.add_joined(found.things);
+  return shares;
+}
+
+// The samples, by what overlaps each thing.
+void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& truth, Street& street) {
+  const StreetRaster& raster = found.tiles->raster();
+  for (std::size_t i = 1; i < shares.points.size(); ++i) {
+    const Thing& thing = found.things[i - 1];
+    ThingSample sample{thing.features, PointLabel::none, 0};
+    sample.parts = {thing.parts[0], thing.parts[1]};
+    sample.group = block_of(truth, raster.crs_x(thing.x), raster.crs_y(thing.y));
+    street.object.push_back(0);
+    street.overlaps.push_back(0);
+    std::uint64_t most = 0;
+    for (const auto& [true_class, count] : shares.of_class[i])
+      if (count > most) most = count, sample.label = true_class == kTree ? PointLabel::vegetation : PointLabel::none;
+    for (const auto& [object, common] : shares.of_object[i]) {
+      TrueThing& o = truth.objects.at(object);
+      const double overlap = static_cast<double>(common) / static_cast<double>(o.points + shares.points[i] - common);
+      if (overlap > o.overlap) o.overlap = overlap, o.common = common, o.of_thing = shares.points[i];
+      if (overlap < kHalf) continue;
+      sample.label = label_of(o.class_name);
+      street.object.back() = object;
+      street.overlaps.back() = overlap;
+    }
+    street.samples.push_back(sample);
+  }
+  street.things = found.things;
+}
+
+void print_lost(const TrueStreet& truth, const FoundStreet& found) {
+  for (const auto& [id, o] : truth.objects)
+    if (o.points > 0 && o.overlap < kHalf)
+      fmt::print("  missed {} {} ({}{}): {} points, best thing has {} of them and {} in all\n", o.class_name, id,
+                 o.variant, o.touches ? ", touching" : "", o.points, o.common, o.of_thing);
+  for (const StreetStretch& s : found.stretches)
+    fmt::print("  stretch of {:.0f} m: {} blocks, {} gaps\n", s.length, s.blocks.size(), s.gaps.size());
+}
+
+}  // namespace
+
+const std::vector<std::string>& object_classes() {
+  static const std::vector<std::string> names{"car", "lamppost", "pedestrian", "other"};
+  return names;
+}
+
+PointLabel label_of(const std::string& name) {
+  for (const auto& [value, label] : point_label_names())
+    if (label == name) return static_cast<PointLabel>(value);
+  throw std::runtime_error("no class " + name);
+}
+
+std::string name_of(PointLabel label) {
+  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+}
+
+Street study(const fs::path& cloud, double cut) {
+  TrueStreet truth = read_street(cloud);
+  const fs::path folder = fs::temp_directory_path() / ("bench_streets_" + cloud.stem().string());
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  std::vector<std::unique_ptr<PointReader>> readers;
+  readers.push_back(cut > 0 ? cut_above(open_cloud(cloud), truth.ground, cut) : open_cloud(cloud));
+  PassContext context;
+  const IndexResult index = build_index(readers, {}, folder, context);
+  const FoundStreet found = find_street(index.store, {}, context);
+  Street street;
+  const Shares shares = compare(*readers[0], found, cut > 0, truth, street);
+  for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
+  add_samples(found, shares, truth, street);
+  street.blocks = truth.blocks.size();
+  print_lost(truth, found);
+  fs::remove_all(folder);
+  return street;
+}
+
+void save(const Street& street, const fs::path& path) {
+  std::string text = fmt::format("{} {} {}\n", street.blocks, street.ground, street.ground_found);
+  for (const std::string& name : object_classes())
+    text += fmt::format("{} ", street.objects.count(name) ? street.objects.at(name) : 0);
+  text += "\n";
+  for (std::size_t i = 0; i < street.samples.size(); ++i) {
+    const ThingSample& s = street.samples[i];
+    const Thing& t = street.things[i];
+    text += fmt::format("{} {} {} {:.17g} {} {} {}", static_cast<int>(s.label), s.group, street.object[i],
+                        street.overlaps[i], t.pixels, t.parts[0], t.parts[1]);
+    for (const double f : s.features) text += fmt::format(" {:.17g}", f);
+    text += "\n";
+  }
+  write_whole_file(path, text);
+}
+
+Street load(const fs::path& path) {
+  std::ifstream file(path);
+  Street street;
+  file >> street.blocks >> street.ground >> street.ground_found;
+  for (const std::string& name : object_classes()) file >> street.objects[name];
+  int label = 0;
+  for (ThingSample s; file >> label >> s.group;) {
+    s.label = static_cast<PointLabel>(label);
+    street.object.push_back(0), street.overlaps.push_back(0), street.things.push_back({});
+    Thing& t = street.things.back();
+    file >> street.object.back() >> street.overlaps.back() >> t.pixels >> t.parts[0] >> t.parts[1];
+    for (double& f : s.features) file >> f;
+    s.parts = {t.parts[0], t.parts[1]};
+    street.samples.push_back(s);
+  }
+  return street;
+}
+
+std::map<std::uint32_t, std::size_t> best_samples(const Street& street) {
+  std::map<std::uint32_t, std::size_t> best;
+  for (std::size_t i = 0; i < street.samples.size(); ++i)
+    if (street.object[i] != 0)
+      if (const auto entry = best.try_emplace(street.object[i], i).first;
+          street.overlaps[i] > street.overlaps[entry->second])
+        entry->second = i;
+  return best;
+}
+
+void set_roles(Street& street) {
+  const auto best = best_samples(street);
+  const std::size_t n = street.samples.size();
+  std::vector<std::uint8_t> is_best(n, 0), below(n, 0), above(n, 0);
+  for (const auto& [object, i] : best) {
+    is_best[i] = 1;
+    street.classes[object] = street.samples[i].label;
+  }
+  for (std::size_t i = n; i-- > 0;)
+    for (const std::uint32_t part : street.things[i].parts)
+      if (part != 0) below[part - 1] = below[i] | is_best[i];
+  for (std::size_t i = 0; i < n; ++i) {
+    for (const std::uint32_t part : street.things[i].parts)
+      if (part != 0) above[i] |= above[part - 1] | is_best[part - 1];
+    ThingSample& s = street.samples[i];
+    const std::uint32_t object = street.object[i];
+    if (object != 0 && street.overlaps[i] >= street.overlaps[best.at(object)] - kClearly) continue;
+    if (above[i] != 0)
+      s.role = ThingRole::several;
+    else if (below[i] != 0)
+      s.role = ThingRole::part;
+  }
+}
+
+}  // namespace ilot

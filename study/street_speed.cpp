@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+// What each step of streets takes, from blocks on disk to labels on disk: processor time, nanoseconds for each pixel of
+// the tiles that hold points, the peak of memory so far, and points a second of processor time in all. Defaults of all
+// settings. MEBIBYTES [1024]: what passes may hold.
+// Usage: study_street_speed CLOUD WORK [THREADS [MEBIBYTES]]
+#include <fmt/format.h>
+#include <malloc.h>
+#include <sys/resource.h>
+
+#include <cstdlib>
+#include <functional>
+
+#include "engine/formats/reader.h"
+#include "engine/pass/index.h"
+#include "engine/products/streets/ground/tiled_artefacts.h"
+#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/street_labels.h"
+#include "engine/products/streets/street_training.h"
+#include "kernels/core/parallel.h"
+
+namespace {
+
+using namespace ilot;
+
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) {
+    return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+double peak_mebibytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024;
+}
+
+struct Step {
+  const char* name;
+  double seconds, mebibytes;
+};
+
+class Clock {
+ public:
+  template <class Work>
+  void time(const char* name, const Work& work) {
+    const double before = processor_seconds();
+    work();
+    steps_.push_back({name, processor_seconds() - before, peak_mebibytes()});
+  }
+  void print(std::uint64_t points, double pixels) const {
+    double all = 0;
+    for (const Step& s : steps_) all += s.seconds;
+    fmt::print("{:<22}{:>10}{:>12}{:>12}\n", "step", "seconds", "ns a pixel", "peak, MiB");
+    for (const Step& s : steps_)
+      fmt::print("{:<22}{:>10.3f}{:>12.1f}{:>12.0f}\n", s.name, s.seconds, 1e9 * s.seconds / pixels, s.mebibytes);
+    fmt::print("{:<22}{:>10.3f}{:>12.1f}\n", "blocks to labels", all, 1e9 * all / pixels);
+    fmt::print("{:.1f} M pixels, {:.2f} M points, {:.2f} M points a second of processor time\n", pixels / 1e6,
+               static_cast<double>(points) / 1e6, static_cast<double>(points) / 1e6 / all);
+  }
+
+ private:
+  std::vector<Step> steps_;
+};
+
+// Which thing each point belongs to, by the default model.
+ThingLabels labels_of(const FoundStreet& street) {
+  static const StreetClasses model{&default_thing_model(), {}};
+  const std::vector<ThingClass> classes = model.of(street.things);
+  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, whole_things(street.things, classes));
+  ThingLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < thing_of.size(); ++part) {
+    labels.object.push_back(thing_of[part]);
+    labels.label.push_back(classes[thing_of[part] - 1].label);
+  }
+  return labels;
+}
+
+void measure(const std::filesystem::path& cloud, const std::filesystem::path& work, std::uint64_t budget_bytes) {
+  PassContext context;
+  context.budget_bytes = budget_bytes;
+  std::vector<std::unique_ptr<PointReader>> readers;
+  readers.push_back(open_cloud(cloud));
+  const IndexResult index = build_index(readers, {}, work, context);
+  const Store& store = index.store;
+  Clock clock;
+  FoundStreet street;
+  clock.time("density", [&] { street.density = point_density(store, context); });
+  const double pixel = pixel_for(street.density.median, view_of(street.density));
+  clock.time("images", [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel); });
+  const StreetTiles& tiles = *street.tiles;
+  const RasterScale& scale = tiles.raster().scale;
+  ThingsParams params;
+  clock.time("ground", [&] { street.ground = find_ground_tiled(tiles.layers(), scale); });
+  clock.time("what stands on it", [&] { find_artefacts_tiled(tiles.layers(), scale); });
+  clock.time("level of the ground", [&] { tiles.spread_level(ArtefactParams{}.ring_reach); });
+  clock.time("points above it", [&] {
+    params.mean_accumulation = tiles.mean_accumulation();
+    tiles.count_above(ArtefactParams{}.least_height, params.low_height, StreetView::street);
+  });
+  clock.time("things", [&] { street.things = find_things(tiles.layers(), scale, params); });
+  clock.time("blocks", [&] { street.stretches = find_city_blocks(tiles.layers(), scale); });
+  ThingLabels labels;
+  clock.time("classes", [&] { labels = labels_of(street); });
+  clock.time("labels", [&] { write_street_labels(store, tiles, labels, ArtefactParams{}.least_height, context); });
+  double pixels = 0;
+  const TileGrid& grid = tiles.layers().grid;
+  for (std::size_t t = 0; t < grid.count(); ++t) pixels += static_cast<double>(grid.side) * grid.side;
+  clock.print(store.points(), pixels);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc < 3) {
+    fmt::print(stderr, "usage: study_street_speed CLOUD WORK [THREADS [MEBIBYTES]]\n");
+    return 2;
+  }
+  // The allocator keeps what it has, as in `ilot run`: images of 1 MiB are not the system's to clear again and again.
+  mallopt(M_MMAP_THRESHOLD, 16 << 20);
+  mallopt(M_TRIM_THRESHOLD, 32 << 20);
+  const int threads = argc > 3 ? std::atoi(argv[3]) : 1, mebibytes = argc > 4 ? std::atoi(argv[4]) : 1024;
+  with_threads(threads, [&] { measure(argv[1], argv[2], std::uint64_t(mebibytes) << 20); });
+  return 0;
+}

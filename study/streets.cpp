@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+// What stands on streets [Hernandez and Marcotegui 2008, 5.1 to 5.3], found and classed, on scenes `street`, judged by
+// their truth: how many objects are found, which features tell them apart and in which order, and the confusion matrix
+// of a cross-validation by block, with the document's features and with ours. With --model the machine that is trained
+// on all of it; --shipped judges the default model, on streets that it has not seen (with --air that for clouds from
+// the air). With --cut H each street stands for two, as it is and without what is higher than H metres above the road:
+// the machine learns from both, and each kind is judged by itself.
+// --most N learns from at most so many samples of a class.
+// Usage: study_streets STREET.laz... [--cut H] [--most N] [--air] [--cache FOLDER] [--model FILE] [--only-model |
+// --everything |
+// --shipped]
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "engine/products/streets/objects/whole_things.h"
+#include "engine/whole_file.h"
+#include "kernels/core/parallel.h"
+#include "kernels/core/portable_math.h"
+#include "study/confusion.h"
+#include "study/street_samples.h"
+#include "training/thing_training.h"
+
+namespace {
+
+using namespace ilot;
+namespace fs = std::filesystem;
+
+bool is_object(PointLabel label) {
+  return label >= PointLabel::car && label <= PointLabel::other;
+}
+
+// Of each object that was found the thing that is most of it.
+std::vector<ThingSample> objects_of(const Street& street) {
+  std::vector<ThingSample> out;
+  for (const auto& [object, i] : best_samples(street)) {
+    out.push_back(street.samples[i]);
+    out.back().parts = {};
+  }
+  return out;
+}
+
+void print_ranking(const std::vector<ThingSample>& samples, const ThingTrainingParams& params) {
+  fmt::print("  features:");
+  for (const std::size_t f : selected_features(samples, params)) fmt::print(" {},", thing_feature_name(f));
+  fmt::print("\n");
+}
+
+// What a run would give: the things that are whole, by class; all objects that points lie on count.
+void judge_whole(const Street& street, const std::vector<ThingClass>& classes, Confusion& all, RunShares& shares) {
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  Confusion m, judged;
+  std::map<std::string, std::uint64_t> detected;
+  std::uint64_t wrong = 0, right = 0, objects = 0;
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    if (taken[i] == 0 || !is_object(classes[i].label)) continue;
+    if (street.object[i] == 0) {
+      ++wrong;
+      ++m[is_object(street.samples[i].label) ? PointLabel::none : street.samples[i].label][classes[i].label];
+      continue;
+    }
+    const PointLabel truth = street.classes.at(street.object[i]);
+    ++m[truth][classes[i].label];
+    ++judged[truth][classes[i].label];
+    ++detected[name_of(truth)];
+    ++right;
+  }
+  note_shares(judged, shares);
+  for (const auto& [name, n] : street.objects) {
+    m[label_of(name)][PointLabel::none] += n - detected[name];
+    objects += n;
+  }
+  add(m, all);
+  const auto percent = [](std::uint64_t part, std::uint64_t of) {
+    return 100.0 * static_cast<double>(part) / static_cast<double>(std::max<std::uint64_t>(1, of));
+  };
+  shares["recall"].push_back(percent(right, objects));
+  shares["false"].push_back(percent(wrong, wrong + right));
+}
+
+// The same with objects weighed more or less: how many are found, and how many of what is found are false.
+struct Found {
+  std::uint64_t right = 0, wrong = 0;
+};
+Found found_at(const Street& street, std::vector<ThingClass> classes, double more) {
+  for (ThingClass& c : classes) {
+    const double most = std::max(c.object, 0.0), most_now = std::max(c.object + more, 0.0);
+    c.whole *= natural_exp(most_now - most);
+    c.object += more;
+  }
+  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  Found out;
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    if (taken[i] != 0 && classes[i].object >= 0) ++(street.object[i] != 0 ? out.right : out.wrong);
+  return out;
+}
+
+void print_trade(const std::vector<Street>& streets, const std::vector<std::vector<ThingClass>>& classes) {
+  std::uint64_t objects = 0;
+  for (const Street& street : streets)
+    for (const auto& [name, n] : street.objects) objects += n;
+  fmt::print("  objects weighed exp(w) times: w, found of {}, false\n", objects);
+  for (const double more : {-2.0, -1.5, -1.0, -0.5, 0.0, 0.5, 1.0, 1.5, 2.0}) {
+    Found all;
+    for (std::size_t s = 0; s < streets.size(); ++s) {
+      const Found own = found_at(streets[s], classes[s], more);
+      all.right += own.right, all.wrong += own.wrong;
+    }
+    fmt::print(
+        "  {:5.1f} {:6.2f} % {:6.2f} %\n", more,
+        100 * static_cast<double>(all.right) / static_cast<double>(std::max<std::uint64_t>(1, objects)),
+        100 * static_cast<double>(all.wrong) / static_cast<double>(std::max<std::uint64_t>(1, all.right + all.wrong)));
+  }
+}
+
+// Samples of all streets, their blocks told apart; the lists repeat the streets after so many.
+std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets, std::size_t different) {
+  std::vector<ThingSample> all;
+  for (std::size_t s = 0; s < streets.size(); ++s) {
+    const auto before = static_cast<std::uint32_t>(all.size());
+    for (ThingSample sample : streets[s]) {
+      sample.group += static_cast<std::uint32_t>(1000 * (s % different));
+      for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
+      all.push_back(sample);
+    }
+  }
+  return all;
+}
+
+Confusion confusion_of(const std::vector<ThingSample>& samples, const std::vector<ThingClass>& given) {
+  Confusion m;
+  for (std::size_t i = 0; i < samples.size(); ++i) ++m[samples[i].label][given[i].label];
+  return m;
+}
+
+// Prints the figures of streets of one kind and begins anew.
+void print_kind(Confusion& all, RunShares& shares, const char* kind) {
+  fmt::print("  streets {}:\n", kind);
+  print_confusion(all);
+  print_intervals(shares);
+  all.clear();
+  shares.clear();
+}
+
+// One cross-validation over the blocks of all streets: what the document does with 4 classes of what was found, or what
+// a run would give.
+enum class Judged : std::uint8_t { objects, everything };
+
+void judge(const std::vector<Street>& streets, std::size_t different, const char* title,
+           const ThingTrainingParams& params, Judged judged) {
+  fmt::print("\n{}\n", title);
+  std::vector<std::vector<ThingSample>> samples;
+  for (const Street& street : streets)
+    samples.push_back(judged == Judged::objects ? objects_of(street) : street.samples);
+  const std::vector<ThingSample> all_samples = pooled(samples, different);
+  print_ranking(all_samples, params);
+  const std::vector<ThingClass> given = cross_validate(all_samples, params);
+  RunShares shares;
+  Confusion all;
+  std::vector<std::vector<ThingClass>> by_street;
+  auto first = given.begin();
+  for (std::size_t s = 0; s < streets.size(); ++s) {
+    if (s == different) print_kind(all, shares, "as they are");
+    const std::vector<ThingClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
+    first += static_cast<std::ptrdiff_t>(samples[s].size());
+    by_street.push_back(own);
+    if (judged == Judged::everything) {
+      judge_whole(streets[s], own, all, shares);
+      continue;
+    }
+    const Confusion m = confusion_of(samples[s], own);
+    note_shares(m, shares);
+    add(m, all);
+  }
+  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
+  if (judged == Judged::everything) print_trade(streets, by_street);
+}
+
+// What a run with a model of the library gives.
+void judge_shipped(const std::vector<Street>& streets, std::size_t different, const ThingModel& model) {
+  fmt::print("\neverything found, the library's model\n");
+  RunShares shares;
+  Confusion all;
+  std::vector<std::vector<ThingClass>> by_street;
+  for (const Street& street : streets) {
+    if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
+    std::vector<ThingFeatures> features;
+    std::vector<ThingParts> parts;
+    for (const ThingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
+    by_street.push_back(classify_things(model, features, parts));
+    judge_whole(street, by_street.back(), all, shares);
+  }
+  print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
+  print_trade(streets, by_street);
+}
+
+void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
+                 std::uint32_t most, const fs::path& path) {
+  std::vector<std::vector<ThingSample>> lists;
+  for (const Street& street : streets) lists.push_back(street.samples);
+  const std::vector<ThingSample> samples = pooled(lists, clouds.size());
+  ThingTrainingParams params;
+  params.most_of_class = most;
+  ThingModel model = train_things(samples, params);
+  std::string names;
+  for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
+  model.recipe = "study_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") +
+                 (most != ThingTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") + " --model " +
+                 path.filename().string() + "\n" +
+                 fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
+                             params.most_of_class);
+  write_whole_file(path, thing_model_text(model));
+  fmt::print("\n{}: {} trees, {} support vectors, cost {}, gamma {}\n", path.string(),
+             model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(), model.vectors.size(),
+             model.cost, model.gamma);
+}
+
+Street street_of(const std::string& cloud, double cut, const fs::path& cache) {
+  const std::string kind = cut > 0 ? fmt::format(".cut{}", cut) : "";
+  fmt::print("{}{}\n", cloud, kind);
+  const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".things");
+  Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, cut);
+  if (!kept.empty() && !fs::exists(kept)) save(street, kept);
+  set_roles(street);
+  std::map<std::string, std::uint64_t> counts;
+  for (const ThingSample& s : street.samples)
+    ++counts[s.role == ThingRole::whole ? name_of(s.label) : s.role == ThingRole::part ? "part" : "several"];
+  fmt::print(
+      "  ground {:.2f} %; in the tree {} of objects; things:",
+      100.0 * static_cast<double>(street.ground_found) / static_cast<double>(std::max<std::uint64_t>(1, street.ground)),
+      street.classes.size());
+  for (const auto& [name, n] : counts) fmt::print(" {} {},", name, n);
+  fmt::print("\n");
+  return street;
+}
+
+struct Arguments {
+  std::vector<std::string> clouds;
+  fs::path cache, model;
+  double cut = 0;
+  std::uint32_t most = ThingTrainingParams{}.most_of_class;
+  bool judge = true, four_classes = true, shipped = false, air = false;
+};
+
+Arguments read_arguments(const std::vector<std::string>& words) {
+  Arguments a;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    if (words[i] == "--cache" && i + 1 < words.size())
+      a.cache = words[++i];
+    else if (words[i] == "--model" && i + 1 < words.size())
+      a.model = words[++i];
+    else if (words[i] == "--cut" && i + 1 < words.size())
+      a.cut = std::stod(words[++i]);
+    else if (words[i] == "--most" && i + 1 < words.size())
+      a.most = static_cast<std::uint32_t>(std::stoul(words[++i]));
+    else if (words[i] == "--only-model")
+      a.judge = false;
+    else if (words[i] == "--shipped")
+      a.shipped = true, a.judge = false;
+    else if (words[i] == "--air")
+      a.air = true;
+    else if (words[i] == "--everything")
+      a.four_classes = false;
+    else
+      a.clouds.push_back(words[i]);
+  }
+  if (a.clouds.empty())
+    throw std::runtime_error("usage: study_streets STREET.laz... [--cut H] [--cache FOLDER] [--model FILE]");
+  return a;
+}
+
+void run(const Arguments& a) {
+  std::vector<Street> streets;
+  for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, 0, a.cache));
+  const std::vector<Street> whole = streets;
+  if (a.cut > 0)
+    for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cut, a.cache));
+  const std::size_t different = whole.size();
+  if (a.shipped) judge_shipped(streets, different, a.air ? air_thing_model() : default_thing_model());
+  if (a.judge) {
+    ThingTrainingParams document;
+    document.features = FeatureSet::document;
+    fmt::print(
+        "\ndocument: mean height, area, max accumulation, s.d. height, mode accumulation, s.d. accumulation;\n"
+        "car 91.04, lamppost 100, pedestrian 96.97, other 62.50 %, total error 14.93 %\n");
+    if (a.four_classes) {
+      judge(whole, different, "four classes of what was found, the document's features", document, Judged::objects);
+      judge(whole, different, "four classes of what was found, all features", {}, Judged::objects);
+    }
+    judge(streets, different, "everything found, all features", {}, Judged::everything);
+  }
+  if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.most, a.model);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    const Arguments arguments = read_arguments({argv + 1, argv + argc});
+    with_threads(hardware_threads(), [&] { run(arguments); });
+    return 0;
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "study_streets: {}\n", e.what());
+    return 1;
+  }
+}

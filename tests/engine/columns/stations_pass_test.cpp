@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/columns/stations_pass.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+#include "tests/support/cloud_store.h"
+
+namespace ilot {
+namespace {
+
+// The id that the file gives a point is told by its place.
+std::uint16_t source_at(Index3 p) {
+  return static_cast<std::uint16_t>(p.x < 3000 ? 1 : p.x < 6000 ? 700 : 65535);
+}
+
+void write_sources(const std::filesystem::path& path, std::span<const Index3> points, std::uint8_t format) {
+  CloudSpec spec;
+  spec.like.layout.point_format = format;
+  const std::size_t length = standard_size(format);
+  spec.like.layout.record_length = static_cast<std::uint16_t>(length);
+  spec.like.layout.scale = {test::kUnit, test::kUnit, test::kUnit};
+  std::vector<std::byte> records(points.size() * length);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointFields f;
+    f.x = static_cast<std::int32_t>(points[i].x);
+    f.y = static_cast<std::int32_t>(points[i].y);
+    f.z = static_cast<std::int32_t>(points[i].z);
+    f.intensity = static_cast<std::uint16_t>(i);
+    f.source_id = source_at(points[i]);
+    encode_fields(f, std::span(records).subspan(i * length, length), format);
+  }
+  const auto writer = create_cloud(path, spec);
+  writer->write(records);
+  writer->finish();
+}
+
+struct Scanned {
+  explicit Scanned(std::uint64_t block_points) {
+    Rng rng(3);
+    std::vector<Index3> points;
+    const auto within = [&](std::uint64_t reach) { return static_cast<std::int64_t>(rng.below(reach)); };
+    for (std::size_t i = 0; i < 6000; ++i) points.push_back({within(9000), within(5000), within(100)});
+    const std::span all(points);
+    write_sources(folder.path() / "a.laz", all.first(2000), 0);
+    write_sources(folder.path() / "b.laz", all.subspan(2000, 2000), 6);
+    write_sources(folder.path() / "c.las", all.subspan(4000), 1);
+    test::write_cloud(folder.path() / "d.las", {{100, 100, 5000}, {200, 100, 5000}});
+    files.emplace(folder.path(), std::vector{"a.laz", "b.laz", "c.las", "d.las"}, block_points);
+  }
+  const Store& cloud() const { return *files->cloud; }
+  TemporaryFolder folder;
+  std::optional<test::FilesStore> files;
+};
+
+TEST(StationsPass, EveryPointGetsItsStation) {
+  const Scanned s(700);
+  ASSERT_GT(s.cloud().blocks().size(), 5u);
+  const InputStations by_source{0, {{1, 2}, {65535, 9}}}, all{4, {}}, none;
+  // The second input says nothing of the source 700, the last one is one station's whatever its rows say.
+  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, {by_source, by_source, none, all}, {});
+  const auto where = test::positions(s.cloud());
+  const auto order = test::whole_column(s.cloud(), columns::kOrder);
+  const auto station = test::whole_column(s.cloud(), columns::kStation);
+  std::uint64_t told = 0;
+  for (std::size_t i = 0; i < where.size(); ++i) {
+    const std::uint64_t file = file_of(order[i]);
+    const StationNumber of_source = source_at(where[i]) == 1 ? 2 : source_at(where[i]) == 700 ? 0 : 9;
+    ASSERT_EQ(station[i], file == 3 ? 4 : file == 2 ? 0 : of_source) << i;
+    told += station[i] != 0;
+  }
+  EXPECT_EQ(tally.told, told);
+  EXPECT_EQ(tally.untold, where.size() - told);
+}
+
+TEST(StationsPass, BlocksAreInvisible) {
+  const Scanned small(500), large(1 << 20);
+  const std::vector<InputStations> told(4, InputStations{0, {{1, 1}, {700, 2}}});
+  stations_pass(small.cloud(), small.files->inputs, told, {});
+  stations_pass(large.cloud(), large.files->inputs, told, {});
+  EXPECT_EQ(test::whole_column(small.cloud(), columns::kStation), test::whole_column(large.cloud(), columns::kStation));
+}
+
+TEST(StationsPass, OneStationAFileNeedsNoReading) {
+  const Scanned s(700);
+  std::vector<InputStations> told;
+  for (StationNumber n = 1; n <= 4; ++n) told.push_back({n, {}});
+  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, told, {});
+  EXPECT_EQ(tally.untold, 0u);
+  EXPECT_FALSE(std::filesystem::exists(s.cloud().folder() / "sources"));
+  const auto order = test::whole_column(s.cloud(), columns::kOrder);
+  const auto station = test::whole_column(s.cloud(), columns::kStation);
+  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(station[i], file_of(order[i]) + 1);
+}
+
+}  // namespace
+}  // namespace ilot

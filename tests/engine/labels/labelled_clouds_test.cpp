@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/labels/labelled_clouds.h"
+
+#include <gtest/gtest.h>
+
+#include "kernels/neighbours/normals.h"
+#include "tests/support/cloud_store.h"
+
+namespace ilot {
+namespace {
+
+using test::CloudStore;
+
+std::uint32_t plane_of(InputOrder order) {
+  return static_cast<std::uint32_t>((row_of(order) * 7 + file_of(order)) % 5);
+}
+
+// Labels that are a function of the input row, as if passes had found them.
+void write_labels(const Store& store) {
+  for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
+    std::vector<std::uint32_t> plane;
+    std::vector<PackedNormal> normal;
+    std::vector<std::uint8_t> boundary;
+    for (const InputOrder order : store.read(b, columns::kOrder)) {
+      plane.push_back(plane_of(order));
+      normal.push_back({static_cast<std::int16_t>(row_of(order) % 30000), -32767, 0, 0});
+      boundary.push_back(row_of(order) % 3 == 0);
+    }
+    store.write(b, columns::kPlane, plane);
+    store.write(b, columns::kNormals, normal);
+    store.write(b, columns::kBoundary, boundary);
+  }
+}
+
+// Four times the plane z = 0.
+std::vector<JoinedPlane> level_planes() {
+  return std::vector<JoinedPlane>(4);
+}
+
+struct Rows {
+  std::vector<std::byte> bytes;
+  std::size_t length = 0, count = 0;
+};
+
+Rows read_rows(PointReader& reader) {
+  Rows rows{{}, reader.info().layout.record_length, reader.info().points};
+  rows.bytes.resize(rows.length * rows.count);
+  std::vector<std::uint8_t> valid(rows.count);
+  EXPECT_EQ(reader.read(0, rows.bytes, valid), rows.count);
+  return rows;
+}
+
+TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
+  const auto points = test::points_over_tiles(12000, 1);
+  for (const std::uint64_t block_points : {1u << 20, 900u}) {
+    const CloudStore cloud(points, {block_points, 2000, 3});
+    write_labels(cloud.store());
+    const LabelParams params{{0, 3, 0, 1, 2}, level_planes(), true};  // joined plane 2 was dropped
+    rows_pass(cloud.store(), params, {});
+    PassContext context;
+    context.metres_per_unit = 0.5;
+    std::uint64_t expected = 0;
+    const std::uint64_t labelled =
+        write_labelled_clouds(cloud.store(), cloud.inputs(), params, cloud.folder() / "out", context);
+    for (std::uint64_t f = 0; f < 3; ++f) {
+      const auto out = open_cloud(cloud.folder() / "out" / ("cloud" + std::to_string(f) + ".laz"));
+      const Rows was = read_rows(*cloud.inputs()[f]), is = read_rows(*out);
+      ASSERT_EQ(is.count, was.count);
+      ASSERT_EQ(is.length, was.length + 4 + 4 + 1 + 12);
+      for (std::size_t i = 0; i < is.count; ++i) {
+        const std::byte* row = is.bytes.data() + i * is.length;
+        const std::byte* before = was.bytes.data() + i * was.length;
+        ASSERT_TRUE(std::equal(before, before + was.length, row)) << "file " << f << " row " << i;
+        const std::uint32_t id = params.final_id[plane_of(input_order(f, i))];
+        ASSERT_EQ(load<std::uint32_t>(row + was.length), id);
+        const double z = 0.5 * test::kUnit * load<std::int32_t>(before + 8);
+        ASSERT_EQ(load<float>(row + was.length + 4), id == 0 ? 0.0f : static_cast<float>(z));
+        ASSERT_EQ(load<std::uint8_t>(row + was.length + 8), i % 3 == 0);
+        ASSERT_EQ(load<float>(row + was.length + 9), static_cast<float>(i % 30000) / 32767.0f);
+        ASSERT_EQ(load<float>(row + was.length + 13), -1.0f);
+        expected += id != 0;
+      }
+    }
+    EXPECT_EQ(labelled, expected);
+  }
+}
+
+// Names that are made unique must not meet a name that some other input has by itself.
+TEST(LabelledClouds, NoInputOverwritesTheOutputOfAnother) {
+  const TemporaryFolder folder;
+  std::vector<std::unique_ptr<PointReader>> inputs;
+  std::int64_t x = 0;
+  for (const char* name : {"p/x/a.las", "q/x/a.las", "r/x_a_2.las", "s/x_a.las", "t/x/a.las"}) {
+    std::filesystem::create_directories((folder.path() / name).parent_path());
+    test::write_cloud(folder.path() / name, {{++x, 0, 0}});
+    inputs.push_back(open_cloud(folder.path() / name));
+  }
+  IndexParams params;
+  params.unit = test::kUnit;
+  const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
+  write_labels(store);
+  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
+  rows_pass(store, labels, {});
+  write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
+  std::vector<std::int32_t> found;
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path() / "out"))
+    found.push_back(load<std::int32_t>(read_rows(*open_cloud(entry.path())).bytes.data()));
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, (std::vector<std::int32_t>{1, 2, 3, 4, 5}));
+}
+
+// The streams of compressed inputs are copied, those of others coded: what comes out holds the same rows.
+TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
+  const TemporaryFolder folder;
+  const auto points = test::points_over_tiles(3000, 4);
+  std::vector<std::uint8_t> classes(points.size());
+  for (std::size_t i = 0; i < classes.size(); ++i) classes[i] = static_cast<std::uint8_t>(i % 7);
+  std::vector<Rows> outputs;
+  for (const char* name : {"c.las", "c.laz"}) {
+    test::write_cloud(folder.path() / name, points, classes, 7);
+    const test::FilesStore files(folder.path(), {name}, 900);
+    write_labels(*files.cloud);
+    const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), true};
+    rows_pass(*files.cloud, labels, {});
+    write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / "out", {});
+    outputs.push_back(read_rows(*open_cloud(folder.path() / "out" / "c.laz")));
+    std::filesystem::remove_all(folder.path() / "store");
+  }
+  EXPECT_EQ(outputs[0].length, standard_size(7) + 21);
+  EXPECT_EQ(outputs[0].count, points.size());
+  EXPECT_TRUE(outputs[0].bytes == outputs[1].bytes);
+}
+
+TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
+  const TemporaryFolder folder;
+  const auto points = test::points_over_tiles(3000, 2);
+  test::write_cloud(folder.path() / "c.las", points);
+  std::vector<std::unique_ptr<PointReader>> inputs;
+  inputs.push_back(open_cloud(folder.path() / "c.las"));
+  IndexParams params;
+  params.unit = test::kUnit;
+  params.filter.keep = IndexBox{{-200, -200, -200}, {200, 200, 200}};
+  const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
+  write_labels(store);
+  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
+  rows_pass(store, labels, {});
+  write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
+  const Rows rows = read_rows(*open_cloud(folder.path() / "out" / "c.laz"));
+  ASSERT_EQ(rows.count, points.size());
+  for (std::size_t i = 0; i < rows.count; ++i) {
+    const std::uint32_t wanted = params.filter.keep->contains(points[i]) ? plane_of(input_order(0, i)) : 0;
+    ASSERT_EQ(load<std::uint32_t>(rows.bytes.data() + i * rows.length + 20), wanted);
+  }
+}
+
+}  // namespace
+}  // namespace ilot

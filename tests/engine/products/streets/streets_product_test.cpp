@@ -1,0 +1,366 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/streets_product.h"
+
+#include <gdal_priv.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <tuple>
+
+#include "engine/error.h"
+#include "engine/run/run.h"
+#include "tests/support/cloud_store.h"
+#include "training/thing_training.h"
+
+namespace ilot {
+namespace {
+
+using nlohmann::json;
+
+ThingModel learn(std::span<const ThingSample> samples) {
+  return train_things(samples);
+}
+
+json record_of(const std::filesystem::path& out) {
+  std::stringstream text;
+  text << std::ifstream(out / "run.json").rdbuf();
+  return json::parse(text.str());
+}
+
+struct StreetsOutcome {
+  int code = 0;
+  json record;
+  std::filesystem::path out;
+};
+
+StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3>& points, const std::string& name,
+                         const std::function<void(RunOptions&)>& change = {}) {
+  const auto cloud = folder.path() / "street.las";
+  test::write_cloud(cloud, points);
+  RunOptions options;
+  options.inputs = {cloud};
+  options.output = folder.path() / name;
+  options.products = {"streets"};
+  options.crs = "EPSG:2154";
+  options.threads = 2;
+  if (change) change(options);
+  Progress progress;
+  StreetsOutcome out{run(options, progress), {}, options.output};
+  out.record = record_of(out.out);
+  return out;
+}
+
+// 24 m of street between facades of 9 m, a point each 5 cm, millimetres; boxes stand on it.
+std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side = true) {
+  Rng rng(3);
+  std::vector<Index3> points;
+  for (std::int64_t x = 0; x < 24000; x += 50)
+    for (std::int64_t y = 0; y < 12000; y += 50) {
+      const std::int64_t base = 30000 + x * slope_percent / 100 + static_cast<std::int64_t>(rng.below(15));
+      if (y < 600 || (right_side && y >= 11400)) {
+        for (std::int64_t z = 0; z < 9000; z += 900) points.push_back({700000000 + x, 660000000 + y, base + z});
+        continue;
+      }
+      bool on_box = false;
+      for (std::int64_t b = 0; b < boxes; ++b)
+        on_box |= x >= 3000 + 6000 * b && x < 7000 + 6000 * b && y >= 3000 && y < 4700;
+      points.push_back({700000000 + x, 660000000 + y, base + (on_box ? 1400 : 0)});
+    }
+  return points;
+}
+
+TEST(StreetsProduct, AllFilesAreThere) {
+  const TemporaryFolder folder;
+  const StreetsOutcome out = run_cloud(folder, street_points(2, 3), "out");
+  for (const char* file : {"objects.gpkg", "blocks.gpkg", "range.tif", "accumulation.tif", "ground.tif",
+                           "artefacts.tif", "streets.svg", "streets.html"})
+    EXPECT_GT(std::filesystem::file_size(out.out / "streets" / file), 0u) << file;
+  const json counts = out.record["counts"];
+  EXPECT_EQ(counts["points"]["read"], street_points(2, 3).size());
+  EXPECT_EQ(counts["points"]["labelled"].get<std::uint64_t>() + counts["points"]["unlabelled"].get<std::uint64_t>(),
+            street_points(2, 3).size());
+  EXPECT_TRUE(counts["streets"].contains("objects"));
+  EXPECT_EQ(out.record["chosen"][0]["key"], "streets.pixel");
+}
+
+TEST(StreetsProduct, ThingsAreFoundOnEverySlope) {
+  for (const int percent : {0, 20}) {
+    const auto points = street_points(percent, 3);
+    const test::CloudStore store(points);
+    const FoundStreet street = find_street(store.store(), {}, {});
+    std::size_t boxes = 0;
+    for (const Thing& t : street.things)
+      if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
+    EXPECT_EQ(boxes, 3u) << percent;
+    ASSERT_EQ(street.stretches.size(), 2u) << percent;
+    for (const StreetStretch& s : street.stretches) EXPECT_TRUE(s.gaps.empty()) << percent;
+  }
+}
+
+// From the street what is upright fills its square metres; from above all places have about as many points.
+TEST(StreetsProduct, WhereItWasScannedFrom) {
+  const test::CloudStore street(street_points(2, 3));
+  EXPECT_EQ(find_street(street.store(), {}, {}).view, StreetView::street);
+  std::vector<Index3> air;
+  Rng rng(6);
+  for (int i = 0; i < 24 * 12 * 30; ++i) {
+    const auto x = static_cast<std::int64_t>(rng.below(24000)), y = static_cast<std::int64_t>(rng.below(12000));
+    air.push_back({700000000 + x, 660000000 + y, y < 1000 || y >= 11000 ? 39000 : 30000});
+  }
+  const test::CloudStore above(air);
+  const FoundStreet found = find_street(above.store(), {}, {});
+  EXPECT_EQ(found.view, StreetView::air);
+  EXPECT_EQ(found.density.crowded, 0);
+  std::size_t empty = 0, pixels = 0;
+  const StreetRaster& raster = found.tiles->raster();
+  const Image seen = layer_window(found.tiles->layers(), "accumulation", raster.column(700000000) + 4,
+                                  raster.row(660000000) + 4, 60, 30);
+  for (const Height v : seen.values) empty += v <= 0, ++pixels;
+  EXPECT_LE(empty, pixels / 10 + 20) << "a pixel in ten, and some chance";
+  StreetsSettings settings;
+  settings.view = StreetView::street;
+  EXPECT_EQ(find_street(above.store(), settings, {}).view, StreetView::street) << "what is set holds";
+  const TemporaryFolder folder;
+  const std::string chosen = run_cloud(folder, air, "out").record["chosen"].dump();
+  EXPECT_NE(chosen.find(R"("key":"streets.view","value":"air")"), std::string::npos) << chosen;
+}
+
+TEST(StreetsProduct, PixelsForDensities) {
+  EXPECT_EQ(pixel_for(1400, StreetView::street), 0.05);
+  EXPECT_EQ(pixel_for(20, StreetView::street), 0.05 * 3);
+  EXPECT_EQ(pixel_for(30, StreetView::air), 0.05 * 6);  // 30 points in 0.09 m2: 2.7 a pixel
+  EXPECT_EQ(pixel_for(1, StreetView::air), 1);          // the coarsest
+  EXPECT_EQ(pixel_for(2000, StreetView::air), 0.05);
+}
+
+TEST(StreetsProduct, OneSideOnly) {
+  const test::CloudStore store(street_points(2, 2, false));
+  const FoundStreet street = find_street(store.store(), {}, {});
+  EXPECT_EQ(street.stretches.size(), 1u);
+  EXPECT_GE(street.things.size(), 2u);
+}
+
+// 50 km and more from the first, at a multiple of tiles for pixels of 5 cm.
+std::vector<Index3> with_second_site(std::vector<Index3> points) {
+  const std::size_t alone = points.size();
+  for (std::size_t i = 0; i < alone; ++i)
+    points.push_back({points[i].x + 2000 * 25600, points[i].y - 3000 * 25600, points[i].z});
+  return points;
+}
+
+TEST(StreetsProduct, ASecondSiteFarAwayCostsItsOwnTiles) {
+  StreetsSettings settings;
+  settings.pixel = 0.05;
+  settings.view = StreetView::street;
+  const test::CloudStore one(street_points(2, 3)), two(with_second_site(street_points(2, 3)));
+  const FoundStreet alone = find_street(one.store(), settings, {}), both = find_street(two.store(), settings, {});
+  const TileGrid &grid = both.tiles->raster().grid, &first = alone.tiles->raster().grid;
+  EXPECT_EQ(grid.count(), 2 * first.count());
+  EXPECT_LT(grid.width, 100u * grid.side);
+  EXPECT_LT(grid.height, 100u * grid.side);
+  ASSERT_EQ(both.things.size(), 2 * alone.things.size());
+  std::multiset<std::tuple<Height, std::uint64_t, std::uint32_t>> want, got;
+  for (const Thing& t : alone.things)
+    for (int times = 0; times < 2; ++times) want.insert({t.ground, t.points, t.pixels});
+  for (const Thing& t : both.things) got.insert({t.ground, t.points, t.pixels});
+  EXPECT_EQ(got, want);
+  // Places are those of the sites.
+  const StreetRaster& raster = both.tiles->raster();
+  std::size_t far = 0;
+  for (const Thing& t : both.things) far += raster.crs_x(t.x) > 700000 + 1000;
+  EXPECT_EQ(far, alone.things.size());
+  EXPECT_NEAR(raster.crs_x(static_cast<double>(raster.column(700000000 + 2000 * 25600))), 751200, 0.051);
+  EXPECT_EQ(raster.column(710000000), -1);
+}
+
+TEST(StreetsProduct, RastersOfFarSitesAreSheetsAndAMosaic) {
+  const TemporaryFolder folder;
+  const auto change = [](RunOptions& options) { options.settings.streets.pixel = 0.05; };
+  const StreetsOutcome one = run_cloud(folder, street_points(2, 3), "one", change);
+  const StreetsOutcome out = run_cloud(folder, with_second_site(street_points(2, 3)), "two", change);
+  EXPECT_FALSE(std::filesystem::exists(out.out / "streets" / "range.tif"));
+  EXPECT_FALSE(std::filesystem::exists(one.out / "streets" / "range.vrt"));
+  GDALAllRegister();
+  const auto open = [&](const std::filesystem::path& file) {
+    return GDALDatasetUniquePtr(GDALDataset::Open(file.c_str(), GDAL_OF_RASTER));
+  };
+  for (const char* layer : {"range", "accumulation", "ground", "artefacts"}) {
+    const auto whole = open(out.out / "streets" / (std::string(layer) + ".vrt"));
+    const auto alone = open(one.out / "streets" / (std::string(layer) + ".tif"));
+    ASSERT_TRUE(whole && alone) << layer;
+    EXPECT_LT(std::filesystem::file_size(out.out / "streets" / (std::string(layer) + "_1.tif")), 2u << 20);
+    double at[6], of[6];
+    whole->GetGeoTransform(at);
+    alone->GetGeoTransform(of);
+    // Both sites in the mosaic hold what the one holds.
+    for (const double dx : {0.0, 51200.0}) {
+      const double dy = dx == 0 ? 0 : -76800;
+      const auto x = static_cast<int>(std::lround((of[0] + dx - at[0]) / at[1]));
+      const auto y = static_cast<int>(std::lround((of[3] + dy - at[3]) / at[5]));
+      const int width = alone->GetRasterXSize(), height = alone->GetRasterYSize();
+      std::vector<float> want(static_cast<std::size_t>(width) * static_cast<std::size_t>(height)), got = want;
+      ASSERT_EQ(alone->GetRasterBand(1)->RasterIO(GF_Read, 0, 0, width, height, want.data(), width, height, GDT_Float32,
+                                                  0, 0, nullptr),
+                CE_None);
+      ASSERT_EQ(whole->GetRasterBand(1)->RasterIO(GF_Read, x, y, width, height, got.data(), width, height, GDT_Float32,
+                                                  0, 0, nullptr),
+                CE_None);
+      EXPECT_EQ(got, want) << layer << " " << dx;
+    }
+  }
+}
+
+TEST(StreetsProduct, NothingDependsOnThreadsBlocksOrMemory) {
+  const auto points = street_points(3, 2);
+  std::string hash;
+  struct Way {
+    int threads;
+    std::uint64_t block_points, memory;
+  };
+  for (const auto& [threads, block_points, memory] :
+       {Way{1, 1u << 20, 1u << 30}, {3, 1u << 20, 1u << 30}, {2, 5000u, 1u << 30}, {2, 1u << 20, 256u << 20}}) {
+    const TemporaryFolder folder;
+    const StreetsOutcome out =
+        run_cloud(folder, points, "out", [&, t = threads, b = block_points, m = memory](RunOptions& o) {
+          o.threads = t;
+          o.settings.index.block_points = b;
+          o.memory_bytes = m;
+        });
+    const std::string got = out.record["result_hash"];
+    if (hash.empty()) hash = got;
+    EXPECT_EQ(got, hash) << threads << " " << block_points;
+  }
+}
+
+// A deck of 4 m, 6 m above the road, from facade to facade: the range image shows no road there.
+TEST(StreetsProduct, ABridgeOverTheStreet) {
+  auto points = street_points(0, 3);
+  for (std::int64_t x = 14000; x < 18000; x += 50)
+    for (std::int64_t y = 600; y < 11400; y += 50) points.push_back({700000000 + x, 660000000 + y, 36000});
+  const test::CloudStore store(points);
+  const FoundStreet street = find_street(store.store(), {}, {});
+  std::size_t boxes = 0;
+  for (const Thing& t : street.things)
+    if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
+  EXPECT_EQ(boxes, 2u) << "those on the longer side of the bridge";
+  EXPECT_FALSE(street.ground.left_out.empty());
+  const TemporaryFolder folder;
+  const std::string told = run_cloud(folder, points, "out").record["warnings"].dump();
+  EXPECT_NE(told.find("as when a bridge crosses the street"), std::string::npos) << told;
+  const test::CloudStore open(street_points(0, 3));
+  EXPECT_TRUE(find_street(open.store(), {}, {}).ground.left_out.empty()) << "without the bridge";
+}
+
+// Clouds that hold no street: a clear end, nothing thrown.
+TEST(StreetsProduct, CloudsWithoutAStreet) {
+  std::vector<Index3> sparse, wall;
+  Rng rng(8);
+  for (int i = 0; i < 300; ++i)
+    sparse.push_back({static_cast<std::int64_t>(rng.below(400000)), static_cast<std::int64_t>(rng.below(400000)),
+                      static_cast<std::int64_t>(rng.below(20000))});
+  for (std::int64_t x = 0; x < 8000; x += 40)
+    for (std::int64_t z = 0; z < 8000; z += 40) wall.push_back({x, 0, z});
+  const std::vector<std::pair<std::string, std::vector<Index3>>> clouds{
+      {"one point", {{5, 5, 5}}},
+      {"one pixel", {{5, 5, 5}, {6, 6, 900}, {7, 7, 4000}}},
+      {"sparse", sparse},
+      {"no ground", wall}};
+  for (const auto& [name, points] : clouds) {
+    const TemporaryFolder folder;
+    const StreetsOutcome out = run_cloud(folder, points, "out");
+    EXPECT_EQ(out.record["counts"]["streets"]["objects"], 0) << name;
+    EXPECT_EQ(out.code, static_cast<int>(ExitCode::incomplete)) << name;
+    ASSERT_EQ(out.record["skipped"].size(), 1u) << name;
+    EXPECT_EQ(out.record["skipped"][0]["where"], "streets");
+  }
+}
+
+std::string place(double x, double y, const std::string& name) {
+  std::ostringstream out;
+  out.precision(12);
+  out << R"({"type":"Feature","properties":{"class":")" << name << R"("},"geometry":{"type":"Point","coordinates":[)"
+      << x << "," << y << "]}}";
+  return out.str();
+}
+
+std::string collection(const std::string& features) {
+  return R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:EPSG::2154"}},)"
+         R"("features":[)" +
+         features + "]}";
+}
+
+TEST(StreetsProduct, LearnsFromPlaces) {
+  const TemporaryFolder folder;
+  std::string features = place(900000, 660001, "car");
+  for (int b = 0; b < 3; ++b) features += "," + place(700005 + 6 * b, 660003.8, b == 0 ? "car" : "other");
+  features += "," + place(700005.01, 660003.8, "car");
+  const auto train = folder.put("labels.geojson", collection(features));
+  EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one",
+                         [&](RunOptions& o) {
+                           o.train = {train, learn};
+                         }),
+               Error)
+      << "one thing of a class is too little";
+}
+
+struct Stand {
+  std::int64_t x, y, length, width, height;  // millimetres
+  const char* name;
+};
+
+const std::vector<Stand>& stands() {
+  static const std::vector<Stand> list{
+      {1500, 2500, 4000, 1700, 1400, "car"},    {8500, 2500, 4200, 1800, 1500, "car"},
+      {2000, 8000, 200, 200, 5000, "lamppost"}, {8000, 8000, 200, 200, 5500, "lamppost"},
+      {15000, 8000, 600, 700, 1100, "other"},   {20000, 8000, 700, 600, 1000, "other"},
+      {16000, 2500, 4100, 1700, 1450, "car"},   {12000, 8000, 250, 200, 5200, "lamppost"},
+      {17500, 8000, 600, 600, 1050, "other"}};
+  return list;
+}
+
+// Labels without a class, and one outside the cloud: it is said, and nothing is called that.
+TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
+  std::vector<Index3> points = street_points(1, 0);
+  std::string features;
+  for (Index3& p : points)
+    for (const Stand& s : stands()) {
+      const std::int64_t x = p.x - 700000000 - s.x, y = p.y - 660000000 - s.y;
+      if (x >= 0 && x < s.length && y >= 0 && y < s.width) p.z += s.height;
+    }
+  for (const Stand& s : stands())
+    features += (features.empty() ? "" : ",") + place(700000 + 0.001 * static_cast<double>(s.x + s.length / 2),
+                                                      660000 + 0.001 * static_cast<double>(s.y + s.width / 2), s.name);
+  features += "," + place(900000, 660001, "car");
+  const TemporaryFolder folder;
+  const auto train = folder.put("labels.geojson", collection(features));
+  const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = {train, learn}; });
+  ASSERT_FALSE(out.record["warnings"].empty());
+  EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
+      << out.record["warnings"].dump();
+  EXPECT_NE(out.record["warnings"].dump().find("1 of its 10 places are on nothing"), std::string::npos)
+      << out.record["warnings"].dump();
+  EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "things.model"), 0u);
+}
+
+TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {
+  const TemporaryFolder folder;
+  const auto outside = folder.put("outside.geojson", collection(place(1, 1, "car") + "," + place(2, 2, "other")));
+  const auto unknown = folder.put("unknown.geojson", collection(place(700005, 660003.8, "cow")));
+  for (const auto& [file, part] : {std::pair{outside, "none of its 2 places"}, {unknown, "no class 'cow'"}}) {
+    try {
+      run_cloud(folder, street_points(2, 3), "out", [&, f = file](RunOptions& o) { o.train = {f, learn}; });
+      FAIL() << part;
+    } catch (const Error& e) {
+      EXPECT_EQ(e.code(), ExitCode::usage);
+      EXPECT_NE(std::string(e.what()).find(part), std::string::npos) << e.what();
+    }
+    std::filesystem::remove_all(folder.path() / "out");
+  }
+}
+
+}  // namespace
+}  // namespace ilot

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "training/tree_boosting.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+#include "kernels/core/parallel.h"
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kSlopeUnit = 0x1p-20;  // of gradients and curvatures
+constexpr std::size_t kMostBins = 256;
+constexpr double kMostStep = 8;       // that a leaf adds
+constexpr std::size_t kGrain = 4096;  // rows
+
+std::int32_t in_units(double slope) {
+  return static_cast<std::int32_t>(std::lround(slope / kSlopeUnit));
+}
+
+// Gradient and curvature of one row, in units.
+struct RowSlope {
+  std::int32_t first = 0, second = 0;
+};
+
+// Sums of them.
+struct Slope {
+  std::int64_t first = 0, second = 0;
+  void add(const Slope& s) { first += s.first, second += s.second; }
+  void add(const RowSlope& s) { first += s.first, second += s.second; }
+  Slope less(const Slope& s) const { return {first - s.first, second - s.second}; }
+};
+
+// Bins column after column, as histograms read them.
+struct BinnedColumns {
+  std::size_t rows = 0;
+  std::vector<std::vector<float>> limits;
+  std::vector<std::size_t> start;  // of each column in a histogram, and the end
+  std::vector<std::uint8_t> bins;
+  const std::uint8_t* column(std::size_t c) const { return bins.data() + c * rows; }
+};
+
+// Limits half way between values, so that each bin holds about as many rows; equal values are never parted.
+std::vector<float> even_limits(std::vector<double> values, std::size_t bins) {
+  std::sort(values.begin(), values.end());
+  std::vector<float> limits;
+  for (std::size_t b = 1; b < bins; ++b) {
+    const std::size_t at = b * values.size() / bins;
+    if (at == 0 || at == values.size()) continue;
+    const auto above = std::upper_bound(values.begin(), values.end(), values[at - 1]);
+    if (above == values.end()) break;
+    const auto limit = static_cast<float>(values[at - 1] + (*above - values[at - 1]) / 2);
+    if (limits.empty() || limit > limits.back()) limits.push_back(limit);
+  }
+  return limits;
+}
+
+BinnedColumns binned(const TreeSamples& samples, std::size_t bins) {
+  BinnedColumns out{samples.of_class.size(), std::vector<std::vector<float>>(samples.columns), {0}, {}};
+  out.bins.resize(samples.values.size());
+  parallel_for(samples.columns, [&](std::size_t c) {
+    std::vector<double> column(out.rows);
+    for (std::size_t r = 0; r < out.rows; ++r) column[r] = samples.values[r * samples.columns + c];
+    out.limits[c] = even_limits(column, bins);
+    const std::vector<std::uint8_t> own = tree_bins({&out.limits[c], 1}, column);
+    std::copy(own.begin(), own.end(), out.bins.begin() + static_cast<std::ptrdiff_t>(c * out.rows));
+  });
+  for (const auto& list : out.limits) out.start.push_back(out.start.back() + list.size() + 1);
+  return out;
+}
+
+// The slopes of a node's rows by column and bin, and its rows in their order.
+struct GrowingNode {
+  Slope all;
+  std::vector<std::uint32_t> rows;
+  std::vector<Slope> histogram;
+};
+
+// One tree for one class, from the slopes of all rows. Of two nodes that were parted the lesser is counted, the other
+// is what is left of both.
+class TreeGrower {
+ public:
+  TreeGrower(const BinnedColumns& columns, std::span<const RowSlope> slopes, const TreeBoostingParams& params)
+      : columns_(columns), slopes_(slopes), params_(params) {}
+
+  // Fills in a tree, and adds to the score of each row what its leaf says.
+  void grow(std::span<TreeSplit> splits, std::span<std::int32_t> leaves, std::span<std::int32_t> scores) {
+    std::vector<GrowingNode> level(1);
+    level[0].rows.resize(columns_.rows);
+    for (std::size_t r = 0; r < columns_.rows; ++r) level[0].rows[r] = static_cast<std::uint32_t>(r);
+    for (const RowSlope& s : slopes_) level[0].all.add(s);
+    level[0].histogram = counted(level[0].rows);
+    for (std::size_t depth = 1; depth <= params_.depth; ++depth) {
+      std::vector<GrowingNode> next(2 * level.size());
+      for (std::size_t n = 0; n < level.size(); ++n) {
+        splits[level.size() - 1 + n] = best_split(level[n]);
+        part(level[n], splits[level.size() - 1 + n], depth < params_.depth, next[2 * n], next[2 * n + 1]);
+      }
+      level = std::move(next);
+    }
+    for (std::size_t n = 0; n < leaves.size(); ++n) {
+      leaves[n] = leaf_of(level[n].all);
+      for (const std::uint32_t r : level[n].rows) scores[r] += leaves[n];
+    }
+  }
+
+ private:
+  double score(const Slope& s) const {
+    const double g = kSlopeUnit * static_cast<double>(s.first), h = kSlopeUnit * static_cast<double>(s.second);
+    return g * g / (h + params_.ridge);
+  }
+  std::int32_t leaf_of(const Slope& s) const {
+    const double g = kSlopeUnit * static_cast<double>(s.first), h = kSlopeUnit * static_cast<double>(s.second);
+    const double step = -params_.shrinkage * g / (h + params_.ridge);
+    return static_cast<std::int32_t>(std::lround(std::clamp(step, -kMostStep, kMostStep) / kTreeUnit));
+  }
+
+  std::vector<Slope> counted(const std::vector<std::uint32_t>& rows) const {
+    std::vector<Slope> histogram(columns_.start.back());
+    for (std::size_t c = 0; c < columns_.limits.size(); ++c) {
+      if (columns_.limits[c].empty()) continue;
+      const std::uint8_t* bin = columns_.column(c);
+      Slope* own = histogram.data() + columns_.start[c];
+      for (const std::uint32_t r : rows) own[bin[r]].add(slopes_[r]);
+    }
+    return histogram;
+  }
+
+  TreeSplit best_split(const GrowingNode& node) const {
+    TreeSplit best{0, kNoSplit};
+    double most = 0;
+    const double before = score(node.all);
+    for (std::size_t c = 0; c < columns_.limits.size() && !node.rows.empty(); ++c) {
+      Slope left;
+      for (std::size_t b = 0; b < columns_.limits[c].size(); ++b) {
+        left.add(node.histogram[columns_.start[c] + b]);
+        const Slope right = node.all.less(left);
+        if (kSlopeUnit * static_cast<double>(std::min(left.second, right.second)) < params_.least_curvature) continue;
+        const double gain = score(left) + score(right) - before;
+        if (gain > most) most = gain, best = {static_cast<std::uint16_t>(c), static_cast<std::uint16_t>(b)};
+      }
+    }
+    return best;
+  }
+
+  void part(GrowingNode& node, TreeSplit split, bool goes_on, GrowingNode& left, GrowingNode& right) const {
+    if (split.bin == kNoSplit) {
+      left = std::move(node);
+      right.histogram.resize(left.histogram.size());
+      return;
+    }
+    const std::uint8_t* bin = columns_.column(split.column);
+    for (const std::uint32_t r : node.rows) {
+      GrowingNode& side = bin[r] > split.bin ? right : left;
+      side.rows.push_back(r);
+      side.all.add(slopes_[r]);
+    }
+    if (!goes_on) return;
+    const bool left_is_lesser = left.rows.size() < right.rows.size();
+    GrowingNode &lesser = left_is_lesser ? left : right, &other = left_is_lesser ? right : left;
+    lesser.histogram = counted(lesser.rows);
+    other.histogram = std::move(node.histogram);
+    for (std::size_t b = 0; b < other.histogram.size(); ++b)
+      other.histogram[b] = other.histogram[b].less(lesser.histogram[b]);
+  }
+
+  const BinnedColumns& columns_;
+  std::span<const RowSlope> slopes_;
+  const TreeBoostingParams& params_;
+};
+
+// Scores of all rows while trees are added, class after class.
+class Booster {
+ public:
+  Booster(const TreeSamples& samples, const TreeBoostingParams& params)
+      : samples_(samples),
+        params_(params),
+        columns_(binned(samples, params.bins)),
+        scores_(samples.classes * rows()),
+        slopes_(scores_.size()) {
+    out_.classes = samples.classes, out_.depth = params.depth;
+    std::vector<double> count(samples.classes, 0);
+    for (const std::uint32_t c : samples.of_class) ++count[c];
+    for (std::size_t c = 0; c < samples.classes; ++c) {
+      const double log = natural_log(std::max(1.0, count[c]) / static_cast<double>(rows()));
+      out_.first.push_back(static_cast<std::int32_t>(std::lround(log / kTreeUnit)));
+      std::fill_n(scores_.begin() + static_cast<std::ptrdiff_t>(c * rows()), rows(), out_.first[c]);
+    }
+  }
+
+  BoostedTrees boost() {
+    const std::size_t leaves = std::size_t{1} << params_.depth, trees = params_.rounds * samples_.classes;
+    out_.splits.resize(trees * (leaves - 1));
+    out_.leaves.resize(trees * leaves);
+    for (std::size_t round = 0; round < params_.rounds; ++round) {
+      set_slopes();
+      parallel_for(samples_.classes, [&](std::size_t c) {
+        const std::size_t tree = round * samples_.classes + c;
+        TreeGrower(columns_, std::span(slopes_).subspan(c * rows(), rows()), params_)
+            .grow(std::span(out_.splits).subspan(tree * (leaves - 1), leaves - 1),
+                  std::span(out_.leaves).subspan(tree * leaves, leaves),
+                  std::span(scores_).subspan(c * rows(), rows()));
+      });
+    }
+    keep_used_limits();
+    return out_;
+  }
+
+ private:
+  std::size_t rows() const { return samples_.of_class.size(); }
+  void set_slopes() {
+    parallel_for((rows() + kGrain - 1) / kGrain, [&](std::size_t part) {
+      std::vector<std::int32_t> own(samples_.classes);
+      std::vector<double> share(samples_.classes);
+      for (std::size_t r = part * kGrain; r < std::min(rows(), (part + 1) * kGrain); ++r) {
+        for (std::size_t c = 0; c < own.size(); ++c) own[c] = scores_[c * rows() + r];
+        tree_shares(own, share);
+        for (std::size_t c = 0; c < own.size(); ++c) {
+          const double p = share[c], y = samples_.of_class[r] == c ? 1 : 0;
+          slopes_[c * rows() + r] = {in_units(p - y), in_units(p * (1 - p))};
+        }
+      }
+    });
+  }
+
+  void keep_used_limits() {
+    std::vector<std::vector<std::uint16_t>> place;  // of a limit: 1 where it is asked for, then its new number
+    for (const auto& list : columns_.limits) place.emplace_back(list.size(), 0);
+    for (const TreeSplit& s : out_.splits)
+      if (s.bin != kNoSplit) place[s.column][s.bin] = 1;
+    out_.limits.resize(columns_.limits.size());
+    for (std::size_t c = 0; c < place.size(); ++c)
+      for (std::size_t b = 0; b < place[c].size(); ++b) {
+        if (place[c][b] == 0) continue;
+        place[c][b] = static_cast<std::uint16_t>(out_.limits[c].size());
+        out_.limits[c].push_back(columns_.limits[c][b]);
+      }
+    for (TreeSplit& s : out_.splits)
+      if (s.bin != kNoSplit) s.bin = place[s.column][s.bin];
+  }
+
+  const TreeSamples& samples_;
+  const TreeBoostingParams& params_;
+  BinnedColumns columns_;
+  std::vector<std::int32_t> scores_;
+  std::vector<RowSlope> slopes_;
+  BoostedTrees out_;
+};
+
+}  // namespace
+
+BoostedTrees boost_trees(const TreeSamples& samples, const TreeBoostingParams& params) {
+  assert(samples.classes > 0 && samples.columns > 0 && !samples.of_class.empty());
+  assert(samples.values.size() == samples.of_class.size() * samples.columns);
+  assert(params.depth > 0 && params.depth <= 7 && params.bins > 1 && params.bins <= kMostBins);
+  return Booster(samples, params).boost();
+}
+
+}  // namespace ilot
