@@ -31,7 +31,7 @@ Codes face_codes(const Face& f) {
 }
 
 const std::vector<Vec3> kSquare{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}};
-const std::vector<Vec3> kHole{{2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}};
+const std::vector<Vec3> kInnerRing{{2, 2, 0}, {2, 4, 0}, {4, 4, 0}, {4, 2, 0}};
 
 std::vector<Vec3> moved(std::vector<Vec3> ring, double x, double y) {
   for (Vec3& p : ring) p = {p.x + x, p.y + y, p.z};
@@ -40,8 +40,8 @@ std::vector<Vec3> moved(std::vector<Vec3> ring, double x, double y) {
 
 TEST(ValidateFace, RightFacesHaveNoFault) {
   EXPECT_EQ(face_codes(face({kSquare})), Codes{});
-  EXPECT_EQ(face_codes(face({kSquare, kHole})), Codes{});
-  EXPECT_EQ(face_codes(face({kSquare, kHole, moved(kHole, 4, 0)})), Codes{});
+  EXPECT_EQ(face_codes(face({kSquare, kInnerRing})), Codes{});
+  EXPECT_EQ(face_codes(face({kSquare, kInnerRing, moved(kInnerRing, 4, 0)})), Codes{});
   EXPECT_EQ(face_codes(face({{{0, 0, 0}, {3, 0, 1}, {0, 3, 7}}})), Codes{});
 }
 
@@ -59,12 +59,12 @@ TEST(ValidateFace, Rings) {
 }
 
 TEST(ValidateFace, HowRingsLieToEachOther) {
-  EXPECT_EQ(face_codes(face({kSquare, moved(kHole, 7, 0)})), Codes{201});
-  EXPECT_EQ(face_codes(face({kSquare, kHole, kHole})), Codes{201}) << "holes that share edges";
+  EXPECT_EQ(face_codes(face({kSquare, moved(kInnerRing, 7, 0)})), Codes{201});
+  EXPECT_EQ(face_codes(face({kSquare, kInnerRing, kInnerRing})), Codes{201}) << "holes that share edges";
   EXPECT_EQ(face_codes(face({kSquare, {{0, 5, 0}, {5, 10, 0}, {10, 5, 0}, {5, 0, 0}}})), Codes{205});
-  EXPECT_EQ(face_codes(face({kSquare, moved(kHole, 20, 0)})), Codes{206});
-  EXPECT_EQ(face_codes(face({kSquare, {{1, 1, 0}, {1, 9, 0}, {9, 9, 0}, {9, 1, 0}}, kHole})), Codes{207});
-  EXPECT_EQ(face_codes(face({kSquare, {kHole.rbegin(), kHole.rend()}})), Codes{208});
+  EXPECT_EQ(face_codes(face({kSquare, moved(kInnerRing, 20, 0)})), Codes{206});
+  EXPECT_EQ(face_codes(face({kSquare, {{1, 1, 0}, {1, 9, 0}, {9, 9, 0}, {9, 1, 0}}, kInnerRing})), Codes{207});
+  EXPECT_EQ(face_codes(face({kSquare, {kInnerRing.rbegin(), kInnerRing.rend()}})), Codes{208});
   EXPECT_EQ(face_codes(face({kSquare, {{0, 0, 0}, {2, 4, 0}, {4, 2, 0}}})), Codes{})
       << "a hole that touches in a corner";
 }
@@ -96,7 +96,7 @@ TEST(ValidateFace, TrianglesCoverTheFaceAndTurnAsItDoes) {
   };
   const std::vector<Vec3> corner{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {2, 2, 0}, {2, 10, 0}, {0, 10, 0}};
   const std::vector<Vec3> dart{{0, 0, 0}, {9, 0, 0}, {3, 3, 0}, {0, 9, 0}};
-  const std::vector<Case> cases{{{kSquare}, 2, 100}, {{kSquare, kHole}, 8, 96}, {{corner}, 4, 36}, {{dart}, 2, 27}};
+  const std::vector<Case> cases{{{kSquare}, 2, 100}, {{kSquare, kInnerRing}, 8, 96}, {{corner}, 4, 36}, {{dart}, 2, 27}};
   for (const auto& [rings, triangles, wanted] : cases) {
     Face f = face(rings);
     const auto cut = triangulate_face(f.vertices, f.rings);

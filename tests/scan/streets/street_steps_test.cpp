@@ -63,7 +63,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
   const StreetCloud cloud = scanned({"scene.blocks=1", "scene.trees=0"});
   const GridFrame frame = frame_of(cloud.view(), 50);
   const RangeImage image = range_image(cloud.view(), frame);
-  const Ground ground = find_ground(image.range, {});
+  const ilot::Ground ground = find_ground(image.range, {});
   const Artefacts artefacts = find_artefacts(ground, {});
   const PixelLabels things = separate_artefacts(artefacts.height, {});
 

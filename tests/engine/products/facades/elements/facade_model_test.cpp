@@ -15,7 +15,7 @@ namespace {
 using test::ScannedWall;
 using test::Sheet;
 
-constexpr Vec3 kEye{-2, 1.2, 7};
+constexpr Vec3 kModelEye{-2, 1.2, 7};
 const std::vector<Sheet> kWindows{{2, 0, 0.8, 1.9, 1.5, 3.2}, {2, 0, 2.6, 3.7, 1.5, 3.2}, {2, 0, 4.4, 5.5, 1.5, 3.2}};
 
 ScannedWall windows_with_sills() {
@@ -27,7 +27,7 @@ ScannedWall windows_with_sills() {
 }
 
 FacadeSite scanned(const ScannedWall& wall, double step = 0.0025) {
-  FacadeSite site = test::scan_wall(wall, kEye, step);
+  FacadeSite site = test::scan_wall(wall, kModelEye, step);
   for (std::uint32_t plane = 2; plane < 5; ++plane) site.parallel.push_back({plane, 100});
   return site;
 }
@@ -99,7 +99,7 @@ TEST(FacadeModel, ShadowsAreNoOpenings) {
   wall.block(2.3, 2.9, 0.5, 2.5, 3.0, 7);
   for (Sheet& s : wall.sheets)
     if (s.plane == 0 && s.axis != 2 && s.high_b > 2.9) s.plane = 7;
-  const FacadeSite site = test::scan_wall(wall, kEye, 0.004, 7);
+  const FacadeSite site = test::scan_wall(wall, kModelEye, 0.004, 7);
   // The shadow is there and larger than a window.
   std::size_t in_shadow = 0;
   for (const FacadePoint& p : site.points) in_shadow += p.u > 5.3 && p.u < 5.7 && p.v > 1 && p.v < 2.4;
