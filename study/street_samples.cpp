@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "engine/pass/index.h"
-#include "engine/products/streets/streets_product.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/proof/point_stream.h"
 #include "engine/whole_file.h"
 #include "study/cut_reader.h"

@@ -13,9 +13,9 @@
 
 #include "engine/pass/index.h"
 #include "engine/products/streets/ground/artefacts.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/products/streets/objects/whole_things.h"
 #include "engine/products/streets/street_training.h"
-#include "engine/products/streets/streets_product.h"
 #include "kernels/core/parallel.h"
 #include "kernels/morphology/area_opening.h"
 #include "kernels/morphology/fill.h"

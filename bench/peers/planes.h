@@ -14,7 +14,7 @@
 #include "engine/formats/reader.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
-#include "engine/products/planes/planes_product.h"
+#include "engine/products/planes/make_planes.h"
 #include "engine/report/progress.h"
 #include "engine/run/run.h"
 #include "engine/settings/config.h"

@@ -9,7 +9,7 @@
 
 #include "engine/cloud/area.h"
 #include "engine/formats/tables/text_dialect.h"
-#include "engine/products/streets/streets_product.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/settings/settings.h"
 
 namespace ilot {

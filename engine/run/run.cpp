@@ -5,40 +5,29 @@
 #include <chrono>
 #include <cmath>
 
-#include "engine/columns/found_roles.h"
-#include "engine/columns/normals_pass.h"
-#include "engine/columns/point_roles.h"
 #include "engine/deliverables/drawings/named_sections.h"
-#include "engine/deliverables/tables/planes_csv.h"
-#include "engine/deliverables/tables/planes_neighbours_csv.h"
-#include "engine/deliverables/tables/shapes_csv.h"
 #include "engine/error.h"
 #include "engine/labels/labelled_clouds.h"
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/resident.h"
-#include "engine/products/facades/facades_product.h"
-#include "engine/products/planes/boundaries_product.h"
 #include "engine/products/planes/cells/cells.h"
-#include "engine/products/planes/planes_product.h"
-#include "engine/products/roofs/cluster_plan.h"
-#include "engine/products/roofs/footprint_outcome.h"
+#include "engine/products/planes/make_boundaries.h"
+#include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
-#include "engine/products/roofs/roofs_product.h"
-#include "engine/products/streets/streets_product.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/run/area_in_crs.h"
 #include "engine/run/input_places.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
+#include "engine/run/products.h"
 #include "engine/run/run_estimate.h"
 #include "kernels/core/parallel.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostCorners = 1 << 19;         // of outlines that lines of sight are held against: 40 MB
 constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
 
 double now() {
@@ -90,7 +79,8 @@ IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std
   if (p.filter.keep) grow_to_sites(*p.filter.keep, options, sites, p.unit, inputs.crs.metres_per_unit);
   p.finest_step = options.settings.index.finest_step;
   p.keep_strays = options.settings.index.keep_strays;
-  if (makes(options, "roofs")) p.classes = ClassColumns::written;
+  for (const Product* product : products_to_make(options.products))
+    if (product->reads_classes) p.classes = ClassColumns::written;
   p.block_points = block_points;
   p.run_points = block_points;
   return p;
@@ -162,32 +152,6 @@ void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& rec
   record.warnings.push_back(text);
 }
 
-constexpr const char* kNoObject = "nothing was found that stands on the ground";
-constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
-constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
-
-void skip_product(const std::string& product, const std::string& reason, Progress& progress, RunRecord& record) {
-  progress.unit_skipped(product, reason);
-  record.skipped.push_back({"product", product, reason});
-}
-
-// What each point is to buildings: as the cloud says, or, where it says nothing of buildings, found by shape.
-void make_roles(const Store& store, const Settings& settings, const PassContext& context, Progress& progress,
-                RunRecord& record) {
-  auto roles = point_roles(settings.classes.building, settings.classes.ground);
-  if (!settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
-  if (count_of(write_roles(store, roles, context), PointRole::building) > 0) return;
-  progress.begin_stage("normals", store.points());
-  normals_pass(store, settings.normals, context);
-  progress.begin_stage("classes", store.points());
-  const RoleCounts found = find_roles(store, context);
-  progress.end_stage();
-  record.chosen.push_back(
-      {"roofs.trust_classes", std::string("false"),
-       "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
-           " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
-}
-
 // What only the inputs can tell about the settings, and lists whose numbers belong together.
 void check_settings(const RunOptions& options, const RunInputs& inputs) {
   check_section_lines(options.settings.facades.section_lines);
@@ -209,8 +173,23 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
   check("--train", options.train.places, "streets");
 }
 
+// Of the planes only what labels need stays in memory.
+LabelParams labels_of(const RunOptions& options, std::shared_ptr<PlanesResult> planes) {
+  LabelParams labels;
+  labels.with_planes = planes != nullptr;
+  labels.with_roofs = makes(options, "roofs");
+  labels.with_facades = makes(options, "facades");
+  labels.with_streets = makes(options, "streets");
+  if (planes == nullptr) return labels;
+  labels.final_id = std::move(planes->final_id);
+  labels.planes = std::move(planes->planes);
+  labels.final_shape = std::move(planes->final_shape);
+  labels.write_normals = options.settings.normals.write;
+  return labels;
+}
+
 // The run, step by step. Everything lands in the staging folder.
-void make_products(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
+void make_products(const RunOptions& options, const RunInputs& inputs, const std::vector<PlannedSite>& sites,
                    OutputFolder& out, Progress& progress, RunRecord& record) {
   PassContext context = pass_context(options, inputs, out.block_points(), progress);
   if (options.clouds) check_labelled_clouds(inputs.readers, context);
@@ -223,61 +202,18 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
   }
 
   std::filesystem::create_directories(out.staging());
-  LabelParams labels;
-  const bool facades = makes(options, "facades");  // are found among planes
-  labels.with_planes = makes(options, "planes") || facades;
-  labels.with_roofs = makes(options, "roofs");
-  if (labels.with_planes) {
-    Settings settings = options.settings;
-    if (!makes(options, "planes") && !settings.planes.curved) {
-      settings.planes.curved = false;
-      record.chosen.push_back({"planes.curved", std::string("false"), "shapes are looked for with the product planes"});
-    }
-    PlanesResult planes = make_planes(index.store, inputs.readers, settings, context, progress, record);
-    if (facades) planes.outlines = LargestOutlines(kMostCorners);
-    progress.begin_stage("boundaries", index.store.points());
-    make_boundaries(index.store, planes, options.settings, inputs, context, out.staging(), record);
-    write_planes_csv(out.staging() / "planes.csv", planes.segments);
-    PlanesNeighboursCsv neighbours(out.staging() / "planes_neighbours.csv");
-    each_plane_neighbours(index.store, planes, context.metres_per_unit,
-                          [&](const PlaneNeighbours& pair) { neighbours.add(pair); });
-    neighbours.finish();
-    record.planes = planes.segments.size();
-    if (planes.curved) {
-      write_shapes_csv(out.staging() / "shapes.csv", *planes.curved);
-      record.shapes = planes.curved->size();
-    }
-    if (planes.segments.empty()) skip_product("planes", kNoPlane, progress, record);
-    labels.with_facades = facades;
-    if (facades) {
-      make_facades(index.store, planes, options.settings, inputs, context, out.staging() / "facades", progress, record);
-      if (record.facades->facades == 0) skip_product("facades", kNoFacade, progress, record);
-    }
-    labels.final_id = std::move(planes.final_id);
-    labels.planes = std::move(planes.planes);
-    labels.final_shape = std::move(planes.final_shape);
-    labels.write_normals = options.settings.normals.write;
-  }
-  if (labels.with_roofs) {
-    make_roles(index.store, options.settings, context, progress, record);
-    std::vector<PlannedSite> found;
-    if (options.footprints.empty())
-      found = plan_clusters(index.store, options.settings.roofs, context, progress, record);
-    make_roofs(index.store, options.footprints.empty() ? found : sites, options.settings, inputs.crs, context,
-               out.staging() / "roofs", progress, record);
-    const bool given = !options.footprints.empty();
-    if (given) settle_skipped_footprints(index.store, sites, context, progress, record);
-    const std::uint64_t outside = given ? record.footprints->outside.size() : 0;
-    if (record.roofs->buildings == outside)
-      skip_product("roofs", why_no_building(sites, given, options.area.has_value()), progress, record);
-  }
-
-  labels.with_streets = makes(options, "streets");
-  if (labels.with_streets) {
-    make_streets(index.store, options.settings, options.train, inputs.crs, context, out.staging() / "streets", progress,
-                 record);
-    if (record.streets->objects == 0) skip_product("streets", kNoObject, progress, record);
-  }
+  ProductRun work{index.store,
+                  inputs,
+                  options.settings,
+                  context,
+                  options.footprints.empty() ? nullptr : &sites,
+                  &options.train,
+                  [&](const char* product) { return makes(options, product); },
+                  out.staging(),
+                  progress,
+                  record};
+  for (const Product* product : products_to_make(options.products)) product->make(work);
+  const LabelParams labels = labels_of(options, std::move(work.planes));
 
   std::uint64_t labelled = 0;
   if (options.clouds) {
@@ -295,11 +231,10 @@ void make_products(const RunOptions& options, const RunInputs& inputs, std::span
 
 std::string summary(const RunRecord& record) {
   std::string made;
-  if (record.planes) made += grouped(*record.planes) + " planes, ";
-  if (record.shapes) made += grouped(*record.shapes) + " curved shapes, ";
-  if (record.roofs) made += grouped(record.roofs->buildings) + " buildings, ";
-  if (record.facades) made += grouped(record.facades->facades) + " facades, ";
-  if (record.streets) made += grouped(record.streets->objects) + " objects, ";
+  for (const Product* product : all_products()) {
+    const std::string part = product->summary(record);
+    if (!part.empty()) made += part + ", ";
+  }
   return grouped(record.points.read) + " points, " + made +
          std::to_string(static_cast<int>(std::ceil(record.seconds))) + " s, peak " +
          std::to_string(record.peak_rss_bytes >> 20) + " MiB, " + std::to_string(record.skipped.size()) + " skipped";

@@ -1,22 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // Which products a cloud suits, as far as its own measures show.
 #pragma once
-#include <array>
 #include <optional>
 #include <string>
+#include <vector>
 
-#include "engine/run/measure.h"
+#include "engine/products/product.h"
 
 namespace ilot {
 
-struct Suitability {
+struct ProductSuitability {
   const char* product = "";
-  bool yes = false;
-  std::string reason;  // half a sentence
+  Suitability suits;
 };
 
-// planes, roofs, facades, streets, in this order. What `run` refuses is "no" here.
-std::array<Suitability, 4> suitability(const CloudInfo& info, const CloudMeasure& measure);
+// Of all products in their order. What `run` refuses is "no" here.
+std::vector<ProductSuitability> suitability(const CloudInfo& info, const CloudMeasure& measure);
 
 // What is odd about the distance between points: 0, above 10 m or below 0.1 mm; the unit is probably wrong then.
 std::optional<std::string> doubt_about_step(const CloudMeasure& measure);

@@ -7,8 +7,8 @@
 
 #include "engine/error.h"
 #include "engine/formats/reader.h"
+#include "engine/pass/measure.h"
 #include "engine/run/inputs.h"
-#include "engine/run/measure.h"
 #include "engine/run/suitability.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
@@ -108,7 +108,7 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
                              {"azimuth_step_deg", station.azimuth_step * kDegrees},
                              {"elevation_step_deg", station.elevation_step * kDegrees}});
   }
-  for (const Suitability& s : suitability(info, m)) j["suits"][s.product] = {{"yes", s.yes}, {"reason", s.reason}};
+  for (const auto& [product, s] : suitability(info, m)) j["suits"][product] = {{"yes", s.yes}, {"reason", s.reason}};
   j["warnings"] = warnings_of(info, m);
   return j;
 }
@@ -158,7 +158,7 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
                                     : "";
     row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}{}", station.name, at.x, at.y, at.z, steps));
   }
-  for (const Suitability& s : suitability(info, m)) row(s.product, (s.yes ? "yes: " : "no: ") + s.reason);
+  for (const auto& [product, s] : suitability(info, m)) row(product, (s.yes ? "yes: " : "no: ") + s.reason);
   for (const std::string& warning : warnings_of(info, m)) row("warning", warning);
   return out;
 }

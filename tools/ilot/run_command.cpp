@@ -6,6 +6,7 @@
 #include "engine/error.h"
 #include "engine/report/allowed_memory.h"
 #include "engine/run/inputs.h"
+#include "engine/run/products.h"
 #include "engine/run/read_area.h"
 #include "engine/run/run.h"
 #include "engine/settings/config.h"
@@ -19,7 +20,6 @@
 namespace ilot {
 namespace {
 
-constexpr const char* kProducts[] = {"planes", "roofs", "facades", "streets"};
 constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2} << 30;
 
 // The options as they were given.
@@ -31,6 +31,18 @@ struct RunArguments {
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
   bool print_config = false, verbose = false, quiet = false;
 };
+
+std::vector<std::string> product_names() {
+  std::vector<std::string> names;
+  for (const Product* product : all_products()) names.push_back(product->name);
+  return names;
+}
+
+std::string join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
 
 Settings settings_of(const RunArguments& given) {
   Settings settings;
@@ -46,12 +58,11 @@ Settings settings_of(const RunArguments& given) {
 }
 
 std::vector<std::string> products_of(const RunArguments& given) {
+  const std::vector<std::string> known = product_names();
   std::vector<std::string> products = given.products;
   for (const std::string& product : products) {
-    if (std::find(std::begin(kProducts), std::end(kProducts), product) == std::end(kProducts)) {
-      throw Error("--products " + product + ": there is no such product; there is: planes, roofs, facades, streets",
-                  ExitCode::usage);
-    }
+    if (std::find(known.begin(), known.end(), product) == known.end())
+      throw Error("--products " + product + ": there is no such product; there is: " + join(known), ExitCode::usage);
   }
   std::sort(products.begin(), products.end());
   products.erase(std::unique(products.begin(), products.end()), products.end());

@@ -2,7 +2,7 @@
 #pragma once
 #include <filesystem>
 
-#include "engine/products/streets/streets_product.h"
+#include "engine/products/streets/make_streets.h"
 
 namespace ilot {
 

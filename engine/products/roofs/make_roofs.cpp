@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/roofs/roofs_product.h"
+#include "engine/products/roofs/make_roofs.h"
 
 #include <algorithm>
 #include <atomic>

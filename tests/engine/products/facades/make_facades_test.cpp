@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/facades/facades_product.h"
+#include "engine/products/facades/make_facades.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/streets/streets_product.h"
+#include "engine/products/streets/make_streets.h"
 
 #include <gdal_priv.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/planes/boundaries_product.h"
+#include "engine/products/planes/make_boundaries.h"
 
 #include <algorithm>
 #include <map>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/run/measure.h"
+#include "engine/pass/measure.h"
 
 #include <gtest/gtest.h>
 

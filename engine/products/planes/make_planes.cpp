@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/planes/planes_product.h"
+#include "engine/products/planes/make_planes.h"
 
 #include <fmt/format.h>
 

@@ -26,7 +26,8 @@ struct FoundStreet {
   StreetView view = StreetView::street;  // where it was scanned from
 };
 
-// From the images to the features of all that stands there (Hernandez and Marcotegui 2008, 2.2 to 5.2). Works in tiles on disk; memory is that of a few tiles and of their borders.
+// From the images to the features of all that stands there (Hernandez and Marcotegui 2008, 2.2 to 5.2). Works in tiles
+// on disk; memory is that of a few tiles and of their borders.
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context);
 
 // What things on streets are, to learn from.

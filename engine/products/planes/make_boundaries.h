@@ -4,7 +4,7 @@
 
 #include "engine/columns/run_inputs.h"
 #include "engine/pass/context.h"
-#include "engine/products/planes/planes_product.h"
+#include "engine/products/planes/make_planes.h"
 #include "engine/report/run_record.h"
 #include "engine/settings/settings.h"
 #include "engine/store/store.h"

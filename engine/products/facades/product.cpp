@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/product.h"
+
+#include <fmt/format.h>
+
+#include "engine/products/facades/make_facades.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kMostStep = 0.1;  // metres: ten points across a window of a metre
+constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
+
+Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
+  if (measure.sampling_step > kMostStep) return {false, step_text(measure) + ", 0.1 m at most"};
+  if (info.stations.empty()) return {true, step_text(measure) + "; shadows need --stations"};
+  return {true, step_text(measure) + fmt::format(", {} stations known", info.stations.size())};
+}
+
+std::string summary(const RunRecord& record) {
+  return record.facades ? grouped(record.facades->facades) + " facades" : "";
+}
+
+void make(ProductRun& run) {
+  make_facades(run.store, *run.planes, run.settings, run.inputs, run.context, run.folder / "facades", run.progress,
+               run.record);
+  if (run.record.facades->facades == 0) skip_product(run, facades_product(), kNoFacade);
+}
+
+}  // namespace
+
+const Product& facades_product() {
+  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, summary};
+  return product;
+}
+
+}  // namespace ilot

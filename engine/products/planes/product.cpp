@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/planes/product.h"
+
+#include "engine/deliverables/tables/planes_csv.h"
+#include "engine/deliverables/tables/planes_neighbours_csv.h"
+#include "engine/deliverables/tables/shapes_csv.h"
+#include "engine/products/planes/make_boundaries.h"
+#include "engine/products/planes/make_planes.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kMostCorners = 1 << 19;  // of outlines that lines of sight are held against: 40 MB
+constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
+
+Suitability suits(const CloudInfo&, const CloudMeasure& measure) {
+  return {true, step_text(measure)};
+}
+
+std::string summary(const RunRecord& record) {
+  std::string made;
+  if (record.planes) made = grouped(*record.planes) + " planes";
+  if (record.shapes) made += ", " + grouped(*record.shapes) + " curved shapes";
+  return made;
+}
+
+void write_tables(const ProductRun& run, const PlanesResult& planes) {
+  write_planes_csv(run.folder / "planes.csv", planes.segments);
+  PlanesNeighboursCsv neighbours(run.folder / "planes_neighbours.csv");
+  each_plane_neighbours(run.store, planes, run.context.metres_per_unit,
+                        [&](const PlaneNeighbours& pair) { neighbours.add(pair); });
+  neighbours.finish();
+  run.record.planes = planes.segments.size();
+  if (!planes.curved) return;
+  write_shapes_csv(run.folder / "shapes.csv", *planes.curved);
+  run.record.shapes = planes.curved->size();
+}
+
+// Also run for products that are found among planes, without curved shapes unless these are asked for.
+void make(ProductRun& run) {
+  Settings settings = run.settings;
+  if (!run.asked("planes") && !settings.planes.curved) {
+    settings.planes.curved = false;
+    run.record.chosen.push_back(
+        {"planes.curved", std::string("false"), "shapes are looked for with the product planes"});
+  }
+  run.planes = std::make_shared<PlanesResult>(
+      make_planes(run.store, run.inputs.readers, settings, run.context, run.progress, run.record));
+  if (run.asked("facades")) run.planes->outlines = LargestOutlines(kMostCorners);
+  run.progress.begin_stage("boundaries", run.store.points());
+  make_boundaries(run.store, *run.planes, run.settings, run.inputs, run.context, run.folder, run.record);
+  write_tables(run, *run.planes);
+  if (run.planes->segments.empty()) skip_product(run, planes_product(), kNoPlane);
+}
+
+}  // namespace
+
+const Product& planes_product() {
+  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, summary};
+  return product;
+}
+
+}  // namespace ilot

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/roofs/product.h"
+
+#include <fmt/format.h>
+
+#include "engine/columns/found_roles.h"
+#include "engine/columns/normals_pass.h"
+#include "engine/columns/point_roles.h"
+#include "engine/products/roofs/cluster_plan.h"
+#include "engine/products/roofs/footprint_outcome.h"
+#include "engine/products/roofs/make_roofs.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kLeastDensity = 1;                        // last returns a square metre: a hundred on a small house
+constexpr std::size_t kBuilding = 6, kBuildingParts = 67;  // class codes of the LAS standard
+
+Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
+  const std::string density = fmt::format("{:.3g} last returns/m2", measure.last_return_density);
+  if (!info.stations.empty()) return {false, "scanned from stations on the ground, which see few roofs"};
+  if (measure.last_return_density < kLeastDensity) return {false, density + ", 1 at least"};
+  if (measure.classes[kBuilding] + measure.classes[kBuildingParts] > 0)
+    return {true, density + ", class 6 says what buildings are"};
+  return {true, density + ", no point of class 6: buildings are found by shape or from --footprints"};
+}
+
+std::string summary(const RunRecord& record) {
+  return record.roofs ? grouped(record.roofs->buildings) + " buildings" : "";
+}
+
+// What each point is to buildings: as the cloud says, or, where it says nothing of buildings, found by shape.
+void make_roles(ProductRun& run) {
+  const auto& classes = run.settings.classes;
+  auto roles = point_roles(classes.building, classes.ground);
+  if (!run.settings.roofs.trust_classes) roles.fill(PointRole::unclassified);
+  if (count_of(write_roles(run.store, roles, run.context), PointRole::building) > 0) return;
+  run.progress.begin_stage("normals", run.store.points());
+  normals_pass(run.store, run.settings.normals, run.context);
+  run.progress.begin_stage("classes", run.store.points());
+  const RoleCounts found = find_roles(run.store, run.context);
+  run.progress.end_stage();
+  run.record.chosen.push_back(
+      {"roofs.trust_classes", std::string("false"),
+       "no point of classes.building is used; found by shape: " + grouped(count_of(found, PointRole::ground)) +
+           " points of the ground and " + grouped(count_of(found, PointRole::building)) + " of buildings"});
+}
+
+void make(ProductRun& run) {
+  make_roles(run);
+  const bool given = run.footprints != nullptr;
+  std::vector<PlannedSite> clusters;
+  if (!given) clusters = plan_clusters(run.store, run.settings.roofs, run.context, run.progress, run.record);
+  const std::vector<PlannedSite>& sites = given ? *run.footprints : clusters;
+  make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context, run.folder / "roofs", run.progress,
+             run.record);
+  if (given) settle_skipped_footprints(run.store, sites, run.context, run.progress, run.record);
+  const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;
+  if (run.record.roofs->buildings == outside)
+    skip_product(run, roofs_product(),
+                 why_no_building(given ? sites : std::vector<PlannedSite>{}, given, run.context.wanted != nullptr));
+}
+
+}  // namespace
+
+const Product& roofs_product() {
+  static const Product product{"roofs", false, true, {44, 8, 1.5}, suits, make, summary};
+  return product;
+}
+
+}  // namespace ilot

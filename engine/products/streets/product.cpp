@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/product.h"
+
+#include "engine/products/streets/make_streets.h"
+
+namespace ilot {
+namespace {
+
+constexpr double kMostStep = 0.5;  // metres: a bollard or a car's roof gets a few points
+constexpr const char* kNoObject = "nothing was found that stands on the ground";
+
+Suitability suits(const CloudInfo&, const CloudMeasure& measure) {
+  if (measure.sampling_step > kMostStep) return {false, step_text(measure) + ", 0.5 m at most"};
+  return {true, step_text(measure)};
+}
+
+std::string summary(const RunRecord& record) {
+  return record.streets ? grouped(record.streets->objects) + " objects" : "";
+}
+
+void make(ProductRun& run) {
+  make_streets(run.store, run.settings, *run.training, run.inputs.crs, run.context, run.folder / "streets",
+               run.progress, run.record);
+  if (run.record.streets->objects == 0) skip_product(run, streets_product(), kNoObject);
+}
+
+}  // namespace
+
+const Product& streets_product() {
+  static const Product product{"streets", false, false, {30, 8, 1.0}, suits, make, summary};
+  return product;
+}
+
+}  // namespace ilot

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/run/products.h"
+
+#include <algorithm>
+
+#include "engine/products/facades/product.h"
+#include "engine/products/planes/product.h"
+#include "engine/products/roofs/product.h"
+#include "engine/products/streets/product.h"
+
+namespace ilot {
+
+std::span<const Product* const> all_products() {
+  static const Product* const list[] = {&planes_product(), &roofs_product(), &facades_product(), &streets_product()};
+  return list;
+}
+
+std::vector<const Product*> products_to_make(const std::vector<std::string>& asked) {
+  std::vector<const Product*> among_planes, others, all;
+  bool planes = false;
+  for (const Product* product : all_products()) {
+    if (std::find(asked.begin(), asked.end(), product->name) == asked.end()) continue;
+    if (product == &planes_product())
+      planes = true;
+    else
+      (product->found_among_planes ? among_planes : others).push_back(product);
+  }
+  if (planes || !among_planes.empty()) all.push_back(&planes_product());
+  all.insert(all.end(), among_planes.begin(), among_planes.end());
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
+}
+
+}  // namespace ilot
