@@ -8,7 +8,7 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/morphology/fill.h"
+#include "tests/oracles/whole_fill.h"
 
 namespace {
 
@@ -67,8 +67,8 @@ Image published(const Image& f) {
 
 int main(int argc, char** argv) {
   for (const double millions : bench::numbers(argc, argv, {4})) {
-    const Image street =
-        fill_missing(fill_holes(bench::make_street_image(static_cast<std::size_t>(millions * 1e6)), Adjacency::eight));
+    const Image street = test::fill_missing(
+        test::fill_holes(bench::make_street_image(static_cast<std::size_t>(millions * 1e6)), Adjacency::eight));
     bench::require(area_opening(street, kArea, Adjacency::eight).values == published(street).values,
                    "area_opening: differs from the published union-find");
     bench::compare({"area_opening", "50 pixels, street, " + bench::in_megapixels(millions), 1, millions, "M pixels"},

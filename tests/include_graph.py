@@ -11,7 +11,7 @@ LAYER_SEES = {
     "training": {"training", "engine", "kernels"},
     "scan": {"scan", "engine", "kernels"},
     "tools": {"tools", "scan", "training", "engine", "kernels"},
-    "study": {"study", "tools", "scan", "training", "engine", "kernels"},
+    "study": {"study", "tests", "tools", "scan", "training", "engine", "kernels"},
     "bench": {"bench", "tests", "tools", "engine", "kernels"},
     "tests": {"tests", "tools", "scan", "training", "engine", "kernels"},
 }

@@ -7,10 +7,13 @@
 
 namespace ilot {
 
-// fill_missing of an image that is too large to hold, tile by tile: the values of the whole, whatever the tiles. A tile
-// fills the regions that lie within it and tells of those that reach its border; joined, these are filled too. In
-// order: fill of all tiles, join, finish of all. Different tiles from several threads at once. Memory: for each thread
-// some 12 bytes a pixel of a tile; for all tiles 8 bytes a pixel of their borders.
+// Missing pixels filled basin by basin [Hernandez and Marcotegui 2008, 3.2]: every region of pixels without a height,
+// joined across sides and corners, gets the lowest height around it, each region for itself, so that far ones do not
+// decide. Regions that touch the border of the image are open and stay without. The image is too large to hold: tile by
+// tile, with the values of the whole whatever the tiles (tests/oracles/whole_fill.h has the whole). A tile fills the
+// regions that lie within it and tells of those that reach its border; joined, these are filled too. In order: fill of
+// all tiles, join, finish of all. Different tiles from several threads at once. Memory: for each thread some 12 bytes a
+// pixel of a tile; for all tiles 8 bytes a pixel of their borders.
 class TiledMissing {
  public:
   explicit TiledMissing(const TileGrid& grid);

@@ -43,7 +43,7 @@ struct SpillEdge {
 std::vector<Height> heights_on(const Perimeter& perimeter, const Image& image);
 
 struct BorderFlood {
-  Image level;                    // fill_holes with every pixel of the perimeter an outlet
+  Image level;                    // holes filled, with every pixel of the perimeter an outlet
   std::vector<SpillEdge> spills;  // at most the perimeter's size - 1, the lowest first
 };
 

@@ -6,9 +6,14 @@
 #include <tuple>
 #include <vector>
 
-#include "kernels/morphology/link_regions.h"
+#include "kernels/rasters/image.h"
 
 namespace ilot {
+
+struct LinkRegionsParams {
+  Height step = 1000;              // units; regions are flat zones within it, and links climb no more
+  std::uint32_t max_length = 100;  // pixels without a height that a link may cross
+};
 
 // A part of an image with so many pixels around it; numbers of pixels are those of the whole, row by row.
 struct LinkWindow {

@@ -14,13 +14,17 @@ struct SpillStore {
   std::function<std::vector<SpillEdge>(std::size_t tile)> read = {};
 };
 
-// fill_holes of an image that is too large to hold, and letting water out of what was filled, tile by tile: the values
-// of the whole, whatever the tiles. Each tile is filled as if its own border let the water out, and tells the spill
-// heights between the pixels of its border; a graph of all borders gives what each of them is really filled to, and
-// only what is below that is raised once more (after parallel priority flood, Barnes 2016). In order: fill of all
-// tiles, join, raise of all; then, if anything is drained, tell_drained of some, join_drained, lower of all. Different
-// tiles from several threads at once. Memory: for each thread some 30 bytes a pixel of a tile; for all tiles 9 bytes a
-// pixel of their borders, and 12 for their spills where the caller does not keep them.
+// Hole filling [Hernandez and Marcotegui 2008, 3.2]: raises every minimum that is not joined to the border of the image
+// to the height at which water in it would run off over the border: the least, over all paths from a pixel to the
+// border, of the highest pixel on the path. Pixels without a height are the lowest of all: those joined to the border
+// stay without. Unique. Then water can be let out of what was filled. The image is too large to hold: tile by tile,
+// with the values of the whole whatever the tiles (tests/oracles/whole_fill.h has the whole). Each tile is filled as if
+// its own border let the water out, and tells the spill heights between the pixels of its border; a graph of all
+// borders gives what each of them is really filled to, and only what is below that is raised once more (after parallel
+// priority flood, Barnes 2016). In order: fill of all tiles, join, raise of all; then, if anything is drained,
+// tell_drained of some, join_drained, lower of all. Different tiles from several threads at once. Memory: for each
+// thread some 30 bytes a pixel of a tile; for all tiles 9 bytes a pixel of their borders, and 12 for their spills where
+// the caller does not keep them.
 class TiledFilling {
  public:
   TiledFilling(const TileGrid& grid, Adjacency adjacency, SpillStore spills = {});

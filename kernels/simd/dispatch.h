@@ -30,19 +30,6 @@ struct KnnArgs {
   std::int64_t* reach2;       // one per query
 };
 
-struct RadiusArgs {
-  const float *x, *y, *z;
-  std::uint32_t size;
-  const float* const* boxes;  // as in KnnArgs
-  int levels;
-  const std::uint32_t* queries;
-  std::uint32_t query_count;
-  std::int64_t radius2;
-  std::uint32_t* counts;      // one per query answered
-  std::uint32_t* neighbours;  // query after query
-  std::uint32_t capacity;     // of neighbours, at least 32
-};
-
 struct NormalArgs {
   const float *x, *y, *z;
   const std::uint32_t* queries;
@@ -122,7 +109,6 @@ struct Table {
   const char* name;
   void (*count_inliers)(const CountArgs&);
   void (*knn)(const KnnArgs&);
-  std::uint32_t (*radius_search)(const RadiusArgs&);  // answers queries while there is room; returns how many
   void (*neighbour_normals)(const NormalArgs&);
   void (*hough_directions)(const HoughArgs&);
   std::uint32_t (*shape_hits)(const ShapeArgs&);    // how many points of the leaves

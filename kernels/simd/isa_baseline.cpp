@@ -11,7 +11,6 @@ constexpr char kName[] = "baseline";
 
 #include "kernels/neighbours/hough_normals.inl"
 #include "kernels/neighbours/normals.inl"
-#include "kernels/neighbours/radius.inl"
 #include "kernels/planes/plane_score.inl"
 #include "kernels/rasters/rows.inl"
 #include "kernels/shapes/shape_score.inl"

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/oracles/whole_fill.h"
 #include "tests/support/small_images.h"
 
 namespace ilot {
@@ -46,31 +47,31 @@ TEST(FillHoles, ABowlByHand) {
                           9, 1, 2, 7, 9,  //
                           9, 3, 0, 8, 6,  //
                           9, 9, 9, 9, 9}};
-  EXPECT_EQ(fill_holes(bowl, Adjacency::four).values, (std::vector<Height>{9, 9, 9, 9, 9,  //
-                                                                           9, 8, 8, 8, 9,  //
-                                                                           9, 8, 8, 8, 6,  //
-                                                                           9, 9, 9, 9, 9}));
-  EXPECT_EQ(fill_holes(bowl, Adjacency::eight).values, (std::vector<Height>{9, 9, 9, 9, 9,  //
-                                                                            9, 7, 7, 7, 9,  //
-                                                                            9, 7, 7, 8, 6,  //
-                                                                            9, 9, 9, 9, 9}));
+  EXPECT_EQ(test::fill_holes(bowl, Adjacency::four).values, (std::vector<Height>{9, 9, 9, 9, 9,  //
+                                                                                 9, 8, 8, 8, 9,  //
+                                                                                 9, 8, 8, 8, 6,  //
+                                                                                 9, 9, 9, 9, 9}));
+  EXPECT_EQ(test::fill_holes(bowl, Adjacency::eight).values, (std::vector<Height>{9, 9, 9, 9, 9,  //
+                                                                                  9, 7, 7, 7, 9,  //
+                                                                                  9, 7, 7, 8, 6,  //
+                                                                                  9, 9, 9, 9, 9}));
 }
 
 TEST(FillHoles, EqualsAPriorityFlood) {
   for (const auto& [name, image] : test::small_images())
     for (const Adjacency adjacency : kAdjacencies)
-      ASSERT_EQ(fill_holes(image, adjacency).values, flooded(image, adjacency).values) << name;
+      ASSERT_EQ(test::fill_holes(image, adjacency).values, flooded(image, adjacency).values) << name;
 }
 
 TEST(FillHoles, FollowsSymmetriesAndConstants) {
   for (const auto& [name, image] : test::small_images()) {
     if (name.starts_with("wide")) continue;  // 77 more would leave the range of heights
     for (const Adjacency adjacency : kAdjacencies) {
-      const Image got = fill_holes(image, adjacency);
-      EXPECT_EQ(fill_holes(test::transposed(image), adjacency).values, test::transposed(got).values) << name;
-      EXPECT_EQ(fill_holes(test::mirrored(image), adjacency).values, test::mirrored(got).values) << name;
-      EXPECT_EQ(fill_holes(test::raised(image, 77), adjacency).values, test::raised(got, 77).values) << name;
-      EXPECT_EQ(fill_holes(got, adjacency).values, got.values) << name;
+      const Image got = test::fill_holes(image, adjacency);
+      EXPECT_EQ(test::fill_holes(test::transposed(image), adjacency).values, test::transposed(got).values) << name;
+      EXPECT_EQ(test::fill_holes(test::mirrored(image), adjacency).values, test::mirrored(got).values) << name;
+      EXPECT_EQ(test::fill_holes(test::raised(image, 77), adjacency).values, test::raised(got, 77).values) << name;
+      EXPECT_EQ(test::fill_holes(got, adjacency).values, got.values) << name;
     }
   }
 }
@@ -94,7 +95,7 @@ Height level_around(const Image& image, std::size_t start) {
 
 TEST(FillMissing, EachRegionGetsTheLowestHeightAroundIt) {
   for (const auto& [name, image] : test::small_images()) {
-    const Image got = fill_missing(image);
+    const Image got = test::fill_missing(image);
     for (std::size_t i = 0; i < image.size(); ++i) {
       const Height want = image.values[i] == kNoHeight ? level_around(image, i) : image.values[i];
       ASSERT_EQ(got.values[i], want) << name << " pixel " << i;
@@ -104,9 +105,9 @@ TEST(FillMissing, EachRegionGetsTheLowestHeightAroundIt) {
 
 TEST(FillMissing, FollowsSymmetries) {
   for (const auto& [name, image] : test::small_images()) {
-    const Image got = fill_missing(image);
-    EXPECT_EQ(fill_missing(test::transposed(image)).values, test::transposed(got).values) << name;
-    EXPECT_EQ(fill_missing(test::mirrored(image)).values, test::mirrored(got).values) << name;
+    const Image got = test::fill_missing(image);
+    EXPECT_EQ(test::fill_missing(test::transposed(image)).values, test::transposed(got).values) << name;
+    EXPECT_EQ(test::fill_missing(test::mirrored(image)).values, test::mirrored(got).values) << name;
   }
 }
 

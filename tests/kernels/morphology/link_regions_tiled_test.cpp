@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "kernels/morphology/flat_zones.h"
+#include "tests/oracles/whole_links.h"
 #include "tests/support/image_tiles.h"
 #include "tests/support/small_images.h"
 
@@ -40,7 +41,7 @@ TEST(LinkRegionsTiled, TheLinksOfTheWholeForEveryTiling) {
   std::size_t drawn = 0;
   for (const auto& [name, image] : test::small_images()) {
     for (const LinkRegionsParams params : {LinkRegionsParams{0, 3}, {2, 6}, {1000, 40}}) {
-      const Image want = link_regions(image, params);
+      const Image want = test::link_regions(image, params);
       for (std::size_t i = 0; i < want.size(); ++i) drawn += want.values[i] != image.values[i];
       for (const std::uint32_t side : {1u, 3u, 7u, 16u, 50u})
         ASSERT_EQ(linked_in_tiles(image, side, params).values, want.values) << name << " side " << side;
@@ -89,7 +90,7 @@ TEST(LinkRegionsTiled, LongLinks) {
     Rng rng(seed, 7);
     for (int i = 0; i < 40; ++i) image.values[rng.below(70 * 60)] = static_cast<Height>(rng.below(30));
     const LinkRegionsParams params{12, 25};
-    const Image want = link_regions(image, params);
+    const Image want = test::link_regions(image, params);
     for (const std::uint32_t side : {4u, 9u, 31u})
       ASSERT_EQ(linked_in_tiles(image, side, params).values, want.values) << seed << " side " << side;
   }

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include "kernels/core/parallel.h"
-#include "kernels/morphology/fill.h"
 #include "kernels/morphology/reconstruct.h"
+#include "tests/oracles/whole_fill.h"
 #include "tests/support/image_tiles.h"
 #include "tests/support/small_images.h"
 
@@ -74,7 +74,7 @@ Image random_marker(const Image& filled, std::uint64_t seed) {
 
 void expect_as_whole(const Image& image, std::uint32_t side, Adjacency adjacency, const std::string& name) {
   InTiles tiles(image, grid_of(image, side), adjacency);
-  const Image want = fill_holes(image, adjacency);
+  const Image want = test::fill_holes(image, adjacency);
   ASSERT_EQ(tiles.filled.values, want.values) << name << " side " << side;
   const Image marker = random_marker(want, side);
   ASSERT_EQ(tiles.drained(marker).values, reconstruct_by_erosion(marker, image, adjacency).values)
@@ -116,7 +116,7 @@ TEST(TiledFilling, SpillsMayBeKeptElsewhere) {
     filling.raise(t, tiles[t]);
     test::into(out, grid)(t, tiles[t]);
   }
-  EXPECT_EQ(out.values, fill_holes(image, Adjacency::eight).values);
+  EXPECT_EQ(out.values, test::fill_holes(image, Adjacency::eight).values);
 }
 
 TEST(TiledFilling, LargerImagesAndThreads) {

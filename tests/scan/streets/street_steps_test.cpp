@@ -11,9 +11,10 @@
 #include "kernels/core/parallel.h"
 #include "kernels/morphology/profile.h"
 #include "kernels/rasters/hough_lines.h"
-#include "kernels/rasters/range_image.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/streets/street_scan.h"
+#include "tests/oracles/range_image.h"
+#include "tests/oracles/whole_street.h"
 
 namespace ilot::scan {
 namespace {
@@ -61,14 +62,12 @@ std::uint32_t most_common(const std::map<std::uint32_t, std::size_t>& counts) {
 // One block without trees, whose crowns hide the ground from above.
 TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
   const StreetCloud cloud = scanned({"scene.blocks=1", "scene.trees=0"});
-  const GridFrame frame = frame_of(cloud.view(), 50);
-  const RangeImage image = range_image(cloud.view(), frame);
-  const ilot::Ground ground = find_ground(image.range, {});
-  const Artefacts artefacts = find_artefacts(ground, {});
+  const test::RangeImage image = test::range_image(cloud.view(), 50);
+  const test::Ground ground = test::find_ground(image.range, {});
+  const test::Artefacts artefacts = test::find_artefacts(ground, {});
   const PixelLabels things = separate_artefacts(artefacts.height, {});
 
-  std::vector<std::uint32_t> pixels(cloud.truth.size());
-  pixels_of(cloud.view(), frame, pixels);
+  const std::vector<std::uint32_t>& pixels = image.pixel_of;
   std::size_t ground_points = 0, found_ground = 0, facade_points = 0, facade_off_ground = 0;
   std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> labels_of, objects_of;  // points by the other
   std::map<std::uint32_t, std::size_t> points_of;
@@ -99,7 +98,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
 // City blocks at 5 pixels a metre: both facades' lines, and on each the streets between three blocks.
 TEST(StreetSteps, StreetsBetweenBlocks) {
   const StreetCloud cloud = scanned({"scene.blocks=3", "scene.profiles=3", "scene.slope=5"});
-  const RangeImage image = range_image(cloud.view(), frame_of(cloud.view(), 200));
+  const test::RangeImage image = test::range_image(cloud.view(), 200);
   const auto lines = hough_lines(image.range, {.max_lines = 2});
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_GT(lines[0].line.nx * lines[1].line.nx + lines[0].line.ny * lines[1].line.ny, 0.9999);

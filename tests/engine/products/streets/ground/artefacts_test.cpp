@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "kernels/morphology/flat_zones.h"
+#include "tests/oracles/whole_street.h"
 #include "tests/support/street_images.h"
 
 namespace ilot {
@@ -14,8 +15,8 @@ namespace {
 using test::PixelBox;
 using test::put;
 
-Artefacts artefacts_of(const Image& range) {
-  return find_artefacts(find_ground(range, {}), {});
+test::Artefacts artefacts_of(const Image& range) {
+  return test::find_artefacts(test::find_ground(range, {}), {});
 }
 
 // All pixels of the boxes stand there, with about their height; at most `others` pixels elsewhere.
@@ -43,7 +44,7 @@ TEST(Artefacts, BoxesOnLevelAndSlopingGround) {
     const std::vector<std::pair<PixelBox, Height>> boxes{
         {{60, 60, 80, 36}, 900}, {{200, 40, 10, 10}, 900}, {{260, 80, 8, 8}, 700}, {{300, 30, 30, 20}, 400}};
     for (const auto& [box, height] : boxes) put(range, box, height);
-    const Artefacts got = artefacts_of(range);
+    const test::Artefacts got = artefacts_of(range);
     // A box rises from the highest ground around it, its sloping top with it: up to its length times the slope.
     expect_boxes(got.height, boxes, 25 + 80 * percent / 2);
     for (std::size_t i = 0; i < got.ground.size(); ++i)
@@ -66,14 +67,14 @@ TEST(Artefacts, APavementIsGround) {
   const PixelBox bin{100, 30, 14, 14}, edge{200, test::kFacade, 20, 20};
   put(range, bin, 800);
   put(range, edge, 800);
-  const Artefacts got = artefacts_of(range);
+  const test::Artefacts got = artefacts_of(range);
   EXPECT_EQ(got.ground[std::size_t{40} * 400 + 50], 1);
   expect_boxes(got.height, {{bin, 800}, {edge, 800}}, 200);
 }
 
 TEST(Artefacts, NothingStandsOnEmptyGround) {
   for (const int percent : {0, 5, 20}) {
-    const Artefacts got = artefacts_of(test::sloping_street(300, 100, percent));
+    const test::Artefacts got = artefacts_of(test::sloping_street(300, 100, percent));
     EXPECT_EQ(flat_zones(got.height, 1 << 20, Adjacency::eight).count, 0u) << percent;
   }
   EXPECT_EQ(artefacts_of({}).height.size(), 0u);

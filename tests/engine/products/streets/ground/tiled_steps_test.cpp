@@ -6,9 +6,10 @@
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/separation.h"
 #include "engine/products/streets/objects/things.h"
-#include "kernels/morphology/fill.h"
 #include "kernels/morphology/fill_missing_tiled.h"
 #include "kernels/morphology/flat_zones.h"
+#include "tests/oracles/whole_fill.h"
+#include "tests/oracles/whole_street.h"
 #include "tests/support/memory_layers.h"
 #include "tests/support/street_images.h"
 
@@ -55,8 +56,8 @@ class TiledSteps : public testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(TiledSteps, AreThoseOfTheWhole) {
   const Image range = busy_street();
-  const Ground ground = find_ground(range, {});
-  const Artefacts artefacts = find_artefacts(ground, {});
+  const test::Ground ground = test::find_ground(range, {});
+  const test::Artefacts artefacts = test::find_artefacts(ground, {});
   const PixelLabels apart = separate_artefacts(artefacts.height, {});
   ASSERT_GT(apart.count, 3u);
 
@@ -105,7 +106,7 @@ TEST_P(TiledSteps, ChooseTheSameGround) {
     images.push_back(image);
   }
   for (const Image& range : images) {
-    const Ground ground = find_ground(range, {});
+    const test::Ground ground = test::find_ground(range, {});
     MemoryLayers memory({range.width, range.height, GetParam()});
     memory.put("range", range);
     find_ground_tiled(memory.layers, {});
@@ -117,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, TiledSteps, testing::Values(32u, 50u, 101u, 330u
 
 TEST(FillMissingTiled, TheValuesOfTheWholeForEveryTiling) {
   for (const auto& [name, image] : test::small_images()) {
-    const Image want = fill_missing(image);
+    const Image want = test::fill_missing(image);
     for (const std::uint32_t side : {1u, 2u, 5u, 8u, 40u}) {
       MemoryLayers memory({image.width, image.height, side});
       memory.put("image", image);
@@ -141,7 +142,7 @@ TEST(FillMissingTiled, TheValuesOfTheWholeForEveryTiling) {
 TEST(TiledSteps, AbsentTilesEndTheImage) {
   const Image range = busy_street();
   constexpr std::uint32_t kSide = 165;
-  const Ground alone = find_ground(range, {});
+  const test::Ground alone = test::find_ground(range, {});
   const TileGrid grid = test::with_tiles({range.width, 3 * kSide, kSide}, {1, 1, 0, 0, 1, 1});
   Image both = filled_image(grid.width, grid.height, kNoHeight);
   for (std::uint32_t y = 0; y < range.height; ++y)

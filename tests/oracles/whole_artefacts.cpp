@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/streets/ground/artefacts.h"
+#include "tests/oracles/whole_street.h"
 
-#include <algorithm>
-
-#include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
 #include "kernels/morphology/reconstruct.h"
 #include "kernels/rasters/box_minimum.h"
-
-namespace ilot {
+#include "tests/oracles/whole_fill.h"
+namespace ilot::test {
 namespace {
 
 Image masked(const Ground& ground) {
@@ -96,4 +93,4 @@ Artefacts find_artefacts(const Ground& ground, const RasterScale& scale, const A
   return found;
 }
 
-}  // namespace ilot
+}  // namespace ilot::test

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/streets/ground/ground.h"
+#include "tests/oracles/whole_street.h"
 
 #include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
-#include "kernels/morphology/link_regions.h"
+#include "kernels/morphology/region_links.h"
 #include "kernels/morphology/zone_falls.h"
-
-namespace ilot {
+#include "tests/oracles/whole_fill.h"
+#include "tests/oracles/whole_links.h"
+namespace ilot::test {
 namespace {
 
 // Which labels have a pixel on the border of the image.
@@ -59,4 +60,4 @@ Ground find_ground(const Image& range, const RasterScale& scale, const GroundPar
   return ground;
 }
 
-}  // namespace ilot
+}  // namespace ilot::test

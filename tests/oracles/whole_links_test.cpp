@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/morphology/link_regions.h"
+#include "kernels/morphology/region_links.h"
 
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 #include "kernels/core/union_find.h"
 #include "kernels/morphology/flat_zones.h"
 #include "tests/support/small_images.h"
+#include "tests/oracles/whole_links.h"
 
 namespace ilot {
 namespace {
@@ -20,11 +21,11 @@ TEST(LinkRegions, TwoIslandsByHand) {
                     {10, kNo, kNo, kNo, kNo, 16,  //
                      10, 10, kNo, kNo, 14, 16,    //
                      10, kNo, kNo, kNo, kNo, kNo}};
-  EXPECT_EQ(link_regions(image, {.step = 4}).values, (std::vector<Height>{10, kNo, kNo, kNo, kNo, 16,  //
+  EXPECT_EQ(test::link_regions(image, {.step = 4}).values, (std::vector<Height>{10, kNo, kNo, kNo, kNo, 16,  //
                                                                           10, 10, 11, 12, 14, 16,      //
                                                                           10, kNo, kNo, kNo, kNo, kNo}));
-  EXPECT_EQ(link_regions(image, {.step = 4, .max_length = 1}).values, image.values);
-  EXPECT_EQ(link_regions(image, {.step = 3}).values, image.values);  // 10 and 14 are no neighbours in height
+  EXPECT_EQ(test::link_regions(image, {.step = 4, .max_length = 1}).values, image.values);
+  EXPECT_EQ(test::link_regions(image, {.step = 3}).values, image.values);  // 10 and 14 are no neighbours in height
 }
 
 // Oracle: how far each region is from each other over pixels without a height, one flood a region, and the regions that
@@ -70,7 +71,7 @@ TEST(LinkRegions, JoinsAllThatCanBeAndChangesNothingElse) {
             --want;
             shortest += length;
           }
-      const Image got = link_regions(image, {kAny, max_length});
+      const Image got = test::link_regions(image, {kAny, max_length});
       EXPECT_EQ(flat_zones(got, kAny, Adjacency::eight).count, want) << name << " " << max_length;
       std::size_t added = 0;
       for (std::size_t i = 0; i < image.size(); ++i) {

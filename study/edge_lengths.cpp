@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/delaunay/edge_lengths.h"
+#include "study/edge_lengths.h"
 
 #include <algorithm>
 #include <cmath>

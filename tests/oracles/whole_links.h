@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+// Links in an image that is in memory as a whole: what the tiled kernel must agree with.
 #pragma once
-#include "kernels/rasters/image.h"
+#include "kernels/morphology/region_links.h"
 
-namespace ilot {
-
-struct LinkRegionsParams {
-  Height step = 1000;              // units; regions are flat zones within it, and links climb no more
-  std::uint32_t max_length = 100;  // pixels without a height that a link may cross
-};
+namespace ilot::test {
 
 // Regions that shadows cut apart, linked along their shortest connections [Hernandez and Marcotegui 2008, 3.2]: regions
 // are lambda-flat zones (corners join) of the pixels with a height; links run from side to side over pixels without
@@ -19,4 +15,4 @@ struct LinkRegionsParams {
 // regions meet; 20 bytes a pixel.
 Image link_regions(const Image& image, const LinkRegionsParams& params = {});
 
-}  // namespace ilot
+}  // namespace ilot::test

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/morphology/link_regions.h"
+#include "tests/oracles/whole_links.h"
 
 #include "kernels/morphology/flat_zones.h"
-#include "kernels/morphology/region_links.h"
 
-namespace ilot {
+namespace ilot::test {
 
 Image link_regions(const Image& image, const LinkRegionsParams& params) {
   if (image.size() == 0) return image;
@@ -18,4 +17,4 @@ Image link_regions(const Image& image, const LinkRegionsParams& params) {
   return out;
 }
 
-}  // namespace ilot
+}  // namespace ilot::test
