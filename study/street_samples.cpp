@@ -131,7 +131,7 @@ class TileLook {
     std::size_t thing = 0;
   };
   Seen at(Index3 p) {
-    const StreetRaster& raster = tiles_.raster();
+    const TileRaster& raster = tiles_.raster();
     const std::int64_t x = raster.column(p.x), y = raster.row(p.y), side = raster.grid.side;
     const auto tile = static_cast<std::size_t>(y / side * raster.grid.columns() + x / side);
     auto entry = kept_.find(tile);
@@ -156,7 +156,7 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
   const CloudInfo& info = reader.info();
   const ExtraField kind = *find_integer_field(info.layout, "true_class");
   const ExtraField element = *find_integer_field(info.layout, "true_element");
-  const StreetRaster& raster = found.tiles->raster();
+  const TileRaster& raster = found.tiles->raster();
   const LatticeMap lattice(info.layout, raster.unit);
   const Height least = raster.scale.units(StreetsSettings{}.least_height);
   Shares shares(found.things.size());
@@ -188,7 +188,7 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
 
 // The samples, by what overlaps each thing.
 void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& truth, Street& street) {
-  const StreetRaster& raster = found.tiles->raster();
+  const TileRaster& raster = found.tiles->raster();
   for (std::size_t i = 1; i < shares.points.size(); ++i) {
     const Thing& thing = found.things[i - 1];
     ThingSample sample{thing.features, PointLabel::none, 0};

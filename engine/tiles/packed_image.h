@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 
 namespace ilot {
 

@@ -47,9 +47,9 @@ std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) c
   if (memory_ == 0) return least;  // runs alone
   const std::uint64_t enough = memory_ + least - static_cast<std::uint64_t>(std::max<std::int64_t>(0, free));
   throw Error(
-      fmt::format("streets: this raster needs about {} MiB of memory at once, --memory allows {} MiB: give "
-                  "--memory {}M or more, a larger streets.pixel, or a part of the points (--bounds)",
-                  (enough >> 20) + 1, memory_ >> 20, ((enough >> 20) / 64 + 1) * 64));
+      fmt::format("{}: this raster needs about {} MiB of memory at once, --memory allows {} MiB: give "
+                  "--memory {}M or more, larger pixels (streets.pixel), or a part of the points (--bounds)",
+                  what_, (enough >> 20) + 1, memory_ >> 20, ((enough >> 20) / 64 + 1) * 64));
 }
 
 void TileRunner::need(std::uint64_t bytes) const {

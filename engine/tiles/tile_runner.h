@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
+#include <utility>
 
 #include "engine/pass/context.h"
 #include "engine/tiles/packed_layers.h"
@@ -15,8 +17,8 @@ namespace ilot {
 // would do. What is computed depends on none of this.
 class TileRunner {
  public:
-  TileRunner(const PassContext& context, PackedLayers& layers)
-      : memory_(context.memory_bytes), budget_(context.budget_bytes), layers_(layers) {}
+  TileRunner(const PassContext& context, PackedLayers& layers, std::string what)
+      : memory_(context.memory_bytes), budget_(context.budget_bytes), layers_(layers), what_(std::move(what)) {}
 
   // RunTasks and NeedBytes of a TileGrid.
   void run(std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) const;
@@ -28,6 +30,7 @@ class TileRunner {
 
   std::uint64_t memory_, budget_;
   PackedLayers& layers_;
+  std::string what_;  // runs: in front of what an Error says
 };
 
 }  // namespace ilot

@@ -5,7 +5,7 @@
 #include <mutex>
 #include <string>
 
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 #include "tests/support/image_tiles.h"
 
 namespace ilot::test {
@@ -37,7 +37,7 @@ class MemoryLayers {
     return out;
   }
 
-  StreetLayers layers;
+  TileLayers layers;
 
  private:
   mutable std::mutex mutex_;

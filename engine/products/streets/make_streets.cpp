@@ -35,13 +35,13 @@ ThingsParams things_params(const StreetsSettings& s, const RasterScale& scale, d
   return params;
 }
 
-Vec3 place_of(const StreetRaster& raster, double x, double y, Height z) {
+Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
 }
 
 StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const Thing& thing,
                        const ThingClass& what) {
-  const StreetRaster& raster = street.tiles->raster();
+  const TileRaster& raster = street.tiles->raster();
   StreetObject o;
   o.label = what.label;
   o.probability = what.probability;
@@ -64,7 +64,7 @@ bool is_object(PointLabel label) {
 }
 
 void add_parts(const FoundStreet& street, StreetPlan& plan) {
-  const StreetRaster& raster = street.tiles->raster();
+  const TileRaster& raster = street.tiles->raster();
   const auto part_of = [&](std::size_t s, std::size_t number, const StretchPart& part) {
     const StreetStretch& stretch = street.stretches[s];
     const auto at = [&](double along) {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "engine/products/streets/lattice_cells.h"
+#include "engine/tiles/lattice_cells.h"
 
 namespace ilot {
 namespace {

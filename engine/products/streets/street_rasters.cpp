@@ -34,7 +34,7 @@ struct Sheet {
   std::vector<std::size_t> tiles;
 };
 
-std::vector<Sheet> sheets_of(const StreetRaster& raster, TileBox& whole) {
+std::vector<Sheet> sheets_of(const TileRaster& raster, TileBox& whole) {
   const auto sheet_of = [](std::int64_t tile) {
     return tile >= 0 ? tile / kMostTilesOfSheet : (tile + 1) / kMostTilesOfSheet - 1;
   };
@@ -111,7 +111,7 @@ class RasterWriter {
     file.finish();
   }
 
-  const StreetRaster& raster_;
+  const TileRaster& raster_;
   const std::filesystem::path& folder_;
   const Crs& crs_;
   TileBox whole_;  // set by sheets_of

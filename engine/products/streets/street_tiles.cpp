@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/streets/street_tiles.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <mutex>
 
-#include "engine/error.h"
 #include "engine/pass/pass.h"
-#include "engine/products/streets/lattice_cells.h"
-#include "engine/report/progress.h"
 #include "engine/store/stretches.h"
+#include "engine/tiles/lattice_cells.h"
 #include "kernels/rasters/nearest.h"
 #include "kernels/rasters/occupancy.h"
 
@@ -21,23 +17,14 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr std::int64_t kFar = std::int64_t{1} << 52;
-// Tiles between two sites, at least: far more than any step looks beyond a tile (links of 10 m, lines of facades that
-// go on in the next window of 200 m), whatever the pixel; at 5 cm 1.6 km.
-constexpr std::int64_t kWidestGap = 64;
-constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;  // in a direction
-constexpr double kShareOfLayers = 0.15;                            // of the budget, for packed layers
-constexpr std::uint64_t kBytesDrawn = 16;                          // per pixel of a tile that is drawn
-constexpr std::uint64_t kBytesOfStretch = 1u << 20;                // of points as they are read, their chunks included
-constexpr double kFinestPixel = 0.05;                              // metres
-constexpr int kCoarsest = 20;                                      // times that
+constexpr std::uint64_t kBytesDrawn = 16;            // per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // of points as they are read, their chunks included
+constexpr double kFinestPixel = 0.05;                // metres
+constexpr int kCoarsest = 20;                        // times that
 constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is empty then, e to the power of minus this
 constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
 constexpr std::uint32_t kCrowded = 4;        // times the median
 constexpr double kMostCrowded = 1.0 / 3;     // of the points seen from the air
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>
@@ -46,10 +33,6 @@ void for_points_in(const Store& store, const IndexBox& box, const Take& take) {
     for (std::size_t i = 0; i < s.codes.size(); ++i)
       if (const Index3 p = s.position(i); box.contains(p)) take(p);
   });
-}
-
-std::uint64_t share_of(const PassContext& context, double share) {
-  return static_cast<std::uint64_t>(share * static_cast<double>(context.budget_bytes));
 }
 
 std::int64_t whole_units(const Store& store, const PassContext& context, double metres) {
@@ -119,84 +102,21 @@ double pixel_for(double density, StreetView view) {
   return kFinestPixel * times;
 }
 
-double StreetRaster::crs(const FoldedAxis& axis, double at) const {
-  const auto tile = static_cast<std::int64_t>(std::floor(at / grid.side));
-  const std::int64_t origin = (axis.lattice(tile) - tile) * grid.side;
-  return (static_cast<double>(origin) + at) * static_cast<double>(pixel) * unit;
-}
-
-std::int64_t StreetRaster::folded_pixel(const FoldedAxis& axis, std::int64_t lattice) const {
-  const std::int64_t at = floor_divided(lattice, pixel), tile = floor_divided(at, grid.side);
-  const std::int64_t folded = axis.folded(tile);
-  return folded < 0 ? -1 : at + (folded - tile) * grid.side;
-}
-
-std::size_t StreetRaster::tile_over(Index3 p) const {
-  return grid.tile_at(rows.folded(floor_divided(p.y, tile_units())), columns.folded(floor_divided(p.x, tile_units())));
-}
-
-PointWindow StreetRaster::window(std::size_t tile) const {
-  const TilePlace place = grid.place(tile);
-  return {rows.lattice(place.row), columns.lattice(place.column)};
-}
-
-Index3 StreetRaster::corner(std::size_t tile) const {
-  const PointWindow at = window(tile);
-  return {at.column * tile_units(), at.row * tile_units(), 0};
-}
-
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
     : store_(store),
       context_(context),
-      packed_(store.folder() / "streets", share_of(context, kShareOfLayers)),
-      runner_(context, packed_) {
-  raster_.pixel = whole_units(store, context, pixel_metres);
-  raster_.unit = store.unit();
-  const double metres = store.unit() * context.metres_per_unit;
-  raster_.scale = {metres, metres * static_cast<double>(raster_.pixel)};
-  plan();
-  raster_.grid.run = [this](std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) {
-    runner_.run(bytes, body);
-  };
-  raster_.grid.need = [this](std::uint64_t bytes) { runner_.need(bytes); };
-  const std::vector<std::uint64_t> bytes(raster_.grid.count(), kBytesDrawn * kSide * kSide + kBytesOfStretch);
-  run_tasks(raster_.grid, bytes, [&](std::size_t tile) { draw(tile); });
-  layers_ = {raster_.grid,
-             [this](const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) {
-               packed_.read(layer, tile, part, out);
-             },
-             [this](const char* layer, std::size_t tile, const Image& image) { packed_.write(layer, tile, image); },
-             [this](const char* layer) { packed_.drop(layer); }};
-}
-
-void StreetTiles::plan() {
-  raster_.grid.side = kSide;
-  const std::vector<PointWindow> windows = windows_with_points(store_, context_, raster_.tile_units());
-  std::vector<std::int64_t> rows, columns;
-  for (const auto& [row, column] : windows) rows.push_back(row), columns.push_back(column);
-  std::sort(columns.begin(), columns.end());
-  raster_.rows = FoldedAxis(rows, kWidestGap);
-  raster_.columns = FoldedAxis(columns, kWidestGap);
-  const std::int64_t width = raster_.columns.size() * kSide, height = raster_.rows.size() * kSide;
-  if (std::max(width, height) > kMostPixels)
-    throw Error(
-        fmt::format("streets: the points are spread over {} tiles of {:.0f} m that do not touch, which is more "
-                    "than a raster can hold: give a larger streets.pixel, or a part of them (--bounds)",
-                    grouped(windows.size()), kSide * raster_.scale.pixel));
-  raster_.grid.width = static_cast<std::uint32_t>(width);
-  raster_.grid.height = static_cast<std::uint32_t>(height);
-  for (const auto& [row, column] : windows)
-    raster_.grid.tiles.push_back({static_cast<std::uint32_t>(raster_.rows.folded(row)),
-                                  static_cast<std::uint32_t>(raster_.columns.folded(column))});
+      tiles_(context, store.folder() / "streets",
+             plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, "streets"), "streets") {
+  const std::vector<std::uint64_t> bytes(raster().grid.count(), kBytesDrawn * kSide * kSide + kBytesOfStretch);
+  run_tasks(raster().grid, bytes, [&](std::size_t tile) { draw(tile); });
 }
 
 // take(pixel in the tile, z)
 template <class Take>
 void StreetTiles::for_points(std::size_t tile, const Take& take) const {
-  const Index3 corner = raster_.corner(tile);
-  const std::int64_t last = raster_.tile_units() - 1;
-  const LatticeCells pixel_of(raster_.pixel);
-  for_points_in(store_, {{corner.x, corner.y, -kFar}, {corner.x + last, corner.y + last, kFar}}, [&](Index3 p) {
+  const Index3 corner = raster().corner(tile);
+  const LatticeCells pixel_of(raster().pixel);
+  for_points_in(store_, raster().box(tile), [&](Index3 p) {
     take(std::size_t{pixel_of(p.y - corner.y)} * kSide + pixel_of(p.x - corner.x), height_of(p.z));
   });
 }
@@ -209,16 +129,16 @@ void StreetTiles::draw(std::size_t tile) {
     ++accumulation.values[pixel];
     ++points;
   });
-  packed_.write("range", tile, range);
-  packed_.write("accumulation", tile, accumulation);
+  layers().write("range", tile, range);
+  layers().write("accumulation", tile, accumulation);
   context_.advance(points);
 }
 
 double StreetTiles::mean_accumulation() const {
-  std::vector<std::uint64_t> points(raster_.grid.count(), 0), pixels(raster_.grid.count(), 0);
-  for_each_tile(raster_.grid, [&](std::size_t tile) {
-    const Image mask = layer_tile(layers_, "mask", tile), height = layer_tile(layers_, "height", tile),
-                accumulation = layer_tile(layers_, "accumulation", tile);
+  std::vector<std::uint64_t> points(raster().grid.count(), 0), pixels(raster().grid.count(), 0);
+  for_each_tile(raster().grid, [&](std::size_t tile) {
+    const Image mask = layer_tile(layers(), "mask", tile), height = layer_tile(layers(), "height", tile),
+                accumulation = layer_tile(layers(), "accumulation", tile);
     for (std::size_t i = 0; i < mask.size(); ++i) {
       if (mask.values[i] != 1 || height.values[i] != kNoHeight || accumulation.values[i] == 0) continue;
       points[tile] += static_cast<std::uint64_t>(accumulation.values[i]);
@@ -231,21 +151,21 @@ double StreetTiles::mean_accumulation() const {
 }
 
 void StreetTiles::spread_level(double reach) const {
-  const std::uint32_t halo = raster_.scale.pixels(reach) + 1;
-  for_each_tile(raster_.grid,
+  const std::uint32_t halo = raster().scale.pixels(reach) + 1;
+  for_each_tile(raster().grid,
                 [&](std::size_t tile) {
-                  layers_.write("level", tile, spread(layer_around(layers_, "bare", tile, halo), halo - 1));
+                  layers().write("level", tile, spread(layer_around(layers(), "bare", tile, halo), halo - 1));
                 },
                 {16, halo});
-  layers_.drop("bare");
+  layers().drop("bare");
 }
 
 void StreetTiles::count_above(double least_height, double low_height, StreetView view) const {
-  const Height least = raster_.scale.units(least_height), low_below = raster_.scale.units(low_height);
-  const auto bin = static_cast<std::uint32_t>(std::max(1, raster_.scale.units(raster_.scale.bin())));
+  const Height least = raster().scale.units(least_height), low_below = raster().scale.units(low_height);
+  const auto bin = static_cast<std::uint32_t>(std::max(1, raster().scale.units(raster().scale.bin())));
   const std::uint32_t bins = view == StreetView::street ? kOccupancyBins : 0;
-  for_each_tile(raster_.grid, [&](std::size_t tile) {
-    const Image level = layer_tile(layers_, "level", tile);
+  for_each_tile(raster().grid, [&](std::size_t tile) {
+    const Image level = layer_tile(layers(), "level", tile);
     Image above = filled_image(kSide, kSide, 0), low = above, occupancy = above;
     for_points(tile, [&](std::size_t pixel, Height z) {
       const Height ground = level.values[pixel];
@@ -255,9 +175,9 @@ void StreetTiles::count_above(double least_height, double low_height, StreetView
       if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < bins)
         occupancy.values[pixel] |= 1 << i;
     });
-    layers_.write("above", tile, above);
-    layers_.write("low", tile, low);
-    layers_.write("occupancy", tile, occupancy);
+    layers().write("above", tile, above);
+    layers().write("low", tile, low);
+    layers().write("occupancy", tile, occupancy);
   });
 }
 

@@ -4,44 +4,11 @@
 #include <algorithm>
 
 #include "engine/pass/context.h"
-#include "engine/products/streets/ground/raster_scale.h"
 #include "engine/settings/settings.h"
 #include "engine/store/store.h"
-#include "engine/tiles/folded_axis.h"
-#include "engine/tiles/packed_layers.h"
-#include "engine/tiles/point_windows.h"
-#include "engine/tiles/street_layers.h"
-#include "engine/tiles/tile_runner.h"
+#include "engine/tiles/raster_layers.h"
 
 namespace ilot {
-
-// Where the images are: pixels of whole lattice units with corners at multiples of them, tiles at multiples of their
-// side, so that all runs share one raster. Long stretches without a tile are left out of the numbers of pixels
-// (FoldedAxis); distances between sites that far apart are asked for nowhere but in CRS coordinates.
-struct StreetRaster {
-  std::int64_t pixel = 50;   // lattice units
-  FoldedAxis columns, rows;  // of tiles
-  RasterScale scale;
-  double unit = 0.001;  // CRS units of a lattice unit
-  TileGrid grid;
-
-  double crs_x(double pixel_x) const { return crs(columns, pixel_x); }
-  double crs_y(double pixel_y) const { return crs(rows, pixel_y); }
-  // The pixel that holds a coordinate; -1 where there is none.
-  std::int64_t column(std::int64_t lattice_x) const { return folded_pixel(columns, lattice_x); }
-  std::int64_t row(std::int64_t lattice_y) const { return folded_pixel(rows, lattice_y); }
-  // The tile over a point, kNoTile where there is none.
-  std::size_t tile_over(Index3 p) const;
-  // Of a tile on the lattice of tiles.
-  PointWindow window(std::size_t tile) const;
-  // Lattice units of a tile's first pixel.
-  Index3 corner(std::size_t tile) const;
-  std::int64_t tile_units() const { return pixel * grid.side; }
-
- private:
-  double crs(const FoldedAxis& axis, double at) const;
-  std::int64_t folded_pixel(const FoldedAxis& axis, std::int64_t lattice) const;
-};
 
 // Heights of lattice points; what is farther from 0 than heights may be, as a stray point is, counts as just so far.
 inline Height height_of(std::int64_t z) {
@@ -73,8 +40,8 @@ class StreetTiles {
   // are so many that their pixels have no numbers (2^31 in a direction).
   StreetTiles(const Store& store, const PassContext& context, double pixel_metres);
 
-  const StreetRaster& raster() const { return raster_; }
-  const StreetLayers& layers() const { return layers_; }
+  const TileRaster& raster() const { return tiles_.raster(); }
+  const TileLayers& layers() const { return tiles_.layers(); }
 
   // Points of a pixel of the ground that has any, on average; 1 where there is none. Of "mask", "height",
   // "accumulation".
@@ -89,17 +56,13 @@ class StreetTiles {
   void count_above(double least_height, double low_height, StreetView view) const;
 
  private:
-  void plan();
   void draw(std::size_t tile);
   template <class Take>
   void for_points(std::size_t tile, const Take& take) const;
 
   const Store& store_;
   const PassContext& context_;
-  StreetRaster raster_;
-  PackedLayers packed_;
-  TileRunner runner_;
-  StreetLayers layers_;
+  RasterLayers tiles_;
 };
 
 }  // namespace ilot

@@ -23,7 +23,7 @@ std::string name_of(PointLabel label) {
 
 // The separated thing nearest to a place; 0 = none.
 std::uint32_t part_at(const FoundStreet& street, Vec3 place) {
-  const StreetRaster& raster = street.tiles->raster();
+  const TileRaster& raster = street.tiles->raster();
   const auto pixel_of = [&](double v) {
     return static_cast<std::int64_t>(std::floor(v / raster.unit / static_cast<double>(raster.pixel)));
   };
@@ -73,7 +73,7 @@ Learnt samples_of(const FoundStreet& street, const std::vector<TrainingPlace>& p
       if (place_of[part] != 0) place_of[i] = place_of[part];
     }
   }
-  const StreetRaster& raster = street.tiles->raster();
+  const TileRaster& raster = street.tiles->raster();
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> groups;
   for (std::uint32_t i = 1; i <= things.size(); ++i) {
     if (held[i] == 0) continue;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/products/streets/blocks/city_blocks.h"
-#include "engine/products/streets/ground/raster_scale.h"
+#include "engine/tiles/raster_scale.h"
 
 namespace ilot {
 

@@ -64,7 +64,7 @@ struct WindowLine {
 
 class BlockFinder {
  public:
-  BlockFinder(const StreetLayers& layers, const RasterScale& scale, const CityBlocksParams& params)
+  BlockFinder(const TileLayers& layers, const RasterScale& scale, const CityBlocksParams& params)
       : layers_(layers),
         scale_(scale),
         params_(params),
@@ -283,7 +283,7 @@ class BlockFinder {
     add_block(profile.size());
   }
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   const RasterScale& scale_;
   const CityBlocksParams& params_;
   std::uint32_t factor_;
@@ -294,7 +294,7 @@ class BlockFinder {
 
 }  // namespace
 
-std::vector<StreetStretch> find_city_blocks(const StreetLayers& layers, const RasterScale& scale,
+std::vector<StreetStretch> find_city_blocks(const TileLayers& layers, const RasterScale& scale,
                                             const CityBlocksParams& params) {
   return BlockFinder(layers, scale, params).find();
 }

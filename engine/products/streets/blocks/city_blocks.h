@@ -2,8 +2,8 @@
 #pragma once
 #include <vector>
 
-#include "engine/products/streets/ground/raster_scale.h"
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/raster_scale.h"
+#include "engine/tiles/tile_layers.h"
 
 namespace ilot {
 
@@ -37,7 +37,7 @@ struct StreetStretch {
 // Hough transform weighted by accumulation finds lines; those of neighbouring windows that go on in each other are one
 // stretch, its line the weighted least squares of all their pixels. The profile of heights along it, smoothed, is cut
 // by a watershed where a street opens. Stretches by their first pixels in the raster of windows.
-std::vector<StreetStretch> find_city_blocks(const StreetLayers& layers, const RasterScale& scale,
+std::vector<StreetStretch> find_city_blocks(const TileLayers& layers, const RasterScale& scale,
                                             const CityBlocksParams& params = {});
 
 }  // namespace ilot

@@ -12,7 +12,7 @@ constexpr Height kUndecided = 2, kUndecidedMissing = 3;
 
 class Enclosing {
  public:
-  Enclosing(const StreetLayers& layers, const char* zones_layer, const TileZones& zones)
+  Enclosing(const TileLayers& layers, const char* zones_layer, const TileZones& zones)
       : layers_(layers), zones_layer_(zones_layer), zones_(zones), borders_(layers.grid), open_(layers.grid.count()) {}
 
   // The ground of a tile, and what it encloses within it.
@@ -79,7 +79,7 @@ class Enclosing {
     });
   }
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   const char* zones_layer_;
   const TileZones& zones_;
   BorderZones borders_;
@@ -89,7 +89,7 @@ class Enclosing {
 
 }  // namespace
 
-void find_enclosed_ground(const StreetLayers& layers, const char* zones_layer, const TileZones& zones,
+void find_enclosed_ground(const TileLayers& layers, const char* zones_layer, const TileZones& zones,
                           const GroundOfGroups& chosen, const TileGroups& groups) {
   Enclosing enclosing(layers, zones_layer, zones);
   for_each_tile(layers.grid, [&](std::size_t tile) {

@@ -7,7 +7,7 @@ namespace ilot {
 
 // From the zones and "filled" to "mask": the zone chosen for each group of tiles and all that no path from side to side
 // leads from to the end of the image without crossing it; but for pixels without a height.
-void find_enclosed_ground(const StreetLayers& layers, const char* zones_layer, const TileZones& zones,
+void find_enclosed_ground(const TileLayers& layers, const char* zones_layer, const TileZones& zones,
                           const GroundOfGroups& chosen, const TileGroups& groups);
 
 }  // namespace ilot

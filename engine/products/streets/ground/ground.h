@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/products/streets/ground/raster_scale.h"
+#include "engine/tiles/raster_scale.h"
 #include "kernels/rasters/image.h"
 
 namespace ilot {

@@ -8,7 +8,7 @@
 
 namespace ilot {
 
-TileZones::TileZones(const StreetLayers& layers, const char* layer)
+TileZones::TileZones(const TileLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}
 
 void TileZones::find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted) {

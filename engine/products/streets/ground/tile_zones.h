@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 #include "kernels/morphology/border_zones.h"
 
 namespace ilot {
@@ -22,7 +22,7 @@ enum class ZoneFalls : std::uint8_t { left_out, counted };
 class TileZones {
  public:
   // Labels of tiles are kept in `layer`.
-  TileZones(const StreetLayers& layers, const char* layer);
+  TileZones(const TileLayers& layers, const char* layer);
 
   void find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted);
   void join(Height lambda);
@@ -52,7 +52,7 @@ class TileZones {
   std::vector<Candidate> candidates(const TileGroups& groups) const;
   bool several(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row, std::int64_t to_row) const;
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   const char* layer_;
   BorderZones borders_;
   std::vector<std::vector<Zone>> zones_;  // by tile, then label; [0] unused

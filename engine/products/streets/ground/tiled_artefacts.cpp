@@ -13,7 +13,7 @@ namespace ilot {
 namespace {
 
 // The ground and what stands on it around a tile, kNoHeight elsewhere.
-Image inside_around(const StreetLayers& layers, std::size_t tile, std::uint32_t halo) {
+Image inside_around(const TileLayers& layers, std::size_t tile, std::uint32_t halo) {
   Image inside = layer_around(layers, "filled", tile, halo);
   const Image mask = layer_around(layers, "mask", tile, halo);
   for (std::size_t i = 0; i < inside.size(); ++i)
@@ -30,7 +30,7 @@ int touches(const Height* p, std::ptrdiff_t stride) {
 }
 
 // Upside down, with the ring at the local ground height; outside of it kNoHeight.
-Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach) {
+Image over_of(const TileLayers& layers, std::size_t tile, std::uint32_t reach) {
   const std::uint32_t halo = reach + 1;
   const Image inside = inside_around(layers, tile, halo), around = box_minimum_within(inside, reach);
   Image over = without_halo(inside, halo);
@@ -47,7 +47,7 @@ Image over_of(const StreetLayers& layers, std::size_t tile, std::uint32_t reach)
 }
 
 // Spills of tiles as a layer: three rows, the first column says how many there are.
-SpillStore spills_in(const StreetLayers& layers) {
+SpillStore spills_in(const TileLayers& layers) {
   const auto write = [&layers](std::size_t tile, const std::vector<SpillEdge>& spills) {
     Image image = filled_image(static_cast<std::uint32_t>(spills.size()) + 1, 3, static_cast<Height>(spills.size()));
     for (std::size_t i = 0; i < spills.size(); ++i) {
@@ -80,7 +80,7 @@ struct TilePlateaus {
 // Filling of the ground upside down, and draining of low plateaus.
 class Draining {
  public:
-  Draining(const StreetLayers& layers, Height least, Height most, std::uint32_t area)
+  Draining(const TileLayers& layers, Height least, Height most, std::uint32_t area)
       : layers_(layers),
         least_(least),
         most_(most),
@@ -194,7 +194,7 @@ class Draining {
     return marker;
   }
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   Height least_, most_;
   std::uint32_t area_;
   TiledFilling filling_;
@@ -204,7 +204,7 @@ class Draining {
 
 }  // namespace
 
-void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params) {
+void find_artefacts_tiled(const TileLayers& layers, const RasterScale& scale, const ArtefactParams& params) {
   Draining draining(layers, scale.units(params.least_height), scale.units(params.highest_kerb),
                     scale.area(params.least_plateau));
   draining.fill(scale.pixels(params.ring_reach));

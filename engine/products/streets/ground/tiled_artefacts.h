@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "engine/products/streets/ground/artefacts.h"
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 
 namespace ilot {
 
@@ -13,6 +13,6 @@ namespace ilot {
 // stands on them rises from them. At the border of the image the ground goes on. From the layers "filled" and "mask" to
 // "height" (above the ground around; kNoHeight where nothing stands) and "bare": the ground below it, kNoHeight outside
 // of the mask; pixel by pixel the same whatever the tiles.
-void find_artefacts_tiled(const StreetLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
+void find_artefacts_tiled(const TileLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
 
 }  // namespace ilot

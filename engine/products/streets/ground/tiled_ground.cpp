@@ -36,7 +36,7 @@ void draw_links(const TileGrid& grid, const Links& links, std::int64_t x, std::i
 // From "range" to the flat zones of "filled", in two rounds: gaps and holes; links, and the holes that they close.
 class GroundFilling {
  public:
-  GroundFilling(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params)
+  GroundFilling(const TileLayers& layers, const RasterScale& scale, const GroundParams& params)
       : layers_(layers),
         flat_(scale.units(params.flat)),
         gaps_{scale.pixels(params.longest_gap), scale.units(params.gap_step)},
@@ -81,7 +81,7 @@ class GroundFilling {
     return zones;
   }
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   Height flat_;
   ShortGapsParams gaps_;
   std::uint32_t longest_link_;
@@ -89,7 +89,7 @@ class GroundFilling {
 
 }  // namespace
 
-GroundZones find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params) {
+GroundZones find_ground_tiled(const TileLayers& layers, const RasterScale& scale, const GroundParams& params) {
   const TileGroups groups = groups_of(layers.grid);
   const TileZones zones = GroundFilling(layers, scale, params).run();
   const GroundOfGroups chosen = zones.ground(groups);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "engine/products/streets/ground/ground.h"
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 
 namespace ilot {
 
@@ -21,6 +21,6 @@ struct GroundZones {
 // encloses, as lampposts, belongs to it; what stayed without a height never does. Nothing with a height: an empty mask.
 // From the layer "range" to "filled" and "mask", pixel by pixel the same whatever the tiles. Where tiles are absent,
 // each group of tiles that touch has a ground of its own.
-GroundZones find_ground_tiled(const StreetLayers& layers, const RasterScale& scale, const GroundParams& params = {});
+GroundZones find_ground_tiled(const TileLayers& layers, const RasterScale& scale, const GroundParams& params = {});
 
 }  // namespace ilot

@@ -4,8 +4,8 @@
 #include <utility>
 #include <vector>
 
-#include "engine/products/streets/ground/raster_scale.h"
 #include "engine/products/streets/objects/things.h"
+#include "engine/tiles/raster_scale.h"
 #include "kernels/rasters/occupancy.h"
 
 namespace ilot {

@@ -16,7 +16,7 @@ Image cut(const Image& image, std::uint32_t x, std::uint32_t y, std::uint32_t wi
 
 }  // namespace
 
-Patch load_patch(const StreetLayers& layers, const PixelRect& r) {
+Patch load_patch(const TileLayers& layers, const PixelRect& r) {
   const auto read = [&](const char* layer) {
     return layer_window(layers, layer, r.x0 - 1, r.y0 - 1, r.width() + 2, r.height() + 2);
   };

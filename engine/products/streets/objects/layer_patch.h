@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 
 namespace ilot {
 
@@ -27,7 +27,7 @@ struct Patch {
   Image height, range, accumulation, above, low, occupancy, components;
 };
 
-Patch load_patch(const StreetLayers& layers, const PixelRect& r);
+Patch load_patch(const TileLayers& layers, const PixelRect& r);
 
 // A smaller rectangle of a patch.
 Patch cut(const Patch& p, const PixelRect& r);

@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
-#include "engine/products/streets/ground/raster_scale.h"
 #include "engine/products/streets/objects/part_joins.h"
 #include "engine/products/streets/objects/things.h"
+#include "engine/tiles/raster_scale.h"
 #include "kernels/rasters/occupancy.h"
 
 namespace ilot {

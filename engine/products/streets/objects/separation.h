@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "engine/products/streets/ground/raster_scale.h"
+#include "engine/tiles/raster_scale.h"
 #include "kernels/rasters/image.h"
 
 namespace ilot {

@@ -26,7 +26,7 @@ PixelRect rect_of(const TileFrame& f) {
 }
 
 // The layer "standing": heights of what points were seen on, or near.
-void find_standing(const StreetLayers& layers, std::uint32_t reach) {
+void find_standing(const TileLayers& layers, std::uint32_t reach) {
   for_each_tile(layers.grid,
                 [&](std::size_t tile) {
                   Image seen = layer_around(layers, "accumulation", tile, reach),
@@ -59,7 +59,7 @@ std::uint64_t area_of(const PixelRect& box) {
 
 // Components whose boxes are too large to be worked on whole are cut along the borders of tiles: what each tile holds
 // of one becomes a component of its own, numbered behind all others.
-void cut_largest(const StreetLayers& layers, std::vector<Seen> seen, Components& found) {
+void cut_largest(const TileLayers& layers, std::vector<Seen> seen, Components& found) {
   std::erase_if(seen, [&](const Seen& s) {
     const PixelRect& box = found.boxes[s.component];
     return area_of(box) <= kLargestBox && std::max(box.width(), box.height()) <= kLongestBox;
@@ -83,7 +83,7 @@ void cut_largest(const StreetLayers& layers, std::vector<Seen> seen, Components&
 }
 
 // Components of what stands there, joined over gaps of up to twice `reach` pixels.
-Components find_components(const StreetLayers& layers, std::uint32_t reach) {
+Components find_components(const TileLayers& layers, std::uint32_t reach) {
   Components found;
   std::mutex mutex;
   std::vector<Seen> seen;
@@ -131,7 +131,7 @@ Components find_components(const StreetLayers& layers, std::uint32_t reach) {
 
 class ThingFinder {
  public:
-  ThingFinder(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params)
+  ThingFinder(const TileLayers& layers, const RasterScale& scale, const ThingsParams& params)
       : layers_(layers),
         scale_(scale),
         params_(params),
@@ -288,7 +288,7 @@ class ThingFinder {
     layers_.write("things", tile, local);
   }
 
-  const StreetLayers& layers_;
+  const TileLayers& layers_;
   const RasterScale& scale_;
   const ThingsParams& params_;
   Components components_;
@@ -307,7 +307,7 @@ const char* thing_feature_name(std::size_t feature) {
   return kOwn[feature - kComponentFeatures];
 }
 
-std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params) {
+std::vector<Thing> find_things(const TileLayers& layers, const RasterScale& scale, const ThingsParams& params) {
   find_standing(layers, scale.pixels(params.seen_within));
   std::vector<Thing> things = ThingFinder(layers, scale, params).find();
   layers.drop("standing");

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/products/streets/objects/separation.h"
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 #include "kernels/rasters/component_features.h"
 
 namespace ilot {
@@ -78,6 +78,6 @@ struct ThingsParams {
 // component the two whose pass is highest beside the lower top, again and again, then those that a gap of less than
 // nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are things, classes
 // tell: whole_things.
-std::vector<Thing> find_things(const StreetLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
+std::vector<Thing> find_things(const TileLayers& layers, const RasterScale& scale, const ThingsParams& params = {});
 
 }  // namespace ilot

@@ -116,7 +116,7 @@ TEST(StreetsProduct, WhereItWasScannedFrom) {
   EXPECT_EQ(found.view, StreetView::air);
   EXPECT_EQ(found.density.crowded, 0);
   std::size_t empty = 0, pixels = 0;
-  const StreetRaster& raster = found.tiles->raster();
+  const TileRaster& raster = found.tiles->raster();
   const Image seen = layer_window(found.tiles->layers(), "accumulation", raster.column(700000000) + 4,
                                   raster.row(660000000) + 4, 60, 30);
   for (const Height v : seen.values) empty += v <= 0, ++pixels;
@@ -169,7 +169,7 @@ TEST(StreetsProduct, ASecondSiteFarAwayCostsItsOwnTiles) {
   for (const Thing& t : both.things) got.insert({t.ground, t.points, t.pixels});
   EXPECT_EQ(got, want);
   // Places are those of the sites.
-  const StreetRaster& raster = both.tiles->raster();
+  const TileRaster& raster = both.tiles->raster();
   std::size_t far = 0;
   for (const Thing& t : both.things) far += raster.crs_x(t.x) > 700000 + 1000;
   EXPECT_EQ(far, alone.things.size());

@@ -122,7 +122,7 @@ TEST(FillMissingTiled, TheValuesOfTheWholeForEveryTiling) {
     for (const std::uint32_t side : {1u, 2u, 5u, 8u, 40u}) {
       MemoryLayers memory({image.width, image.height, side});
       memory.put("image", image);
-      const StreetLayers& layers = memory.layers;
+      const TileLayers& layers = memory.layers;
       TiledMissing missing(layers.grid);
       for_each_tile(layers.grid, [&](std::size_t tile) {
         layers.write("filled", tile, missing.fill(tile, layer_around(layers, "image", tile, 1)));

@@ -15,7 +15,7 @@ struct PixelRows {
 
 // Layers by name, kept by the caller; called from several threads at once, for different tiles when writing. All layers
 // are images of whole tiles; masks are 0 and 1, labels are numbers as heights.
-struct StreetLayers {
+struct TileLayers {
   TileGrid grid;
   // part: within the tile
   std::function<void(const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out)> read;
@@ -24,21 +24,21 @@ struct StreetLayers {
 };
 
 // A whole tile of a layer.
-Image layer_tile(const StreetLayers& layers, const char* layer, std::size_t tile);
+Image layer_tile(const TileLayers& layers, const char* layer, std::size_t tile);
 
 // A rectangle of the whole; kNoHeight outside of the image. The corner may lie anywhere.
-Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
+Image layer_window(const TileLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
                    std::uint32_t height);
 
 // A tile and so many pixels on all sides.
-Image layer_around(const StreetLayers& layers, const char* layer, std::size_t tile, std::uint32_t halo);
+Image layer_around(const TileLayers& layers, const char* layer, std::size_t tile, std::uint32_t halo);
 
 // Without so many pixels on all sides.
 Image without_halo(const Image& image, std::uint32_t halo);
 
 // The access that kernels ask for.
-ReadTile reader_of(const StreetLayers& layers, const char* layer);
-ReadAround around_reader_of(const StreetLayers& layers, const char* layer);
-WriteTile writer_of(const StreetLayers& layers, const char* layer);
+ReadTile reader_of(const TileLayers& layers, const char* layer);
+ReadAround around_reader_of(const TileLayers& layers, const char* layer);
+WriteTile writer_of(const TileLayers& layers, const char* layer);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/tiles/street_layers.h"
+#include "engine/tiles/tile_layers.h"
 
 #include <algorithm>
 
@@ -12,14 +12,14 @@ std::int64_t tile_index(std::int64_t pixel, std::uint32_t side) {
 
 }  // namespace
 
-Image layer_tile(const StreetLayers& layers, const char* layer, std::size_t tile) {
+Image layer_tile(const TileLayers& layers, const char* layer, std::size_t tile) {
   const TileFrame frame = tile_frame(layers.grid, tile);
   Image out{frame.width, frame.height, std::vector<Height>(std::size_t{frame.width} * frame.height)};
   layers.read(layer, tile, {0, 0, frame.width, frame.height}, {out.values.data(), frame.width});
   return out;
 }
 
-Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
+Image layer_window(const TileLayers& layers, const char* layer, std::int64_t x, std::int64_t y, std::uint32_t width,
                    std::uint32_t height) {
   const TileGrid& grid = layers.grid;
   Image out = filled_image(width, height, kNoHeight);
@@ -40,7 +40,7 @@ Image layer_window(const StreetLayers& layers, const char* layer, std::int64_t x
   return out;
 }
 
-Image layer_around(const StreetLayers& layers, const char* layer, std::size_t tile, std::uint32_t halo) {
+Image layer_around(const TileLayers& layers, const char* layer, std::size_t tile, std::uint32_t halo) {
   const TileFrame frame = tile_frame(layers.grid, tile);
   if (halo == 0) return layer_tile(layers, layer, tile);
   return layer_window(layers, layer, std::int64_t{frame.x} - halo, std::int64_t{frame.y} - halo, frame.width + 2 * halo,
@@ -55,15 +55,15 @@ Image without_halo(const Image& image, std::uint32_t halo) {
   return out;
 }
 
-ReadTile reader_of(const StreetLayers& layers, const char* layer) {
+ReadTile reader_of(const TileLayers& layers, const char* layer) {
   return [&layers, layer](std::size_t tile) { return layer_tile(layers, layer, tile); };
 }
 
-ReadAround around_reader_of(const StreetLayers& layers, const char* layer) {
+ReadAround around_reader_of(const TileLayers& layers, const char* layer) {
   return [&layers, layer](std::size_t tile, std::uint32_t halo) { return layer_around(layers, layer, tile, halo); };
 }
 
-WriteTile writer_of(const StreetLayers& layers, const char* layer) {
+WriteTile writer_of(const TileLayers& layers, const char* layer) {
   return [&layers, layer](std::size_t tile, const Image& image) { layers.write(layer, tile, image); };
 }
 

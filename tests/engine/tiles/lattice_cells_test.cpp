@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "engine/products/streets/lattice_cells.h"
+#include "engine/tiles/lattice_cells.h"
 
 #include <gtest/gtest.h>
 
