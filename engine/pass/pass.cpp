@@ -115,6 +115,7 @@ class Runner {
       if (!fault_) fault_ = std::current_exception();
       queue_.drop();
     }
+    close_gaps();
     {
       const std::lock_guard lock(mutex_);
       queue_.finish(task);

@@ -58,6 +58,16 @@ std::uint64_t affordable(std::uint64_t budget_bytes) {
   return std::min(budget_bytes, free_memory());
 }
 
+void close_gaps() {
+  constexpr std::uint64_t kTight = 4;  // one part in so many is free, or less
+  if (limit != 0 && free_memory() < limit / kTight) malloc_trim(0);
+}
+
+std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads) {
+  constexpr std::uint64_t kMemoryOfPool = 128u << 20;
+  return std::clamp<std::uint64_t>(memory_bytes / kMemoryOfPool, 1, static_cast<std::uint64_t>(threads) + 1);
+}
+
 void trim_memory() {
   malloc_trim(0);
   if (!is_debugged()) dl_iterate_phdr(give_back_code, nullptr);

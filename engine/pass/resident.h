@@ -15,6 +15,14 @@ std::uint64_t free_memory();
 // Bytes that a step which is no pass may take: its budget, or what of the memory is left.
 std::uint64_t affordable(std::uint64_t budget_bytes);
 
+// Into how many pools the allocator divides its memory: one a thread and one more, but no more than one for each 128
+// MiB, as each keeps freed memory in its gaps.
+std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads);
+
+// Where memory is tight, gives back what the allocator keeps of freed memory between what is in use. To be called when
+// a task of a pass has ended.
+void close_gaps();
+
 // Gives back to the system what of the resident memory is not needed now: what the allocator keeps of freed memory, and
 // pages of code that were read to start (about 30 MiB of libraries). Costs some hundred page faults.
 void trim_memory();

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "engine/error.h"
+#include "engine/pass/resident.h"
 #include "engine/report/allowed_memory.h"
 #include "engine/run/inputs.h"
 #include "engine/run/products.h"
@@ -106,14 +107,11 @@ RunOptions options_of(const RunArguments& given) {
 }
 
 // What the allocator may keep for the next request in place of giving it back to the system, which has to clear it
-// again: a sixteenth of --memory, shared by its pools. There is a pool a thread and one more, but no more than one for
-// each 64 MiB, as each keeps freed memory in its gaps. Half of a pool's share is the largest request that it takes;
+// again: a sixteenth of --memory, shared by its pools. Half of a pool's share is the largest request that it takes;
 // larger ones are the system's own.
 void let_allocator_keep(std::uint64_t memory_bytes, int threads) {
   constexpr std::uint64_t kLeastRequest = 256u << 10, kMostRequest = 32u << 20;  // the C library takes no more
-  constexpr std::uint64_t kMemoryOfPool = 64u << 20;
-  const std::uint64_t pools =
-      std::clamp<std::uint64_t>(memory_bytes / kMemoryOfPool, 1, static_cast<std::uint64_t>(threads) + 1);
+  const std::uint64_t pools = allocator_pools(memory_bytes, threads);
   const std::uint64_t request = memory_bytes / 32 / pools;
   const auto kept = static_cast<int>(std::clamp(request, kLeastRequest, kMostRequest));
   mallopt(M_ARENA_MAX, static_cast<int>(pools));
