@@ -7,8 +7,8 @@
 
 #include "kernels/core/union_find.h"
 #include "kernels/morphology/flat_zones.h"
-#include "tests/support/small_images.h"
 #include "tests/oracles/whole_links.h"
+#include "tests/support/small_images.h"
 
 namespace ilot {
 namespace {
@@ -22,8 +22,8 @@ TEST(LinkRegions, TwoIslandsByHand) {
                      10, 10, kNo, kNo, 14, 16,    //
                      10, kNo, kNo, kNo, kNo, kNo}};
   EXPECT_EQ(test::link_regions(image, {.step = 4}).values, (std::vector<Height>{10, kNo, kNo, kNo, kNo, 16,  //
-                                                                          10, 10, 11, 12, 14, 16,      //
-                                                                          10, kNo, kNo, kNo, kNo, kNo}));
+                                                                                10, 10, 11, 12, 14, 16,      //
+                                                                                10, kNo, kNo, kNo, kNo, kNo}));
   EXPECT_EQ(test::link_regions(image, {.step = 4, .max_length = 1}).values, image.values);
   EXPECT_EQ(test::link_regions(image, {.step = 3}).values, image.values);  // 10 and 14 are no neighbours in height
 }

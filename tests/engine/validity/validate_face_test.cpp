@@ -96,7 +96,8 @@ TEST(ValidateFace, TrianglesCoverTheFaceAndTurnAsItDoes) {
   };
   const std::vector<Vec3> corner{{0, 0, 0}, {10, 0, 0}, {10, 2, 0}, {2, 2, 0}, {2, 10, 0}, {0, 10, 0}};
   const std::vector<Vec3> dart{{0, 0, 0}, {9, 0, 0}, {3, 3, 0}, {0, 9, 0}};
-  const std::vector<Case> cases{{{kSquare}, 2, 100}, {{kSquare, kInnerRing}, 8, 96}, {{corner}, 4, 36}, {{dart}, 2, 27}};
+  const std::vector<Case> cases{
+      {{kSquare}, 2, 100}, {{kSquare, kInnerRing}, 8, 96}, {{corner}, 4, 36}, {{dart}, 2, 27}};
   for (const auto& [rings, triangles, wanted] : cases) {
     Face f = face(rings);
     const auto cut = triangulate_face(f.vertices, f.rings);

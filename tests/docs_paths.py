@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Do the pages tell the truth about the house? Every link and every path of a file or folder that a page names exists,
+and every folder of the engine and of the kernels has a README."""
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+TOPS = ("kernels", "engine", "training", "scan", "tools", "study", "bench", "tests", "docs", "include", "examples")
+LINK = re.compile(r"\]\(([^)#:\s]+)(?:#[^)]*)?\)")
+CODE = re.compile(r"`([\w./-]+)`")
+SOURCE = re.compile(r"^[\w/-]+\.(h|cpp|inl|py|sh|md)$")
+
+
+def files():
+    listed = subprocess.run(["git", "ls-files"], cwd=ROOT, capture_output=True, text=True)
+    if listed.returncode == 0:
+        return listed.stdout.split()
+    return [path.relative_to(ROOT).as_posix() for top in TOPS for path in (ROOT / top).rglob("*") if path.is_file()]
+
+
+def faults(pages, names):
+    """pages: name -> text; names: of all files. One line a fault."""
+    folders = {parent.as_posix() for name in names for parent in pathlib.PurePosixPath(name).parents}
+    known = set(names) | folders
+    endings = {"/".join(parts[i:]) for name in names for parts in [name.split("/")] for i in range(len(parts))}
+    for page, text in sorted(pages.items()):
+        base = pathlib.PurePosixPath(page).parent
+        for target in LINK.findall(text):
+            path = pathlib.PurePosixPath(*normal(base / target))
+            if path.as_posix() not in known and path.as_posix() != ".":
+                yield f"{page}: links to {target}, which does not exist"
+        for word in CODE.findall(text):
+            word = word.rstrip("/")
+            if re.search(r"[A-Z]{4}", word) or word.startswith("bench/results") or word == "results.md":
+                continue  # a pattern of names, or what a program makes
+            if word.split("/")[0] in TOPS and "/" in word and word not in known and word + ".h" not in known:
+                yield f"{page}: names {word}, which does not exist"
+            elif SOURCE.match(word) and word not in endings:
+                yield f"{page}: names {word}, and no file is called that"
+
+
+def normal(path):
+    parts = []
+    for part in path.parts:
+        if part == ".." and parts:
+            parts.pop()
+        elif part != ".":
+            parts.append(part)
+    return parts
+
+
+def rooms_without_readme(names):
+    for top in ("kernels", "engine"):
+        for folder in sorted({name.split("/")[1] for name in names if name.startswith(top + "/") and name.count("/") > 1}):
+            if f"{top}/{folder}/README.md" not in names:
+                yield f"{top}/{folder}: has no README.md"
+
+
+def self_test():
+    bad = {"docs/a.md": "[x](b.md) `engine/none.h` `gone.h`"}
+    found = list(faults(bad, ["docs/a.md", "engine/run/run.h"]))
+    if len(found) != 3:
+        sys.exit(f"docs_paths: the checker finds {found} where three paths are wrong")
+    if list(faults({"docs/a.md": "[x](../engine/run/run.h) `run.h` `engine/run`"}, ["docs/a.md", "engine/run/run.h"])):
+        sys.exit("docs_paths: the checker complains of good pages")
+
+
+def main():
+    self_test()
+    names = files()
+    pages = {name: (ROOT / name).read_text(encoding="utf-8") for name in names if name.endswith(".md")}
+    wrong = [*faults(pages, names), *rooms_without_readme(names)]
+    print("\n".join(wrong))
+    print(f"{len(pages)} pages read, {len(wrong)} faults")
+    return 1 if wrong or not pages else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
