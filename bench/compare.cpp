@@ -10,7 +10,7 @@
 
 #include "bench/ceiling/score_loop.h"
 #include "kernels/core/parallel.h"
-#include "kernels/simd/dispatch.h"
+#include "kernels/simd/variants.h"
 
 namespace ilot::bench {
 namespace {
@@ -62,7 +62,8 @@ std::vector<Seconds> rounds_of(const std::vector<Way>& ways, int fewest) {
 }
 
 nlohmann::ordered_json head(const Subject& s) {
-  return {{"kernel", s.kernel}, {"variant", s.variant}, {"threads", s.threads}, {"isa", simd::table().name}};
+  return {
+      {"kernel", s.kernel}, {"variant", s.variant}, {"threads", s.threads}, {"isa", simd::name_of(simd::chosen_isa())}};
 }
 
 void print(const nlohmann::ordered_json& line) {

@@ -58,8 +58,7 @@ def faults_of(name, text):
         if top not in LAYER_SEES[layer]:
             yield f"includes {included}: {layer} does not see {top}"
         other = folder(included)
-        body_of_kernel = name.startswith("kernels/simd/isa_") and included.endswith(".inl")
-        if layer == top == "kernels" and not body_of_kernel and KERNEL_HEIGHT[other] > KERNEL_HEIGHT[room]:
+        if layer == top == "kernels" and KERNEL_HEIGHT[other] > KERNEL_HEIGHT[room]:
             yield f"includes {included}: kernels/{other} stands above kernels/{room}"
         if layer == top == "engine" and included not in EVERYWHERE and room:
             if HEIGHT[other] > HEIGHT[room]:

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "kernels/core/parallel.h"
-#include "kernels/simd/dispatch.h"
+#include "kernels/simd/variants.h"
 
 namespace ilot::bench {
 namespace {
@@ -17,8 +17,8 @@ struct Loop {
 
 Loop loop_of_this_machine() {
 #if ILOT_HAVE_X86_VARIANTS
-  if (std::strcmp(simd::table().name, "avx512") == 0) return {score_loop_avx512, 16};
-  if (std::strcmp(simd::table().name, "avx2") == 0) return {score_loop_avx2, 8};
+  if (std::strcmp(simd::name_of(simd::chosen_isa()), "avx512") == 0) return {score_loop_avx512, 16};
+  if (std::strcmp(simd::name_of(simd::chosen_isa()), "avx2") == 0) return {score_loop_avx2, 8};
 #endif
   return {score_loop_baseline, 8};
 }

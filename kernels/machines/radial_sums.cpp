@@ -5,7 +5,7 @@
 #include <cassert>
 #include <vector>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/machines/radial_sums_body.h"
 
 namespace ilot {
 
@@ -22,9 +22,9 @@ void radial_sums(const RadialVectors& machine, std::span<const double> rows, std
     const std::size_t count = std::min(kRadialRows, nearest.size() - first);
     for (std::size_t r = 0; r < count; ++r)
       for (std::size_t i = 0; i < dimensions; ++i) turned[i * kRadialRows + r] = rows[(first + r) * dimensions + i];
-    simd::table().radial_sums({turned.data(), machine.vectors.data(), machine.weights.data(),
-                               machine.vectors.size() / dimensions, dimensions, sums, machine.gamma,
-                               turned_totals.data(), turned_nearest});
+    simd::kRadialSums.best().radial_sums({turned.data(), machine.vectors.data(), machine.weights.data(),
+                                          machine.vectors.size() / dimensions, dimensions, sums, machine.gamma,
+                                          turned_totals.data(), turned_nearest});
     for (std::size_t r = 0; r < count; ++r) {
       nearest[first + r] = turned_nearest[r];
       for (std::size_t s = 0; s < sums; ++s) totals[(first + r) * sums + s] = turned_totals[s * kRadialRows + r];

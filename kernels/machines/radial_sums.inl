@@ -70,3 +70,7 @@ void radial_sums(const RadialArgs& a) {
     add_kernels(a, from, to, kernels);
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const RadialSumsBody kRadialSums;
+const RadialSumsBody kRadialSums{radial_sums};

@@ -8,8 +8,8 @@
 
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
+#include "kernels/neighbours/hough_normals_body.h"
 #include "kernels/neighbours/knn.h"
-#include "kernels/simd/dispatch.h"
 
 namespace ilot {
 namespace {
@@ -62,8 +62,9 @@ void directions(const Points& p, std::span<const std::uint32_t> queries, std::sp
                 const std::vector<std::uint32_t>& offsets, const std::vector<float>& frames, std::span<double> out) {
   const auto count = static_cast<std::uint32_t>(queries.size());
   const int k = static_cast<int>(neighbours.size() / queries.size());
-  simd::table().hough_directions({p.x, p.y, p.z, queries.data(), count, neighbours.data(), k, offsets.data(),
-                                  static_cast<std::uint32_t>(offsets.size() / 2), frames.data(), out.data()});
+  simd::kHoughNormals.best().hough_directions({p.x, p.y, p.z, queries.data(), count, neighbours.data(), k,
+                                               offsets.data(), static_cast<std::uint32_t>(offsets.size() / 2),
+                                               frames.data(), out.data()});
 }
 
 // The direction with the curvature of the principal components; none stays none.

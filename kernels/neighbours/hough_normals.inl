@@ -3,6 +3,8 @@
 // the triplets (s, s + a, s + b) for every s of the ring, with offsets (a, b) of the round, so that the lanes load side
 // by side and every neighbour is drawn equally often.
 
+#include "kernels/neighbours/sort_keys.inl"
+
 namespace {
 
 constexpr std::uint32_t kRing = 64;            // most neighbours
@@ -227,3 +229,7 @@ void hough_directions(const HoughArgs& a) {
     a.out[3 * std::size_t{q} + 2] = d.z;
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const HoughNormalsBody kHoughNormals;
+const HoughNormalsBody kHoughNormals{hough_directions};

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/neighbours/knn_body.h"
 
 namespace ilot {
 
@@ -17,9 +17,9 @@ void knn(const NeighbourIndex& index, std::span<const std::uint32_t> queries, co
   const int levels = static_cast<int>(index.boxes.size());
   assert(levels <= kMaxLevels);
   for (int i = 0; i < levels; ++i) boxes[i] = index.boxes[static_cast<std::size_t>(i)].data();
-  simd::table().knn({index.points.x, index.points.y, index.points.z, static_cast<std::uint32_t>(index.points.size),
-                     boxes, levels, queries.data(), static_cast<std::uint32_t>(queries.size()), params.k, params.max_d2,
-                     neighbours.data(), reach2.data()});
+  simd::kKnn.best().knn({index.points.x, index.points.y, index.points.z, static_cast<std::uint32_t>(index.points.size),
+                         boxes, levels, queries.data(), static_cast<std::uint32_t>(queries.size()), params.k,
+                         params.max_d2, neighbours.data(), reach2.data()});
 }
 
 }  // namespace ilot

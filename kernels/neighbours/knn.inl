@@ -7,6 +7,9 @@
 // Far path, for wider bounds and crowds of points: one sweep a query within a proven bound, float32 only culls with a
 // bound inflated by more than the rounding, and what passes is measured in integers.
 
+#include "kernels/neighbours/leaves.inl"
+#include "kernels/neighbours/sort_keys.inl"
+
 namespace {
 
 constexpr int kSlotBits = 16;
@@ -50,15 +53,6 @@ inline void select_smallest(std::uint64_t* key, std::uint32_t size, std::uint32_
     } else {
       lo = m;
     }
-  }
-}
-
-inline void sort_keys(std::uint64_t* key, std::uint32_t size) {
-  for (std::uint32_t i = 1; i < size; ++i) {
-    const std::uint64_t v = key[i];
-    std::uint32_t j = i;
-    for (; j > 0 && key[j - 1] > v; --j) key[j] = key[j - 1];
-    key[j] = v;
   }
 }
 
@@ -303,3 +297,7 @@ void knn(const KnnArgs& a) {
     }
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const KnnBody kKnn;
+const KnnBody kKnn{knn};

@@ -8,7 +8,7 @@
 
 #include "kernels/core/eigen3.h"
 #include "kernels/neighbours/knn.h"
-#include "kernels/simd/dispatch.h"
+#include "kernels/neighbours/normals_body.h"
 
 namespace ilot {
 namespace {
@@ -76,8 +76,9 @@ void normals_of_neighbours(Points points, std::span<const std::uint32_t> queries
   for (std::size_t i = 0; i < queries.size();) {
     std::size_t far = i;
     while (far < queries.size() && is_near(reach2[far])) ++far;
-    simd::table().neighbour_normals({points.x, points.y, points.z, &queries[i], static_cast<std::uint32_t>(far - i),
-                                     &neighbours[i * stride], k, &out[i].x});
+    simd::kNormals.best().neighbour_normals({points.x, points.y, points.z, &queries[i],
+                                             static_cast<std::uint32_t>(far - i), &neighbours[i * stride], k,
+                                             &out[i].x});
     for (i = far; i < queries.size() && !is_near(reach2[i]); ++i) {
       const auto list = neighbours.subspan(i * stride, stride);
       const auto end = std::find(list.begin(), list.end(), kNoNeighbour);

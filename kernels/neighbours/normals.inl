@@ -123,3 +123,7 @@ void neighbour_normals(const NormalArgs& a) {
       solve(moments, i, a.out + std::size_t{4} * (begin + i), count - i < kDoubles ? count - i : kDoubles);
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const NormalsBody kNormals;
+const NormalsBody kNormals{neighbour_normals};

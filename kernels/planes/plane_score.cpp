@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/planes/plane_score_body.h"
 
 namespace ilot {
 
@@ -11,9 +11,9 @@ void count_inliers(const OrientedPoints& points, std::span<const PlaneHypothesis
                    const PlaneScoreParams& params, std::span<std::uint32_t> counts) {
   assert(counts.size() == hypotheses.size());
   if (hypotheses.empty()) return;
-  simd::table().count_inliers({points.points.x, points.points.y, points.points.z, points.nx, points.ny, points.nz,
-                               points.points.size, hypotheses.data()->data(), hypotheses.size(), params.max_distance,
-                               params.min_cos, counts.data()});
+  simd::kPlaneScore.best().count_inliers({points.points.x, points.points.y, points.points.z, points.nx, points.ny,
+                                          points.nz, points.points.size, hypotheses.data()->data(), hypotheses.size(),
+                                          params.max_distance, params.min_cos, counts.data()});
 }
 
 }  // namespace ilot

@@ -71,3 +71,7 @@ void count_inliers(const CountArgs& args) {
   }
   count_tail(args, whole);
 }
+
+// Last: the bodies compiled here, under one name.
+extern const PlaneScoreBody kPlaneScore;
+const PlaneScoreBody kPlaneScore{count_inliers};

@@ -5,7 +5,7 @@
 #include <cassert>
 #include <span>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/rasters/rows_body.h"
 
 namespace ilot {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kStrip = 64;  // columns worked on at a time
 
 void least_of_two(const Height* a, const Height* b, Height* out, std::size_t size) {
-  simd::table().least_of_two({a, b, out, size});
+  simd::kRasterRows.best().least_of_two({a, b, out, size});
 }
 
 // Each value becomes the least of itself and the window - 1 behind it: the window doubles with each pass, the last

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstddef>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/rasters/rows_body.h"
 
 namespace ilot {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kTogether = 4;  // rows swept at a time, so that none waits for the step before
 
 void lower_row(const std::int32_t* other, std::int32_t* row, std::size_t width, std::int32_t step) {
-  simd::table().lower_by_step({other, row, width, step});
+  simd::kRasterRows.best().lower_by_step({other, row, width, step});
 }
 
 void lower_row(const std::int64_t* __restrict other, std::int64_t* __restrict row, std::size_t width,

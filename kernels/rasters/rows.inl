@@ -40,3 +40,7 @@ void widen_codes(const WidenArgs& a) {
     heights[i] = codes[i] == 0xffffu ? a.none : codes[i] == 0xfffeu ? a.highest : height;
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const RasterRowsBody kRasterRows;
+const RasterRowsBody kRasterRows{least_of_two, lower_by_step, narrow_heights, widen_codes};

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <memory>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/shapes/shape_score_body.h"
 
 namespace ilot {
 namespace {
@@ -64,7 +64,7 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
             r.leaves.get(),
             0,
             nullptr};
-  if (index.size > 0) r.args.leaf_count = simd::table().shape_leaves(r.args);
+  if (index.size > 0) r.args.leaf_count = simd::kShapeScore.best().shape_leaves(r.args);
   if (s.kind == ShapeKind::kPlane) keep_agreeing(r, index, s.axis, params.min_cos);
 }
 
@@ -90,7 +90,7 @@ std::vector<std::uint32_t> found_points(Request& r, const ShapeIndex& index, con
   const std::size_t most = std::size_t{r.args.leaf_count} * ShapeIndex::kLeaf + 8;
   const auto hits = std::make_unique_for_overwrite<std::uint32_t[]>(most);
   r.args.found = hits.get();
-  const std::uint32_t count = simd::table().shape_hits(r.args);
+  const std::uint32_t count = simd::kShapeScore.best().shape_hits(r.args);
   std::vector<std::uint32_t> found;
   for (const std::uint32_t i : std::span(hits.get(), count)) {
     const Vec3 p = index.position(i);
@@ -119,7 +119,7 @@ std::uint32_t bound_shape(const ShapeIndex& index, const Shape& shape, const Sha
 std::uint32_t score_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params) {
   Request r;
   prepare(r, index, shape, params);
-  return simd::table().shape_hits(r.args);
+  return simd::kShapeScore.best().shape_hits(r.args);
 }
 
 std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
@@ -129,7 +129,7 @@ std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const S
   const auto as_before = [&](std::uint32_t leaf) { return index.changed[leaf] <= before.epoch; };
   if (before.epoch > 0 && std::all_of(r.met().begin(), r.met().end(), as_before)) return before.points;
   const std::uint32_t bound = points_in(index, r.met());
-  return bound < least ? bound : simd::table().shape_hits(r.args);
+  return bound < least ? bound : simd::kShapeScore.best().shape_hits(r.args);
 }
 
 std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape,

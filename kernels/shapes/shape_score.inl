@@ -162,3 +162,7 @@ std::uint32_t shape_hits(const ShapeArgs& args) {
       return hit_points<0>(args);
   }
 }
+
+// Last: the bodies compiled here, under one name.
+extern const ShapeScoreBody kShapeScore;
+const ShapeScoreBody kShapeScore{shape_hits, shape_leaves};

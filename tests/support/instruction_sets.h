@@ -3,15 +3,15 @@
 #pragma once
 #include <vector>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/simd/variants.h"
 
 namespace ilot::test {
 
-inline std::vector<const simd::Table*> vector_tables() {
-  std::vector<const simd::Table*> tables;
-  for (const char* name : {"avx2", "avx512"})
-    if (const simd::Table* t = simd::find_table(name)) tables.push_back(t);
-  return tables;
+inline std::vector<simd::Isa> vector_isas() {
+  std::vector<simd::Isa> isas;
+  for (const simd::Isa isa : {simd::Isa::avx2, simd::Isa::avx512})
+    if (simd::has_isa(isa)) isas.push_back(isa);
+  return isas;
 }
 
 }  // namespace ilot::test

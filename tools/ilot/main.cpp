@@ -11,7 +11,7 @@
 #include "engine/pass/stop.h"
 #include "engine/system_reason.h"
 #include "engine/version.h"
-#include "kernels/simd/dispatch.h"
+#include "kernels/simd/variants.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 
@@ -45,7 +45,7 @@ std::string version_text(bool json) {
                              {"git_hash", git_hash()},
                              {"compiler", compiler()},
                              {"build_type", build_type()},
-                             {"isa", simd::table().name}};
+                             {"isa", simd::name_of(simd::chosen_isa())}};
   for (const auto& [name, number] : library_versions()) all["libraries"][name] = number;
   return all.dump(2) + "\n";
 }

@@ -8,6 +8,7 @@
 
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
+#include "kernels/machines/radial_sums_body.h"
 #include "tests/support/instruction_sets.h"
 
 namespace ilot {
@@ -100,14 +101,14 @@ TEST(RadialSums, WhatStandsBesideDoesNotShow) {
 TEST(RadialSums, SameBitsForEveryInstructionSet) {
   for (const double gamma : {0.004, 0.3, 20.0}) {
     Case c = make_case(150, 16, 9, 5, gamma);
-    const auto run = [&](const simd::Table& table) {
+    const auto run = [&](simd::Isa isa) {
       Sums out{std::vector<double>(5 * simd::kRadialRows), std::vector<double>(simd::kRadialRows)};
-      table.radial_sums(
+      simd::kRadialSums.of(isa).radial_sums(
           {c.rows.data(), c.vectors.data(), c.weights.data(), 150, 9, 5, gamma, out.totals.data(), out.nearest.data()});
       return out;
     };
-    const Sums baseline = run(*simd::find_table("baseline"));
-    for (const simd::Table* table : test::vector_tables()) EXPECT_EQ(run(*table), baseline) << table->name;
+    const Sums baseline = run(simd::Isa::baseline);
+    for (const simd::Isa isa : test::vector_isas()) EXPECT_EQ(run(isa), baseline) << simd::name_of(isa);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/neighbours/hough_normals_body.h"
 #include "kernels/neighbours/knn.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/oriented_sets.h"
@@ -124,8 +125,8 @@ TEST(HoughNormals, DoNotDependOnTheOrderOfPoints) {
 }
 
 TEST(HoughNormals, EveryInstructionSetGivesTheSameBits) {
-  const auto tables = test::vector_tables();
-  if (tables.empty()) GTEST_SKIP() << "this machine has the baseline alone";
+  const auto isas = test::vector_isas();
+  if (isas.empty()) GTEST_SKIP() << "this machine has the baseline alone";
   constexpr std::uint32_t n = 501, offsets[] = {1, 2, 1, 4, 2, 3, 1, 5};
   const float rotations[9 * simd::kHoughRotations] = {
       1, 0,      0, 0,     1, 0, 0, 0, 1,    0.6f,  0.8f, 0,    -0.8f, 0.6f, 0, 0, 0, 1, 0.28f, 0, 0.96f, 0, 1,
@@ -139,11 +140,11 @@ TEST(HoughNormals, EveryInstructionSetGivesTheSameBits) {
       std::vector<double> a(3 * n), b(3 * n);
       simd::HoughArgs args{set.x.data(), set.y.data(), set.z.data(), queries.data(), n, list.data(), k, offsets, 4,
                            rotations,    a.data()};
-      simd::find_table("baseline")->hough_directions(args);
-      for (const simd::Table* table : tables) {
+      simd::kHoughNormals.of(simd::Isa::baseline).hough_directions(args);
+      for (const simd::Isa isa : isas) {
         args.out = b.data();
-        table->hough_directions(args);
-        EXPECT_EQ(a, b) << set.name << " k=" << k << " " << table->name;
+        simd::kHoughNormals.of(isa).hough_directions(args);
+        EXPECT_EQ(a, b) << set.name << " k=" << k << " " << simd::name_of(isa);
       }
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/neighbours/knn.h"
+#include "kernels/neighbours/knn_body.h"
 
 #include <gtest/gtest.h>
 
@@ -136,8 +137,8 @@ TEST(Knn, OrderOfQueriesDoesNotShow) {
 }
 
 TEST(Knn, EveryInstructionSetGivesTheSameBits) {
-  const auto tables = test::vector_tables();
-  if (tables.empty()) GTEST_SKIP() << "this machine has the baseline alone";
+  const auto isas = test::vector_isas();
+  if (isas.empty()) GTEST_SKIP() << "this machine has the baseline alone";
   for (const auto& set : test::point_sets(3000)) {
     const NeighbourIndex index = build_neighbour_index(set.view());
     std::vector<const float*> boxes;
@@ -157,13 +158,13 @@ TEST(Knn, EveryInstructionSetGivesTheSameBits) {
                        kMaxSquaredReach,
                        a.data(),
                        ra.data()};
-    simd::find_table("baseline")->knn(args);
+    simd::kKnn.of(simd::Isa::baseline).knn(args);
     args.neighbours = b.data();
     args.reach2 = rb.data();
-    for (const simd::Table* table : tables) {
-      table->knn(args);
-      EXPECT_EQ(a, b) << set.name << " " << table->name;
-      EXPECT_EQ(ra, rb) << set.name << " " << table->name;
+    for (const simd::Isa isa : isas) {
+      simd::kKnn.of(isa).knn(args);
+      EXPECT_EQ(a, b) << set.name << " " << simd::name_of(isa);
+      EXPECT_EQ(ra, rb) << set.name << " " << simd::name_of(isa);
     }
   }
 }

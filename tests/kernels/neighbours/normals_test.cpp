@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "kernels/neighbours/knn.h"
+#include "kernels/neighbours/normals_body.h"
 #include "tests/support/instruction_sets.h"
 #include "tests/support/point_sets.h"
 
@@ -79,8 +80,8 @@ TEST(Normals, AreTheSameBitsAtAnyScale) {
 }
 
 TEST(Normals, EveryInstructionSetGivesTheSameBits) {
-  const auto tables = test::vector_tables();
-  if (tables.empty()) GTEST_SKIP() << "this machine has the baseline alone";
+  const auto isas = test::vector_isas();
+  if (isas.empty()) GTEST_SKIP() << "this machine has the baseline alone";
   constexpr std::uint32_t n = 1001;
   for (const auto& set : test::point_sets(n)) {
     std::vector<std::uint32_t> queries(n);
@@ -92,11 +93,11 @@ TEST(Normals, EveryInstructionSetGivesTheSameBits) {
       if (*std::max_element(reach2.begin(), reach2.end()) >= 1 << 24) continue;
       std::vector<PackedNormal> a(n), b(n);
       simd::NormalArgs args{set.x.data(), set.y.data(), set.z.data(), queries.data(), n, list.data(), k, &a[0].x};
-      simd::find_table("baseline")->neighbour_normals(args);
-      for (const simd::Table* table : tables) {
+      simd::kNormals.of(simd::Isa::baseline).neighbour_normals(args);
+      for (const simd::Isa isa : isas) {
         args.out = &b[0].x;
-        table->neighbour_normals(args);
-        EXPECT_EQ(a, b) << set.name << " " << table->name;
+        simd::kNormals.of(isa).neighbour_normals(args);
+        EXPECT_EQ(a, b) << set.name << " " << simd::name_of(isa);
       }
     }
   }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "kernels/planes/plane_score.h"
+#include "kernels/planes/plane_score_body.h"
 
 #include <gtest/gtest.h>
 
@@ -78,18 +79,18 @@ TEST(CountInliers, DistanceIsClosedAndNoPlanesIsFine) {
 }
 
 TEST(CountInliers, EveryInstructionSetGivesTheSameCounts) {
-  const auto tables = test::vector_tables();
-  if (tables.empty()) GTEST_SKIP() << "this machine has the baseline alone";
+  const auto isas = test::vector_isas();
+  if (isas.empty()) GTEST_SKIP() << "this machine has the baseline alone";
   const Case c = make_case(10007, 37);
   std::vector<std::uint32_t> a(37), b(37);
   simd::CountArgs args{c.set.x.data(), c.set.y.data(), c.set.z.data(),          c.nx.data(), c.ny.data(),
                        c.nz.data(),    c.set.size,     c.planes.data()->data(), 37,          300,
                        0.8f,           a.data()};
-  simd::find_table("baseline")->count_inliers(args);
+  simd::kPlaneScore.of(simd::Isa::baseline).count_inliers(args);
   args.counts = b.data();
-  for (const simd::Table* table : tables) {
-    table->count_inliers(args);
-    EXPECT_EQ(a, b) << table->name;
+  for (const simd::Isa isa : isas) {
+    simd::kPlaneScore.of(isa).count_inliers(args);
+    EXPECT_EQ(a, b) << simd::name_of(isa);
   }
 }
 

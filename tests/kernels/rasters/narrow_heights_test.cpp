@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/core/rng.h"
+#include "kernels/rasters/rows_body.h"
 #include "tests/support/instruction_sets.h"
 
 namespace ilot {
@@ -46,26 +47,26 @@ TEST(NarrowHeights, OneWithoutACodeIsSeenWhereverItStands) {
 
 // All bodies of rows.inl.
 TEST(NarrowHeights, SameOnEveryInstructionSet) {
-  const simd::Table& base = *simd::find_table("baseline");
-  for (const simd::Table* table : test::vector_tables())
+  const simd::RasterRowsBody& base = simd::kRasterRows.of(simd::Isa::baseline);
+  for (const simd::Isa isa : test::vector_isas())
     for (std::size_t size = 0; size < 70; ++size) {
       const std::vector<Height> a = heights_with_codes(size), b = heights_with_codes(size + 1);
       std::vector<Height> want(size, 1), got(size, 2);
       base.least_of_two({a.data(), b.data(), want.data(), size});
-      table->least_of_two({a.data(), b.data(), got.data(), size});
+      simd::kRasterRows.of(isa).least_of_two({a.data(), b.data(), got.data(), size});
       EXPECT_EQ(got, want);
       std::vector<Height> from(size);
       for (std::size_t i = 0; i < size; ++i) from[i] = b[i] / 4;
       want = got = a;
       base.lower_by_step({from.data(), want.data(), size, 90000});
-      table->lower_by_step({from.data(), got.data(), size, 90000});
+      simd::kRasterRows.of(isa).lower_by_step({from.data(), got.data(), size, 90000});
       EXPECT_EQ(got, want);
       std::vector<std::uint16_t> codes(size, 1), same(size, 2);
       EXPECT_EQ(base.narrow_heights({a.data(), codes.data(), size, kBase, kNoHeight, kAboveAll}),
-                table->narrow_heights({a.data(), same.data(), size, kBase, kNoHeight, kAboveAll}));
+                simd::kRasterRows.of(isa).narrow_heights({a.data(), same.data(), size, kBase, kNoHeight, kAboveAll}));
       EXPECT_EQ(codes, same);
       base.widen_codes({codes.data(), want.data(), size, kBase, kNoHeight, kAboveAll});
-      table->widen_codes({codes.data(), got.data(), size, kBase, kNoHeight, kAboveAll});
+      simd::kRasterRows.of(isa).widen_codes({codes.data(), got.data(), size, kBase, kNoHeight, kAboveAll});
       EXPECT_EQ(got, want);
     }
 }

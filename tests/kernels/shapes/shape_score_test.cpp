@@ -3,7 +3,7 @@
 
 #include <numeric>
 
-#include "kernels/simd/dispatch.h"
+#include "kernels/shapes/shape_score_body.h"
 #include "tests/support/segment_sets.h"
 #include "tests/support/shape_sets.h"
 
@@ -82,9 +82,8 @@ TEST(ShapeScore, CullingAndInstructionSetsDoNotShow) {
     const auto f = [](double v) { return static_cast<float>(v); };
     const float shape[9]{f(origin.x), f(origin.y), f(origin.z), f(s.axis.x), f(s.axis.y),
                          f(s.axis.z), f(s.radius), f(s.sine),   f(s.cosine)};
-    for (const char* isa : {"baseline", "avx2", "avx512"}) {
-      const simd::Table* table = simd::find_table(isa);
-      if (table == nullptr) continue;
+    for (const simd::Isa isa : simd::kIsas) {
+      if (!simd::has_isa(isa)) continue;
       simd::ShapeArgs args{index.x.data(),
                            index.y.data(),
                            index.z.data(),
@@ -101,11 +100,11 @@ TEST(ShapeScore, CullingAndInstructionSetsDoNotShow) {
                            culled.data(),
                            0,
                            nullptr};
-      args.leaf_count = table->shape_leaves(args);
-      EXPECT_EQ(table->shape_hits(args), counted) << isa;
+      args.leaf_count = simd::kShapeScore.of(isa).shape_leaves(args);
+      EXPECT_EQ(simd::kShapeScore.of(isa).shape_hits(args), counted) << simd::name_of(isa);
       args.leaves = every.data();
       args.leaf_count = static_cast<std::uint32_t>(index.in_leaf.size());
-      EXPECT_EQ(table->shape_hits(args), counted) << isa;
+      EXPECT_EQ(simd::kShapeScore.of(isa).shape_hits(args), counted) << simd::name_of(isa);
     }
   }
 }

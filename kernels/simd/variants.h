@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+// Instruction sets are known in this folder only. Each kernel body is one text (kernels/FOLDER/NAME.inl) over fixed
+// lanes (lanes_*.h), compiled once for each instruction set; the answers are the same bits in each.
+// kernels/CMakeLists.txt lists the bodies; nothing here knows them.
+#pragma once
+#include <cstdint>
+
+namespace ilot::simd {
+
+enum class Isa : std::uint8_t { baseline, avx2, avx512 };
+constexpr Isa kIsas[] = {Isa::baseline, Isa::avx2, Isa::avx512};
+
+const char* name_of(Isa isa);
+
+// Whether this machine has it and this build was made for it.
+bool has_isa(Isa isa);
+
+// The best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it; a name that
+// is unknown or not supported here gives the baseline.
+Isa chosen_isa();
+
+// The functions of one body for each instruction set; nullptr where the build lacks it.
+template <class Body>
+struct Variants {
+  const Body* each[3];
+
+  const Body& best() const { return *each[static_cast<int>(chosen_isa())]; }
+  // Of an instruction set that the machine has (has_isa).
+  const Body& of(Isa isa) const { return *each[static_cast<int>(isa)]; }
+};
+
+}  // namespace ilot::simd
