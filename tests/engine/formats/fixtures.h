@@ -82,8 +82,8 @@ struct DamageTally {
 enum class DamageFound { at_open, while_reading };
 
 // A file of any bytes is refused with a message that begins with its path, or read: no more rows than declared, fewer
-// only with a warning, the same ones in pieces of any size, and all that info() counts unless the damage is found while
-// reading.
+// only with a warning, the same ones in pieces of any size and alone, and all that info() counts unless the damage is
+// found while reading.
 inline void expect_refused_or_read(const std::filesystem::path& path, DamageFound found, DamageTally& tally) {
   try {
     const auto reader = open_cloud(path);
@@ -105,6 +105,14 @@ inline void expect_refused_or_read(const std::filesystem::path& path, DamageFoun
       ASSERT_TRUE(!rows.valid[i] ||
                   std::equal(row, row + length, again.bytes.begin() + static_cast<std::ptrdiff_t>(i) * length))
           << "row " << i;
+    }
+    if (const std::size_t middle = rows.valid.size() / 2; reader->random_access() && middle > 0) {
+      std::vector<std::byte> row(info.layout.record_length);
+      std::vector<std::uint8_t> valid(1);
+      ASSERT_EQ(reader->read(middle, row, valid), 1u);
+      ASSERT_EQ(valid[0], rows.valid[middle]);
+      ASSERT_TRUE(!valid[0] || std::equal(row.begin(), row.end(),
+                                          rows.bytes.begin() + static_cast<std::ptrdiff_t>(middle) * length));
     }
     ++tally.read;
   } catch (const Error& error) {
