@@ -13,7 +13,9 @@ WAYS = [
     ["--block-points", "67108864"], ["--memory", "96M", "--threads", "2"], ["--memory", "4G"],
     ["--memory", "96M", "--block-points", "2000", "--threads", "3"],
 ]
-
+FEW_WAYS = [["--threads", "1"], ["--block-points", "2000", "--threads", "3"], ["--block-points", "65536", "--threads", "8"],
+            ["--memory", "96M", "--threads", "2"]]
+ISAS = ("baseline", "avx2", "avx512")  # one that the machine has not is baseline; unless told, a run takes its best
 
 COLUMN_HEADER = 16  # bytes
 
@@ -29,21 +31,20 @@ def contacts(out):
 
 
 class Determinism(RunTest):
-    def same_all_ways(self, inputs):
-        hashes, blocks = {}, set()
-        for way in WAYS:
-            _, told = self.work(inputs, *way)
-            hashes[" ".join(way)] = told["result_hash"]
-            blocks.add(told["blocks"])
-        for isa in ("baseline", "avx2"):
-            _, told = self.work(inputs, env={"ILOT_FORCE_ISA": isa})
-            hashes[isa] = told["result_hash"]
-        _, told = self.work(inputs)
-        hashes["again"] = told["result_hash"]
+    def same_in_ways(self, inputs, ways, *arguments):
+        """One result in all ways and over all instruction sets; returns the run.json of a run without either."""
+        told = {" ".join(way): self.work(inputs, *arguments, *way)[1] for way in ways}
+        told |= {isa: self.work(inputs, *arguments, env={"ILOT_FORCE_ISA": isa})[1] for isa in ISAS}
+        told["again"] = self.work(inputs, *arguments)[1]
+        hashes = {way: record["result_hash"] for way, record in told.items()}
         self.assertEqual(len(set(hashes.values())), 1, hashes)
-        self.assertGreater(max(blocks), 20, "there were blocks to tell apart")
-        self.assertGreater(told["counts"]["planes"], 20)
-        self.assertGreater(told["counts"]["points"]["labelled"], 0.5 * told["counts"]["points"]["read"])
+        self.assertGreater(max(record["blocks"] for record in told.values()), 20, "there were blocks to tell apart")
+        counts = told["again"]["counts"]["points"]
+        self.assertGreater(counts["labelled"], 0.5 * counts["read"])
+        return told["again"]
+
+    def same_all_ways(self, inputs):
+        self.assertGreater(self.same_in_ways(inputs, WAYS)["counts"]["planes"], 20)
 
     def parts(self, cloud, cut, names="abc"):
         """The cloud in three files; returns them and the records' places per file."""
@@ -99,6 +100,18 @@ class Synthetic(Determinism):
 
     def test_same_all_ways(self):
         self.same_all_ways(self.district(150000))
+
+    def test_facades(self):
+        cloud, asked = self.facade(60000)
+        told = self.same_in_ways(cloud, FEW_WAYS, *asked)
+        self.assertEqual(told["counts"]["facades"]["facades"], 1)
+        self.assertGreater(told["counts"]["facades"]["elements"], 20, "there was something to tell apart")
+
+    def test_streets(self):
+        cloud, asked = self.street(150000)
+        told = self.same_in_ways(cloud, FEW_WAYS, *asked)
+        self.assertGreater(told["counts"]["streets"]["objects"], 20, "there was something to tell apart")
+        self.assertGreater(told["counts"]["streets"]["blocks"], 20)
 
     def test_any_files(self):
         self.same_in_any_files(self.district(100000))

@@ -27,7 +27,8 @@ class Resume(RunTest):
     def stop_in_stage(self, stage, how, inputs, out, *arguments):
         """Sends the signal as soon as a file of that stage stands in the store."""
         pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.cell",
-                   "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows"}[stage]
+                   "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows",
+                   "facades": "blocks/*.facade", "streets": "blocks/*.street"}[stage]
         run = self.start(inputs, out, *arguments)
         while run.poll() is None and not any((out / ".store").glob(pattern)):
             time.sleep(0.001)
@@ -58,6 +59,7 @@ class Resume(RunTest):
             _, told = self.work(inputs, "--resume", *arguments, out=out)
             self.assertEqual(told["result_hash"], expected)
             self.assertEqual(sorted(p.name for p in out.iterdir()), names)
+        return expected
 
     def times(self, out, *patterns):
         return {p: p.stat().st_mtime_ns for pattern in patterns for p in (out / ".store").glob(pattern)}
@@ -71,6 +73,21 @@ class Synthetic(Resume):
         path = self.district(60000)
         self.check_kills(path, 4, 3, *SLOW, "--products", "roofs")
         self.check_kills(path, 2, 4, *SLOW, "--products", "roofs", "--set", "roofs.trust_classes=false")
+
+    def check_kills_of(self, product, path, asked):
+        """At random moments, and when the product's first labels stand in the store."""
+        expected = self.check_kills(path, 4, 7, *SLOW, *asked)
+        out = self.folder / "killed-in-stage"
+        code, _ = self.stop_in_stage(product, signal.SIGKILL, path, out, *SLOW, *asked)
+        self.assertEqual(code, -signal.SIGKILL)
+        _, told = self.work(path, "--resume", *SLOW, *asked, out=out)
+        self.assertEqual(told["result_hash"], expected)
+
+    def test_killed_while_making_facades(self):
+        self.check_kills_of("facades", *self.facade(60000))
+
+    def test_killed_while_making_streets(self):
+        self.check_kills_of("streets", *self.street(150000))
 
     def test_killed_with_a_store_elsewhere(self):
         path = self.district(100000)

@@ -33,12 +33,6 @@ def write_ply(path, points):
 
 
 class Strays(RunTest):
-    def scanned(self, scene, points):
-        path = self.folder / f"{scene}.las"
-        done = ilot("scan", scene, "-o", path, "--points", points, "-q")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return path
-
     def products(self, out):
         """Every file of the products but the clouds, by name."""
         files = [path for path in out.rglob("*") if path.is_file() and "points" not in path.relative_to(out).parts]
@@ -50,7 +44,7 @@ class Strays(RunTest):
         return folder
 
     def compare(self, scene, points, kinds, *arguments, code=0):
-        clean_path = self.scanned(scene, points)
+        clean_path = self.scan(scene, points)
         clean = Las.read(clean_path)
         out, told = self.work(clean_path, *arguments, code=code)
         wanted, rows = self.products(out), self.labelled(out, scene).records()
@@ -83,7 +77,7 @@ class Strays(RunTest):
         self.compare("facade-restoration", 40000, FEW_KINDS, "--products", "facades")
 
     def test_info_measures_the_rest(self):
-        path = self.scanned("district", 40000)
+        path = self.scan("district", 40000)
         clean = Las.read(path)
         strays = clean.write(self.folder / "strays.las", with_strays(clean, "zeros")[0])
         a, b = (json.loads(ilot("info", p, "--json", "-q").stdout)[0] for p in (path, strays))

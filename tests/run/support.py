@@ -121,14 +121,24 @@ class RunTest(unittest.TestCase):
     def tearDown(self):
         self.holder.cleanup()
 
-    def scan(self, scene, points, path, **settings):
+    def scan(self, scene, points, path=None, **settings):
+        path = path or self.folder / f"{scene}.las"
         chosen = [word for key, value in settings.items() for word in ("--set", f"scene.{key}={value}")]
-        done = ilot("scan", scene, "-o", path, "--points", points, "-q", *chosen)
+        done = ilot("scan", scene, "-o", path, "--points", points, "-q", *chosen, timeout=600)
         self.assertEqual(done.returncode, 0, done.stderr)
         return path
 
     def district(self, points, **settings):
         return self.scan("district", points, self.folder / f"district-{points}.las", **settings)
+
+    def facade(self, points, scene="facade-haussmann"):
+        """The cloud of a facade, and how a run is asked for its plan."""
+        path = self.scan(scene, points, self.folder / f"{scene}.laz")
+        return path, ["--products", "facades", "--stations", path.with_suffix(".stations.csv")]
+
+    def street(self, points):
+        """The cloud of a street, and how a run is asked for its objects."""
+        return self.scan("street", points), ["--products", "streets"]
 
     def work(self, inputs, *arguments, out=None, code=0, env=None, **options):
         """Runs in a new folder; returns it and its run.json."""
@@ -141,6 +151,15 @@ class RunTest(unittest.TestCase):
         for skipped in told["skipped"]:
             self.assertIn(skipped["where"], done.stderr, "what is skipped is told")
         return out, told
+
+    def within_budgets(self, budgets, inputs, *arguments, **options):
+        """One result for all budgets (MiB, threads), none of which is exceeded; returns the run.json of each."""
+        told = [self.work(inputs, "--memory", f"{memory}M", "--threads", threads, *arguments, **options)[1]
+                for memory, threads in budgets]
+        for (memory, threads), record in zip(budgets, told):
+            self.assertLessEqual(record["peak_rss_bytes"], memory << 20, f"{memory}M, {threads} threads")
+        self.assertEqual(len({record["result_hash"] for record in told}), 1)
+        return told
 
     def start(self, inputs, out, *arguments, **options):
         """A run that goes on while the test does something else."""

@@ -15,20 +15,23 @@ namespace ilot::test {
 
 constexpr double kUnit = 0.001;
 
-// Raw coordinates are lattice coordinates, so they must fit 32 bits. Without classes all are 0.
+// Points are lattice coordinates; those from `origin` on must fit 32 bits. Without classes all are 0.
 inline void write_cloud(const std::filesystem::path& path, const std::vector<Index3>& points,
-                        const std::vector<std::uint8_t>& classes = {}, std::uint8_t point_format = 0) {
+                        const std::vector<std::uint8_t>& classes = {}, std::uint8_t point_format = 0,
+                        Index3 origin = {}) {
   CloudSpec spec;
   spec.like.layout.point_format = point_format;
   spec.like.layout.record_length = static_cast<std::uint16_t>(standard_size(point_format));
   spec.like.layout.scale = {kUnit, kUnit, kUnit};
+  spec.like.layout.offset = {kUnit * static_cast<double>(origin.x), kUnit * static_cast<double>(origin.y),
+                             kUnit * static_cast<double>(origin.z)};
   const std::size_t length = spec.like.layout.record_length;
   std::vector<std::byte> records(points.size() * length);
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointFields f;
-    f.x = static_cast<std::int32_t>(points[i].x);
-    f.y = static_cast<std::int32_t>(points[i].y);
-    f.z = static_cast<std::int32_t>(points[i].z);
+    f.x = static_cast<std::int32_t>(points[i].x - origin.x);
+    f.y = static_cast<std::int32_t>(points[i].y - origin.y);
+    f.z = static_cast<std::int32_t>(points[i].z - origin.z);
     f.intensity = static_cast<std::uint16_t>(i);
     if (!classes.empty()) f.classification = classes[i];
     encode_fields(f, std::span(records).subspan(i * length, length), point_format);

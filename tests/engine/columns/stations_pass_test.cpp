@@ -3,8 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
+#include "engine/error.h"
 #include "tests/support/cloud_store.h"
 
 namespace ilot {
@@ -82,16 +84,33 @@ TEST(StationsPass, BlocksAreInvisible) {
   EXPECT_EQ(test::whole_column(small.cloud(), columns::kStation), test::whole_column(large.cloud(), columns::kStation));
 }
 
-TEST(StationsPass, OneStationAFileNeedsNoReading) {
-  const Scanned s(700);
-  std::vector<InputStations> told;
-  for (StationNumber n = 1; n <= 4; ++n) told.push_back({n, {}});
-  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, told, {});
+// A file of one station, told by its file or by each source that its rows name: the same column.
+TEST(StationsPass, TheFileTellsWhatAllItsSourcesTell) {
+  const Scanned by_file(700), by_source(700);
+  std::vector<InputStations> of_file, of_sources;
+  for (StationNumber n = 1; n <= 4; ++n) {
+    of_file.push_back({n, {}});
+    of_sources.push_back({0, {{0, n}, {1, n}, {700, n}, {65535, n}}});
+  }
+  const StationTally tally = stations_pass(by_file.cloud(), by_file.files->inputs, of_file, {});
+  EXPECT_EQ(tally.told, 6002u);
   EXPECT_EQ(tally.untold, 0u);
-  EXPECT_FALSE(std::filesystem::exists(s.cloud().folder() / "sources"));
-  const auto order = test::whole_column(s.cloud(), columns::kOrder);
-  const auto station = test::whole_column(s.cloud(), columns::kStation);
-  for (std::size_t i = 0; i < order.size(); ++i) ASSERT_EQ(station[i], file_of(order[i]) + 1);
+  stations_pass(by_source.cloud(), by_source.files->inputs, of_sources, {});
+  const auto station = test::whole_column(by_file.cloud(), columns::kStation);
+  EXPECT_EQ(station, test::whole_column(by_source.cloud(), columns::kStation));
+  EXPECT_EQ(std::count(station.begin(), station.end(), 4), 2) << "the last file holds two points";
+}
+
+// Rows are read again only where they tell something: files that were cut behind their headers are enough else.
+TEST(StationsPass, RowsThatTellNothingAreNotRead) {
+  const Scanned s(700);
+  for (const char* name : {"a.laz", "b.laz", "c.las"}) std::filesystem::resize_file(s.folder.path() / name, 400);
+  const std::vector<InputStations> by_file{{1, {}}, {2, {{700, 1}}}, {0, {}}, {0, {{0, 4}}}};
+  const StationTally tally = stations_pass(s.cloud(), s.files->inputs, by_file, {});
+  EXPECT_EQ(tally.untold, 2000u);
+  std::vector<InputStations> by_source = by_file;
+  by_source[2].of_source[1] = 3;
+  EXPECT_THROW(stations_pass(s.cloud(), s.files->inputs, by_source, {}), Error);
 }
 
 }  // namespace

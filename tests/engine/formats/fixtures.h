@@ -3,6 +3,7 @@
 #pragma once
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -70,6 +71,53 @@ inline Rows read_all(PointReader& reader, std::size_t step = 1000) {
     rows.valid.insert(rows.valid.end(), valid.begin(), valid.begin() + static_cast<std::ptrdiff_t>(got));
     first += got;
     if (got == 0) return rows;
+  }
+}
+
+// What damaged files came to.
+struct DamageTally {
+  int read = 0, refused = 0;
+};
+
+enum class DamageFound { at_open, while_reading };
+
+// A file of any bytes is refused with a message that begins with its path, or read: no more rows than declared, fewer
+// only with a warning, the same ones in pieces of any size and alone, and all that info() counts unless the damage is
+// found while reading.
+inline void expect_refused_or_read(const std::filesystem::path& path, DamageFound found, DamageTally& tally) {
+  try {
+    const auto reader = open_cloud(path);
+    const CloudInfo& info = reader->info();
+    ASSERT_LE(info.points, info.declared_points);
+    ASSERT_TRUE(info.points == info.declared_points || !info.warnings.empty());
+    const std::vector<std::uint64_t> boundaries = reader->boundaries();
+    ASSERT_EQ(boundaries.front(), 0u);
+    ASSERT_EQ(boundaries.back(), info.points);
+    const Rows rows = read_all(*reader, 150), again = read_all(*reader, 7);
+    for (const std::size_t count : {rows.valid.size(), again.valid.size()}) {
+      ASSERT_LE(count, info.points);
+      ASSERT_TRUE(count == info.points || found == DamageFound::while_reading);
+    }
+    const auto length = static_cast<std::ptrdiff_t>(info.layout.record_length);
+    for (std::size_t i = 0; i < std::min(rows.valid.size(), again.valid.size()); ++i) {
+      ASSERT_EQ(rows.valid[i], again.valid[i]);
+      const auto row = rows.bytes.begin() + static_cast<std::ptrdiff_t>(i) * length;
+      ASSERT_TRUE(!rows.valid[i] ||
+                  std::equal(row, row + length, again.bytes.begin() + static_cast<std::ptrdiff_t>(i) * length))
+          << "row " << i;
+    }
+    if (const std::size_t middle = rows.valid.size() / 2; reader->random_access() && middle > 0) {
+      std::vector<std::byte> row(info.layout.record_length);
+      std::vector<std::uint8_t> valid(1);
+      ASSERT_EQ(reader->read(middle, row, valid), 1u);
+      ASSERT_EQ(valid[0], rows.valid[middle]);
+      ASSERT_TRUE(!valid[0] || std::equal(row.begin(), row.end(),
+                                          rows.bytes.begin() + static_cast<std::ptrdiff_t>(middle) * length));
+    }
+    ++tally.read;
+  } catch (const Error& error) {
+    ASSERT_EQ(std::string(error.what()).rfind(path.string(), 0), 0u) << error.what();
+    ++tally.refused;
   }
 }
 

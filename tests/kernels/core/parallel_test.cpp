@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace ilot {
@@ -72,20 +73,39 @@ TEST(Parallel, NestedLoopsDoEverythingAndThrowThroughBothLevels) {
                std::runtime_error);
 }
 
-// A thread that waits for an inner loop must not start an item of the outer one: its memory would be held twice.
+// A thread that waits for an inner loop must not start an item of the outer one: its memory would be held twice. An
+// inner item that another thread took holds its owner up until one more outer item has begun: where waiting threads
+// take what they find, the owner does so in many of the rounds. Held is one at a time and for so many turns at most, so
+// that there is no need of a third thread.
 TEST(Parallel, AWaitingThreadTakesNoOuterItem) {
-  with_threads(4, [] {
-    std::atomic<bool> doubled{false};
-    parallel_for(64, [&](std::size_t) {
-      thread_local int depth = 0;
-      if (++depth > 1) doubled = true;
-      std::atomic<int> sum{0};
-      parallel_for(64, [&](std::size_t) { ++sum; });
-      EXPECT_EQ(sum, 64);
-      --depth;
-    });
-    EXPECT_FALSE(doubled);
+  constexpr std::size_t kOuter = 8, kInner = 4;
+  constexpr int kRounds = 200, kOwnTurns = 20, kMostTurns = 2000;
+  std::atomic<int> doubled{0}, done{0};
+  with_threads(4, [&] {
+    for (int round = 0; round < kRounds; ++round) {
+      std::atomic<std::size_t> begun{0};
+      std::atomic<bool> held{false};
+      parallel_for(kOuter, [&](std::size_t) {
+        thread_local int depth = 0;
+        doubled += ++depth > 1;
+        ++begun;
+        const std::thread::id owner = std::this_thread::get_id();
+        parallel_for(kInner, [&](std::size_t) {
+          ++done;
+          if (std::this_thread::get_id() == owner) {
+            for (int turn = 0; turn < kOwnTurns; ++turn) std::this_thread::yield();
+          } else if (!held.exchange(true)) {
+            const std::size_t before = begun;
+            for (int turn = 0; turn < kMostTurns && begun == before; ++turn) std::this_thread::yield();
+            held = false;
+          }
+        });
+        --depth;
+      });
+    }
   });
+  EXPECT_EQ(doubled, 0);
+  EXPECT_EQ(done, kRounds * static_cast<int>(kOuter * kInner));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 #include <tuple>
+#include <variant>
 
 #include "engine/products/roofs/site_modeller.h"
 #include "tests/support/cloud_store.h"
@@ -34,7 +35,7 @@ struct House {
       points.push_back({kX + x + by.x, kY + y + by.y, z + by.z});
       classes.push_back(i % 5 == 0 ? 2 : i % 7 == 0 ? 1 : 6);
     }
-    test::write_cloud(folder.path() / "house.las", points, classes);
+    test::write_cloud(folder.path() / "house.las", points, classes, 0, by);
     std::vector<std::unique_ptr<PointReader>> inputs;
     inputs.push_back(open_cloud(folder.path() / "house.las"));
     IndexParams params;
@@ -164,6 +165,56 @@ TEST(SiteModeller, AThinnedHouseHasItsFacesAndAllItsLabels) {
     return n;
   };
   EXPECT_EQ(labelled(few), labelled(all));
+}
+
+// From the Netherlands to the coordinates of the north of France. 262,144 m are whole metres, on which sites start, and
+// whole tiles of 2^21 mm, in which the points are ordered: the site is the same, so is its model.
+TEST(SiteModeller, TheSameBuildingElsewhereIsTheSame) {
+  constexpr std::int64_t kStep = 262144000;
+  const Index3 by{2 * kStep, 24 * kStep, 0};
+  const auto modelled = [](const House& house) {
+    const SiteWork work = house.work(1 << 20);
+    RoofLabels labels(*house.store);
+    return SiteModeller(work, {}, {}, labels).model(0);
+  };
+  const SiteResult here = modelled(House(1000)), there = modelled(House(1000, by));
+  EXPECT_EQ(here.status, RoofStatus::lod22);
+  EXPECT_EQ(there.status, here.status);
+  EXPECT_EQ(there.planes, here.planes);
+  // A coordinate is a site's anchor, in whole metres, and what is added to it. Doubles at 6,800 km lie 2^-30 m apart:
+  // the sum there is off by half of that at most, the one here by less.
+  const double rounding = std::ldexp(1, -30);
+  const auto same_place = [&](Vec3 a, Vec3 b) {
+    EXPECT_NEAR(b.x - a.x, 0.001 * static_cast<double>(by.x), rounding);
+    EXPECT_NEAR(b.y - a.y, 0.001 * static_cast<double>(by.y), rounding);
+    EXPECT_EQ(b.z, a.z);
+  };
+  ASSERT_EQ(there.levels.size(), here.levels.size());
+  for (std::size_t level = 0; level < here.levels.size(); ++level) {
+    const Building &a = here.levels[level], &b = there.levels[level];
+    ASSERT_EQ(b.vertices.size(), a.vertices.size());
+    for (std::size_t i = 0; i < a.vertices.size(); ++i) same_place(a.vertices[i], b.vertices[i]);
+    ASSERT_EQ(b.surfaces.size(), a.surfaces.size());
+    for (std::size_t i = 0; i < a.surfaces.size(); ++i) {
+      EXPECT_EQ(b.surfaces[i].kind, a.surfaces[i].kind);
+      EXPECT_EQ(b.surfaces[i].rings, a.surfaces[i].rings);
+    }
+    ASSERT_EQ(b.attributes.size(), a.attributes.size());
+    for (std::size_t i = 0; i < a.attributes.size(); ++i) {
+      EXPECT_EQ(b.attributes[i].first, a.attributes[i].first);
+      if (const double* measured = std::get_if<double>(&a.attributes[i].second)) {
+        // Distances from planes that are no steeper than 45 degrees: x, y and their rounding here count at most once
+        // each.
+        EXPECT_NEAR(std::get<double>(b.attributes[i].second), *measured, 4 * rounding) << a.attributes[i].first;
+      } else {
+        EXPECT_EQ(b.attributes[i].second, a.attributes[i].second) << a.attributes[i].first;
+      }
+    }
+  }
+  ASSERT_EQ(there.points.size(), here.points.size());
+  for (std::size_t i = 0; i < here.points.size(); ++i) same_place(here.points[i], there.points[i]);
+  ASSERT_EQ(there.labels.size(), here.labels.size());
+  for (std::size_t i = 0; i < here.labels.size(); ++i) EXPECT_EQ(there.labels[i].count, here.labels[i].count);
 }
 
 }  // namespace

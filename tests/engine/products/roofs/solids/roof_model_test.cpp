@@ -97,19 +97,6 @@ TEST(RoofModel, WithoutSuperstructuresTheMainRoofStays) {
   EXPECT_EQ(roof_faces(m.lod22), 2u);
 }
 
-TEST(RoofModel, TheSameBuildingElsewhereIsTheSame) {
-  RoofSite site = roof_site(12, 6, hip);
-  const RoofModel here = model_roof(site, {}, 1);
-  site.anchor = {91000, 430000, 12};
-  const RoofModel there = model_roof(site, {}, 1);
-  ASSERT_EQ(here.lod22.vertices.size(), there.lod22.vertices.size());
-  for (std::size_t i = 0; i < here.lod22.vertices.size(); ++i) {
-    const Vec3 d = there.lod22.vertices[i] - here.lod22.vertices[i] - Vec3{6000, -16000, 12};
-    EXPECT_LT(norm(d), 1e-9);
-  }
-  EXPECT_EQ(here.face_of_point, there.face_of_point);
-}
-
 TEST(RoofModel, FeetAreConvertedAtTheBoundary) {
   const RoofModel m = model_roof(roof_site(12, 6, gable), {}, 0.3048);
   EXPECT_NEAR(highest(m.lod22), 7 / 0.3048, 0.2);

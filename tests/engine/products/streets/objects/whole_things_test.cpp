@@ -22,12 +22,6 @@ ThingClass roles(double whole, double part, double several) {
 
 using Taken = std::vector<std::uint8_t>;
 
-TEST(WholeThings, WhatStandsAloneIsWhole) {
-  const std::vector<Thing> things(3);
-  EXPECT_EQ(whole_things(things, std::vector<ThingClass>(3, roles(0.1, 0.9, 0))), (Taken{1, 1, 1}));
-  EXPECT_TRUE(whole_things({}, {}).empty());
-}
-
 TEST(WholeThings, PartsOfOneAndTwoThatTouch) {
   const std::vector<Thing> things{{}, {}, joined(1, 2)};
   const ThingClass part = roles(0.2, 0.8, 0), whole = roles(0.8, 0.2, 0);
@@ -74,24 +68,62 @@ double best_cut(const std::vector<Thing>& things, const std::vector<ThingClass>&
   return apart;
 }
 
+// Things without parts, joined at random until one is left.
+std::vector<Thing> random_tree(Rng& rng, std::size_t parts) {
+  std::vector<Thing> things(parts);
+  std::vector<std::uint32_t> open;
+  for (std::uint32_t i = 1; i <= things.size(); ++i) open.push_back(i);
+  while (open.size() > 1) {
+    const std::size_t a = rng.below(open.size() - 1);
+    things.push_back(joined(open[a], open.back()));
+    open.pop_back();
+    open[a] = static_cast<std::uint32_t>(things.size());
+  }
+  return things;
+}
+
+std::vector<ThingClass> random_roles(Rng& rng, std::size_t count) {
+  std::vector<ThingClass> classes;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double whole = rng.uniform(), part = rng.uniform(), several = rng.uniform();
+    classes.push_back(roles(0.01 + whole, 0.01 + part, 0.01 + several));
+  }
+  return classes;
+}
+
 TEST(WholeThings, TheMostProbableCut) {
   Rng rng(7, 1);
   for (int round = 0; round < 300; ++round) {
-    std::vector<Thing> things(2 + rng.below(6));
-    std::vector<std::uint32_t> open;
-    for (std::uint32_t i = 1; i <= things.size(); ++i) open.push_back(i);
-    while (open.size() > 1) {
-      const std::size_t a = rng.below(open.size() - 1);
-      things.push_back(joined(open[a], open.back()));
-      open.pop_back();
-      open[a] = static_cast<std::uint32_t>(things.size());
-    }
-    std::vector<ThingClass> classes;
-    for (std::size_t i = 0; i < things.size(); ++i)
-      classes.push_back(roles(0.01 + rng.uniform(), 0.01 + rng.uniform(), 0.01 + rng.uniform()));
+    const std::vector<Thing> things = random_tree(rng, 2 + rng.below(6));
+    const std::vector<ThingClass> classes = random_roles(rng, things.size());
     Taken expected(things.size(), 0);
     best_cut(things, classes, things.size() - 1, expected);
     EXPECT_EQ(whole_things(things, classes), expected);
+  }
+}
+
+// Trees in one street, some of them a thing that stands alone: each is cut as if there were no other, and one that
+// stands alone has no parts and is none, so it is taken whatever its role.
+TEST(WholeThings, TreesAreCutEachByItself) {
+  Rng rng(8, 1);
+  for (int round = 0; round < 100; ++round) {
+    std::vector<Thing> street;
+    std::vector<ThingClass> classes;
+    Taken expected;
+    for (int tree = 0; tree < 4; ++tree) {
+      std::vector<Thing> things = random_tree(rng, 1 + rng.below(4));
+      const std::vector<ThingClass> own = random_roles(rng, things.size());
+      const Taken alone = whole_things(things, own);
+      if (things.size() == 1) {
+        EXPECT_EQ(alone, Taken{1});
+      }
+      for (Thing& t : things)
+        for (std::uint32_t& part : t.parts) part += part == 0 ? 0 : static_cast<std::uint32_t>(street.size());
+      street.insert(street.end(), things.begin(), things.end());
+      classes.insert(classes.end(), own.begin(), own.end());
+      expected.insert(expected.end(), alone.begin(), alone.end());
+    }
+    EXPECT_EQ(whole_things(street, classes), expected);
   }
 }
 
