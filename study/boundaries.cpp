@@ -17,6 +17,7 @@
 #include "engine/compare/boundary_error.h"
 #include "engine/compare/plane_frame.h"
 #include "engine/formats/reader.h"
+#include "kernels/core/quantile.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/edge_lengths.h"
 #include "kernels/delaunay/rings.h"
@@ -138,9 +139,7 @@ View view_of(const Scan& scan, const TruePlane& bare, const std::vector<std::uin
   v.edges = true_edges(plane);
   v.on_edge = cells_on_edges(v.flat, v.edges);
   v.measured = measured_steps(v.places, kNeighbours, 1 << 20).step;
-  std::vector<float> sorted = v.measured;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  v.global.assign(v.places.size(), sorted[sorted.size() / 2]);
+  v.global.assign(v.places.size(), upper_median(std::vector(v.measured)));
   v.t = delaunay(v.places);
   return v;
 }

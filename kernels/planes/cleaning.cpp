@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/quantile.h"
 #include "kernels/core/radix_sort.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/neighbours/knn.h"
@@ -57,9 +58,8 @@ Kept isolation_filter(const NeighbourLists& neighbours, std::span<const std::int
     for (const std::uint32_t j : neighbours.of(i))
       if (j != kNoNeighbour && j != i && reach2[j] >= 0) around.push_back(reach2[j]);
     if (around.empty()) continue;
-    const auto quarter = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
-    std::nth_element(around.begin(), quarter, around.end());
-    kept[i] = static_cast<double>(reach2[i]) <= factor * factor * static_cast<double>(*quarter);
+    const std::int64_t quarter = nth_smallest(around, around.size() / 4);
+    kept[i] = static_cast<double>(reach2[i]) <= factor * factor * static_cast<double>(quarter);
   }
   return kept;
 }

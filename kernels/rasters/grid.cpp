@@ -5,18 +5,10 @@
 #include <cassert>
 #include <limits>
 
+#include "kernels/core/integers.h"
 #include "kernels/rasters/pixel_at.h"
 
 namespace ilot {
-namespace {
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return a % b < 0 ? q - 1 : q;
-}
-
-}  // namespace
-
 GridFrame frame_of(Points points, std::int64_t pixel) {
   assert(pixel >= 1);
   if (points.size == 0) return {0, 0, pixel, 0, 0};

@@ -4,15 +4,11 @@
 #include <algorithm>
 #include <cassert>
 
+#include "kernels/core/integers.h"
 #include "kernels/rasters/pixel_at.h"
 
 namespace ilot {
 namespace {
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return a % b < 0 ? q - 1 : q;
-}
 
 void add_pixel(RangeImage& into, std::size_t at, Height range, std::uint32_t points) {
   into.range.values[at] = std::max(into.range.values[at], range);

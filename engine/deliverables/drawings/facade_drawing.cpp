@@ -11,6 +11,7 @@
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/version.h"
 #include "kernels/core/portable_math.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -102,10 +103,7 @@ double edge_error_95(const Facade& facade) {
   for (const FacadeElement& e : facade.elements)
     for (const FacadeEdge& edge : e.edges)
       if (edge.error_m > 0) errors.push_back(edge.error_m);
-  if (errors.empty()) return 0;
-  const auto at = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() * 95 + 99) / 100 - 1);
-  std::nth_element(errors.begin(), at, errors.end());
-  return *at;
+  return errors.empty() ? 0 : nth_smallest(errors, (errors.size() * 95 + 99) / 100 - 1);
 }
 
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) {

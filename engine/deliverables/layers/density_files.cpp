@@ -13,6 +13,7 @@
 
 #include "engine/error.h"
 #include "engine/whole_file.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -138,10 +139,7 @@ void write_png(const std::filesystem::path& path, const DensityMap& map) {
 
 // The value that a share of the others does not exceed; none of nothing.
 double quantile(std::vector<float> values, double share) {
-  if (values.empty()) return std::nan("");
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return values.empty() ? std::nan("") : static_cast<double>(lower_quantile(values, share));
 }
 
 std::string number(double value) {

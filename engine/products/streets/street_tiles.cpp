@@ -13,6 +13,7 @@
 #include "engine/products/streets/lattice_cells.h"
 #include "engine/report/progress.h"
 #include "engine/store/stretches.h"
+#include "kernels/core/integers.h"
 #include "kernels/rasters/nearest.h"
 #include "kernels/rasters/occupancy.h"
 
@@ -34,10 +35,6 @@ constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is e
 constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
 constexpr std::uint32_t kCrowded = 4;        // times the median
 constexpr double kMostCrowded = 1.0 / 3;     // of the points seen from the air
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>
