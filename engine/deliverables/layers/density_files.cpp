@@ -11,6 +11,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/error.h"
 #include "engine/whole_file.h"
 #include "kernels/core/quantile.h"
@@ -22,8 +23,6 @@ constexpr int kPictureSide = 480;  // of a panel at least, in pixels of the pict
 constexpr int kGap = 8;            // between panels
 
 using Colour = std::array<std::uint8_t, 3>;
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
   throw Error(path.string() + ": cannot be written: " + CPLGetLastErrorMsg());

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "engine/deliverables/drawings/facade_plan.h"
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/error.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -224,8 +225,6 @@ std::string world_file(const FacadeImage& image) {
     text += decimal(v, 9) + "\n";
   return text;
 }
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 // The image as GDAL sees it, without a copy: it must live as long. Null when GDAL refuses.
 GDALDatasetUniquePtr picture_of(const FacadeImage& image) {
