@@ -132,8 +132,7 @@ View view_of(const Scan& scan, const TruePlane& bare, const std::vector<std::uin
     if (std::find(stations.begin(), stations.end(), p.station) == stations.end()) continue;
     const FlatPoint f = frame.flat(p.position);
     v.flat.push_back(f);
-    v.places.push_back(
-        {static_cast<std::int32_t>(std::lround(f.x * kSteps)), static_cast<std::int32_t>(std::lround(f.y * kSteps))});
+    v.places.push_back(lattice_point(f, kSteps));
     v.predicted.push_back(static_cast<float>(kSteps * predicted_step(scanners, near, f.x * frame.u + f.y * frame.v)));
   }
   v.edges = true_edges(plane);

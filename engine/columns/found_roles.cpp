@@ -10,6 +10,7 @@
 #include "engine/columns/ground_surface.h"
 #include "engine/pass/pass.h"
 #include "engine/store/stretches.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
@@ -20,7 +21,6 @@ constexpr double kPixelMetres = 1.1;              // at most
 constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the ground's surface
 constexpr double kSmooth = 0.06;                  // greatest curvature of a roof's points
 constexpr std::uint64_t kBytesPerPoint = 32, kBytesOfTile = 8u << 20;
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 static_assert(kGroundHalo <= kTilePixels, "the eight tiles around must hold the halo");
 
 using TileKey = std::pair<std::int64_t, std::int64_t>;  // row, column
@@ -43,7 +43,7 @@ struct Raster {
     const auto high = [&](std::int64_t i) {
       return ((i + 1) * kTilePixels + halo) * (std::int64_t{1} << pixel_bits) - 1;
     };
-    return {{low(t.second), low(t.first), -kFar}, {high(t.second), high(t.first), kFar}};
+    return column_over(low(t.second), low(t.first), high(t.second), high(t.first));
   }
 };
 static_assert(kTilePixels == 1 << 7);

@@ -14,6 +14,7 @@
 #include "engine/report/progress.h"
 #include "engine/store/stretches.h"
 #include "kernels/core/integers.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/rasters/nearest.h"
 #include "kernels/rasters/occupancy.h"
 
@@ -21,7 +22,6 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kSide = 512;
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 // Tiles between two sites, at least: far more than any step looks beyond a tile (links of 10 m, lines of facades that
 // go on in the next window of 200 m), whatever the pixel; at 5 cm 1.6 km.
 constexpr std::int64_t kWidestGap = 64;
@@ -95,7 +95,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
     const auto [row, column] = windows[i];
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
-        store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
+        store, column_over(column * side, row * side, (column + 1) * side - 1, (row + 1) * side - 1),
         [&](Index3 p) { ++cells[std::size_t{cell_of(p.y - row * side)} * kCells + cell_of(p.x - column * side)]; });
     const std::lock_guard lock(mutex);
     for (const std::uint32_t n : cells)
@@ -193,7 +193,7 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
   const Index3 corner = raster_.corner(tile);
   const std::int64_t last = raster_.tile_units() - 1;
   const LatticeCells pixel_of(raster_.pixel);
-  for_points_in(store_, {{corner.x, corner.y, -kFar}, {corner.x + last, corner.y + last, kFar}}, [&](Index3 p) {
+  for_points_in(store_, column_over(corner.x, corner.y, corner.x + last, corner.y + last), [&](Index3 p) {
     take(std::size_t{pixel_of(p.y - corner.y)} * kSide + pixel_of(p.x - corner.x), height_of(p.z));
   });
 }

@@ -9,6 +9,7 @@
 #include "engine/products/streets/ground/artefacts.h"
 #include "engine/products/streets/objects/separation.h"
 #include "kernels/core/parallel.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/morphology/profile.h"
 #include "kernels/rasters/hough_lines.h"
 #include "kernels/rasters/range_image.h"
@@ -21,10 +22,8 @@ namespace {
 constexpr std::size_t kStepsRecord = 45;
 
 // Millimetres in the scene, where the street lies aslant.
-struct StreetCloud {
-  std::vector<float> x, y, z;
+struct StreetCloud : PaddedPoints {
   std::vector<RecordTruth> truth;
-  Points view() const { return {x.data(), y.data(), z.data(), truth.size()}; }
 };
 
 StreetCloud scanned(std::initializer_list<const char*> settings) {
@@ -38,14 +37,13 @@ StreetCloud scanned(std::initializer_list<const char*> settings) {
     scan_street(scan, stage, [&](std::span<const std::byte> records) {
       for (std::size_t at = 0; at < records.size(); at += kStepsRecord) {
         const Vec3 p = place_of(&records[at], layout);
-        cloud.x.push_back(static_cast<float>(std::floor(1000 * p.x)));
-        cloud.y.push_back(static_cast<float>(std::floor(1000 * p.y)));
-        cloud.z.push_back(static_cast<float>(std::floor(1000 * p.z)));
+        cloud.add(static_cast<float>(std::floor(1000 * p.x)), static_cast<float>(std::floor(1000 * p.y)),
+                  static_cast<float>(std::floor(1000 * p.z)));
         cloud.truth.push_back(truth_of(&records[at]));
       }
     });
   });
-  for (auto* column : {&cloud.x, &cloud.y, &cloud.z}) column->resize(cloud.truth.size() + 16, 0.0f);
+  cloud.pad();
   return cloud;
 }
 
@@ -61,14 +59,14 @@ std::uint32_t most_common(const std::map<std::uint32_t, std::size_t>& counts) {
 // One block without trees, whose crowns hide the ground from above.
 TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
   const StreetCloud cloud = scanned({"scene.blocks=1", "scene.trees=0"});
-  const GridFrame frame = frame_of(cloud.view(), 50);
-  const RangeImage image = range_image(cloud.view(), frame);
+  const GridFrame frame = frame_of(cloud.points(), 50);
+  const RangeImage image = range_image(cloud.points(), frame);
   const ilot::Ground ground = find_ground(image.range, {});
   const Artefacts artefacts = find_artefacts(ground, {});
   const PixelLabels things = separate_artefacts(artefacts.height, {});
 
   std::vector<std::uint32_t> pixels(cloud.truth.size());
-  pixels_of(cloud.view(), frame, pixels);
+  pixels_of(cloud.points(), frame, pixels);
   std::size_t ground_points = 0, found_ground = 0, facade_points = 0, facade_off_ground = 0;
   std::map<std::uint32_t, std::map<std::uint32_t, std::size_t>> labels_of, objects_of;  // points by the other
   std::map<std::uint32_t, std::size_t> points_of;
@@ -99,7 +97,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
 // City blocks at 5 pixels a metre: both facades' lines, and on each the streets between three blocks.
 TEST(StreetSteps, StreetsBetweenBlocks) {
   const StreetCloud cloud = scanned({"scene.blocks=3", "scene.profiles=3", "scene.slope=5"});
-  const RangeImage image = range_image(cloud.view(), frame_of(cloud.view(), 200));
+  const RangeImage image = range_image(cloud.points(), frame_of(cloud.points(), 200));
   const auto lines = hough_lines(image.range, {.max_lines = 2});
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_GT(lines[0].line.nx * lines[1].line.nx + lines[0].line.ny * lines[1].line.ny, 0.9999);

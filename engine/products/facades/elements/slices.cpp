@@ -92,8 +92,7 @@ FacadeSlice slice_of(double w, const Cut& cut, double reach) {
   for (const auto& [at_u, at_v] : cut.kept) {
     u.push_back(at_u);
     v.push_back(at_v);
-    places.push_back({static_cast<std::int32_t>(std::lround(u.back() / kLattice)),
-                      static_cast<std::int32_t>(std::lround(v.back() / kLattice))});
+    places.push_back(lattice_point({u.back() / kLattice, v.back() / kLattice}, 1));
   }
   slice.boundary = boundary_points(places, reach / kLattice);
   slice.extent = {lower_quantile(u, kTail), lower_quantile(u, 1 - kTail), lower_quantile(v, kTail),
