@@ -13,6 +13,7 @@
 #include "engine/pass/index.h"
 #include "engine/pass/input_lattice.h"
 #include "kernels/core/parallel.h"
+#include "kernels/core/quantile.h"
 
 namespace {
 
@@ -36,11 +37,6 @@ void decode(PointReader& reader) {
     std::vector<std::uint8_t> valid(rows);
     if (reader.read(cuts[i], records, valid) != rows) throw Error("a row could not be read");
   });
-}
-
-double median(std::vector<double> values) {
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
-  return values[values.size() / 2];
 }
 
 }  // namespace
@@ -70,5 +66,5 @@ int main(int argc, char** argv) {
   });
   std::filesystem::remove_all(folder);
   std::printf("threads %d  decode %.4f s/M  blocks on disk %.4f s/M  ratio %.3f (median of %d pairs)\n", threads,
-              median(decoding), median(indexing), median(ratios), pairs);
+              upper_median(decoding), upper_median(indexing), upper_median(ratios), pairs);
 }

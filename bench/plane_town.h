@@ -3,7 +3,7 @@
 // points, all of whose cells are cocircular.
 #pragma once
 #include "bench/surface.h"
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot::bench {
 

@@ -10,22 +10,20 @@
 
 #include "kernels/core/rng.h"
 #include "kernels/core/types.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/morton.h"
 
 namespace ilot::bench {
 
-struct Surface {
-  std::vector<float> x, y, z;
-  std::size_t size = 0;
-  Points view() const { return {x.data(), y.data(), z.data(), size}; }
+struct Surface : PaddedPoints {
+  Points view() const { return points(); }
 };
 
 // Morton sorted, from codes of whole millimetres.
 inline Surface surface_of(std::vector<std::uint64_t> codes) {
   std::sort(codes.begin(), codes.end());
   Surface s;
-  s.size = codes.size();
-  for (auto* column : {&s.x, &s.y, &s.z}) column->resize(s.size + 16);
+  s.reset(codes.size());
   for (std::size_t i = 0; i < s.size; ++i) {
     const Cell3 c = morton_cell(codes[i]);
     s.x[i] = static_cast<float>(c.x);

@@ -17,6 +17,7 @@
 #include "engine/compare/boundary_error.h"
 #include "engine/compare/plane_frame.h"
 #include "engine/formats/reader.h"
+#include "kernels/core/quantile.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/rings.h"
 #include "kernels/delaunay/sampling_step.h"
@@ -131,16 +132,13 @@ View view_of(const Scan& scan, const TruePlane& bare, const std::vector<std::uin
     if (std::find(stations.begin(), stations.end(), p.station) == stations.end()) continue;
     const FlatPoint f = frame.flat(p.position);
     v.flat.push_back(f);
-    v.places.push_back(
-        {static_cast<std::int32_t>(std::lround(f.x * kSteps)), static_cast<std::int32_t>(std::lround(f.y * kSteps))});
+    v.places.push_back(lattice_point(f, kSteps));
     v.predicted.push_back(static_cast<float>(kSteps * predicted_step(scanners, near, f.x * frame.u + f.y * frame.v)));
   }
   v.edges = true_edges(plane);
   v.on_edge = cells_on_edges(v.flat, v.edges);
   v.measured = measured_steps(v.places, kNeighbours, 1 << 20).step;
-  std::vector<float> sorted = v.measured;
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
-  v.global.assign(v.places.size(), sorted[sorted.size() / 2]);
+  v.global.assign(v.places.size(), upper_median(std::vector(v.measured)));
   v.t = delaunay(v.places);
   return v;
 }

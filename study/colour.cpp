@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <map>
 
+#include "kernels/core/quantile.h"
 #include "kernels/plane_methods/colour_ransac.h"
 #include "study/scene.h"
 
@@ -68,9 +69,7 @@ std::vector<std::uint64_t> draws_needed(const ColourRansacPlanes& r) {
 }
 
 std::uint64_t median(std::vector<std::uint64_t> v) {
-  if (v.empty()) return 0;
-  std::nth_element(v.begin(), v.begin() + static_cast<std::ptrdiff_t>(v.size() / 2), v.end());
-  return v[v.size() / 2];
+  return v.empty() ? 0 : upper_median(v);
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include <numeric>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/neighbours/hough_normals.h"
 #include "kernels/neighbours/knn.h"
@@ -32,12 +33,9 @@ using namespace ilot;
 using bench::Scene;
 
 // One building's points, from its lowest corner, with both kinds of normals.
-struct Building {
-  std::vector<float> x, y, z, nx, ny, nz;  // sharp normals
+struct Building : PaddedOrientedPoints {  // sharp normals
   std::vector<PackedNormal> sharp;
   std::vector<std::uint32_t> near, truth;
-  Points points() const { return {x.data(), y.data(), z.data(), truth.size()}; }
-  OrientedPoints oriented() const { return {points(), nx.data(), ny.data(), nz.data()}; }
   NeighbourLists neighbours() const { return {near, Scene::kNear}; }
 };
 
@@ -70,12 +68,10 @@ std::vector<Building> buildings_of(const Scene& s) {
     };
     const float x = lowest(s.x), y = lowest(s.y), z = lowest(s.z);
     for (const std::uint32_t i : m) {
-      b.x.push_back(s.x[i] - x);
-      b.y.push_back(s.y[i] - y);
-      b.z.push_back(s.z[i] - z);
+      b.add(s.x[i] - x, s.y[i] - y, s.z[i] - z);
       b.truth.push_back(s.true_class[i] == 2 ? s.true_plane[i] : 0);
     }
-    for (auto* v : {&b.x, &b.y, &b.z}) v->resize(m.size() + 16, 0.0f);
+    b.pad();
     const NeighbourIndex index = build_neighbour_index(b.points());
     std::vector<std::uint32_t> all(m.size());
     std::iota(all.begin(), all.end(), 0u);
@@ -84,7 +80,6 @@ std::vector<Building> buildings_of(const Scene& s) {
     hough_normals(index, all, {30, kMaxSquaredReach}, b.sharp, reach2);
     b.near.resize(m.size() * Scene::kNear);
     knn(index, all, {Scene::kNear, kMaxSquaredReach}, b.near, reach2);
-    for (auto* v : {&b.nx, &b.ny, &b.nz}) v->assign(m.size() + 16, 0.0f);
     for (std::size_t i = 0; i < m.size(); ++i) {
       b.nx[i] = static_cast<float>(b.sharp[i].x) / 32767;
       b.ny[i] = static_cast<float>(b.sharp[i].y) / 32767;

@@ -11,19 +11,16 @@
 #include "engine/units/unit_stretches.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/clusters.h"
 
 namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 112;
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 
-IndexBox column_around(IndexBox box, std::int64_t by) {
-  box = box.grown(by);
-  box.min.z = -kFar;
-  box.max.z = kFar;
-  return box;
+IndexBox column_around(const IndexBox& box, std::int64_t by) {
+  return column_over(box.min.x - by, box.min.y - by, box.max.x + by, box.max.y + by);
 }
 
 // Points in plan that are searched for links at a time.
@@ -34,15 +31,11 @@ void add(CloudCluster& cluster, Index3 p) {
     cluster.first = p;
     cluster.box = {p, p};
   }
-  IndexBox& b = cluster.box;
-  b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y), std::min(b.min.z, p.z)};
-  b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y), std::max(b.max.z, p.z)};
+  cluster.box.add(p);
 }
 
 void add(CloudCluster& sum, const CloudCluster& part) {
-  const IndexBox &a = sum.box, &b = part.box;
-  sum.box = {{std::min(a.min.x, b.min.x), std::min(a.min.y, b.min.y), std::min(a.min.z, b.min.z)},
-             {std::max(a.max.x, b.max.x), std::max(a.max.y, b.max.y), std::max(a.max.z, b.max.z)}};
+  sum.box.add_box(part.box);
   sum.points += part.points;
 }
 
@@ -75,24 +68,21 @@ std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
 // The points of parts in a column of space, seen from its corner, heights left out.
-struct PlanPoints {
-  std::vector<float> x, y, zero;
+struct PlanPoints : PaddedPoints {
   std::vector<std::uint32_t> part;
 };
 
 PlanPoints points_in(const Store& store, const IndexBox& box, const std::vector<std::uint32_t>& first) {
-  constexpr std::size_t kPadding = 16;
   PlanPoints points;
   for_each_stretch_in(store, box, [&](const Stretch& s, std::span<const StretchPoint> inside) {
     const auto parts = s.read(store, columns::kClusterPart);
     for (const StretchPoint& p : inside) {
       if (parts[p.number] == 0) continue;
-      points.x.push_back(static_cast<float>(p.position.x - box.min.x));
-      points.y.push_back(static_cast<float>(p.position.y - box.min.y));
+      points.add(static_cast<float>(p.position.x - box.min.x), static_cast<float>(p.position.y - box.min.y), 0);
       points.part.push_back(first[s.block] + parts[p.number] - 1);
     }
   });
-  for (auto* v : {&points.x, &points.y, &points.zero}) v->resize(points.part.size() + kPadding, 0.0f);
+  points.pad();
   return points;
 }
 
@@ -112,8 +102,7 @@ void add_links(const Store& store, const IndexBox& box, const ClusterParams& par
   const PlanPoints points = points_in(store, read, first);
   std::vector<std::uint32_t> all(points.part.size());
   std::iota(all.begin(), all.end(), 0u);
-  const Clusters found =
-      euclidean_clusters({points.x.data(), points.y.data(), points.zero.data(), all.size()}, all, params.radius);
+  const Clusters found = euclidean_clusters(points.points(), all, params.radius);
   std::vector<std::uint32_t> first_part(found.count, UINT32_MAX);
   const auto before = static_cast<std::ptrdiff_t>(links.size());
   for (std::size_t i = 0; i < all.size(); ++i) {

@@ -7,6 +7,7 @@
 
 #include "engine/pass/context.h"
 #include "engine/store/store.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

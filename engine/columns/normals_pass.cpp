@@ -165,11 +165,10 @@ class BlockNormals {
     const Block& b = store_.blocks()[block_];
     if (points.size() == b.points) return b.box;
     const auto codes = store_.read(block_, columns::kCodes, points.front(), points.back() - points.front() + 1);
-    IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
+    IndexBox box = IndexBox::none();
     for (const std::uint32_t i : points) {
       const Index3 p = index_of({b.node.tile, codes[i - points.front()]});
-      box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-      box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+      box.add(p);
     }
     return box;
   }

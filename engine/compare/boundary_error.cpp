@@ -7,7 +7,7 @@
 
 #include "engine/compare/overlay.h"
 #include "engine/compare/plane_frame.h"
-#include "kernels/core/closest.h"
+#include "kernels/geometry/closest.h"
 #include "kernels/outlines/edge_cells.h"
 
 namespace ilot {

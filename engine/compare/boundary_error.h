@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/compare/truth.h"
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

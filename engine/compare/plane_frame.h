@@ -2,8 +2,8 @@
 #pragma once
 #include <cmath>
 
-#include "kernels/core/flat.h"
 #include "kernels/core/types.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

@@ -4,22 +4,14 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
-namespace {
-
-double area_of(const Ring3& ring) {
-  Vec3 sum;
-  for (std::size_t i = 2; i < ring.size(); ++i) sum = sum + cross(ring[i - 1] - ring[0], ring[i] - ring[0]);
-  return norm(sum) / 2;
-}
-
-}  // namespace
-
 double area_of(const TruePlane& plane) {
   double area = 0;
   for (const TruePolygon& polygon : plane.polygons) {
-    area += area_of(polygon.ring);
-    for (const Ring3& hole : polygon.holes) area -= area_of(hole);
+    area += norm(doubled_area(polygon.ring)) / 2;
+    for (const Ring3& hole : polygon.holes) area -= norm(doubled_area(hole)) / 2;
   }
   return area;
 }

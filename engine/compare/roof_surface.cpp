@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
 namespace {
 
@@ -35,13 +37,9 @@ std::vector<FlatPoint> plan_of(const PolygonModel& model, const std::vector<std:
 }
 
 void set_box(RoofFace& face) {
-  face.low = face.high = face.plan[0].ring[0];
-  for (const FlatPolygon& polygon : face.plan) {
-    for (const FlatPoint p : polygon.ring) {
-      face.low = {std::min(face.low.x, p.x), std::min(face.low.y, p.y)};
-      face.high = {std::max(face.high.x, p.x), std::max(face.high.y, p.y)};
-    }
-  }
+  face.box = FlatBox::none();
+  for (const FlatPolygon& polygon : face.plan)
+    for (const FlatPoint p : polygon.ring) face.box.add(p);
 }
 
 // Appends the shape as one face, unless it stands upright or has no area.
@@ -111,9 +109,7 @@ bool covers(const RoofFace& face, FlatPoint p) {
   bool inside = false;
   const auto flip = [&](const std::vector<FlatPoint>& ring) {
     for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
-      if ((ring[i].y > p.y) != (ring[j].y > p.y) &&
-          p.x < ring[i].x + (p.y - ring[i].y) / (ring[j].y - ring[i].y) * (ring[j].x - ring[i].x))
-        inside = !inside;
+      inside ^= ray_crosses_by_share(p, ring[i], ring[j]);
   };
   for (const FlatPolygon& polygon : face.plan) {
     flip(polygon.ring);
@@ -124,12 +120,9 @@ bool covers(const RoofFace& face, FlatPoint p) {
 
 std::vector<FlatEdge> plan_edges(const RoofFace& face) {
   std::vector<FlatEdge> edges;
-  const auto add = [&](const std::vector<FlatPoint>& ring) {
-    for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[i + 1 == ring.size() ? 0 : i + 1]});
-  };
   for (const FlatPolygon& polygon : face.plan) {
-    add(polygon.ring);
-    for (const std::vector<FlatPoint>& hole : polygon.holes) add(hole);
+    add_ring(polygon.ring, edges);
+    for (const std::vector<FlatPoint>& hole : polygon.holes) add_ring(hole, edges);
   }
   return edges;
 }

@@ -8,6 +8,7 @@
 #include "engine/compare/overlay.h"
 #include "engine/compare/truth.h"
 #include "engine/model/polygon_model.h"
+#include "kernels/geometry/flat_box.h"
 
 namespace ilot {
 
@@ -18,7 +19,7 @@ struct RoofFace {
   std::vector<Triangle3> triangles;  // in space, covering the face
   Vec3 normal;                       // upwards, its length the area
   double offset = 0;                 // normal . p + offset = 0
-  FlatPoint low, high;               // box of the plan
+  FlatBox box;                       // of the plan
   double area() const;               // in space
   double height(FlatPoint p) const;  // of its plane
 };

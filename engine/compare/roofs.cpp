@@ -25,18 +25,18 @@ class FacesByPlace {
   explicit FacesByPlace(std::span<const RoofFace> faces) : faces_(faces), order_(faces.size()) {
     std::iota(order_.begin(), order_.end(), 0u);
     std::sort(order_.begin(), order_.end(), [&](std::uint32_t a, std::uint32_t b) {
-      return std::tie(faces[a].low.x, a) < std::tie(faces[b].low.x, b);
+      return std::tie(faces[a].box.min.x, a) < std::tie(faces[b].box.min.x, b);
     });
-    for (const RoofFace& face : faces) widest_ = std::max(widest_, face.high.x - face.low.x);
+    for (const RoofFace& face : faces) widest_ = std::max(widest_, face.box.width());
   }
 
   template <class Visit>
-  void meeting(FlatPoint low, FlatPoint high, Visit visit) const {
-    auto at = std::lower_bound(order_.begin(), order_.end(), low.x - widest_,
-                               [&](std::uint32_t f, double x) { return faces_[f].low.x < x; });
-    for (; at != order_.end() && faces_[*at].low.x <= high.x; ++at) {
+  void meeting(const FlatBox& box, Visit visit) const {
+    auto at = std::lower_bound(order_.begin(), order_.end(), box.min.x - widest_,
+                               [&](std::uint32_t f, double x) { return faces_[f].box.min.x < x; });
+    for (; at != order_.end() && faces_[*at].box.min.x <= box.max.x; ++at) {
       const RoofFace& face = faces_[*at];
-      if (face.high.x >= low.x && face.low.y <= high.y && face.high.y >= low.y) visit(*at);
+      if (face.box.max.x >= box.min.x && face.box.min.y <= box.max.y && face.box.max.y >= box.min.y) visit(*at);
     }
   }
 
@@ -61,7 +61,7 @@ std::vector<std::uint32_t> match_faces(std::span<const RoofFace> truth, std::spa
   std::vector<std::vector<Pair>> per_face(truth.size());
   parallel_for(truth.size(), [&](std::size_t t) {
     const FlatArea plan(truth[t].plan);
-    places.meeting(truth[t].low, truth[t].high, [&](std::uint32_t f) {
+    places.meeting(truth[t].box, [&](std::uint32_t f) {
       if (!lean_alike(truth[t], found[f], params.most_angle_deg)) return;
       const double iou = intersection_over_union(plan, FlatArea(found[f].plan));
       if (iou >= params.least_iou) per_face[t].push_back({iou, static_cast<std::uint32_t>(t), f});
@@ -107,13 +107,11 @@ std::vector<std::set<std::uint32_t>> neighbours_of(std::span<const RoofFace> fac
   std::vector<std::set<std::uint32_t>> neighbours(faces.size());
   parallel_for(faces.size(), [&](std::size_t i) {
     const RoofFace& face = faces[i];
-    places.meeting({face.low.x - reach, face.low.y - reach}, {face.high.x + reach, face.high.y + reach},
-                   [&](std::uint32_t j) {
-                     if (j == i || faces[j].building != face.building) return;
-                     const bool first = i < j;  // measured along the same face from both sides
-                     if (shared_length(faces[first ? i : j], faces[first ? j : i], reach) >= least)
-                       neighbours[i].insert(j);
-                   });
+    places.meeting(face.box.grown(reach), [&](std::uint32_t j) {
+      if (j == i || faces[j].building != face.building) return;
+      const bool first = i < j;  // measured along the same face from both sides
+      if (shared_length(faces[first ? i : j], faces[first ? j : i], reach) >= least) neighbours[i].insert(j);
+    });
   });
   return neighbours;
 }
@@ -144,8 +142,8 @@ void count_classes(std::span<const RoofFace> truth, std::span<const RoofFace> fo
 // Lattice points under a face, in the order of rows.
 template <class Visit>
 void each_sample(const RoofFace& face, double step, Visit visit) {
-  for (double row = std::ceil(face.low.y / step); row * step <= face.high.y; ++row)
-    for (double column = std::ceil(face.low.x / step); column * step <= face.high.x; ++column)
+  for (double row = std::ceil(face.box.min.y / step); row * step <= face.box.max.y; ++row)
+    for (double column = std::ceil(face.box.min.x / step); column * step <= face.box.max.x; ++column)
       if (const FlatPoint p{column * step, row * step}; covers(face, p)) visit(p);
 }
 
@@ -159,7 +157,7 @@ void compare_heights(std::span<const RoofFace> truth, std::span<const RoofFace> 
   std::vector<HeightSums> sums(truth.size());
   parallel_for(truth.size(), [&](std::size_t t) {
     std::vector<std::uint32_t> near;
-    places.meeting(truth[t].low, truth[t].high, [&](std::uint32_t f) { near.push_back(f); });
+    places.meeting(truth[t].box, [&](std::uint32_t f) { near.push_back(f); });
     each_sample(truth[t], step, [&](FlatPoint p) {
       double highest = -kInfinity;
       for (const std::uint32_t f : near)

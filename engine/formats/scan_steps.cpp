@@ -6,6 +6,8 @@
 #include <tuple>
 #include <vector>
 
+#include "kernels/core/quantile.h"
+
 namespace ilot {
 namespace {
 
@@ -48,10 +50,7 @@ Turn turn_between(const Angles& a, const Angles& b) {
 }
 
 double median(std::vector<double>& values) {
-  if (values.size() < kLeastPairs) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.size() < kLeastPairs ? 0 : upper_median(values);
 }
 
 AngularSteps known_steps(AngularSteps s) {

@@ -131,9 +131,7 @@ std::vector<std::vector<Point2>> flattened(const FacePlane& plane, const Lattice
   while (widest > kWidest * step) step *= 10;
   std::vector<std::vector<Point2>> out(rings.size());
   for (std::size_t r = 0; r < rings.size(); ++r)
-    for (const auto& [x, y] : flat[r])
-      out[r].push_back(
-          {static_cast<std::int32_t>(std::llround(x / step)), static_cast<std::int32_t>(std::llround(y / step))});
+    for (const auto& [x, y] : flat[r]) out[r].push_back(lattice_point({x / step, y / step}, 1));
   return out;
 }
 

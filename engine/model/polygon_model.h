@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/core/closest.h"
+#include "kernels/geometry/closest.h"
 
 namespace ilot {
 

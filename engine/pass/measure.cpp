@@ -11,6 +11,7 @@
 #include "engine/formats/row_buffer.h"
 #include "engine/pass/stop.h"
 #include "engine/store/strays.h"
+#include "kernels/core/quantile.h"
 #include "kernels/core/rng.h"
 
 namespace ilot {
@@ -161,10 +162,7 @@ class Windows {
   double median_step() {
     std::vector<double> steps;
     for (auto& [key, points] : points_) add_steps(points, steps);
-    if (steps.empty()) return 0;
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
-    return std::sqrt(*middle);
+    return steps.empty() ? 0 : std::sqrt(upper_median(steps));
   }
 
  private:

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include "kernels/core/closest.h"
+#include "kernels/geometry/closest.h"
 #include "kernels/outlines/ear_clipping.h"
 
 namespace ilot {

@@ -24,6 +24,7 @@
 #include "engine/run/products.h"
 #include "engine/run/run_estimate.h"
 #include "kernels/core/parallel.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 namespace {
@@ -44,8 +45,7 @@ std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double u
   const double halo = 2 * kCellMetres / metres_per_unit;
   const auto low = [&](double v) { return static_cast<std::int64_t>(std::floor((v - halo) / unit)); };
   const auto high = [&](double v) { return static_cast<std::int64_t>(std::ceil((v + halo) / unit)); };
-  constexpr std::int64_t kFar = std::int64_t{1} << 52;
-  return IndexBox{{low(area->min_x), low(area->min_y), -kFar}, {high(area->max_x), high(area->max_y), kFar}};
+  return column_over(low(area->min_x), low(area->min_y), high(area->max_x), high(area->max_y));
 }
 
 // Grown to what buildings need that stand in the area and reach beyond it.

@@ -10,10 +10,7 @@ constexpr std::size_t kFan = 8;
 
 IndexBox around(std::span<const IndexBox> boxes) {
   IndexBox all = boxes[0];
-  for (const IndexBox& b : boxes.subspan(1)) {
-    all.min = {std::min(all.min.x, b.min.x), std::min(all.min.y, b.min.y), std::min(all.min.z, b.min.z)};
-    all.max = {std::max(all.max.x, b.max.x), std::max(all.max.y, b.max.y), std::max(all.max.z, b.max.z)};
-  }
+  for (const IndexBox& b : boxes.subspan(1)) all.add_box(b);
   return all;
 }
 

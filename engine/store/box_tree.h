@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/core/types.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -9,6 +9,7 @@
 
 #include "engine/cloud/record.h"
 #include "kernels/core/types.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/neighbours/morton.h"
 
 namespace ilot {

@@ -14,6 +14,7 @@
 #include "engine/store/coarse_cells.h"
 #include "engine/store/lattice.h"
 #include "engine/store/store.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -9,6 +9,7 @@
 #include "engine/store/column_file.h"
 #include "engine/store/columns.h"
 #include "engine/store/lattice.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -24,8 +24,7 @@ IndexBox box_of(const CoarseCell& cell, const CellContent& content, int bits) {
   if (content.many) return {min, {min.x + edge - 1, min.y + edge - 1, min.z + edge - 1}};
   IndexBox box{content.places.front(), content.places.front()};
   for (const Index3& p : content.places) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    box.add(p);
   }
   return box;
 }

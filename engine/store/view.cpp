@@ -54,8 +54,7 @@ View plan_view(const Store& store, const IndexBox& box, Index3 anchor, const Box
 }
 
 void load_points(const Store& store, View& view) {
-  constexpr std::size_t kPadding = 16;
-  for (auto* v : {&view.x, &view.y, &view.z}) v->assign(view.size + kPadding, 0.0f);
+  view.reset(view.size);
   std::vector<std::uint64_t> codes;
   for (const Slice& s : view.slices) {
     const auto reader = store.open(s.block, columns::kCodes);

@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "engine/store/store.h"
+#include "kernels/geometry/box3.h"
+#include "kernels/geometry/padded_points.h"
 
 namespace ilot {
 
@@ -16,18 +18,15 @@ struct Slice {
 
 // Points of the store around a place, in global order, as offsets from an anchor. Holds every point of the box asked
 // for, and others beside it: whole chunks are read.
-struct View {
+struct View : PaddedPoints {
   Index3 anchor;
   std::vector<Slice> slices;
-  std::vector<float> x, y, z;  // padded as Points asks
-  std::size_t size = 0;
 
   // Where a point lies on the lattice.
   Index3 position(std::uint32_t i) const {
     return {static_cast<std::int64_t>(x[i]) + anchor.x, static_cast<std::int64_t>(y[i]) + anchor.y,
             static_cast<std::int64_t>(z[i]) + anchor.z};
   }
-  Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };
 
 // Slices that cover the box and how many points they hold, without reading the points.

@@ -6,16 +6,13 @@
 
 #include "engine/pass/pass.h"
 #include "engine/store/stretches.h"
+#include "kernels/core/integers.h"
 
 namespace ilot {
 namespace {
 
 constexpr std::size_t kMostUnsorted = 1 << 14;  // windows of a block that may repeat before they are sorted
 constexpr std::uint64_t kBytesOfTask = (kStretchPoints + 4 * kMostUnsorted) * 16;
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
 
 void keep_each_once(std::vector<PointWindow>& windows) {
   std::sort(windows.begin(), windows.end());

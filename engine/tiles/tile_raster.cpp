@@ -9,19 +9,16 @@
 
 #include "engine/error.h"
 #include "engine/report/progress.h"
+#include "kernels/core/integers.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 // Tiles between two sites, at least: far more than any step looks beyond a tile (links of 10 m, lines of facades that
 // go on in the next window of 200 m), whatever the pixel; at 5 cm 1.6 km.
 constexpr std::int64_t kWidestGap = 64;
 constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;  // in a direction
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  return a >= 0 ? a / b : -((b - 1 - a) / b);
-}
 
 }  // namespace
 
@@ -49,7 +46,7 @@ PointWindow TileRaster::window(std::size_t tile) const {
 IndexBox TileRaster::box(std::size_t tile, std::int64_t halo) const {
   const Index3 low = corner(tile);
   const std::int64_t around = halo * pixel, last = tile_units() - 1 + around;
-  return {{low.x - around, low.y - around, -kFar}, {low.x + last, low.y + last, kFar}};
+  return column_over(low.x - around, low.y - around, low.x + last, low.y + last);
 }
 
 Index3 TileRaster::corner(std::size_t tile) const {

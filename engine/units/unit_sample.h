@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/units/thinning.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/store/stretches.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

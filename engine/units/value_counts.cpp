@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/quantile.h"
+
 namespace ilot {
 namespace {
 
@@ -19,11 +21,7 @@ void ValueCounts::add(double value) {
 }
 
 double ValueCounts::nth(std::uint64_t n) {
-  if (counted_.empty()) {  // few values: no need to count them
-    const auto at = waiting_.begin() + static_cast<std::ptrdiff_t>(n);
-    std::nth_element(waiting_.begin(), at, waiting_.end());
-    return *at;
-  }
+  if (counted_.empty()) return nth_smallest(waiting_, n);  // few values: no need to count them
   settle();
   for (const auto& [value, times] : counted_) {
     if (n < times) return value;

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "engine/validity/planar_cells.h"
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 #include "kernels/meshes/predicates3.h"
 
 namespace ilot {
@@ -19,16 +19,10 @@ IndexTriangle corners_of(const SolidBoundary& s, std::size_t t) {
   return {s.vertices[s.triangles[t][0]], s.vertices[s.triangles[t][1]], s.vertices[s.triangles[t][2]]};
 }
 
-IndexBox box_of(const IndexTriangle& t) {
-  return {{std::min({t.a.x, t.b.x, t.c.x}), std::min({t.a.y, t.b.y, t.c.y}), std::min({t.a.z, t.b.z, t.c.z})},
-          {std::max({t.a.x, t.b.x, t.c.x}), std::max({t.a.y, t.b.y, t.c.y}), std::max({t.a.z, t.b.z, t.c.z})}};
-}
-
 IndexBox box_of(const SolidBoundary& s) {
   IndexBox box = box_of(corners_of(s, 0));
   for (const Index3& p : s.vertices) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    box.add(p);
   }
   return box;
 }

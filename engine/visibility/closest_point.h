@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "kernels/core/closest.h"
+#include "kernels/geometry/closest.h"
 
 namespace ilot {
 

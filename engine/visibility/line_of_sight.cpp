@@ -6,6 +6,8 @@
 #include <limits>
 
 #include "engine/visibility/embree_device.h"
+#include "kernels/geometry/box3.h"
+#include "kernels/geometry/ring.h"
 #include "kernels/outlines/banded_region.h"
 
 namespace ilot {
@@ -13,29 +15,14 @@ namespace {
 
 constexpr double kLeastArea = 1e-12;  // square CRS units, doubled
 
-struct Box3 {
-  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
-
-  void add(Vec3 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
-  }
-};
-
 double largest(Vec3 v) {
   return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
-Vec3 doubled_area(const std::vector<Vec3>& ring) {
-  Vec3 sum;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum = sum + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
-  return sum;
 }
 
 // A face in its own plane.
 struct FlatFace {
   Vec3 origin, u, v, normal;
-  Box3 box;
+  Box3<Vec3> box = Box3<Vec3>::none();
   BandedRegion region;
 
   FlatPoint flat(Vec3 p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
@@ -75,7 +62,7 @@ bool make_flat(const SectionFace& given, Vec3 anchor, FlatFace& face) {
 }
 
 // The part of a line that lies in a box, which may be none.
-bool clip(const Box3& box, Vec3& from, Vec3& to) {
+bool clip(const Box3<Vec3>& box, Vec3& from, Vec3& to) {
   const Vec3 start = from, way = to - from;
   double first = 0, last = 1;
   for (double Vec3::*axis : {&Vec3::x, &Vec3::y, &Vec3::z}) {
@@ -103,7 +90,7 @@ struct SightQuery {
 struct LineOfSight::State {
   std::vector<FlatFace> faces;  // relative to the anchor
   Vec3 anchor;
-  Box3 box;  // of all, grown
+  Box3<Vec3> box = Box3<Vec3>::none();  // of all, grown
   double slack = 0;
   RTCScene scene = nullptr;
 
@@ -113,7 +100,7 @@ struct LineOfSight::State {
 
   static void bounds(const RTCBoundsFunctionArguments* args) {
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
-    const Box3& box = self.faces[args->primID].box;
+    const Box3<Vec3>& box = self.faces[args->primID].box;
     *args->bounds_o = embree_bounds(box.min, box.max, self.slack);
   }
 
@@ -140,7 +127,7 @@ LineOfSight LineOfSight::past(const Faces& faces) {
 
 void LineOfSight::build(const Faces& faces) {
   State& self = *state_;
-  Box3 whole;
+  auto whole = Box3<Vec3>::none();
   std::size_t count = 0;
   faces([&](const SectionFace& face) {
     ++count;

@@ -37,22 +37,6 @@ struct Index3 {
   friend bool operator==(const Index3&, const Index3&) = default;
 };
 
-// Closed box of lattice points. Empty when any max < min.
-struct IndexBox {
-  Index3 min, max;
-  bool contains(Index3 p) const {
-    return p.x >= min.x && p.x <= max.x && p.y >= min.y && p.y <= max.y && p.z >= min.z && p.z <= max.z;
-  }
-  bool intersects(const IndexBox& o) const {
-    return min.x <= o.max.x && o.min.x <= max.x && min.y <= o.max.y && o.min.y <= max.y && min.z <= o.max.z &&
-           o.min.z <= max.z;
-  }
-  IndexBox grown(std::int64_t by) const {
-    return {{min.x - by, min.y - by, min.z - by}, {max.x + by, max.y + by, max.z + by}};
-  }
-  friend bool operator==(const IndexBox&, const IndexBox&) = default;
-};
-
 // Structure-of-arrays view of n points: offsets in scale units from an anchor that the caller knows. Integers held in
 // float32, exact below 2^24. The arrays are readable (any finite value) up to the next multiple of 16 elements.
 struct Points {
@@ -60,6 +44,14 @@ struct Points {
   const float* y = nullptr;
   const float* z = nullptr;
   std::size_t size = 0;
+};
+
+// Points with unit normals. A point without a normal has (0, 0, 0). Null arrays: no normals at all.
+struct OrientedPoints {
+  Points points;
+  const float* nx = nullptr;
+  const float* ny = nullptr;
+  const float* nz = nullptr;
 };
 
 // n . p + d = 0, n of unit length; the signed distance of p is n . p + d.

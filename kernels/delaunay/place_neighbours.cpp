@@ -6,6 +6,7 @@
 #include <bit>
 #include <limits>
 
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/knn.h"
 
 namespace ilot {
@@ -130,13 +131,14 @@ class CellSearch {
 void by_tree(const PlaceCells& cells, std::span<const std::uint32_t> queries, int k, std::int64_t farthest,
              std::span<std::int64_t> squared) {
   const std::size_t n = cells.places.size();
-  constexpr std::size_t kPadding = 16, kBatch = 1024;
-  std::vector<float> x(n + kPadding), y(n + kPadding), z(n + kPadding);
+  constexpr std::size_t kBatch = 1024;
+  PaddedPoints points;
+  points.reset(n);
   for (std::size_t i = 0; i < n; ++i) {
-    x[i] = static_cast<float>(cells.places[i].x - cells.low.x);
-    y[i] = static_cast<float>(cells.places[i].y - cells.low.y);
+    points.x[i] = static_cast<float>(cells.places[i].x - cells.low.x);
+    points.y[i] = static_cast<float>(cells.places[i].y - cells.low.y);
   }
-  const NeighbourIndex index = build_neighbour_index({x.data(), y.data(), z.data(), n});
+  const NeighbourIndex index = build_neighbour_index(points.points());
   const auto each = static_cast<std::size_t>(k + 1);
   std::vector<std::uint32_t> neighbours(kBatch * each);
   for (std::size_t done = 0; done < queries.size(); done += kBatch) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include "kernels/core/types.h"
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

@@ -2,30 +2,11 @@
 // Exact predicates of the plane. Coordinates are integers on a lattice, so that 64 and 128 bits hold every determinant:
 // no filter, no expansion, no rounding.
 #pragma once
-#include <compare>
 #include <cstdint>
 
+#include "kernels/geometry/point2.h"
+
 namespace ilot {
-
-// A lattice point of a plane. Every coordinate lies within kMaxPlaneCoordinate of zero: 53 km at a tenth of a
-// millimetre.
-struct Point2 {
-  std::int32_t x = 0, y = 0;
-  friend bool operator==(const Point2&, const Point2&) = default;
-  friend auto operator<=>(const Point2&, const Point2&) = default;  // by x, then y
-};
-
-constexpr std::int32_t kMaxPlaneCoordinate = std::int32_t{1} << 29;
-
-// Twice the signed area of the triangle: positive when a, b, c turn left. Below 2^62.
-constexpr std::int64_t orient2d(Point2 a, Point2 b, Point2 c) {
-  return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) - static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
-}
-
-constexpr std::int64_t squared_distance(Point2 a, Point2 b) {
-  const std::int64_t x = a.x - b.x, y = a.y - b.y;
-  return x * x + y * y;
-}
 
 namespace detail {
 // Four points on one circle: the largest in (x, y) is taken to lie just outside of the circle through the others.

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
@@ -233,11 +234,8 @@ Polygons outer_rings(const Polygons& polygons, std::span<const Point2> points) {
 }
 
 std::int64_t twice_area(const Polygons& polygons, const Ring& ring, std::span<const Point2> points) {
-  const Point2 base = points[polygons.vertices[ring.first]];
-  std::int64_t sum = 0;
-  for (std::uint32_t i = 1; i + 1 < ring.count; ++i)
-    sum += orient2d(base, points[polygons.vertices[ring.first + i]], points[polygons.vertices[ring.first + i + 1]]);
-  return sum;
+  const auto corner = [&](std::size_t i) { return points[polygons.vertices[ring.first + i]]; };
+  return doubled_area<std::int64_t>(ring.count, corner);
 }
 
 }  // namespace ilot

@@ -3,7 +3,7 @@
 #pragma once
 #include <cstdint>
 
-#include "kernels/core/types.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 
@@ -13,6 +13,13 @@ constexpr std::int64_t kMaxSpaceCoordinate = std::int64_t{1} << 39;
 struct IndexTriangle {
   Index3 a, b, c;
 };
+
+inline IndexBox box_of(const IndexTriangle& t) {
+  IndexBox box{t.a, t.a};
+  box.add(t.b);
+  box.add(t.c);
+  return box;
+}
 
 // 1 when d lies on the side of a, b, c from which they turn left, 0 on their plane, -1 on the other side.
 int orient3d_sign(Index3 a, Index3 b, Index3 c, Index3 d);

@@ -15,11 +15,6 @@ IndexTriangle corners_of(const TriangleCorners& t, std::span<const Index3> verti
   return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
-IndexBox box_of(const IndexTriangle& t) {
-  return {{std::min({t.a.x, t.b.x, t.c.x}), std::min({t.a.y, t.b.y, t.c.y}), std::min({t.a.z, t.b.z, t.c.z})},
-          {std::max({t.a.x, t.b.x, t.c.x}), std::max({t.a.y, t.b.y, t.c.y}), std::max({t.a.z, t.b.z, t.c.z})}};
-}
-
 // The triangle turned so that its first `shared` corners are also the other's.
 int turn_shared_first(TriangleCorners& t, const TriangleCorners& other) {
   const auto mid = std::stable_partition(

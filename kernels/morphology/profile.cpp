@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "kernels/core/quantile.h"
 #include "kernels/morphology/h_maxima.h"
 #include "kernels/morphology/watershed.h"
 
@@ -71,9 +72,7 @@ std::vector<Height> running_median(const std::vector<Height>& profile, std::uint
     const std::size_t to = std::min(profile.size(), i + half_window + 1);
     window.assign(profile.begin() + static_cast<std::ptrdiff_t>(from),
                   profile.begin() + static_cast<std::ptrdiff_t>(to));
-    const auto middle = window.begin() + static_cast<std::ptrdiff_t>((window.size() - 1) / 2);
-    std::nth_element(window.begin(), middle, window.end());
-    out[i] = *middle;
+    out[i] = nth_smallest(window, (window.size() - 1) / 2);
   }
   return out;
 }

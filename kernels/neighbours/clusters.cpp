@@ -8,6 +8,7 @@
 
 #include "kernels/core/radix_sort.h"
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/neighbours/morton.h"
 
 namespace ilot {
@@ -99,16 +100,11 @@ std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_
   return points;
 }
 
-struct IntBox {
-  IntPoint min, max;
-};
+using IntBox = Box3<IntPoint>;
 
 IntBox box_of(std::span<const IntPoint> points) {
   IntBox b{points.front(), points.front()};
-  for (const IntPoint& p : points) {
-    b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y), std::min(b.min.z, p.z)};
-    b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y), std::max(b.max.z, p.z)};
-  }
+  for (const IntPoint& p : points) b.add(p);
   return b;
 }
 

@@ -51,17 +51,9 @@ bool BandedRegion::holds(FlatPoint p) const {
   const std::size_t band = band_of(p.y);
   bool inside = false;
   for (std::uint32_t i = first_[band]; i < first_[band + 1]; ++i) {
-    // From its lower end up, whichever way the ring runs: neighbours agree on their common edge.
-    FlatPoint a = places_[edges_[i]], b = places_[edges_[i] + 1];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (a.y > b.y) std::swap(a, b);
-    inside ^= (b.x - a.x) * (p.y - a.y) - (b.y - a.y) * (p.x - a.x) > 0;
+    inside ^= ray_crosses(p, places_[edges_[i]], places_[edges_[i] + 1]);
   }
   return inside;
-}
-
-void add_ring(std::span<const FlatPoint> ring, std::vector<FlatEdge>& edges) {
-  for (std::size_t i = 0; i < ring.size(); ++i) edges.push_back({ring[i], ring[(i + 1) % ring.size()]});
 }
 
 }  // namespace ilot

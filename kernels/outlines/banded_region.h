@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/core/flat.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 
@@ -29,8 +29,5 @@ class BandedRegion {
   std::vector<std::uint32_t> edges_;  // in each band those that reach into it: where their first ends are
   std::vector<FlatPoint> places_;     // ends of edges; the second is behind the first
 };
-
-// The edges of a ring whose last corner is not repeated.
-void add_ring(std::span<const FlatPoint> ring, std::vector<FlatEdge>& edges);
 
 }  // namespace ilot

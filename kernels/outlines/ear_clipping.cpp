@@ -4,20 +4,15 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
 namespace {
 
 using Loop = std::vector<std::uint32_t>;
 
-// Twice the signed area of the triangle: positive when counter-clockwise.
-double turn(FlatPoint a, FlatPoint b, FlatPoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-double area2(std::span<const FlatPoint> points, const Loop& loop) {
-  double sum = 0;
-  for (std::size_t i = 1; i + 1 < loop.size(); ++i) sum += turn(points[loop[0]], points[loop[i]], points[loop[i + 1]]);
-  return sum;
+double doubled_area_of(std::span<const FlatPoint> points, const Loop& loop) {
+  return doubled_area<double>(loop.size(), [&](std::size_t i) { return points[loop[i]]; });
 }
 
 bool same(FlatPoint a, FlatPoint b) {
@@ -25,7 +20,7 @@ bool same(FlatPoint a, FlatPoint b) {
 }
 
 bool in_triangle(FlatPoint p, FlatPoint a, FlatPoint b, FlatPoint c) {
-  return turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0;
+  return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
 }
 
 // Place in `outer` of a corner that sees corner `from` of a hole: the ray to the right meets an edge, whose right end
@@ -55,7 +50,7 @@ std::size_t visible_corner(std::span<const FlatPoint> points, const Loop& outer,
     if (!inside) continue;
     const FlatPoint before = points[outer[i == 0 ? outer.size() - 1 : i - 1]];
     const FlatPoint after = points[outer[i + 1 == outer.size() ? 0 : i + 1]];
-    if (turn(before, p, after) > 0) continue;
+    if (orient2d(before, p, after) > 0) continue;
     const double slope = std::abs(p.y - from.y) / std::max(p.x - from.x, std::numeric_limits<double>::min());
     if (slope >= best_slope) continue;
     best_slope = slope;
@@ -78,7 +73,7 @@ void link_hole(std::span<const FlatPoint> points, Loop& outer, Loop hole) {
 bool is_ear(std::span<const FlatPoint> points, const Loop& loop, std::size_t before, std::size_t at,
             std::size_t after) {
   const FlatPoint a = points[loop[before]], b = points[loop[at]], c = points[loop[after]];
-  if (turn(a, b, c) <= 0) return false;
+  if (orient2d(a, b, c) <= 0) return false;
   for (std::size_t i = 0; i < loop.size(); ++i) {
     const FlatPoint p = points[loop[i]];
     if (i == before || i == at || i == after || same(p, a) || same(p, b) || same(p, c)) continue;
@@ -94,7 +89,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const FlatPoint>
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (rings.empty() || rings[0].size() < 3) return triangles;
   Loop loop = rings[0];
-  if (area2(points, loop) < 0) std::reverse(loop.begin(), loop.end());
+  if (doubled_area_of(points, loop) < 0) std::reverse(loop.begin(), loop.end());
   std::vector<Loop> holes;
   for (const Loop& ring : rings.subspan(1))
     if (ring.size() >= 3) holes.push_back(ring);
@@ -105,7 +100,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const FlatPoint>
   };
   std::stable_sort(holes.begin(), holes.end(), [&](const Loop& a, const Loop& b) { return reach(a) > reach(b); });
   for (Loop& hole : holes) {
-    if (area2(points, hole) > 0) std::reverse(hole.begin(), hole.end());
+    if (doubled_area_of(points, hole) > 0) std::reverse(hole.begin(), hole.end());
     link_hole(points, loop, std::move(hole));
   }
   std::size_t at = 0, refused = 0;

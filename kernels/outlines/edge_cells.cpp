@@ -18,10 +18,6 @@ double coordinate(FlatPoint p, int axis) {
   return axis == 0 ? p.x : p.y;
 }
 
-double squared_distance(FlatPoint a, FlatPoint b) {
-  return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
-}
-
 // A k-d tree without nodes: the middle of each range of `order_` splits it. Distances to cells grow axis by axis on the
 // way down (Arya and Mount 1993), so that questions from far away prune as well.
 class PointTree {

@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

@@ -18,9 +18,6 @@ constexpr double kSharpest = 15;   // degrees; lines that meet at less have no c
 constexpr double kShortCut = 2.5;  // tolerances; a shorter edge between two others may be a cut across their corner
 constexpr double kLongEnough = 4;  // tolerances; edges that can call for a direction of their own
 
-double length(FlatPoint a) {
-  return std::sqrt(dot(a, a));
-}
 // As complex numbers: angles add.
 FlatPoint times(FlatPoint a, FlatPoint b) {
   return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
@@ -31,19 +28,11 @@ FlatPoint half_angle(FlatPoint a) {
   return {c, a.y < 0 ? -s : s};
 }
 FlatPoint unit(FlatPoint a) {
-  const double n = length(a);
+  const double n = norm(a);
   return n > 0 ? (1 / n) * a : FlatPoint{1, 0};
 }
 FlatPoint flat(Point2 p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y)};
-}
-
-double squared_distance(FlatPoint p, FlatPoint a, FlatPoint b) {
-  const FlatPoint ab = b - a, ap = p - a;
-  const double l2 = dot(ab, ab);
-  const double t = l2 > 0 ? std::clamp(dot(ap, ab) / l2, 0.0, 1.0) : 0;
-  const FlatPoint d = ap - t * ab;
-  return dot(d, d);
 }
 
 // The vertex of [first, last) of the ring, counted on beyond its end, that is farthest from the edge between their
@@ -53,7 +42,7 @@ std::size_t farthest(const Loop& ring, std::size_t first, std::size_t last, doub
   std::size_t best = first;
   most = 0;
   for (std::size_t i = first + 1; i < last; ++i) {
-    const double d2 = squared_distance(flat(ring[i % ring.size()]), a, b);
+    const double d2 = squared_distance(flat(ring[i % ring.size()]), {a, b});
     if (d2 > most) most = d2, best = i;
   }
   return best;
@@ -94,7 +83,7 @@ OutlineSide fit_side(const Loop& ring, std::size_t first, std::size_t last) {
   OutlineSide side;
   side.from = flat(ring[first % n]);
   side.to = flat(ring[last % n]);
-  side.length = length(side.to - side.from);
+  side.length = norm(side.to - side.from);
   side.direction = unit(side.to - side.from);
   if (last - first >= 4) ++first, --last;
   FlatPoint sum;
@@ -109,12 +98,12 @@ OutlineSide fit_side(const Loop& ring, std::size_t first, std::size_t last) {
     xy += d.x * d.y;
   }
   const FlatPoint twice{xx - yy, 2 * xy};
-  if (!(length(twice) > 0)) return side;
+  if (!(norm(twice) > 0)) return side;
   const FlatPoint fitted = half_angle(unit(twice));
   const double along = dot(fitted, side.direction);
   if (std::abs(along) > 0.7) side.direction = along > 0 ? fitted : -1 * fitted;
   if (last - first >= 3)
-    side.scatter2 = std::max(0.0, (xx + yy - length(twice)) / 2 / static_cast<double>(last - first + 1));
+    side.scatter2 = std::max(0.0, (xx + yy - norm(twice)) / 2 / static_cast<double>(last - first + 1));
   return side;
 }
 
@@ -188,7 +177,7 @@ void take_out_cuts(std::vector<OutlineSide>& sides, double tolerance) {
       const double limit = kShortCut * tolerance;
       if (sides[i].length > limit || before.length < sides[i].length || after.length < sides[i].length) continue;
       FlatPoint corner;
-      if (!meet(before, after, corner) || length(corner - sides[i].centre) > limit) continue;
+      if (!meet(before, after, corner) || norm(corner - sides[i].centre) > limit) continue;
       if (cut == n || sides[i].length < sides[cut].length) cut = i;
     }
     if (cut == n) return;

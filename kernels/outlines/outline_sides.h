@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "kernels/core/flat.h"
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/flat.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

@@ -12,10 +12,6 @@ FlatPoint flat(Vec3 p, const SectionPlane& plane) {
   return {dot(p - plane.origin, plane.u), dot(p - plane.origin, plane.v)};
 }
 
-double distance(FlatPoint a, FlatPoint b) {
-  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-}
-
 // Where the rings pass through the plane.
 std::vector<FlatPoint> crossings_of(const SectionFace& face, const SectionPlane& plane, Vec3 normal) {
   std::vector<FlatPoint> crossings;
@@ -66,7 +62,7 @@ std::vector<std::size_t> partners(const std::vector<FlatEdge>& edges, double tou
   std::vector<Link> links;
   for (std::size_t i = 0; i < ends.size(); ++i)
     for (std::size_t k = i + 1; k < ends.size() && ends[k].place.x - ends[i].place.x <= touch; ++k) {
-      const double away = distance(ends[i].place, ends[k].place);
+      const double away = norm(ends[k].place - ends[i].place);
       if (away <= touch && ends[i].stretch != ends[k].stretch)
         links.push_back({away, std::min(number(ends[i]), number(ends[k])), std::max(number(ends[i]), number(ends[k]))});
     }
@@ -109,7 +105,7 @@ std::vector<FlatEdge> cut_faces(std::span<const SectionFace> faces, const Sectio
 std::vector<std::vector<FlatPoint>> join_stretches(std::span<const FlatEdge> given, double touch) {
   std::vector<FlatEdge> edges;
   for (const FlatEdge& e : given)
-    if (distance(e.a, e.b) > touch) edges.push_back(e);
+    if (norm(e.b - e.a) > touch) edges.push_back(e);
   const std::vector<std::size_t> partner = partners(edges, touch);
   const auto place = [&](std::size_t end) { return end % 2 == 0 ? edges[end / 2].a : edges[end / 2].b; };
   std::vector<char> used(edges.size(), 0);

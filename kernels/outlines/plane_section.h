@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "kernels/core/flat.h"
 #include "kernels/core/types.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

@@ -60,7 +60,7 @@ Loop ring_of(std::vector<OutlineSide> sides, double tolerance, double outwards) 
   Loop ring;
   for (const FlatPoint c : corners) {
     if (!(std::abs(c.x) < kMaxPlaneCoordinate && std::abs(c.y) < kMaxPlaneCoordinate)) return {};
-    const Point2 p{static_cast<std::int32_t>(std::llround(c.x)), static_cast<std::int32_t>(std::llround(c.y))};
+    const Point2 p = lattice_point(c, 1);
     if (ring.empty() || p != ring.back()) ring.push_back(p);
   }
   while (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

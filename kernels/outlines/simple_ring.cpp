@@ -61,23 +61,7 @@ bool none_meet(std::vector<RingEdge> edges) {
   return true;
 }
 
-bool holds(std::span<const Point2> ring, Point2 p) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    if (a.y > b.y) std::swap(a, b);
-    if (a.y <= p.y && p.y < b.y) inside ^= orient2d(a, b, p) > 0;
-  }
-  return inside;
-}
-
 }  // namespace
-
-__int128 doubled_area(std::span<const Point2> ring) {
-  __int128 sum = 0;
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += orient2d(ring[0], ring[i], ring[i + 1]);
-  return sum;
-}
 
 bool is_simple_ring(std::span<const Point2> ring) {
   std::vector<RingEdge> edges;
@@ -93,7 +77,7 @@ bool is_simple_polygon(std::span<const std::vector<Point2>> rings) {
   if (rings.empty() || !none_meet(std::move(edges))) return false;
   for (std::size_t r = 1; r < rings.size(); ++r)
     for (std::size_t other = 0; other < rings.size(); ++other)
-      if (other != r && holds(rings[other], rings[r][0]) != (other == 0)) return false;
+      if (other != r && contains(rings[other], rings[r][0]) != (other == 0)) return false;
   return true;
 }
 

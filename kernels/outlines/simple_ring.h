@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 
@@ -15,8 +15,5 @@ bool is_simple_ring(std::span<const Point2> ring);
 // Whether the rings are one valid polygon: no two edges meet but neighbours in their common corner, the first ring runs
 // counter-clockwise and holds the others, which run clockwise beside each other. Exact. Cost as above, over all rings.
 bool is_simple_polygon(std::span<const std::vector<Point2>> rings);
-
-// Twice the signed area, positive when the ring turns left. Exact: rings within kMaxPlaneCoordinate.
-__int128 doubled_area(std::span<const Point2> ring);
 
 }  // namespace ilot

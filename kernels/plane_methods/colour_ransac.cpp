@@ -90,8 +90,8 @@ class PlaneSearch {
     (plan_.from == SamplingPlan::From::kClass ? from_class_ : from_all_) += together_;
     out_.draws += together_;
     Indices counts(hypotheses.size());
-    count_inliers(pool_.view(), hypotheses, {static_cast<float>(params_.epsilon), static_cast<float>(params_.min_cos)},
-                  counts);
+    count_inliers(pool_.oriented(), hypotheses,
+                  {static_cast<float>(params_.epsilon), static_cast<float>(params_.min_cos)}, counts);
     bool better = false;
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (counts[i] <= out_.support) continue;
@@ -110,7 +110,7 @@ class PlaneSearch {
     if (!pool_.colour.empty()) {
       Indices all(pool_.index.size()), votes(pool_.of_class.size(), 0);
       std::iota(all.begin(), all.end(), 0u);
-      for (const std::uint32_t i : consensus_set(pool_.view(), all, out_.plane, {params_.epsilon, params_.min_cos}))
+      for (const std::uint32_t i : consensus_set(pool_.oriented(), all, out_.plane, {params_.epsilon, params_.min_cos}))
         ++votes[pool_.colour[i]];
       const auto top = static_cast<std::uint32_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
       shares.class_consensus = votes[top];

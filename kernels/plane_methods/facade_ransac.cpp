@@ -58,14 +58,14 @@ FacadeSegments facade_ransac(const OrientedPoints& points, const FacadeRansacPar
   r.segments = inclined_segments(points, params);
   r.inclined = static_cast<std::uint32_t>(r.segments.planes.size());
   const OrientedPool pool = unlabelled(points, r.segments.label);
-  const PlaneSegments parallel = ransac_planes(pool.view(), {params.epsilon,
-                                                             params.min_cos,
-                                                             params.connectivity,
-                                                             params.parallel_points,
-                                                             params.probability,
-                                                             params.key,
-                                                             {r.direction.along, Vec3{0, 0, 1}},
-                                                             params.parallel_sine});
+  const PlaneSegments parallel = ransac_planes(pool.oriented(), {params.epsilon,
+                                                                 params.min_cos,
+                                                                 params.connectivity,
+                                                                 params.parallel_points,
+                                                                 params.probability,
+                                                                 params.key,
+                                                                 {r.direction.along, Vec3{0, 0, 1}},
+                                                                 params.parallel_sine});
   r.segments.planes.insert(r.segments.planes.end(), parallel.planes.begin(), parallel.planes.end());
   for (std::size_t i = 0; i < pool.index.size(); ++i)
     if (parallel.label[i] != 0) r.segments.label[pool.index[i]] = r.inclined + parallel.label[i];

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "kernels/core/rng.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/planes/plane_fit.h"
 #include "kernels/planes/plane_score.h"
@@ -21,23 +22,18 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 
 // The points still without a plane, compact, padded as Points asks.
-struct Remaining {
-  std::vector<float> x, y, z;
+struct Remaining : PaddedPoints {
   Indices index;
-  Points view() const { return {x.data(), y.data(), z.data(), index.size()}; }
 };
 
 Remaining remaining_points(Points p, const std::vector<std::uint32_t>& label) {
-  constexpr std::size_t kPadding = 16;
   Remaining r;
   for (std::uint32_t i = 0; i < p.size; ++i) {
     if (label[i] != 0) continue;
-    r.x.push_back(p.x[i]);
-    r.y.push_back(p.y[i]);
-    r.z.push_back(p.z[i]);
+    r.add(p.x[i], p.y[i], p.z[i]);
     r.index.push_back(i);
   }
-  for (auto* v : {&r.x, &r.y, &r.z}) v->resize(r.index.size() + kPadding, 0.0f);
+  r.pad();
   return r;
 }
 
@@ -93,9 +89,9 @@ class Search {
   bool take_one(const Remaining& rest) {
     std::vector<PlaneHypothesis> hypotheses;
     for (std::uint32_t d = 0; d < params_.draws; ++d)
-      if (const auto h = draw(rest.view())) hypotheses.push_back(*h);
+      if (const auto h = draw(rest.points())) hypotheses.push_back(*h);
     std::vector<std::uint32_t> counts(hypotheses.size());
-    count_inliers({rest.view()}, hypotheses, {static_cast<float>(params_.epsilon), 0}, counts);
+    count_inliers({rest.points()}, hypotheses, {static_cast<float>(params_.epsilon), 0}, counts);
     Indices order(hypotheses.size());
     std::iota(order.begin(), order.end(), 0u);
     std::stable_sort(order.begin(), order.end(),

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "kernels/core/quantile.h"
 #include "kernels/core/radix_sort.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/clusters.h"
 #include "kernels/neighbours/knn.h"
 #include "kernels/neighbours/morton.h"
@@ -57,9 +59,8 @@ Kept isolation_filter(const NeighbourLists& neighbours, std::span<const std::int
     for (const std::uint32_t j : neighbours.of(i))
       if (j != kNoNeighbour && j != i && reach2[j] >= 0) around.push_back(reach2[j]);
     if (around.empty()) continue;
-    const auto quarter = around.begin() + static_cast<std::ptrdiff_t>(around.size() / 4);
-    std::nth_element(around.begin(), quarter, around.end());
-    kept[i] = static_cast<double>(reach2[i]) <= factor * factor * static_cast<double>(*quarter);
+    const std::int64_t quarter = nth_smallest(around, around.size() / 4);
+    kept[i] = static_cast<double>(reach2[i]) <= factor * factor * static_cast<double>(quarter);
   }
   return kept;
 }
@@ -70,11 +71,9 @@ constexpr double kDirectionUnits = 0x1p20;  // lattice units of a unit vector
 constexpr int kRays = 9;                    // the ray itself and eight around it
 
 // Directions from the station as lattice points in Morton order, with the ranges.
-struct Rays {
-  std::vector<float> x, y, z;
+struct Rays : PaddedPoints {
   std::vector<double> range;
   std::vector<std::uint32_t> index;  // into the caller's points
-  Points view() const { return {x.data(), y.data(), z.data(), index.size()}; }
 };
 
 Rays rays_from(Points p, Vec3 station) {
@@ -96,16 +95,14 @@ Rays rays_from(Points p, Vec3 station) {
     codes.push_back(morton_code({positive(d.x), positive(d.y), positive(d.z)}));
   }
   Rays r;
-  constexpr std::size_t kPadding = 16;
   for (const std::uint32_t at : sorted_order(codes)) {
     const Ray& ray = rays[at];
-    r.x.push_back(static_cast<float>(ray.direction.x));
-    r.y.push_back(static_cast<float>(ray.direction.y));
-    r.z.push_back(static_cast<float>(ray.direction.z));
+    r.add(static_cast<float>(ray.direction.x), static_cast<float>(ray.direction.y),
+          static_cast<float>(ray.direction.z));
     r.range.push_back(ray.range);
     r.index.push_back(ray.index);
   }
-  for (auto* v : {&r.x, &r.y, &r.z}) v->resize(rays.size() + kPadding, 0.0f);
+  r.pad();
   return r;
 }
 
@@ -142,7 +139,7 @@ Kept mixed_pixel_filter(Points points, Vec3 station, const MixedPixelParams& par
   std::vector<std::uint32_t> around(std::size_t{n} * kRays);
   std::vector<std::int64_t> reach2(n);
   const double reach = params.max_angle * kDirectionUnits;
-  knn(build_neighbour_index(rays.view()), all, {kRays, static_cast<std::int64_t>(reach * reach)}, around, reach2);
+  knn(build_neighbour_index(rays.points()), all, {kRays, static_cast<std::int64_t>(reach * reach)}, around, reach2);
   for (std::uint32_t i = 0; i < n; ++i)
     if (hangs(points, rays, i, std::span(around).subspan(std::size_t{i} * kRays, kRays), params))
       kept[rays.index[i]] = 0;

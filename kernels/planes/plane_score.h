@@ -8,14 +8,6 @@
 
 namespace ilot {
 
-// Points with unit normals. A point without a normal has (0, 0, 0). Null arrays: no normals at all.
-struct OrientedPoints {
-  Points points;
-  const float* nx = nullptr;
-  const float* ny = nullptr;
-  const float* nz = nullptr;
-};
-
 // A hypothesis in the frame of the points it is tried on: a x + b y + c z + d, (a, b, c) of unit length.
 using PlaneHypothesis = std::array<float, 4>;
 

@@ -107,7 +107,7 @@ class Search {
     for (std::size_t i = 0; i < remaining_.size; ++i)
       if (remaining_.index[i] % stride_ == 0) sample_.add(remaining_, i);
     sample_.pad();
-    count_inliers(sample_.view(), pool_.planes, score_params(), pool_.counts);
+    count_inliers(sample_.oriented(), pool_.planes, score_params(), pool_.counts);
     pool_.prune(least_count(), kPool);
   }
 
@@ -135,7 +135,7 @@ class Search {
     expected_hits_per_point_ +=
         static_cast<double>(made) / (static_cast<double>(remaining_.size) * kLevels * kLocality);
     pool_.counts.resize(pool_.planes.size());
-    count_inliers(sample_.view(), std::span(pool_.planes).subspan(before), score_params(),
+    count_inliers(sample_.oriented(), std::span(pool_.planes).subspan(before), score_params(),
                   std::span(pool_.counts).subspan(before));
     pool_.prune(least_count(), kPool);
   }
@@ -152,7 +152,7 @@ class Search {
       in_sample.push_back(i);
       ++next;
     }
-    count_inliers(gone.view(), pool_.planes, score_params(), lost);
+    count_inliers(gone.oriented(), pool_.planes, score_params(), lost);
     for (std::size_t i = 0; i < lost.size(); ++i) pool_.counts[i] -= lost[i];
     pool_.prune(least_count(), kPool);
     remove(sample_, in_sample);
@@ -227,7 +227,7 @@ class Search {
   // The connected part of the consensus set that shares most points with `like`; the largest when `like` is empty.
   std::vector<std::uint32_t> part_of(const std::vector<std::uint32_t>& members,
                                      const std::vector<std::uint32_t>& like) const {
-    const Clusters clusters = euclidean_clusters(remaining_.view().points, members, params_.connectivity);
+    const Clusters clusters = euclidean_clusters(remaining_.points(), members, params_.connectivity);
     std::vector<std::uint32_t> votes(clusters.count, 0);
     std::size_t at = 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -270,7 +270,7 @@ class Search {
     const std::vector<std::uint32_t> seed = part_of(consensus(plane), {});
     std::vector<std::uint32_t> members = seed;
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
-      const PlaneFit fit = fit_plane(moments_of(remaining_.view().points, members));
+      const PlaneFit fit = fit_plane(moments_of(remaining_.points(), members));
       if (!fit.unique || !allowed(fit.plane.n)) break;
       std::vector<std::uint32_t> next = consensus_around(fit.plane, extent_of(members));
       if (next.size() < params_.min_points) break;

@@ -4,22 +4,15 @@
 namespace ilot {
 
 RemainingPoints with_normals(const OrientedPoints& p) {
-  constexpr std::size_t kPadding = 16;
   RemainingPoints r;
   if (p.nx == nullptr) return r;
-  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->reserve(p.points.size + kPadding);
+  r.reserve(p.points.size);
   for (std::size_t i = 0; i < p.points.size; ++i) {
     if (p.nx[i] == 0 && p.ny[i] == 0 && p.nz[i] == 0) continue;
-    r.x.push_back(p.points.x[i]);
-    r.y.push_back(p.points.y[i]);
-    r.z.push_back(p.points.z[i]);
-    r.nx.push_back(p.nx[i]);
-    r.ny.push_back(p.ny[i]);
-    r.nz.push_back(p.nz[i]);
+    r.add_from(p, i);
     r.index.push_back(static_cast<std::uint32_t>(i));
   }
-  r.size = r.index.size();
-  for (auto* v : {&r.x, &r.y, &r.z, &r.nx, &r.ny, &r.nz}) v->resize(r.size + kPadding, 0.0f);
+  r.pad();
   return r;
 }
 

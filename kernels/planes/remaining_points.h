@@ -8,34 +8,19 @@
 #include <span>
 #include <vector>
 
+#include "kernels/geometry/padded_points.h"
 #include "kernels/planes/plane_score.h"
 
 namespace ilot {
 
 // The points still without a plane, compact and in their given order.
-struct RemainingPoints {
-  std::vector<float> x, y, z, nx, ny, nz;
+struct RemainingPoints : PaddedOrientedPoints {
   std::vector<std::uint32_t> index;  // into the caller's points
-  std::size_t size = 0;
 
   void add(const RemainingPoints& from, std::size_t i) {
-    x.push_back(from.x[i]);
-    y.push_back(from.y[i]);
-    z.push_back(from.z[i]);
-    nx.push_back(from.nx[i]);
-    ny.push_back(from.ny[i]);
-    nz.push_back(from.nz[i]);
+    add_from(from.oriented(), i);
     index.push_back(from.index[i]);
-    ++size;
   }
-  // Room behind the last point for kernels that read whole vectors.
-  void pad() {
-    constexpr std::size_t kPadding = 16;
-    for (auto* v : {&x, &y, &z, &nx, &ny, &nz}) v->resize(size + kPadding, 0.0f);
-  }
-  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
-  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
 };
 
 // Those of the points that have a normal. O(n).

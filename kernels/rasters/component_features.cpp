@@ -5,13 +5,10 @@
 #include <cassert>
 #include <cmath>
 
+#include "kernels/core/integers.h"
+
 namespace ilot {
 namespace {
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return a % b < 0 ? q - 1 : q;
-}
 
 struct Summary {
   double mean = 0, sd = 0, max = 0, min = 0, mode = 0;

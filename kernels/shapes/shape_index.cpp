@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "kernels/core/radix_sort.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/neighbours/morton.h"
 
 namespace ilot {
@@ -17,20 +18,11 @@ constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kFewestInCell = 16;  // points of an average cell of the smallest level
 constexpr double kMargin = 1 + 1e-6;       // more than the rounding of a ball to float32
 
-struct Box {
-  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
-  void add(Vec3 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
-  }
-  bool empty() const { return !(min.x <= max.x); }
-};
-
-void add_balls(ShapeIndex& s, const std::vector<Box>& boxes) {
+void add_balls(ShapeIndex& s, const std::vector<Box3<Vec3>>& boxes) {
   std::vector<float> level((boxes.size() + 7) / 8 * 32, kHole);
   for (std::size_t i = 0; i < boxes.size(); ++i) {
-    const Box& b = boxes[i];
-    if (b.empty()) continue;
+    const Box3<Vec3>& b = boxes[i];
+    if (b.is_empty()) continue;
     float* group = level.data() + i / 8 * 32 + i % 8;
     const Vec3 c = 0.5 * (b.min + b.max);
     group[0] = static_cast<float>(c.x);
@@ -45,11 +37,11 @@ void add_balls(ShapeIndex& s, const std::vector<Box>& boxes) {
 }
 
 void build_balls(ShapeIndex& s) {
-  std::vector<Box> boxes(s.in_leaf.size());
+  std::vector<Box3<Vec3>> boxes(s.in_leaf.size(), Box3<Vec3>::none());
   for (std::size_t i = 0; i < s.size; ++i) boxes[i / ShapeIndex::kLeaf].add(s.position(i));
   add_balls(s, boxes);
   while (boxes.size() > 8) {
-    std::vector<Box> parents((boxes.size() + 7) / 8);
+    std::vector<Box3<Vec3>> parents((boxes.size() + 7) / 8, Box3<Vec3>::none());
     for (std::size_t i = 0; i < boxes.size(); ++i) {
       parents[i / 8].add(boxes[i].min);
       parents[i / 8].add(boxes[i].max);
@@ -123,7 +115,7 @@ ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::
   s.epoch = epoch;
   const Points& p = points.points;
   std::vector<std::uint32_t> kept;
-  Box box;
+  auto box = Box3<Vec3>::none();
   const bool oriented = points.nx != nullptr;
   for (const std::uint32_t i : chosen) {
     if (oriented && points.nx[i] == 0 && points.ny[i] == 0 && points.nz[i] == 0) continue;

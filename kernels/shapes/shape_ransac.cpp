@@ -30,22 +30,6 @@ constexpr double kSimpler = 0.97;       // share of the points for which a simpl
 constexpr double kExplained = 2.0 / 3;  // share on earlier shapes that makes a fringe
 constexpr double kWorthRefining = 0.5;  // share of the best count
 
-struct Extent {
-  Vec3 min{INFINITY, INFINITY, INFINITY}, max{-INFINITY, -INFINITY, -INFINITY};
-  void add(Vec3 p) {
-    min = {std::min(min.x, p.x), std::min(min.y, p.y), std::min(min.z, p.z)};
-    max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
-  }
-  ShapeBox grown(std::int64_t margin) const {
-    const auto m = static_cast<double>(margin);
-    return {{min.x - m, min.y - m, min.z - m}, {max.x + m, max.y + m, max.z + m}};
-  }
-  bool holds(Vec3 p, double m) const {
-    return p.x >= min.x - m && p.x <= max.x + m && p.y >= min.y - m && p.y <= max.y + m && p.z >= min.z - m &&
-           p.z <= max.z + m;
-  }
-};
-
 // A shape and positions of its points among the remaining.
 struct Part {
   Shape shape;
@@ -205,9 +189,10 @@ class Search {
     for (int round = 0; round < kRefinements && part.members.size() >= params_.min_points / 2; ++round) {
       const ShapeFit fit = fit_shape(remaining_points(), part.members, part.shape);
       if (!fit.valid || !allowed(fit.shape)) break;
-      Extent around;
+      auto around = Box3<Vec3>::none();
       for (const std::uint32_t i : part.members) around.add(all_.position(i));
-      Indices next = points_on_shape(all_, fit.shape, score_params(), around.grown(params_.connectivity));
+      Indices next =
+          points_on_shape(all_, fit.shape, score_params(), around.grown(static_cast<double>(params_.connectivity)));
       if (next.size() < params_.min_points) break;
       part.shape = fit.shape;
       const bool settled = next == part.members;
@@ -228,7 +213,7 @@ class Search {
     for (const std::uint32_t i : members) {
       const Vec3 p = all_.position(i);
       for (std::size_t s = 0; s < extents_.size(); ++s) {
-        if (!extents_[s].holds(p, static_cast<double>(params_.connectivity))) continue;
+        if (!extents_[s].grown(static_cast<double>(params_.connectivity)).contains(p)) continue;
         const ShapeView v = view_of(result_.shapes[s].shape, p);
         if (std::abs(v.distance) > params_.epsilon) continue;
         if (std::abs(dot(v.normal, all_.normal(i))) >= params_.min_cos) continue;  // another part of the same shape
@@ -259,7 +244,7 @@ class Search {
 
   void keep(const Part& part) {
     if (!is_fringe(part.members)) {
-      Extent extent;
+      auto extent = Box3<Vec3>::none();
       double squares = 0;
       const auto label = static_cast<std::uint32_t>(result_.shapes.size() + 1);
       for (const std::uint32_t i : part.members) {
@@ -324,7 +309,7 @@ class Search {
   double needed_hits_ = 0;
   double expected_hits_per_point_ = 0;  // sum over draws of the chance to hit a shape, per point of that shape
   ShapeSegments result_;
-  std::vector<Extent> extents_;
+  std::vector<Box3<Vec3>> extents_;
 };
 
 }  // namespace

@@ -68,16 +68,11 @@ void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeSco
   if (s.kind == ShapeKind::kPlane) keep_agreeing(r, index, s.axis, params.min_cos);
 }
 
-bool may_hold(const ShapeBox& box, const ShapeIndex& index, std::uint32_t leaf) {
+bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf) {
   const float* ball = index.balls[0].data() + leaf / 8 * 32 + leaf % 8;
   const double x = ball[0], y = ball[8], z = ball[16], radius = ball[24];
   return x + radius >= box.min.x && x - radius <= box.max.x && y + radius >= box.min.y && y - radius <= box.max.y &&
          z + radius >= box.min.z && z - radius <= box.max.z;
-}
-
-bool holds(const ShapeBox& box, Vec3 p) {
-  return p.x >= box.min.x && p.x <= box.max.x && p.y >= box.min.y && p.y <= box.max.y && p.z >= box.min.z &&
-         p.z <= box.max.z;
 }
 
 // Of the leaves met the points on the shape that `wanted` says yes to, judged in double.
@@ -140,14 +135,14 @@ std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape&
 }
 
 std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
-                                           const ShapeBox& box) {
+                                           const Box3<Vec3>& box) {
   Request r;
   prepare(r, index, shape, params);
   std::uint32_t left = 0;
   for (const std::uint32_t leaf : r.met())
     if (may_hold(box, index, leaf)) r.leaves[left++] = leaf;
   r.args.leaf_count = left;
-  return found_points(r, index, shape, params, [&](Vec3 p) { return holds(box, p); });
+  return found_points(r, index, shape, params, [&](Vec3 p) { return box.contains(p); });
 }
 
 }  // namespace ilot

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
 #include "kernels/shapes/shape.h"
 #include "kernels/shapes/shape_index.h"
 
@@ -35,13 +36,8 @@ std::uint32_t recount_shape(const ShapeIndex& index, const Shape& shape, const S
 // bounds wider than its rounding.
 std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params);
 
-// Closed.
-struct ShapeBox {
-  Vec3 min, max;
-};
-
 // Of these the points in the box: leaves that lie outside it are passed over.
 std::vector<std::uint32_t> points_on_shape(const ShapeIndex& index, const Shape& shape, const ShapeScoreParams& params,
-                                           const ShapeBox& box);
+                                           const Box3<Vec3>& box);
 
 }  // namespace ilot

@@ -97,11 +97,7 @@ ConvexSolid house_solid(const std::vector<Face>& faces, std::uint32_t first_face
   solid.bounds = {faces[0].ring[0], faces[0].ring[0]};
   for (const Face& face : faces) {
     solid.planes[solid.face_count++] = face.plane;
-    for (Vec3 p : face.ring) {
-      Bounds3& box = solid.bounds;
-      box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-      box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-    }
+    for (Vec3 p : face.ring) solid.bounds.add(p);
   }
   return solid;
 }

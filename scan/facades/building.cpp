@@ -244,7 +244,7 @@ TerrestrialScan plan_building(const SceneValues& values, std::uint64_t seed) {
   const double l = house.length, w = house.width;
   facades[0].plate({{-far, far, 0}, {l + far, far, 0}, {l + far, -w - far, 0}, {-far, -w - far, 0}},
                    finish(BuildingClass::ground, Material::grass));
-  Bounds3 box{house.frame(0).origin, house.frame(0).origin};
+  Box3<Vec3> box{house.frame(0).origin, house.frame(0).origin};
   for (int side = 0; side < 4; ++side) {
     const Vec3 p = house.frame(side).origin;
     box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), -0.1};

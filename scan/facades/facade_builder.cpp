@@ -59,7 +59,7 @@ std::uint32_t FacadeBuilder::own_plane(const Plane& plane, const Finish& finish,
 
 std::uint32_t FacadeBuilder::plane_parallel(double out, const Finish& finish, TruePolygon polygon) {
   constexpr double kTouch = 1e-5;  // metres
-  Vec2 low{1e9, 1e9}, high{-1e9, -1e9};
+  FlatPoint low{1e9, 1e9}, high{-1e9, -1e9};
   for (Vec3 p : polygon.ring) {
     const double x = dot(frame_.along, p - frame_.origin), z = p.z - frame_.origin.z;
     low = {std::min(low.x, x), std::min(low.y, z)};
@@ -129,13 +129,13 @@ void FacadeBuilder::plate(const std::vector<Vec3>& ring, const Finish& finish, F
   const Vec3 first = places[1] - places[0];
   Panel panel{places[0], (1 / norm(first)) * first, {}, {}, {}, 0};
   panel.v = cross(plane.n, panel.u);
-  Vec2 middle;
+  FlatPoint middle;
   for (Vec3 p : places) {
     panel.ring.push_back({dot(panel.u, p - panel.origin), dot(panel.v, p - panel.origin)});
     middle.x += panel.ring.back().x / static_cast<double>(places.size());
     middle.y += panel.ring.back().y / static_cast<double>(places.size());
   }
-  for (Vec2& p : panel.ring) {  // a little larger, so that no ray slips past its edge
+  for (FlatPoint& p : panel.ring) {  // a little larger, so that no ray slips past its edge
     const double dx = p.x - middle.x, dy = p.y - middle.y, grow = 1 + 2 * kOverlap / std::sqrt(dx * dx + dy * dy);
     p = {middle.x + grow * dx, middle.y + grow * dy};
   }
@@ -170,17 +170,17 @@ void FacadeBuilder::block(const Block& b, const Finish& finish, Faces faces) {
   relief({{b.x0, b.z0}, {b.x1, b.z0}, {b.x1, b.z1}, {b.x0, b.z1}}, b.out0, b.out1, finish, faces);
 }
 
-void FacadeBuilder::moulding(const std::vector<Vec2>& profile, double x0, double x1, const Finish& finish,
+void FacadeBuilder::moulding(const std::vector<FlatPoint>& profile, double x0, double x1, const Finish& finish,
                              Faces faces) {
   std::vector<Vec3> ring;
-  for (Vec2 p : profile) ring.push_back(frame_.place(x0, p.x, p.y));
+  for (FlatPoint p : profile) ring.push_back(frame_.place(x0, p.x, p.y));
   sweep(ring, (x1 - x0) * frame_.along, finish, faces);
 }
 
-void FacadeBuilder::relief(const std::vector<Vec2>& shape, double out0, double out1, const Finish& finish,
+void FacadeBuilder::relief(const std::vector<FlatPoint>& shape, double out0, double out1, const Finish& finish,
                            Faces faces) {
   std::vector<Vec3> ring;
-  for (Vec2 p : shape) ring.push_back(frame_.place(p.x, out0, p.y));
+  for (FlatPoint p : shape) ring.push_back(frame_.place(p.x, out0, p.y));
   sweep(ring, (out1 - out0) * frame_.out, finish, faces);
 }
 

@@ -61,11 +61,11 @@ class FacadeBuilder {
   void block(const Block& block, const Finish& finish, Faces faces = Faces::true_planes);
 
   // A convex profile in (out, z), swept from x0 to x1.
-  void moulding(const std::vector<Vec2>& profile, double x0, double x1, const Finish& finish,
+  void moulding(const std::vector<FlatPoint>& profile, double x0, double x1, const Finish& finish,
                 Faces faces = Faces::true_planes);
 
   // A convex shape in (x, z), swept outwards from out0 to out1.
-  void relief(const std::vector<Vec2>& shape, double out0, double out1, const Finish& finish,
+  void relief(const std::vector<FlatPoint>& shape, double out0, double out1, const Finish& finish,
               Faces faces = Faces::true_planes);
 
   // A round upright bar or post.
@@ -99,7 +99,7 @@ class FacadeBuilder {
   std::uint32_t facade_;
   // A flat piece parallel to the facade: where it lies, and which of the scene's planes it belongs to.
   struct Piece {
-    Vec2 low, high;
+    FlatPoint low, high;
     std::size_t plane;
   };
   std::map<std::pair<std::int64_t, std::uint8_t>, std::vector<Piece>> parallel_;  // by tenths of a millimetre and class

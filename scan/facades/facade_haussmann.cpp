@@ -332,7 +332,7 @@ TerrestrialScan plan_facade_haussmann(const SceneValues& values, std::uint64_t s
   const Vec3 back = frame.place(-0.05, -4.2, 0.02), front_end = frame.place(width + 0.05, 1.5, kRoofTop + 0.5);
   scan.scene.keep = {{back.x, front_end.y, back.z}, {front_end.x, back.y, front_end.z}};
   const Vec3 low = frame.place(0, values.get("scene.balcony"), 0), high = frame.place(width, -1.6, kRoofTop + 0.2);
-  const Bounds3 target{{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  const Box3<Vec3> target{{low.x, low.y, low.z}, {high.x, high.y, high.z}};
   scan.scene.stations = {station_towards(1, frame.place(0.18 * width, street, 1.7), target, step),
                          station_towards(2, frame.place(0.85 * width, street + 1.5, 1.7), target, step)};
   return scan;

@@ -145,7 +145,7 @@ TerrestrialScan plan_facade_restoration(const SceneValues& values, std::uint64_t
   scan.scene.keep = {{low.x - 0.05, high.y, low.z}, {high.x + 0.05, low.y, high.z}};
   const Vec3 eye = frame.place(-values.get("scene.station_left"), values.get("scene.station_out"), 1.65);
   const Vec3 front_low = frame.place(0, 0.5, 0), front_high = frame.place(kWidth, -1, kRoofTop);
-  const Bounds3 target{{front_low.x, front_low.y, front_low.z}, {front_high.x, front_high.y, front_high.z}};
+  const Box3<Vec3> target{{front_low.x, front_low.y, front_low.z}, {front_high.x, front_high.y, front_high.z}};
   scan.scene.stations = {station_towards(1, eye, target, values.get("scene.step"))};
   return scan;
 }

@@ -162,7 +162,7 @@ TerrestrialScan plan_shapes(const SceneValues& values, std::uint64_t seed) {
     builder.add_cone(foot(2), radius);
     builder.add_box(foot(3), radius);
   }
-  const Bounds3 all = bounds_of(scan.scene.model.parts);
+  const Box3<Vec3> all = bounds_of(scan.scene.model.parts);
   const Vec3 margin{0.2, 0.2, 0.2};
   scan.scene.keep = {all.min - margin, all.max + margin};
   for (std::uint16_t i = 0; i < 3; ++i) {

@@ -121,7 +121,7 @@ TerrestrialScan plan_stones(const SceneValues& values, std::uint64_t seed) {
   const Vec3 eye = facade.frame().place(at.total / 2 + distance * angle.sin, distance * angle.cos, 1.6);
   scan.scene.stations = {station_towards(1, eye, bounds_of(scan.scene.model.parts), values.get("scene.step"))};
   const Vec3 margin{0.1, 0.1, 0.1};
-  const Bounds3 all = bounds_of(scan.scene.model.parts);
+  const Box3<Vec3> all = bounds_of(scan.scene.model.parts);
   scan.scene.keep = {all.min - margin, all.max + margin};
   return scan;
 }

@@ -15,7 +15,7 @@ RTCDevice embree_device() {
   return shared;
 }
 
-void set_embree_bounds(const Bounds3& box, Vec3 anchor, double margin, RTCBounds& out) {
+void set_embree_bounds(const Box3<Vec3>& box, Vec3 anchor, double margin, RTCBounds& out) {
   const Vec3 low = box.min - anchor, high = box.max - anchor;
   const auto by = static_cast<float>(margin);
   out.lower_x = static_cast<float>(low.x) - by;

@@ -2,6 +2,7 @@
 #pragma once
 #include <embree3/rtcore.h>
 
+#include "kernels/geometry/box3.h"
 #include "scan/optics/solid.h"
 
 namespace ilot::scan {
@@ -10,7 +11,7 @@ namespace ilot::scan {
 RTCDevice embree_device();
 
 // The box in floats about the anchor, grown by the margin.
-void set_embree_bounds(const Bounds3& box, Vec3 anchor, double margin, RTCBounds& out);
+void set_embree_bounds(const Box3<Vec3>& box, Vec3 anchor, double margin, RTCBounds& out);
 
 // A ray to everything along it, about the anchor.
 RTCRayHit embree_query(const Ray& ray, Vec3 anchor);

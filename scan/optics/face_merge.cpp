@@ -8,6 +8,8 @@
 #include <set>
 #include <utility>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot::scan {
 namespace {
 
@@ -15,7 +17,7 @@ using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using Ring = std::vector<std::uint32_t>;
 
 // Rises from 0 to 4 as b turns clockwise from a through a whole turn.
-double clockwise_turn(Flat a, Flat b) {
+double clockwise_turn(FlatPoint a, FlatPoint b) {
   const double sine = b.x * a.y - b.y * a.x, cosine = a.x * b.x + a.y * b.y;
   const double share = sine / (std::abs(sine) + std::abs(cosine));
   if (cosine < 0) return 2 - share;
@@ -41,12 +43,12 @@ std::map<std::uint32_t, std::set<std::uint32_t>> border_of(std::span<const Patch
 std::uint32_t tightest(const std::set<std::uint32_t>& ways, std::uint32_t from, std::uint32_t at,
                        std::span<const Vec3> vertices, Vec3 normal) {
   if (ways.size() == 1) return *ways.begin();
-  const Flat here = flatten(vertices[at], normal);
+  const FlatPoint here = flatten(vertices[at], normal);
   const auto towards = [&](std::uint32_t v) {
-    const Flat f = flatten(vertices[v], normal);
-    return Flat{f.x - here.x, f.y - here.y};
+    const FlatPoint f = flatten(vertices[v], normal);
+    return FlatPoint{f.x - here.x, f.y - here.y};
   };
-  const Flat back = towards(from);
+  const FlatPoint back = towards(from);
   return *std::min_element(ways.begin(), ways.end(), [&](std::uint32_t a, std::uint32_t b) {
     return clockwise_turn(back, towards(a)) < clockwise_turn(back, towards(b));
   });
@@ -75,8 +77,8 @@ std::vector<Ring> chain(std::map<std::uint32_t, std::set<std::uint32_t>> ways, s
   return rings;
 }
 
-std::vector<Flat> flatten_ring(const Ring& ring, std::span<const Vec3> vertices, Vec3 normal) {
-  std::vector<Flat> flat;
+std::vector<FlatPoint> flatten_ring(const Ring& ring, std::span<const Vec3> vertices, Vec3 normal) {
+  std::vector<FlatPoint> flat;
   for (std::uint32_t v : ring) flat.push_back(flatten(vertices[v], normal));
   return flat;
 }
@@ -85,11 +87,11 @@ std::vector<Flat> flatten_ring(const Ring& ring, std::span<const Vec3> vertices,
 std::vector<MergedFace> sort_rings(std::vector<Ring> rings, std::uint32_t plane, std::span<const Vec3> vertices,
                                    Vec3 normal) {
   std::vector<MergedFace> faces;
-  std::vector<std::vector<Flat>> outlines;
+  std::vector<std::vector<FlatPoint>> outlines;
   std::vector<Ring> holes;
   for (Ring& ring : rings) {
-    std::vector<Flat> flat = flatten_ring(ring, vertices, normal);
-    if (twice_area(flat) < 0) {
+    std::vector<FlatPoint> flat = flatten_ring(ring, vertices, normal);
+    if (doubled_area(flat) < 0) {
       holes.push_back(std::move(ring));
       continue;
     }
@@ -97,12 +99,12 @@ std::vector<MergedFace> sort_rings(std::vector<Ring> rings, std::uint32_t plane,
     outlines.push_back(std::move(flat));
   }
   for (Ring& hole : holes) {
-    const Flat place = flatten(vertices[hole[0]], normal);
+    const FlatPoint place = flatten(vertices[hole[0]], normal);
     std::size_t around = 0;
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < faces.size(); ++f) {
-      const double area = twice_area(outlines[f]);
-      if (area < least && holds(outlines[f], place)) {
+      const double area = doubled_area(outlines[f]);
+      if (area < least && contains_by_share(outlines[f], place)) {
         around = f;
         least = area;
       }
@@ -119,30 +121,11 @@ bool straight(Vec3 before, Vec3 at, Vec3 after) {
 
 }  // namespace
 
-Flat flatten(Vec3 p, Vec3 normal) {
+FlatPoint flatten(Vec3 p, Vec3 normal) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-  if (z >= x && z >= y) return normal.z > 0 ? Flat{p.x, p.y} : Flat{p.y, p.x};
-  if (x >= y) return normal.x > 0 ? Flat{p.y, p.z} : Flat{p.z, p.y};
-  return normal.y > 0 ? Flat{p.z, p.x} : Flat{p.x, p.z};
-}
-
-double twice_area(std::span<const Flat> ring) {
-  double sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Flat a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
-  }
-  return sum;
-}
-
-bool holds(std::span<const Flat> ring, Flat place) {
-  bool inside = false;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Flat a = ring[i], b = ring[(i + 1) % ring.size()];
-    if ((a.y > place.y) == (b.y > place.y)) continue;
-    if (place.x < a.x + (b.x - a.x) * ((place.y - a.y) / (b.y - a.y))) inside = !inside;
-  }
-  return inside;
+  if (z >= x && z >= y) return normal.z > 0 ? FlatPoint{p.x, p.y} : FlatPoint{p.y, p.x};
+  if (x >= y) return normal.x > 0 ? FlatPoint{p.y, p.z} : FlatPoint{p.z, p.y};
+  return normal.y > 0 ? FlatPoint{p.z, p.x} : FlatPoint{p.x, p.z};
 }
 
 std::vector<MergedFace> merge_patches(std::span<const Patch> patches, std::span<const Vec3> vertices,

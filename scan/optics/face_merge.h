@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "kernels/core/types.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot::scan {
 
@@ -29,13 +30,6 @@ std::vector<MergedFace> merge_patches(std::span<const Patch> patches, std::span<
 void drop_straight_vertices(std::vector<MergedFace>& faces, std::span<const Vec3> vertices);
 
 // The polygon seen along the axis in which the normal is largest, keeping its sense of rotation.
-struct Flat {
-  double x = 0, y = 0;
-};
-Flat flatten(Vec3 p, Vec3 normal);
-
-// Twice the signed area of a flattened ring, and whether it holds a place; a place on the border may be either.
-double twice_area(std::span<const Flat> ring);
-bool holds(std::span<const Flat> ring, Flat place);
+FlatPoint flatten(Vec3 p, Vec3 normal);
 
 }  // namespace ilot::scan

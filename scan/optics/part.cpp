@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot::scan {
 namespace {
 
@@ -41,14 +43,9 @@ std::optional<Chord> cone_chord(const Ray& ray, const Quadric& cone) {
   return climb > 0 ? Chord{last, kInfinity} : Chord{-kInfinity, first};
 }
 
-void grow(Bounds3& box, Vec3 p) {
-  box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-  box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
-}
-
-Bounds3 bounds_of_points(std::span<const Vec3> points) {
-  Bounds3 box{points[0], points[0]};
-  for (Vec3 p : points) grow(box, p);
+Box3<Vec3> bounds_of_points(std::span<const Vec3> points) {
+  Box3<Vec3> box{points[0], points[0]};
+  for (Vec3 p : points) box.add(p);
   return box;
 }
 
@@ -91,17 +88,6 @@ std::optional<PartHit> meet_solid(const Ray& ray, const Solid& solid, double fro
   return PartHit{enter, solid.surfaces[face], facing(normal, ray)};
 }
 
-// Crossing number; a point on the ring counts as inside or outside, the same every time.
-bool inside_ring(std::span<const Vec2> ring, Vec2 p) {
-  bool inside = false;
-  for (std::size_t i = 0, last = ring.size() - 1; i < ring.size(); last = i++) {
-    const Vec2 a = ring[last], b = ring[i];
-    if ((a.y > p.y) == (b.y > p.y)) continue;
-    if (p.x < a.x + (b.x - a.x) * ((p.y - a.y) / (b.y - a.y))) inside = !inside;
-  }
-  return inside;
-}
-
 std::optional<PartHit> meet_panel(const Ray& ray, const Panel& panel, double from) {
   const Vec3 normal = cross(panel.u, panel.v);
   const double rate = dot(normal, ray.direction);
@@ -109,8 +95,8 @@ std::optional<PartHit> meet_panel(const Ray& ray, const Panel& panel, double fro
   const double t = dot(normal, panel.origin - ray.origin) / rate;
   if (!(t > from)) return std::nullopt;
   const Vec3 offset = point_at(ray, t) - panel.origin;
-  const Vec2 p{dot(panel.u, offset), dot(panel.v, offset)};
-  if (!inside_ring(panel.ring, p)) return std::nullopt;
+  const FlatPoint p{dot(panel.u, offset), dot(panel.v, offset)};
+  if (!contains_by_share(panel.ring, p)) return std::nullopt;
   for (const Opening& opening : panel.openings)
     if (contains(opening, p)) return std::nullopt;
   return PartHit{t, panel.surface, facing(normal, ray)};
@@ -167,7 +153,7 @@ double arch_radius(const Opening& opening) {
   return (half * half + opening.rise * opening.rise) / (2 * opening.rise);
 }
 
-bool contains(const Opening& opening, Vec2 p) {
+bool contains(const Opening& opening, FlatPoint p) {
   if (!(p.x > opening.left && p.x < opening.right && p.y > opening.bottom)) return false;
   if (p.y < opening.springing) return true;
   if (!(opening.rise > 0) || p.y > opening.springing + opening.rise) return false;
@@ -182,20 +168,19 @@ std::optional<PartHit> meet(const Ray& ray, const Part& part, double from) {
   return meet_shell(ray, std::get<Shell>(part), from);
 }
 
-Bounds3 bounds_of(const Part& part) {
+Box3<Vec3> bounds_of(const Part& part) {
   if (const auto* solid = std::get_if<Solid>(&part)) return solid->bounds;
   if (const auto* shell = std::get_if<Shell>(&part)) return shell->bounds;
   const auto& panel = std::get<Panel>(part);
   std::vector<Vec3> corners;
-  for (Vec2 p : panel.ring) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v);
+  for (FlatPoint p : panel.ring) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v);
   return bounds_of_points(corners);
 }
 
 Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface) {
   assert(ring.size() >= 3 && ring.size() + 2 <= Solid::kMaxPlanes);
   Solid solid;
-  Vec3 area{0, 0, 0};
-  for (std::size_t i = 1; i + 1 < ring.size(); ++i) area = area + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+  const Vec3 area = doubled_area(ring);
   const double side = dot(area, sweep) > 0 ? 1 : -1;  // of the sweep seen from the ring
   for (std::size_t i = 0; i < ring.size(); ++i)
     add_plane(solid, side * cross(ring[(i + 1) % ring.size()] - ring[i], sweep), ring[i]);
@@ -203,7 +188,7 @@ Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface) {
   add_plane(solid, side * area, ring[0] + sweep);
   solid.surfaces.fill(surface);
   solid.bounds = bounds_of_points(ring);
-  for (Vec3 p : ring) grow(solid.bounds, p + sweep);
+  for (Vec3 p : ring) solid.bounds.add(p + sweep);
   return solid;
 }
 

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
+#include "kernels/geometry/flat.h"
 #include "scan/optics/solid.h"
 
 namespace ilot::scan {
@@ -42,11 +44,7 @@ struct Solid {
   std::array<SurfaceId, kMaxPlanes + 1> surfaces{};  // per face; surface of the quadric at [plane_count]
   std::uint32_t plane_count = 0;
   Quadric quadric;
-  Bounds3 bounds;
-};
-
-struct Vec2 {
-  double x = 0, y = 0;
+  Box3<Vec3> bounds;
 };
 
 // A hole in a panel: a rectangle whose upper side may be the arc of a circle. The arc's centre lies on the middle of
@@ -55,13 +53,13 @@ struct Opening {
   double left = 0, right = 0, bottom = 0, springing = 0, rise = 0;
 };
 double arch_radius(const Opening& opening);
-bool contains(const Opening& opening, Vec2 p);
+bool contains(const Opening& opening, FlatPoint p);
 
 // A flat region, seen from both sides: inside the ring and in none of the openings. x and y run along u and v from the
 // origin; u, v of unit length and perpendicular. The plane's normal is u x v.
 struct Panel {
   Vec3 origin, u, v;
-  std::vector<Vec2> ring;  // simple, either way round, not closed
+  std::vector<FlatPoint> ring;  // simple, either way round, not closed
   std::vector<Opening> openings;
   SurfaceId surface = 0;
 };
@@ -71,7 +69,7 @@ struct Shell {
   Quadric quadric;
   std::vector<Plane> clips;  // kept where the signed distance is at most 0
   SurfaceId surface = 0;
-  Bounds3 bounds;
+  Box3<Vec3> bounds;
 };
 
 using Part = std::variant<Solid, Panel, Shell>;
@@ -86,7 +84,7 @@ struct PartHit {
 // solid, watertight.
 std::optional<PartHit> meet(const Ray& ray, const Part& part, double from);
 
-Bounds3 bounds_of(const Part& part);
+Box3<Vec3> bounds_of(const Part& part);
 
 // Solids from simple descriptions. All their faces get `surface`; change single ones afterwards.
 

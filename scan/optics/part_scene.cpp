@@ -20,7 +20,7 @@ struct CastContext {
 };
 
 // Where the ray enters the box, 0 when it starts inside; infinity when it misses it.
-double entry(const Ray& ray, const Bounds3& box) {
+double entry(const Ray& ray, const Box3<Vec3>& box) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double enter = 0, leave = kInfinity;
   const auto clip = [&](double origin, double direction, double low, double high) {
@@ -43,8 +43,8 @@ double entry(const Ray& ray, const Bounds3& box) {
 struct PartScene::State {
   std::span<const Part> parts;
   Vec3 anchor;
-  double margin = 0;           // of Embree's boxes
-  std::vector<Bounds3> boxes;  // of the parts, grown by the reach
+  double margin = 0;              // of Embree's boxes
+  std::vector<Box3<Vec3>> boxes;  // of the parts, grown by the reach
   RTCScene scene = nullptr;
 
   static void part_bounds(const RTCBoundsFunctionArguments* args) {
@@ -62,18 +62,14 @@ struct PartScene::State {
   }
 };
 
-Bounds3 bounds_of(std::span<const Part> parts) {
-  Bounds3 all = parts.empty() ? Bounds3{} : bounds_of(parts[0]);
-  for (const Part& part : parts) {
-    const Bounds3 box = bounds_of(part);
-    all.min = {std::min(all.min.x, box.min.x), std::min(all.min.y, box.min.y), std::min(all.min.z, box.min.z)};
-    all.max = {std::max(all.max.x, box.max.x), std::max(all.max.y, box.max.y), std::max(all.max.z, box.max.z)};
-  }
+Box3<Vec3> bounds_of(std::span<const Part> parts) {
+  Box3<Vec3> all = parts.empty() ? Box3<Vec3>{} : bounds_of(parts[0]);
+  for (const Part& part : parts) all.add_box(bounds_of(part));
   return all;
 }
 
 PartScene::PartScene(std::span<const Part> parts, double reach) : state_(std::make_unique<State>()) {
-  const Bounds3 all = bounds_of(parts);
+  const Box3<Vec3> all = bounds_of(parts);
   state_->parts = parts;
   state_->anchor = 0.5 * (all.min + all.max);
   // Sensors stand outside the parts, but not further away than a few times their extent.
@@ -81,7 +77,7 @@ PartScene::PartScene(std::span<const Part> parts, double reach) : state_(std::ma
   // Grown in double by more than its rounding, so that flat boxes are met too.
   const double by = reach + 1e-5;
   for (const Part& part : parts) {
-    const Bounds3 box = bounds_of(part);
+    const Box3<Vec3> box = bounds_of(part);
     state_->boxes.push_back({box.min - Vec3{by, by, by}, box.max + Vec3{by, by, by}});
   }
   state_->scene = rtcNewScene(embree_device());

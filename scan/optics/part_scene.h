@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
 #include "scan/optics/material.h"
 #include "scan/optics/part.h"
 
@@ -30,7 +31,7 @@ struct SceneModel {
   }
 };
 
-Bounds3 bounds_of(std::span<const Part> parts);
+Box3<Vec3> bounds_of(std::span<const Part> parts);
 
 // A part that a ray may meet, not before `enters` along it.
 struct Candidate {

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "kernels/core/types.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot::scan {
 
@@ -18,10 +19,6 @@ inline Vec3 point_at(const Ray& ray, double t) {
   return ray.origin + t * ray.direction;
 }
 
-struct Bounds3 {
-  Vec3 min, max;
-};
-
 // The intersection of at most kMaxFaces half-spaces, outward normals. It may be open where no ray comes from
 // (a house has no floor): bounds still have to hold all of the surface that can be seen.
 struct ConvexSolid {
@@ -29,7 +26,7 @@ struct ConvexSolid {
   std::array<Plane, kMaxFaces> planes;
   std::uint32_t face_count = 0;
   std::uint32_t first_face = 0;  // number of its face 0 in the list of faces of the scene
-  Bounds3 bounds;
+  Box3<Vec3> bounds;
 };
 
 // An ellipsoid with axes along x, y, z.

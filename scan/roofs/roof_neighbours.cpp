@@ -14,18 +14,17 @@ constexpr double kClearStep = 0.4;     // metres between nearly parallel faces
 constexpr double kSamePlace = 1e-6;    // metres
 constexpr double kNear = 0.5;          // metres between boxes of faces that could be taken for one
 
-Bounds3 box_of(const RoofSolid& solid, const RoofFace& face) {
+Box3<Vec3> box_of(const RoofSolid& solid, const RoofFace& face) {
   const Vec3 first = solid.vertices[face.rings[0][0]];
-  Bounds3 box{first, first};
+  Box3<Vec3> box{first, first};
   for (std::uint32_t v : face.rings[0]) {
     const Vec3 p = solid.vertices[v];
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    box.add(p);
   }
   return box;
 }
 
-bool near_each_other(const Bounds3& a, const Bounds3& b, double by) {
+bool near_each_other(const Box3<Vec3>& a, const Box3<Vec3>& b, double by) {
   return a.min.x <= b.max.x + by && b.min.x <= a.max.x + by && a.min.y <= b.max.y + by && b.min.y <= a.max.y + by &&
          a.min.z <= b.max.z + by && b.min.z <= a.max.z + by;
 }

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "kernels/geometry/ring.h"
 #include "scan/optics/face_merge.h"
 
 namespace ilot::scan {
@@ -247,9 +248,9 @@ double face_area(const RoofSolid& solid, const RoofFace& face) {
 bool face_holds(const RoofSolid& solid, const RoofFace& face, Vec3 place) {
   bool inside = false;
   for (const auto& ring : face.rings) {
-    std::vector<Flat> flat;
+    std::vector<FlatPoint> flat;
     for (std::uint32_t v : ring) flat.push_back(flatten(solid.vertices[v], face.plane.n));
-    if (holds(flat, flatten(place, face.plane.n))) inside = !inside;
+    if (contains_by_share(flat, flatten(place, face.plane.n))) inside = !inside;
   }
   return inside;
 }

@@ -53,10 +53,10 @@ std::vector<Plane> planes_of(const Wing& wing) {
   return planes;
 }
 
-Bounds3 bounds_of(const RoofBuilding& building, const Wing& wing) {
+Box3<Vec3> bounds_of(const RoofBuilding& building, const Wing& wing) {
   const Vec3 first = building.frame.to_town(
       {kMetres * static_cast<double>(wing.rect.u0), kMetres * static_cast<double>(wing.rect.v0), 0});
-  Bounds3 box{{first.x, first.y, building.floor}, {first.x, first.y, building.ridge}};
+  Box3<Vec3> box{{first.x, first.y, building.floor}, {first.x, first.y, building.ridge}};
   for (Whole u : {wing.rect.u0, wing.rect.u1})
     for (Whole v : {wing.rect.v0, wing.rect.v1}) {
       const Vec3 p = building.frame.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});

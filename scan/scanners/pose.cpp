@@ -8,7 +8,7 @@
 namespace ilot::scan {
 namespace {
 
-double reach_along(const PlanBox& box, Vec2 axis) {
+double reach_along(const PlanBox& box, FlatPoint axis) {
   const double along = box.heading.cos * axis.x + box.heading.sin * axis.y;
   const double across = box.heading.cos * axis.y - box.heading.sin * axis.x;
   return box.half_length * std::abs(along) + box.half_width * std::abs(across);
@@ -29,27 +29,22 @@ Solid placed(const Solid& solid, const Pose& pose) {
   }
   moved.quadric.point = pose.place(solid.quadric.point);
   moved.quadric.axis = pose.direction(solid.quadric.axis);
-  const Bounds3& box = solid.bounds;
+  const Box3<Vec3>& box = solid.bounds;
   const Vec3 first = pose.place(box.min);
   moved.bounds = {first, first};
   for (double x : {box.min.x, box.max.x})
     for (double y : {box.min.y, box.max.y})
-      for (double z : {box.min.z, box.max.z}) {
-        const Vec3 p = pose.place({x, y, z});
-        Bounds3& b = moved.bounds;
-        b.min = {std::min(b.min.x, p.x), std::min(b.min.y, p.y), std::min(b.min.z, p.z)};
-        b.max = {std::max(b.max.x, p.x), std::max(b.max.y, p.y), std::max(b.max.z, p.z)};
-      }
+      for (double z : {box.min.z, box.max.z}) moved.bounds.add(pose.place({x, y, z}));
   return moved;
 }
 
 bool closer(const PlanBox& a, const PlanBox& b, double apart) {
-  const Vec2 between{b.x - a.x, b.y - a.y};
-  const std::array<Vec2, 4> axes{{{a.heading.cos, a.heading.sin},
-                                  {-a.heading.sin, a.heading.cos},
-                                  {b.heading.cos, b.heading.sin},
-                                  {-b.heading.sin, b.heading.cos}}};
-  return std::all_of(axes.begin(), axes.end(), [&](Vec2 axis) {
+  const FlatPoint between{b.x - a.x, b.y - a.y};
+  const std::array<FlatPoint, 4> axes{{{a.heading.cos, a.heading.sin},
+                                       {-a.heading.sin, a.heading.cos},
+                                       {b.heading.cos, b.heading.sin},
+                                       {-b.heading.sin, b.heading.cos}}};
+  return std::all_of(axes.begin(), axes.end(), [&](FlatPoint axis) {
     const double distance = std::abs(between.x * axis.x + between.y * axis.y);
     return distance - reach_along(a, axis) - reach_along(b, axis) < apart;
   });

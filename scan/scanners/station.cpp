@@ -23,7 +23,7 @@ std::int64_t floor_of(double v) {
 
 }  // namespace
 
-StationParams station_towards(std::uint16_t id, Vec3 position, const Bounds3& target, double step_deg) {
+StationParams station_towards(std::uint16_t id, Vec3 position, const Box3<Vec3>& target, double step_deg) {
   StationParams station{id, position, {0, 1, 0}, step_deg, step_deg, {}};
   const Vec3 middle = 0.5 * (target.min + target.max) - position;
   const Vec3 flat{middle.x, middle.y, 0};

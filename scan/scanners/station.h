@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
 #include "scan/optics/exact_math.h"
 #include "scan/optics/solid.h"
 
@@ -25,7 +26,7 @@ struct StationParams {
 
 // A station that looks at the middle of a box and scans all of it, up to 88 degrees above and below the horizon. The
 // box must not hold the station.
-StationParams station_towards(std::uint16_t id, Vec3 position, const Bounds3& target, double step_deg);
+StationParams station_towards(std::uint16_t id, Vec3 position, const Box3<Vec3>& target, double step_deg);
 
 // Where a pulse points: the axis of the beam and two directions perpendicular to it, all of unit length.
 struct Aim {

@@ -72,7 +72,7 @@ class TerrestrialScanner {
  private:
   static double reach(const TerrestrialScan& scan) {
     double furthest = 0;
-    const Bounds3 all = bounds_of(scan.scene.model.parts);
+    const Box3<Vec3> all = bounds_of(scan.scene.model.parts);
     for (const StationParams& station : scan.scene.stations)
       furthest = std::max({furthest, norm(all.min - station.position), norm(all.max - station.position)});
     const double footprint = footprint_radius(scan.beam, std::min(kMaxRange, furthest + norm(all.max - all.min)));
@@ -86,7 +86,7 @@ class TerrestrialScanner {
     const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
     ColouredPoint point;
     point.place = station.position + range * aim.axis;
-    if (!inside(scan_.scene.keep, point.place)) return;
+    if (!scan_.scene.keep.contains(point.place)) return;
     point.place = point.place + shifts_[at];
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
     point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
@@ -106,11 +106,6 @@ class TerrestrialScanner {
       point.true_class = kMixedClass;
     }
     append_record(records, point, layout_);
-  }
-
-  static bool inside(const Bounds3& box, Vec3 p) {
-    return p.x >= box.min.x && p.y >= box.min.y && p.z >= box.min.z && p.x <= box.max.x && p.y <= box.max.y &&
-           p.z <= box.max.z;
   }
 
   const TerrestrialScan& scan_;

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
 #include "scan/optics/part_scene.h"
 #include "scan/scanners/beam.h"
 #include "scan/scanners/station.h"
@@ -33,7 +34,7 @@ struct TerrestrialScene {
   std::vector<TrueControlPoint> control_points;
   std::vector<TrueBuilding> buildings;
   std::vector<StationParams> stations;
-  Bounds3 keep;  // what lies outside is cut off, as an office cuts a facade out of its scan
+  Box3<Vec3> keep;  // what lies outside is cut off, as an office cuts a facade out of its scan
 };
 
 struct TerrestrialScan {

@@ -53,16 +53,16 @@ void Artefact::box(Vec3 centre, Vec3 size, Material material) {
   solids.push_back(prism(ring, {0, 0, size.z}, surface(material)));
 }
 
-Solid& Artefact::profile(std::span<const Vec2> outline, double width, Material material) {
+Solid& Artefact::profile(std::span<const FlatPoint> outline, double width, Material material) {
   std::vector<Vec3> ring;
-  for (Vec2 p : outline) ring.push_back({p.x, -width / 2, p.y});
+  for (FlatPoint p : outline) ring.push_back({p.x, -width / 2, p.y});
   solids.push_back(prism(ring, {0, width, 0}, surface(material)));
   return solids.back();
 }
 
-void Artefact::column(std::span<const Vec2> outline, double from, double to, Material material) {
+void Artefact::column(std::span<const FlatPoint> outline, double from, double to, Material material) {
   std::vector<Vec3> ring;
-  for (Vec2 p : outline) ring.push_back({p.x, p.y, from});
+  for (FlatPoint p : outline) ring.push_back({p.x, p.y, from});
   solids.push_back(prism(ring, {0, 0, to - from}, surface(material)));
 }
 
@@ -85,13 +85,9 @@ void Artefact::taper(Vec3 base, double height, double bottom_radius, double top_
   solids.push_back(cone(apex, {0, 0, -1}, top_radius / tangent, bottom_radius / tangent, tangent, surface(material)));
 }
 
-Bounds3 bounds_of(const Artefact& artefact) {
-  Bounds3 all = artefact.solids[0].bounds;
-  for (const Solid& solid : artefact.solids) {
-    const Bounds3& box = solid.bounds;
-    all.min = {std::min(all.min.x, box.min.x), std::min(all.min.y, box.min.y), std::min(all.min.z, box.min.z)};
-    all.max = {std::max(all.max.x, box.max.x), std::max(all.max.y, box.max.y), std::max(all.max.z, box.max.z)};
-  }
+Box3<Vec3> bounds_of(const Artefact& artefact) {
+  Box3<Vec3> all = artefact.solids[0].bounds;
+  for (const Solid& solid : artefact.solids) all.add_box(solid.bounds);
   return all;
 }
 

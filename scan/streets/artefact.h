@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "kernels/core/rng.h"
+#include "kernels/geometry/box3.h"
 #include "scan/optics/material.h"
 #include "scan/optics/part.h"
 
@@ -23,9 +24,9 @@ struct Artefact {
 
   void box(Vec3 centre, Vec3 size, Material material);
   // A convex outline in the plane x z, swept over the width about y = 0. Faces as those of prism().
-  Solid& profile(std::span<const Vec2> outline, double width, Material material);
+  Solid& profile(std::span<const FlatPoint> outline, double width, Material material);
   // A convex outline in the plane x y, from one height to another.
-  void column(std::span<const Vec2> outline, double from, double to, Material material);
+  void column(std::span<const FlatPoint> outline, double from, double to, Material material);
   void rod(Vec3 from, Vec3 to, double radius, Material material);  // a cylinder between two places
   void disc(Vec3 centre, Vec3 axis, double thickness, double radius, Material material);
   void ball(Vec3 centre, double radius, Material material);
@@ -33,7 +34,7 @@ struct Artefact {
   void taper(Vec3 base, double height, double bottom_radius, double top_radius, Material material);
 };
 
-Bounds3 bounds_of(const Artefact& artefact);
+Box3<Vec3> bounds_of(const Artefact& artefact);
 
 // Names of the variants of a class, at least five. Of `other` each stands as often as it comes among 144 things.
 std::span<const std::string_view> variants_of(ArtefactClass artefact_class);

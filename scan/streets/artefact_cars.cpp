@@ -31,18 +31,18 @@ Artefact make_car(std::string_view variant, Rng& rng) {
   const double tail = -size.length / 2, nose = size.length / 2, waist = 0.5 * size.height + 0.14;
   const double floor = 0.22, bonnet = waist - 0.1;
   Artefact car;
-  car.profile(std::array<Vec2, 7>{{{tail + 0.05, floor},
-                                   {nose - 0.05, floor},
-                                   {nose, floor + 0.25},
-                                   {nose - 0.12, bonnet - 0.06},
-                                   {nose - 0.3, bonnet},
-                                   {tail + 0.05, waist},
-                                   {tail, floor + 0.2}}},
+  car.profile(std::array<FlatPoint, 7>{{{tail + 0.05, floor},
+                                        {nose - 0.05, floor},
+                                        {nose, floor + 0.25},
+                                        {nose - 0.12, bonnet - 0.06},
+                                        {nose - 0.3, bonnet},
+                                        {tail + 0.05, waist},
+                                        {tail, floor + 0.2}}},
               size.width, Material::car_paint);
-  Solid& cabin = car.profile(std::array<Vec2, 4>{{{tail + stretch * size.tail, waist - 0.12},
-                                                  {tail + stretch * size.screen, waist - 0.12},
-                                                  {tail + stretch * size.front, size.height},
-                                                  {tail + stretch * size.rear, size.height}}},
+  Solid& cabin = car.profile(std::array<FlatPoint, 4>{{{tail + stretch * size.tail, waist - 0.12},
+                                                       {tail + stretch * size.screen, waist - 0.12},
+                                                       {tail + stretch * size.front, size.height},
+                                                       {tail + stretch * size.rear, size.height}}},
                              0.86 * size.width, Material::glass);
   cabin.surfaces[2] = static_cast<SurfaceId>(Material::car_paint);  // the roof
   if (variant == "van")

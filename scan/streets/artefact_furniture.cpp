@@ -14,7 +14,7 @@ void make_dustbin(Artefact& a, Rng& rng) {
 
 void make_wheelie_bin(Artefact& a, Rng& rng) {
   const double h = 0.95 + 0.2 * rng.uniform();
-  a.profile(std::array<Vec2, 4>{{{-0.24, 0.08}, {0.22, 0.08}, {0.32, h}, {-0.28, h}}}, 0.56, Material::wood);
+  a.profile(std::array<FlatPoint, 4>{{{-0.24, 0.08}, {0.22, 0.08}, {0.32, h}, {-0.28, h}}}, 0.56, Material::wood);
   a.box({0.02, 0, h + 0.03}, {0.66, 0.58, 0.06}, Material::wood);
   for (double y : {-0.22, 0.22}) a.disc({-0.22, y, 0.1}, {0, 1, 0}, 0.05, 0.1, Material::iron);
 }
@@ -22,8 +22,9 @@ void make_wheelie_bin(Artefact& a, Rng& rng) {
 void make_motorbike(Artefact& a, Rng& rng) {
   const double reach = 0.65 + 0.1 * rng.uniform();
   for (double x : {-reach, reach}) a.disc({x, 0, 0.3}, {0, 1, 0}, 0.12, 0.3, Material::iron);
-  a.profile(std::array<Vec2, 6>{{{-0.5, 0.35}, {0.35, 0.3}, {0.45, 0.7}, {0.25, 0.95}, {-0.1, 0.8}, {-0.75, 0.85}}},
-            0.3, Material::car_paint);
+  a.profile(
+      std::array<FlatPoint, 6>{{{-0.5, 0.35}, {0.35, 0.3}, {0.45, 0.7}, {0.25, 0.95}, {-0.1, 0.8}, {-0.75, 0.85}}}, 0.3,
+      Material::car_paint);
   a.box({-0.4, 0, 0.84}, {0.7, 0.28, 0.1}, Material::cloth);
   a.rod({reach, 0, 0.3}, {0.42, 0, 1.0}, 0.05, Material::zinc);
   a.rod({0.42, -0.35, 1.02}, {0.42, 0.35, 1.02}, 0.025, Material::iron);
@@ -44,14 +45,14 @@ void make_bicycle(Artefact& a, Rng& rng) {
 void make_parking_meter(Artefact& a, Rng& rng) {
   const double h = 1.45 + 0.3 * rng.uniform();
   a.rod({0, 0, 0}, {0, 0, h - 0.5}, 0.1, Material::iron);
-  a.column(std::array<Vec2, 4>{{{-0.14, -0.17}, {0.14, -0.17}, {0.14, 0.17}, {-0.14, 0.17}}}, h - 0.55, h,
+  a.column(std::array<FlatPoint, 4>{{{-0.14, -0.17}, {0.14, -0.17}, {0.14, 0.17}, {-0.14, 0.17}}}, h - 0.55, h,
            Material::zinc);
 }
 
 void make_pay_station(Artefact& a, Rng& rng) {
   const double h = 1.5 + 0.3 * rng.uniform();
   a.box({0, 0, h / 2}, {0.32, 0.42, h}, Material::zinc);
-  a.profile(std::array<Vec2, 3>{{{-0.16, h}, {0.22, h}, {-0.16, h + 0.12}}}, 0.44, Material::iron);
+  a.profile(std::array<FlatPoint, 3>{{{-0.16, h}, {0.22, h}, {-0.16, h + 0.12}}}, 0.44, Material::iron);
 }
 
 void make_bus_shelter(Artefact& a, Rng& rng) {

@@ -7,7 +7,7 @@ namespace ilot::scan {
 namespace {
 
 // Half axes of an ellipse, as eight corners on it.
-std::array<Vec2, 8> oval(double x, double y) {
+std::array<FlatPoint, 8> oval(double x, double y) {
   constexpr double kDiagonal = 0.70710678118654752;
   return {{{x, 0},
            {kDiagonal * x, kDiagonal * y},

@@ -23,7 +23,7 @@ std::vector<Vec3> ground_ring(const Street& street, double s0, double s1, double
   return {corner(s0, t0), corner(s1, t0), corner(s1, t1), corner(s0, t1)};
 }
 
-Bounds3 ground_bounds(const Street& street, double s0, double s1, double t0, double t1, double lift) {
+Box3<Vec3> ground_bounds(const Street& street, double s0, double s1, double t0, double t1, double lift) {
   return {{s0, t0, street.road_height(s0) - kGroundDepth}, {s1, t1, street.road_height(s1) + lift}};
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "kernels/geometry/box3.h"
 #include "scan/scanners/pose.h"
 #include "scan/streets/artefact.h"
 #include "scan/streets/street_plan.h"
@@ -19,7 +20,7 @@ struct StreetObject {
   Artefact shape;  // in its own frame
   Pose pose;       // street coordinates
   double heading_deg = 0;
-  Bounds3 box;  // of the shape, pitched but not turned, about the base
+  Box3<Vec3> box;  // of the shape, pitched but not turned, about the base
   PlanBox plan;
   std::vector<std::uint32_t> touches;  // ids
 };

@@ -35,11 +35,8 @@ bool holds(const Ring3& ring, Vec3 p) {
 double squared_to_ring(const Ring3& ring, Vec3 p) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Vec3 a = ring[i], d = ring[(i + 1) % ring.size()] - a, v = p - a;
-    const double length2 = d.x * d.x + d.y * d.y;
-    const double s = length2 > 0 ? std::clamp((v.x * d.x + v.y * d.y) / length2, 0.0, 1.0) : 0;
-    const Vec3 off = v - s * d;
-    nearest = std::min(nearest, off.x * off.x + off.y * off.y);
+    const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()];
+    nearest = std::min(nearest, squared_distance({p.x, p.y}, {{a.x, a.y}, {b.x, b.y}}));
   }
   return nearest;
 }
@@ -68,8 +65,7 @@ void read_kinds(const std::filesystem::path& truth, std::vector<LabelledRoof>& b
 }  // namespace
 
 Point2 place_of(Vec3 p) {
-  return {static_cast<std::int32_t>(std::lround(p.x * kMillimetres)),
-          static_cast<std::int32_t>(std::lround(p.y * kMillimetres))};
+  return lattice_point({p.x, p.y}, kMillimetres);
 }
 
 std::vector<LabelledRoof> read_buildings(const std::string& file) {

@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "kernels/core/radix_sort.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/planes/plane_score.h"
 #include "tests/support/point_sets.h"
 
@@ -12,12 +13,8 @@ namespace ilot::test {
 
 inline constexpr Vec3 kX{1, 0, 0}, kY{0, 1, 0}, kZ{0, 0, 1};
 
-struct OrientedSet {
-  std::vector<float> x, y, z, nx, ny, nz;
-  std::size_t size = 0;
-  OrientedPoints view() const { return {{x.data(), y.data(), z.data(), size}, nx.data(), ny.data(), nz.data()}; }
-  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
+struct OrientedSet : PaddedOrientedPoints {
+  OrientedPoints view() const { return oriented(); }
 };
 
 // Sum of twelve uniform numbers: bell-shaped, standard deviation 1, never beyond 6.
@@ -58,22 +55,19 @@ class OrientedSetBuilder {
       codes.push_back(morton_code({whole(p.x), whole(p.y), whole(p.z)}));
     }
     OrientedSet set;
-    set.size = codes.size();
     for (const std::uint32_t i : sorted_order(codes)) {
       const Cell3 c = morton_cell(codes[i]);
       const Vec3 n = points_[i].second;
-      const double row[6]{static_cast<double>(c.x), static_cast<double>(c.y), static_cast<double>(c.z), n.x, n.y, n.z};
-      std::size_t column = 0;
-      for (auto* v : set_columns(set)) v->push_back(static_cast<float>(row[column++]));
+      set.add(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z));
+      set.nx.push_back(static_cast<float>(n.x));
+      set.ny.push_back(static_cast<float>(n.y));
+      set.nz.push_back(static_cast<float>(n.z));
     }
-    for (auto* v : set_columns(set)) v->resize(set.size + 16, 0.0f);
+    set.pad();
     return set;
   }
 
  private:
-  static std::array<std::vector<float>*, 6> set_columns(OrientedSet& s) {
-    return {&s.x, &s.y, &s.z, &s.nx, &s.ny, &s.nz};
-  }
   Rng rng_;
   std::vector<std::pair<Vec3, Vec3>> points_;
 };

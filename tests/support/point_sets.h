@@ -8,6 +8,7 @@
 
 #include "kernels/core/rng.h"
 #include "kernels/core/types.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/morton.h"
 
 namespace ilot::test {
@@ -18,11 +19,9 @@ inline std::vector<std::uint32_t> all_of(std::size_t n) {
   return indices;
 }
 
-struct PointSet {
+struct PointSet : PaddedPoints {
   std::string name;
-  std::vector<float> x, y, z;
-  Points view() const { return {x.data(), y.data(), z.data(), size}; }
-  std::size_t size = 0;
+  Points view() const { return points(); }
 };
 
 inline PointSet make_set(std::string name, std::vector<Cell3> cells) {
@@ -31,14 +30,11 @@ inline PointSet make_set(std::string name, std::vector<Cell3> cells) {
   std::sort(codes.begin(), codes.end());
   PointSet set;
   set.name = std::move(name);
-  set.size = codes.size();
   for (const std::uint64_t code : codes) {
     const Cell3 c = morton_cell(code);
-    set.x.push_back(static_cast<float>(c.x));
-    set.y.push_back(static_cast<float>(c.y));
-    set.z.push_back(static_cast<float>(c.z));
+    set.add(static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z));
   }
-  for (auto* v : {&set.x, &set.y, &set.z}) v->resize(set.size + 16, 0.0f);
+  set.pad();
   return set;
 }
 

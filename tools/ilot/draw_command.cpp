@@ -40,7 +40,7 @@ render::ColourRange colours_of(const std::string& cloud) {
 
 // The points of a cloud, each time anew; without colours their intensity as a grey.
 PointSource points_of(const std::string& cloud) {
-  return [cloud, range = colours_of(cloud)](const PointBox&,
+  return [cloud, range = colours_of(cloud)](const Box3<Vec3>&,
                                             const std::function<void(std::span<const ImagePoint>)>& take) {
     const auto reader = open_cloud(cloud);
     const RecordLayout layout = reader->info().layout;

@@ -38,24 +38,6 @@ Decoded decode(const std::string& text, std::size_t at) {
   return {code, length};
 }
 
-class Extent {
- public:
-  void add(double x, double y) {
-    if (empty_) box_ = {x, y, x, y};
-    empty_ = false;
-    box_ = {std::min(box_.min_x, x), std::min(box_.min_y, y), std::max(box_.max_x, x), std::max(box_.max_y, y)};
-  }
-  void add_disc(double x, double y, double radius) {
-    add(x - radius, y - radius);
-    add(x + radius, y + radius);
-  }
-  DrawingBox box() const { return box_; }
-
- private:
-  bool empty_ = true;
-  DrawingBox box_;
-};
-
 std::int64_t steps(double v) {
   return static_cast<std::int64_t>(std::llround(std::clamp(v / kKeyStep, -9e17, 9e17)));
 }
@@ -98,32 +80,36 @@ double text_width(const std::string& text, double height) {
   return kDigitWidth * height * static_cast<double>(code_points(clean_text(text)).size());
 }
 
-DrawingBox extent_of(const Drawing& drawing) {
-  Extent extent;
+FlatBox extent_of(const Drawing& drawing) {
+  FlatBox extent = FlatBox::none();
+  const auto add_disc = [&](double x, double y, double radius) {
+    extent.add({x - radius, y - radius});
+    extent.add({x + radius, y + radius});
+  };
   for (const DrawingLine& line : drawing.lines) {
     for (std::size_t i = 0; i < line.corners.size(); ++i) {
       const DrawingCorner& a = line.corners[i];
-      extent.add(a.x, a.y);
+      extent.add({a.x, a.y});
       if (a.bulge == 0 || (!line.closed && i + 1 == line.corners.size())) continue;
       // The arc's highest point over its chord; the disc about the chord's middle holds the arc.
       const DrawingCorner& b = line.corners[(i + 1) % line.corners.size()];
       const double half = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) / 2;
-      extent.add_disc((a.x + b.x) / 2, (a.y + b.y) / 2, half * std::abs(a.bulge));
+      add_disc((a.x + b.x) / 2, (a.y + b.y) / 2, half * std::abs(a.bulge));
     }
   }
-  for (const DrawingArc& arc : drawing.arcs) extent.add_disc(arc.x, arc.y, arc.radius);
-  for (const DrawingPoint& point : drawing.points) extent.add(point.x, point.y);
+  for (const DrawingArc& arc : drawing.arcs) add_disc(arc.x, arc.y, arc.radius);
+  for (const DrawingPoint& point : drawing.points) extent.add({point.x, point.y});
   for (const DrawingText& text : drawing.texts) {
     const double width = text_width(text.text, text.height);
     const double before = text.anchor == TextAnchor::left ? 0 : text.anchor == TextAnchor::middle ? width / 2 : width;
     if (text.rotation_deg == 0) {
-      extent.add(text.x - before, text.y);
-      extent.add(text.x - before + width, text.y + text.height);
+      extent.add({text.x - before, text.y});
+      extent.add({text.x - before + width, text.y + text.height});
     } else {
-      extent.add_disc(text.x, text.y, std::max(before, width - before));
+      add_disc(text.x, text.y, std::max(before, width - before));
     }
   }
-  return extent.box();
+  return extent.is_empty() ? FlatBox{} : extent;
 }
 
 std::vector<std::int64_t> place_key(const std::vector<DrawingCorner>& corners, bool closed) {

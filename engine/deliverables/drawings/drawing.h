@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
+#include "kernels/geometry/flat_box.h"
 
 namespace ilot {
 
@@ -75,16 +76,10 @@ struct DrawingText {
   std::string text;  // UTF-8, one line
 };
 
-struct DrawingBox {
-  double min_x = 0, min_y = 0, max_x = 0, max_y = 0;
-  double width() const { return max_x - min_x; }
-  double height() const { return max_y - min_y; }
-};
-
 struct Drawing {
   std::string title;
   double scale = 50;  // 1 : scale on paper
-  DrawingBox sheet;   // paper, in metres of the drawing
+  FlatBox sheet;      // paper, in metres of the drawing
   std::vector<DrawingLine> lines;
   std::vector<DrawingArc> arcs;
   std::vector<DrawingPoint> points;
@@ -98,7 +93,7 @@ struct Drawing {
 double text_width(const std::string& text, double height);
 
 // What the lines, arcs, points and texts of a drawing cover; all zero when there are none.
-DrawingBox extent_of(const Drawing& drawing);
+FlatBox extent_of(const Drawing& drawing);
 
 // Equal for lines that lie on each other to a hundredth of a millimetre, wherever a closed one begins and whichever way
 // it runs.

@@ -47,10 +47,10 @@ unsigned char western(char32_t code) {
 
 // Metres of the drawing to millimetres from the lower left corner of the paper.
 struct PaperPlace {
-  DrawingBox box;
+  FlatBox box;
   double mm;
   std::string operator()(FlatPoint p) const {
-    return decimal((p.x - box.min_x) / mm, 3) + " " + decimal((p.y - box.min_y) / mm, 3);
+    return decimal((p.x - box.min.x) / mm, 3) + " " + decimal((p.y - box.min.y) / mm, 3);
   }
 };
 

@@ -140,12 +140,12 @@ void add_fitting_text(DrawingText text, double room, Drawing& drawing) {
 }
 
 void add_sheet(const SheetText& text, Drawing& drawing) {
-  const DrawingBox box = extent_of(drawing);
+  const FlatBox box = extent_of(drawing);
   const double mm = drawing.paper_mm(1), width = box.width() / mm, height = box.height() / mm;
   const Paper paper = paper_for(std::max(width + 2 * kGap, kBlockWidth), height + 2 * kGap + kBlockHeight);
   const double free = paper.height - 2 * kMargin - kBlockHeight;
-  const double x0 = (box.min_x + box.max_x) / 2 - paper.width / 2 * mm;
-  const double y0 = (box.min_y + box.max_y) / 2 - (kMargin + kBlockHeight + free / 2) * mm;
+  const double x0 = (box.min.x + box.max.x) / 2 - paper.width / 2 * mm;
+  const double y0 = (box.min.y + box.max.y) / 2 - (kMargin + kBlockHeight + free / 2) * mm;
   drawing.sheet = {x0, y0, x0 + paper.width * mm, y0 + paper.height * mm};
   PaperPen pen(drawing, x0, y0);
   pen.box(kMargin, kMargin, paper.width - kMargin, paper.height - kMargin, DrawingRole::frame);

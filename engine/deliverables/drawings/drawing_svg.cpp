@@ -19,10 +19,10 @@ constexpr double kAroundPlan = 3;         // mm
 
 // Metres of the drawing to millimetres of the paper, y down.
 struct PaperPlace {
-  DrawingBox box;
+  FlatBox box;
   double mm;  // metres of a millimetre
-  std::string x(double v) const { return decimal((v - box.min_x) / mm, 3); }
-  std::string y(double v) const { return decimal((box.max_y - v) / mm, 3); }
+  std::string x(double v) const { return decimal((v - box.min.x) / mm, 3); }
+  std::string y(double v) const { return decimal((box.max.y - v) / mm, 3); }
   std::string length(double v) const { return decimal(v / mm, 3); }
 };
 
@@ -128,9 +128,9 @@ Drawing plan_of(const Drawing& drawing) {
   Drawing plan = drawing;
   std::erase_if(plan.lines, [](const DrawingLine& line) { return line.is_sample || is_paper(line.role); });
   std::erase_if(plan.texts, [](const DrawingText& text) { return is_paper(text.role); });
-  const DrawingBox box = extent_of(plan);
+  const FlatBox box = extent_of(plan);
   const double around = plan.paper_mm(kAroundPlan);
-  plan.sheet = {box.min_x - around, box.min_y - around, box.max_x + around, box.max_y + around};
+  plan.sheet = box.grown(around);
   return plan;
 }
 
@@ -149,7 +149,7 @@ std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPa
     svg += fmt::format(
         "<image class=\"underlay\" href=\"{}\" x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
         "preserveAspectRatio=\"none\"/>\n",
-        escaped_markup(underlay->link), at.x(underlay->place.min_x), at.y(underlay->place.max_y),
+        escaped_markup(underlay->link), at.x(underlay->place.min.x), at.y(underlay->place.max.y),
         at.length(underlay->place.width()), at.length(underlay->place.height()));
   for (std::size_t i = 0; i < kDrawingRoles; ++i) {
     const auto role = static_cast<DrawingRole>(i);

@@ -14,7 +14,7 @@ namespace ilot {
 // An image under the lines: a link, relative to the SVG, and where it lies in the drawing.
 struct SvgUnderlay {
   std::string link;
-  DrawingBox place;
+  FlatBox place;
 };
 
 // A stretch of a line that has something to tell: a title to be read where the pointer is, in a group over everything.

@@ -62,17 +62,17 @@ std::string dxf_text(const std::string& text) {
 
 void write_header(Tags& tags, const Drawing& drawing, unsigned next_handle) {
   tags.words({{0, "SECTION"}, {2, "HEADER"}, {9, "$ACADVER"}, {1, "AC1015"}, {9, "$DWGCODEPAGE"}, {3, "ANSI_1252"}});
-  const DrawingBox box = extent_of(drawing);
+  const FlatBox box = extent_of(drawing);
   const auto corner = [&](const char* name, double x, double y, bool deep) {
     tags.add(9, name);
     deep ? tags.point3(10, x, y) : tags.point(10, x, y);
   };
   tags.words({{9, "$INSBASE"}});
   tags.point3(10, 0, 0);
-  corner("$EXTMIN", box.min_x, box.min_y, true);
-  corner("$EXTMAX", box.max_x, box.max_y, true);
-  corner("$LIMMIN", drawing.sheet.min_x, drawing.sheet.min_y, false);
-  corner("$LIMMAX", drawing.sheet.max_x, drawing.sheet.max_y, false);
+  corner("$EXTMIN", box.min.x, box.min.y, true);
+  corner("$EXTMAX", box.max.x, box.max.y, true);
+  corner("$LIMMIN", drawing.sheet.min.x, drawing.sheet.min.y, false);
+  corner("$LIMMAX", drawing.sheet.max.x, drawing.sheet.max.y, false);
   // The size of the paper, in metres of paper.
   const double paper = 1 / drawing.scale;
   corner("$PLIMMIN", 0, 0, false);
@@ -135,7 +135,7 @@ void write_view(Tags& tags, const Drawing& drawing) {
   const double width = std::max(drawing.sheet.width(), 1e-3), height = std::max(drawing.sheet.height(), 1e-3);
   tags.point(10, 0, 0);
   tags.point(11, 1, 1);
-  tags.point(12, (drawing.sheet.min_x + drawing.sheet.max_x) / 2, (drawing.sheet.min_y + drawing.sheet.max_y) / 2);
+  tags.point(12, (drawing.sheet.min.x + drawing.sheet.max.x) / 2, (drawing.sheet.min.y + drawing.sheet.max.y) / 2);
   tags.point(13, 0, 0);
   tags.point(14, 0.5, 0.5);
   tags.point(15, 0.5, 0.5);
@@ -362,12 +362,12 @@ void write_layout(Tags& tags, const Drawing& drawing, const char* handle, const 
   tags.words({{100, "AcDbLayout"}, {1, name}});
   tags.add(70, 1);
   tags.add(71, paper ? 1 : 0);
-  const DrawingBox box = paper ? DrawingBox{0, 0, 12, 9} : drawing.sheet;
-  tags.point(10, box.min_x, box.min_y);
-  tags.point(11, box.max_x, box.max_y);
+  const FlatBox box = paper ? FlatBox{{0, 0}, {12, 9}} : drawing.sheet;
+  tags.point(10, box.min.x, box.min.y);
+  tags.point(11, box.max.x, box.max.y);
   tags.point3(12, 0, 0);
-  tags.point3(14, box.min_x, box.min_y);
-  tags.point3(15, box.max_x, box.max_y);
+  tags.point3(14, box.min.x, box.min.y);
+  tags.point3(15, box.max.x, box.max.y);
   tags.number(146, 0);
   tags.point3(13, 0, 0);
   tags.point3(16, 1, 0);

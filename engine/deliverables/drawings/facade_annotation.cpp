@@ -19,21 +19,8 @@ std::string in_centimetres(double metres) {
   return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
 }
 
-DrawingBox grown(const DrawingBox& b, double by) {
-  return {b.min_x - by, b.min_y - by, b.max_x + by, b.max_y + by};
-}
-
-bool overlap(const DrawingBox& a, const DrawingBox& b) {
-  return a.min_x < b.max_x && b.min_x < a.max_x && a.min_y < b.max_y && b.min_y < a.max_y;
-}
-
-bool holds(const DrawingBox& outer, const DrawingBox& inner) {
-  return outer.min_x <= inner.min_x && inner.max_x <= outer.max_x && outer.min_y <= inner.min_y &&
-         inner.max_y <= outer.max_y;
-}
-
 // Does the segment meet the box? By clipping it to the four sides.
-bool meets(FlatPoint a, FlatPoint b, const DrawingBox& box) {
+bool meets(FlatPoint a, FlatPoint b, const FlatBox& box) {
   double from = 0, to = 1;
   const auto clip = [&](double start, double way, double low, double high) {
     if (way == 0) return start >= low && start <= high;
@@ -42,7 +29,7 @@ bool meets(FlatPoint a, FlatPoint b, const DrawingBox& box) {
     to = std::min(to, std::max(t0, t1));
     return from <= to;
   };
-  return clip(a.x, b.x - a.x, box.min_x, box.max_x) && clip(a.y, b.y - a.y, box.min_y, box.max_y);
+  return clip(a.x, b.x - a.x, box.min.x, box.max.x) && clip(a.y, b.y - a.y, box.min.y, box.max.y);
 }
 
 bool is_inside(FlatPoint p, const std::vector<FlatPoint>& ring) {
@@ -60,38 +47,38 @@ class FreePlaces {
   explicit FreePlaces(std::span<const FlatElement> flat) {
     for (const FlatElement& element : flat) rings_.push_back({element.box, chords_of(element)});
   }
-  bool is_free(const DrawingBox& box) const {
-    for (const DrawingBox& text : taken_)
-      if (overlap(text, box)) return false;
+  bool is_free(const FlatBox& box) const {
+    for (const FlatBox& text : taken_)
+      if (text.overlaps(box)) return false;
     for (const auto& [around, ring] : rings_) {
-      if (!overlap(around, box)) continue;
+      if (!around.overlaps(box)) continue;
       for (std::size_t i = 0; i < ring.size(); ++i)
         if (meets(ring[i], ring[(i + 1) % ring.size()], box)) return false;
     }
     return true;
   }
-  bool is_inside_of(std::size_t element, const DrawingBox& box) const {
-    return is_inside({(box.min_x + box.max_x) / 2, (box.min_y + box.max_y) / 2}, rings_[element].second);
+  bool is_inside_of(std::size_t element, const FlatBox& box) const {
+    return is_inside(box.middle(), rings_[element].second);
   }
-  void take(const DrawingBox& box) { taken_.push_back(box); }
+  void take(const FlatBox& box) { taken_.push_back(box); }
 
  private:
-  std::vector<std::pair<DrawingBox, std::vector<FlatPoint>>> rings_;
-  std::vector<DrawingBox> taken_;
+  std::vector<std::pair<FlatBox, std::vector<FlatPoint>>> rings_;
+  std::vector<FlatBox> taken_;
 };
 
 // A text or two, one below the other, centred in a box.
-std::optional<DrawingBox> place_label(const std::vector<std::string>& lines, double height, std::size_t element,
-                                      const FlatElement& flat, const FreePlaces& places, const Drawing& drawing) {
+std::optional<FlatBox> place_label(const std::vector<std::string>& lines, double height, std::size_t element,
+                                   const FlatElement& flat, const FreePlaces& places, const Drawing& drawing) {
   double width = 0;
   for (const std::string& line : lines) width = std::max(width, text_width(line, height));
   const double tall = height * (1.6 * static_cast<double>(lines.size()) - 0.6), air = drawing.paper_mm(kAround);
   for (const double up : {0.5, 0.25, 0.75})
     for (const double right : {0.5, 0.25, 0.75}) {
-      const double x = flat.box.min_x + right * flat.box.width(), y = flat.box.min_y + up * flat.box.height();
-      const DrawingBox box{x - width / 2, y - tall / 2, x + width / 2, y + tall / 2};
-      const DrawingBox airy = grown(box, air);
-      if (holds(flat.box, airy) && places.is_inside_of(element, box) && places.is_free(airy)) return box;
+      const double x = flat.box.min.x + right * flat.box.width(), y = flat.box.min.y + up * flat.box.height();
+      const FlatBox box{{x - width / 2, y - tall / 2}, {x + width / 2, y + tall / 2}};
+      const FlatBox airy = box.grown(air);
+      if (flat.box.contains(airy) && places.is_inside_of(element, box) && places.is_free(airy)) return box;
     }
   return std::nullopt;
 }
@@ -244,8 +231,8 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
       const auto box = place_label(lines, height, i, flat[i], places, drawing);
       if (!box) continue;
       for (std::size_t k = 0; k < lines.size(); ++k)
-        drawing.texts.push_back({DrawingRole::number, (box->min_x + box->max_x) / 2,
-                                 box->max_y - height * (1 + 1.6 * static_cast<double>(k)), height, 0,
+        drawing.texts.push_back({DrawingRole::number, (box->min.x + box->max.x) / 2,
+                                 box->max.y - height * (1 + 1.6 * static_cast<double>(k)), height, 0,
                                  TextAnchor::middle, lines[k]});
       places.take(*box);
       break;
@@ -253,11 +240,11 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
   }
 }
 
-void add_levels(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing) {
+void add_levels(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing) {
   std::vector<double> heights;
   for (std::size_t i = 0; i < flat.size(); ++i)
     if (has_level(facade.elements[i]) && !flat[i].corners.empty()) {
-      heights.insert(heights.end(), {flat[i].box.min_y, flat[i].box.max_y});
+      heights.insert(heights.end(), {flat[i].box.min.y, flat[i].box.max.y});
       if (facade.elements[i].kind == "outline")  // feet of gables, steps
         for (const DrawingCorner& corner : flat[i].corners) heights.push_back(corner.y);
     }
@@ -272,7 +259,7 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const D
     i = end;
   }
   const std::vector<double> places = spread(levels, 1.5 * height);
-  const double x0 = plan.max_x + drawing.paper_mm(2), lead = drawing.paper_mm(kLead);
+  const double x0 = plan.max.x + drawing.paper_mm(2), lead = drawing.paper_mm(kLead);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     drawing.lines.push_back(
         {DrawingRole::level,
@@ -283,17 +270,17 @@ void add_levels(const Facade& facade, std::span<const FlatElement> flat, const D
   }
 }
 
-void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing) {
+void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing) {
   std::vector<Extent> across, up;
   for (std::size_t i = 0; i < flat.size(); ++i) {
     const FacadeElement& e = facade.elements[i];
     if (!is_opening(e) || e.status == DrawnStatus::occluded || flat[i].corners.size() < 3) continue;
-    across.push_back({flat[i].box.min_x, flat[i].box.max_x});
-    up.push_back({flat[i].box.min_y, flat[i].box.max_y});
+    across.push_back({flat[i].box.min.x, flat[i].box.max.x});
+    up.push_back({flat[i].box.min.y, flat[i].box.max.y});
   }
   const double least = drawing.paper_mm(kSameLevel), offset = drawing.paper_mm(kOffset),
                step = drawing.paper_mm(kChain);
-  const Extent wide{plan.min_x, plan.max_x}, tall{plan.min_y, plan.max_y};
+  const Extent wide{plan.min.x, plan.max.x}, tall{plan.min.y, plan.max.y};
   const auto picked = [](const std::vector<Extent>& from, const std::vector<std::size_t>& group) {
     std::vector<Extent> chosen;
     for (const std::size_t i : group) chosen.push_back(from[i]);
@@ -309,14 +296,14 @@ void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, con
   const auto horizontal = [&](double at, double outwards, const std::vector<double>& stops) {
     ChainPen(ChainPen::Way::horizontal, at, outwards, drawing).draw(stops);
   };
-  double below = plan.min_y - offset, left = plan.min_x - offset;
+  double below = plan.min.y - offset, left = plan.min.x - offset;
   std::vector<double> lowest;
   if (!rows.empty()) {
     lowest = stops_of(picked(across, rows[0]), wide, least);
     horizontal(below, -1, lowest);
     below -= step;
     const std::vector<double> stops = stops_of(picked(across, rows[fullest(rows)]), wide, least);
-    if (stops != lowest) horizontal(plan.max_y + offset, 1, stops);
+    if (stops != lowest) horizontal(plan.max.y + offset, 1, stops);
     ChainPen(ChainPen::Way::vertical, left, -1, drawing)
         .draw(stops_of(picked(up, columns[fullest(columns)]), tall, least));
     left -= step;

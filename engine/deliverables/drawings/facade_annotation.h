@@ -13,11 +13,11 @@ void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawin
 
 // Heights of tops and bottoms of openings, bands, balconies and the outline, right of the plan, once each within half a
 // millimetre on paper, moved apart where they would overlap and led to where they belong.
-void add_levels(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing);
+void add_levels(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing);
 
 // Chains over the openings: of the lowest row below the plan and of the fullest row above it (where that is another),
 // of the fullest column left of it, with the overall sizes. Rows and columns are openings of which half of the smaller
 // one's extent is common.
-void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const DrawingBox& plan, Drawing& drawing);
+void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing);
 
 }  // namespace ilot

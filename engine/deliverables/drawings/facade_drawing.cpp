@@ -11,21 +11,16 @@
 #include "engine/deliverables/drawings/facade_plan.h"
 #include "engine/version.h"
 #include "kernels/core/portable_math.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
 
-DrawingBox box_of(const std::vector<FlatElement>& flat) {
-  DrawingBox box;
-  bool empty = true;
-  for (const FlatElement& e : flat) {
-    if (e.corners.empty()) continue;
-    box = empty ? e.box
-                : DrawingBox{std::min(box.min_x, e.box.min_x), std::min(box.min_y, e.box.min_y),
-                             std::max(box.max_x, e.box.max_x), std::max(box.max_y, e.box.max_y)};
-    empty = false;
-  }
-  return box;
+FlatBox box_of(const std::vector<FlatElement>& flat) {
+  FlatBox box = FlatBox::none();
+  for (const FlatElement& e : flat)
+    if (!e.corners.empty()) box.add_box(e.box);
+  return box.is_empty() ? FlatBox{} : box;
 }
 
 void add_errors(const std::vector<FlatElement>& flat, const Facade& facade, Drawing& drawing) {
@@ -102,10 +97,7 @@ double edge_error_95(const Facade& facade) {
   for (const FacadeElement& e : facade.elements)
     for (const FacadeEdge& edge : e.edges)
       if (edge.error_m > 0) errors.push_back(edge.error_m);
-  if (errors.empty()) return 0;
-  const auto at = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() * 95 + 99) / 100 - 1);
-  std::nth_element(errors.begin(), at, errors.end());
-  return *at;
+  return errors.empty() ? 0 : nth_smallest(errors, (errors.size() * 95 + 99) / 100 - 1);
 }
 
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) {
@@ -119,7 +111,7 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
   add_errors(flat, facade, drawing);
   drop_repeated_lines(drawing);
   const auto legend = legend_of(drawing);
-  const DrawingBox plan = box_of(flat);
+  const FlatBox plan = box_of(flat);
   add_numbers(facade, flat, drawing);
   add_levels(facade, flat, plan, drawing);
   add_dimensions(facade, flat, plan, drawing);

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/geometry/ring.h"
 
 namespace ilot {
 namespace {
@@ -20,10 +21,6 @@ constexpr double kHatchMm = 2.5;      // between lines, on paper
 constexpr int kMostHatchLines = 400;  // of one element; beyond them they lie wider apart
 constexpr double kLargest = 1e6;      // metres; what is larger is no facade's
 constexpr double kLongestCorner = 4;  // of a widened ring, in errors
-
-double distance(FlatPoint a, FlatPoint b) {
-  return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
-}
 
 FlatPoint place_of(const DrawingCorner& c) {
   return {c.x, c.y};
@@ -125,21 +122,14 @@ bool join_on_arc(const FlatArc& arc, std::vector<DrawingCorner>& corners, std::v
   return true;
 }
 
-double doubled_area(const std::vector<DrawingCorner>& ring) {
-  double area = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const DrawingCorner &a = ring[i], &b = ring[(i + 1) % ring.size()];
-    area += (a.x - ring[0].x) * (b.y - ring[0].y) - (b.x - ring[0].x) * (a.y - ring[0].y);
-  }
-  return area;
+double doubled_area_of(const std::vector<DrawingCorner>& ring) {
+  return doubled_area<double>(ring.size(), [&](std::size_t i) { return place_of(ring[i]); });
 }
 
-DrawingBox box_of(const std::vector<FlatPoint>& points) {
-  if (points.empty()) return {};
-  DrawingBox box{points[0].x, points[0].y, points[0].x, points[0].y};
-  for (const FlatPoint& p : points)
-    box = {std::min(box.min_x, p.x), std::min(box.min_y, p.y), std::max(box.max_x, p.x), std::max(box.max_y, p.y)};
-  return box;
+FlatBox box_of(const std::vector<FlatPoint>& points) {
+  FlatBox box = FlatBox::none();
+  for (const FlatPoint& p : points) box.add(p);
+  return box.is_empty() ? FlatBox{} : box;
 }
 
 // Runs of edges of one status, from where the status changes.
@@ -257,7 +247,7 @@ FlatElement flat_element(const Facade& facade, const FacadeElement& element, dou
     flat.corners.pop_back();
     flat.edges.pop_back();
   }
-  if (doubled_area(flat.corners) < 0) {
+  if (doubled_area_of(flat.corners) < 0) {
     std::reverse(flat.corners.begin(), flat.corners.end());
     std::reverse(flat.edges.begin(), flat.edges.end());
     std::rotate(flat.edges.begin(), flat.edges.begin() + 1, flat.edges.end());

@@ -26,7 +26,7 @@ struct FlatElement {
   std::vector<DrawingCorner> corners;  // counter-clockwise
   std::vector<FacadeEdge> edges;       // as many; of an arc the largest figures of its stretches, the least cover
   std::vector<DrawingArc> arcs;        // those that no stretch of the ring lies on
-  DrawingBox box;
+  FlatBox box;
 };
 FlatElement flat_element(const Facade& facade, const FacadeElement& element, double metres_per_unit);
 

@@ -30,21 +30,16 @@ std::vector<Vec3> wall_ring(const Facade& facade, const std::vector<FlatPoint>& 
 // Even-odd: the outline and the openings in it are rings of one face.
 SectionFace wall_face(const Facade& facade, double metres) {
   SectionFace wall;
-  DrawingBox box;
-  bool empty = true;
+  FlatBox box = FlatBox::none();
   for (const FacadeElement& e : facade.elements) {
     const FlatElement flat = flat_element(facade, e, metres);
     if (flat.corners.empty()) continue;
     if (e.kind == "outline") wall.rings.push_back(wall_ring(facade, chords_of(flat), metres));
-    box = empty ? flat.box
-                : DrawingBox{std::min(box.min_x, flat.box.min_x), std::min(box.min_y, flat.box.min_y),
-                             std::max(box.max_x, flat.box.max_x), std::max(box.max_y, flat.box.max_y)};
-    empty = false;
+    box.add_box(flat.box);
   }
+  if (box.is_empty()) box = {};
   if (wall.rings.empty())
-    wall.rings.push_back(wall_ring(
-        facade, {{box.min_x, box.min_y}, {box.max_x, box.min_y}, {box.max_x, box.max_y}, {box.min_x, box.max_y}},
-        metres));
+    wall.rings.push_back(wall_ring(facade, {box.min, {box.max.x, box.min.y}, box.max, {box.min.x, box.max.y}}, metres));
   for (const FacadeElement& e : facade.elements)
     if (e.status != DrawnStatus::occluded && e.kind != "outline" && is_hole(facade, e, metres))
       wall.rings.push_back(wall_ring(facade, chords_of(flat_element(facade, e, metres)), metres));

@@ -11,8 +11,10 @@
 #include <cmath>
 #include <string>
 
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/error.h"
 #include "engine/whole_file.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -21,8 +23,6 @@ constexpr int kPictureSide = 480;  // of a panel at least, in pixels of the pict
 constexpr int kGap = 8;            // between panels
 
 using Colour = std::array<std::uint8_t, 3>;
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 [[noreturn]] void fail(const std::filesystem::path& path) {
   throw Error(path.string() + ": cannot be written: " + CPLGetLastErrorMsg());
@@ -138,10 +138,7 @@ void write_png(const std::filesystem::path& path, const DensityMap& map) {
 
 // The value that a share of the others does not exceed; none of nothing.
 double quantile(std::vector<float> values, double share) {
-  if (values.empty()) return std::nan("");
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
+  return values.empty() ? std::nan("") : static_cast<double>(lower_quantile(values, share));
 }
 
 std::string number(double value) {

@@ -12,6 +12,7 @@
 #include <numeric>
 
 #include "engine/deliverables/drawings/facade_plan.h"
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/error.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -26,55 +27,48 @@ namespace {
 constexpr double kStep = 1e-4;  // metres, of distances from the wall
 constexpr double kCounted = 4;  // metres along a side of the parts whose points are counted at a time
 
-DrawingBox extent_of(const Facade& facade, const FacadeImageParams& params) {
+FlatBox extent_of(const Facade& facade, const FacadeImageParams& params) {
   const FlatPoint origin = flat_place(facade, facade.origin, params.metres_per_unit);
-  DrawingBox box{origin.x, origin.y, origin.x + facade.width_m, origin.y + facade.height_m};
-  bool empty = true;
+  FlatBox box = FlatBox::none();
   for (const FacadeElement& e : facade.elements)
-    for (const Vec3& corner : e.ring) {
-      const FlatPoint p = flat_place(facade, corner, params.metres_per_unit);
-      if (empty) box = {p.x, p.y, p.x, p.y};
-      empty = false;
-      box = {std::min(box.min_x, p.x), std::min(box.min_y, p.y), std::max(box.max_x, p.x), std::max(box.max_y, p.y)};
-    }
-  const double by = params.around_m;
-  return {box.min_x - by, box.min_y - by, box.max_x + by, box.max_y + by};
+    for (const Vec3& corner : e.ring) box.add(flat_place(facade, corner, params.metres_per_unit));
+  if (box.is_empty()) box = {origin, {origin.x + facade.width_m, origin.y + facade.height_m}};
+  return box.grown(params.around_m);
 }
 
 // About what may show in a part of the drawing: from its plane back to CRS units.
-PointBox box_about(const Facade& facade, const DrawingBox& part, const FacadeImageParams& params) {
+Box3<Vec3> box_about(const Facade& facade, const FlatBox& part, const FacadeImageParams& params) {
   constexpr double kRounding = 0.001;  // metres: no point at its border may be lost
   const double units = 1 / params.metres_per_unit;
-  PointBox box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
-  for (const double x : {part.min_x - kRounding, part.max_x + kRounding})
-    for (const double y : {part.min_y - kRounding, part.max_y + kRounding})
+  auto box = Box3<Vec3>::none();
+  for (const double x : {part.min.x - kRounding, part.max.x + kRounding})
+    for (const double y : {part.min.y - kRounding, part.max.y + kRounding})
       for (const double out : {-params.behind_m - kRounding, params.front_m + kRounding}) {
         const Vec3 p = facade.origin + (x * units) * facade.right + (y * units - facade.origin.z) * facade.up +
                        (out * units) * facade.out;
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+        box.add(p);
       }
   return box;
 }
 
 // Parts of a box along both axes, ends left out where the next one begins.
-std::vector<DrawingBox> parts_of(const DrawingBox& box, double longest) {
+std::vector<FlatBox> parts_of(const FlatBox& box, double longest) {
   constexpr double kMost = 64;
   const auto pieces = [&](double length) { return std::clamp(std::ceil(length / longest), 1.0, kMost); };
   const double across = pieces(box.width()), up = pieces(box.height());
-  std::vector<DrawingBox> parts;
+  std::vector<FlatBox> parts;
   const auto at = [](double from, double to, double step, double steps) {
     return step == steps ? to : from + (to - from) * (step / steps);
   };
   for (double r = 0; r < up; ++r)
     for (double c = 0; c < across; ++c)
-      parts.push_back({at(box.min_x, box.max_x, c, across), at(box.min_y, box.max_y, r, up),
-                       at(box.min_x, box.max_x, c + 1, across), at(box.min_y, box.max_y, r + 1, up)});
+      parts.push_back({at(box.min.x, box.max.x, c, across), at(box.min.y, box.max.y, r, up),
+                       at(box.min.x, box.max.x, c + 1, across), at(box.min.y, box.max.y, r + 1, up)});
   return parts;
 }
 
-std::uint64_t count_points(const Facade& facade, const PointSource& source, const DrawingBox& extent,
-                           const DrawingBox& part, const FacadeImageParams& params) {
+std::uint64_t count_points(const Facade& facade, const PointSource& source, const FlatBox& extent, const FlatBox& part,
+                           const FacadeImageParams& params) {
   std::uint64_t inside = 0;
   const auto within = [](double v, double low, double high, double last) {
     return v >= low && (v < high || (v == high && high == last));
@@ -83,17 +77,17 @@ std::uint64_t count_points(const Facade& facade, const PointSource& source, cons
     for (const ImagePoint& point : points) {
       const FlatPoint p = flat_place(facade, point.position, params.metres_per_unit);
       const double out = params.metres_per_unit * dot(point.position - facade.origin, facade.out);
-      inside += within(p.x, part.min_x, part.max_x, extent.max_x) &&
-                within(p.y, part.min_y, part.max_y, extent.max_y) && out <= params.front_m && out >= -params.behind_m;
+      inside += within(p.x, part.min.x, part.max.x, extent.max.x) &&
+                within(p.y, part.min.y, part.max.y, extent.max.y) && out <= params.front_m && out >= -params.behind_m;
     }
   });
   return inside;
 }
 
 // The mean distance of points, rounded up to 1, 2 or 5 in its decade.
-double mean_distance(const Facade& facade, const PointSource& source, const DrawingBox& extent,
+double mean_distance(const Facade& facade, const PointSource& source, const FlatBox& extent,
                      const FacadeImageParams& params) {
-  const std::vector<DrawingBox> parts = params.tile > 0 ? parts_of(extent, kCounted) : std::vector<DrawingBox>{extent};
+  const std::vector<FlatBox> parts = params.tile > 0 ? parts_of(extent, kCounted) : std::vector<FlatBox>{extent};
   std::vector<std::uint64_t> counts(parts.size());
   parallel_for(parts.size(),
                [&](std::size_t i) { counts[i] = count_points(facade, source, extent, parts[i], params); });
@@ -107,12 +101,12 @@ double mean_distance(const Facade& facade, const PointSource& source, const Draw
 }
 
 // Pixels with corners at multiples of their size.
-FacadeImage blank_image(const DrawingBox& extent, double pixel_m, const FacadeImageParams& params) {
+FacadeImage blank_image(const FlatBox& extent, double pixel_m, const FacadeImageParams& params) {
   FacadeImage image;
   for (image.pixel_m = pixel_m;; image.pixel_m *= 2) {
     const double s = image.pixel_m;
-    const double left = std::floor(extent.min_x / s), right = std::max(std::ceil(extent.max_x / s), left + 1);
-    const double low = std::floor(extent.min_y / s), high = std::max(std::ceil(extent.max_y / s), low + 1);
+    const double left = std::floor(extent.min.x / s), right = std::max(std::ceil(extent.max.x / s), left + 1);
+    const double low = std::floor(extent.min.y / s), high = std::max(std::ceil(extent.max.y / s), low + 1);
     if (!std::isfinite(right - left) || !std::isfinite(high - low)) throw Error("a facade of no finite extent");
     if ((right - left) * (high - low) > static_cast<double>(params.most_pixels)) continue;
     image.width = static_cast<std::uint32_t>(right - left);
@@ -153,8 +147,8 @@ class Projector {
     for (const ImagePoint& point : points) {
       const FlatPoint p = flat_place(facade_, point.position, params_.metres_per_unit);
       const double out = params_.metres_per_unit * dot(point.position - facade_.origin, facade_.out);
-      const double column = std::floor((p.x - image_.place.min_x) / image_.pixel_m);
-      const double row = std::floor((image_.place.max_y - p.y) / image_.pixel_m);
+      const double column = std::floor((p.x - image_.place.min.x) / image_.pixel_m);
+      const double row = std::floor((image_.place.max.y - p.y) / image_.pixel_m);
       if (!(column >= part_.c0 && column < part_.c1 && row >= part_.r0 && row < part_.r1)) continue;
       if (!(out <= params_.front_m && out >= -params_.behind_m)) continue;
       const auto pixel =
@@ -187,8 +181,8 @@ struct PaintedPixels {
 PaintedPixels paint(const Facade& facade, const PointSource& source, const PixelBox& tile,
                     const FacadeImageParams& params, FacadeImage& image) {
   const PixelBox part = tile.grown(static_cast<std::uint32_t>(params.fill_rounds), image.width, image.height);
-  const double s = image.pixel_m, left = image.place.min_x, top = image.place.max_y;
-  const PointBox box =
+  const double s = image.pixel_m, left = image.place.min.x, top = image.place.max.y;
+  const Box3<Vec3> box =
       box_about(facade, {left + part.c0 * s, top - part.r1 * s, left + part.c1 * s, top - part.r0 * s}, params);
   FrontImage front(static_cast<std::size_t>(part.width()) * part.height());
   Projector project(facade, image, part, params);
@@ -220,12 +214,10 @@ PaintedPixels paint(const Facade& facade, const PointSource& source, const Pixel
 std::string world_file(const FacadeImage& image) {
   const double s = image.pixel_m;
   std::string text;
-  for (const double v : {s, 0.0, 0.0, -s, image.place.min_x + s / 2, image.place.max_y - s / 2})
+  for (const double v : {s, 0.0, 0.0, -s, image.place.min.x + s / 2, image.place.max.y - s / 2})
     text += decimal(v, 9) + "\n";
   return text;
 }
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 // The image as GDAL sees it, without a copy: it must live as long. Null when GDAL refuses.
 GDALDatasetUniquePtr picture_of(const FacadeImage& image) {
@@ -247,7 +239,7 @@ GDALDatasetUniquePtr picture_of(const FacadeImage& image) {
 }  // namespace
 
 FacadeImage facade_image(const Facade& facade, const PointSource& source, const FacadeImageParams& params) {
-  const DrawingBox extent = extent_of(facade, params);
+  const FlatBox extent = extent_of(facade, params);
   FacadeImage image =
       blank_image(extent, params.pixel_m > 0 ? params.pixel_m : mean_distance(facade, source, extent, params), params);
   image.rgba.resize(4 * static_cast<std::size_t>(image.width) * image.height);

@@ -10,6 +10,7 @@
 
 #include "engine/deliverables/drawings/drawing.h"
 #include "engine/model/facade.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 
@@ -18,15 +19,10 @@ struct ImagePoint {
   std::array<std::uint8_t, 3> colour{};  // of the point; its intensity as a grey where it has none
 };
 
-// A box of the CRS, closed.
-struct PointBox {
-  Vec3 min, max;
-};
-
 // Gives the facade's points in a box, and others if it likes, piece by piece, to what it is called with: the same
 // points each time that it is asked for a box, in any order and in pieces of any size. It is called for each part of a
 // picture two or three times; for several parts at once where these are asked for (FacadeImageParams::tile).
-using PointSource = std::function<void(const PointBox& box, const std::function<void(std::span<const ImagePoint>)>&)>;
+using PointSource = std::function<void(const Box3<Vec3>& box, const std::function<void(std::span<const ImagePoint>)>&)>;
 
 enum class ImageShade : std::uint8_t { colour, relief };  // relief: the nearer to the street, the lighter
 
@@ -45,7 +41,7 @@ struct FacadeImageParams {
 struct FacadeImage {
   std::uint32_t width = 0, height = 0;
   double pixel_m = 0;
-  DrawingBox place;                // in the drawing
+  FlatBox place;                   // in the drawing
   std::vector<std::uint8_t> rgba;  // rows from the top, four bytes a pixel, 0 0 0 0 where nothing is known
   std::uint64_t points = 0, filled = 0, empty = 0;
 };

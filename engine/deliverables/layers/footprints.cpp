@@ -9,6 +9,7 @@
 #include <map>
 #include <set>
 
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
 #include "engine/formats/crs.h"
@@ -19,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::array<const char*, 5> kIdAttributes{"identificatie", "id", "building", "gid", "fid"};
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 Error usage(const fs::path& path, const std::string& sentence) {
   return Error(path.string() + ": " + sentence, ExitCode::usage);

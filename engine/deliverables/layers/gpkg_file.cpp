@@ -3,6 +3,7 @@
 
 #include <cpl_conv.h>
 
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
 
@@ -10,8 +11,6 @@ namespace ilot {
 namespace {
 
 constexpr int kFeaturesPerTransaction = 4096;
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 }  // namespace
 

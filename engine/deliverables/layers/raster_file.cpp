@@ -4,6 +4,7 @@
 #include <cpl_conv.h>
 #include <gdal_priv.h>
 
+#include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
 
@@ -13,8 +14,6 @@ namespace ilot {
 namespace {
 
 constexpr GIntBig kCacheBytes = 4 << 20;  // a tile is written at once: GDAL's share of the machine is not asked for
-
-void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 }  // namespace
 

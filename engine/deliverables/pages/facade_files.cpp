@@ -34,7 +34,7 @@ void write_sections(const std::filesystem::path& folder, const Facade& facade, c
   const std::vector<SectionFace> faces = facade_faces(facade, metres);
   std::vector<SectionPoints> points;
   for (const NamedSection& section : sections) points.emplace_back(section.plane, params.section_half_m, cell, metres);
-  constexpr PointBox kEverywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
+  constexpr Box3<Vec3> kEverywhere{{-INFINITY, -INFINITY, -INFINITY}, {INFINITY, INFINITY, INFINITY}};
   if (params.points)
     params.points(kEverywhere, [&](std::span<const ImagePoint> given) {
       std::vector<Vec3> places;

@@ -35,7 +35,7 @@ bool is_simple(const std::vector<FlatPoint>& ring) {
   for (const FlatPoint& p : ring) {
     const double x = (p.x - ring[0].x) / kLattice, y = (p.y - ring[0].y) / kLattice;
     if (!(std::abs(x) < kMaxPlaneCoordinate && std::abs(y) < kMaxPlaneCoordinate)) return false;
-    lattice.push_back({static_cast<std::int32_t>(std::lround(x)), static_cast<std::int32_t>(std::lround(y))});
+    lattice.push_back(lattice_point({x, y}, 1));
   }
   return ring.size() >= 3 && is_simple_ring(lattice);
 }

@@ -68,8 +68,8 @@ std::string facade_table(const Facade& facade, double metres_per_unit) {
     table += fmt::format(
         "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", facade.id, e.id,
         cell(e.kind), e.family, e.row, e.column, kStatus[static_cast<std::size_t>(e.status)], d(e.width_m),
-        d(e.height_m), d(e.depth_m), d(e.width_error_m), d(e.height_error_m), d(e.depth_error_m), d(flat.box.min_x),
-        d(flat.box.min_y), d(flat.box.max_y), e.edges.size(), count_edges(e, DrawnStatus::completed),
+        d(e.height_m), d(e.depth_m), d(e.width_error_m), d(e.height_error_m), d(e.depth_error_m), d(flat.box.min.x),
+        d(flat.box.min.y), d(flat.box.max.y), e.edges.size(), count_edges(e, DrawnStatus::completed),
         count_edges(e, DrawnStatus::occluded), d(largest(e, [](const FacadeEdge& edge) { return edge.error_m; })),
         least_support(e), d(largest(e, [](const FacadeEdge& edge) { return edge.rms_m; })),
         shares_of(e, metres_per_unit), d(largest(e, [](const FacadeEdge& edge) { return edge.moved_m; })),

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/quantile.h"
+
 namespace ilot {
 namespace {
 
@@ -24,9 +26,7 @@ bool is_usable(Vec3 p) {
 double median(const std::vector<Vec3>& points, double Vec3::*axis) {
   std::vector<double> values;
   for (const Vec3& p : points) values.push_back(p.*axis);
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upper_median(values);
 }
 
 double reach_of(Vec3 p, const std::array<double, 3>& offset) {

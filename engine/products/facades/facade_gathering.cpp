@@ -15,7 +15,7 @@ namespace {
 constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
 
 // The part of a box that another one in CRS units holds, and a step more.
-IndexBox within(const IndexBox& box, const PointBox& part, double unit) {
+IndexBox within(const IndexBox& box, const Box3<Vec3>& part, double unit) {
   const auto clamped = [&](double at, std::int64_t least, std::int64_t most) {
     return static_cast<std::int64_t>(std::clamp(at / unit, static_cast<double>(least), static_cast<double>(most)));
   };
@@ -196,7 +196,7 @@ GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall) {
 }
 
 PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
-  return [&work, around = box_around(work, wall)](const PointBox& asked,
+  return [&work, around = box_around(work, wall)](const Box3<Vec3>& asked,
                                                   const std::function<void(std::span<const ImagePoint>)>& take) {
     const double unit = work.store.unit();
     const IndexBox box = within(around, asked, unit);

@@ -12,6 +12,7 @@
 #include "engine/products/facades/rays/ray_samples.h"
 #include "engine/products/facades/walls/wall_groups.h"
 #include "engine/store/store.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

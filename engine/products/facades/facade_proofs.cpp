@@ -42,16 +42,15 @@ std::vector<Strip> strips_of(std::span<const FoundFacade> found, std::span<const
 }
 
 // Around a strip of a wall, CRS units.
-PointBox box_of(const FacadeWork& work, const WallGroup& wall, const Strip& strip) {
-  PointBox box{{INFINITY, INFINITY, INFINITY}, {-INFINITY, -INFINITY, -INFINITY}};
+Box3<Vec3> box_of(const FacadeWork& work, const WallGroup& wall, const Strip& strip) {
+  auto box = Box3<Vec3>::none();
   const double units = 1 / work.metres_per_unit;
   const FacadeAxes& axes = wall.axes;
   for (const double u : {strip.from, strip.to})
     for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
       for (const double w : {-work.behind, work.before}) {
         const Vec3 p = axes.origin + units * (u * axes.right + v * axes.up + w * axes.out);
-        box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-        box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+        box.add(p);
       }
   return box;
 }

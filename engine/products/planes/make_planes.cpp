@@ -15,6 +15,7 @@
 #include "engine/products/planes/join/join_pass.h"
 #include "engine/products/planes/join/label_pass.h"
 #include "kernels/core/portable_math.h"
+#include "kernels/core/quantile.h"
 #include "kernels/core/rng.h"
 #include "kernels/planes/plane_fit.h"
 
@@ -86,10 +87,7 @@ void find_neighbours(const Store& store, const std::vector<Cell>& cells, const C
 }
 
 double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return values.empty() ? 0 : upper_median(values);
 }
 
 std::size_t cells_searched_for_curved(const CellPlanes& found) {

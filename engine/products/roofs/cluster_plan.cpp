@@ -135,9 +135,7 @@ class Outliner {
     const std::vector<Vec3> points = points_of(cluster, x, y);
     std::vector<Point2> places;
     places.reserve(points.size());
-    for (const Vec3& p : points)
-      places.push_back({static_cast<std::int32_t>(std::lround(p.x * kMillimetresPerMetre)),
-                        static_cast<std::int32_t>(std::lround(p.y * kMillimetresPerMetre))});
+    for (const Vec3& p : points) places.push_back(lattice_point({p.x, p.y}, kMillimetresPerMetre));
     std::vector<SitePolygon> outlines = cluster_outline(places, params_);
     double area = 0;
     for (const SitePolygon& outline : outlines) area += area_of(outline);

@@ -4,17 +4,18 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/geometry/box3.h"
+
 namespace ilot {
 namespace {
 
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 constexpr double kGridMetres = 0.001;
 
 double lattice_step(const SiteWork& work) {
   return work.store.unit() * work.metres_per_unit;
 }
 
-IndexBox column_over(const SiteWork& work, const PlannedSite& site) {
+IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
   const double step = lattice_step(work);
   const double reach = reach_of(work.params);
   const auto low = [&](std::int64_t mm) {
@@ -24,7 +25,7 @@ IndexBox column_over(const SiteWork& work, const PlannedSite& site) {
     return static_cast<std::int64_t>(std::ceil((static_cast<double>(mm) * kGridMetres + reach) / step)) + 1;
   };
   const GridBox& box = site.outline.box;
-  return {{low(box.min_x), low(box.min_y), -kFar}, {high(box.max_x), high(box.max_y), kFar}};
+  return column_over(low(box.min_x), low(box.min_y), high(box.max_x), high(box.max_y));
 }
 
 // The site's outline and those within reach of it, seen from its anchor; `own` is its place among them.
@@ -57,13 +58,13 @@ SiteReader::Axis::Axis(std::int64_t anchor_mm, double unit_metres) : step(unit_m
 
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site) {
   if (work.sites[site].outline.polygon.empty()) return 0;
-  return plan_view(work.store, column_over(work, work.sites[site]), {}).size;
+  return plan_view(work.store, column_of_site(work, work.sites[site]), {}).size;
 }
 
 SiteReader::SiteReader(const SiteWork& work, std::size_t site)
     : work_(work),
       planned_(work.sites[site]),
-      box_(column_over(work, planned_)),
+      box_(column_of_site(work, planned_)),
       x_(planned_.outline.x, lattice_step(work)),
       y_(planned_.outline.y, lattice_step(work)),
       filter_(filter_of(work, site)) {}

@@ -13,6 +13,7 @@
 #include "engine/products/roofs/sites/site_points.h"
 #include "engine/store/store.h"
 #include "engine/units/unit_sample.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -9,6 +9,7 @@
 
 #include "engine/deliverables/layers/raster_file.h"
 #include "engine/deliverables/layers/raster_mosaic.h"
+#include "kernels/core/integers.h"
 
 namespace ilot {
 namespace {
@@ -35,9 +36,7 @@ struct Sheet {
 };
 
 std::vector<Sheet> sheets_of(const TileRaster& raster, TileBox& whole) {
-  const auto sheet_of = [](std::int64_t tile) {
-    return tile >= 0 ? tile / kMostTilesOfSheet : (tile + 1) / kMostTilesOfSheet - 1;
-  };
+  const auto sheet_of = [](std::int64_t tile) { return floor_divided(tile, kMostTilesOfSheet); };
   std::map<PointWindow, Sheet> by_place;
   for (std::size_t tile = 0; tile < raster.grid.count(); ++tile) whole.add(raster.window(tile));
   const bool one = whole.rows() <= kMostTilesOfSheet && whole.columns() <= kMostTilesOfSheet;

@@ -9,6 +9,8 @@
 #include "engine/pass/pass.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
+#include "kernels/core/integers.h"
+#include "kernels/geometry/box3.h"
 #include "kernels/rasters/nearest.h"
 #include "kernels/rasters/occupancy.h"
 
@@ -16,7 +18,6 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kSide = 512;
-constexpr std::int64_t kFar = std::int64_t{1} << 52;
 constexpr std::uint64_t kBytesDrawn = 16;            // per pixel of a tile that is drawn
 constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // of points as they are read, their chunks included
 constexpr double kFinestPixel = 0.05;                // metres
@@ -81,7 +82,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
     const auto [row, column] = windows[i];
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
-        store, {{column * side, row * side, -kFar}, {(column + 1) * side - 1, (row + 1) * side - 1, kFar}},
+        store, column_over(column * side, row * side, (column + 1) * side - 1, (row + 1) * side - 1),
         [&](Index3 p) { ++cells[std::size_t{cell_of(p.y - row * side)} * kCells + cell_of(p.x - column * side)]; });
     const std::lock_guard lock(mutex);
     for (const std::uint32_t n : cells)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/columns/normals_pass.h"
+#include "kernels/geometry/padded_points.h"
 
 #include <gtest/gtest.h>
 
@@ -36,18 +37,14 @@ std::vector<Index3> clustered_cloud(std::uint64_t key) {
 
 // Oracle: one kNN over all points, no blocks.
 std::vector<PackedNormal> over_all(const std::vector<Index3>& sorted, int k, std::int64_t radius) {
-  std::vector<float> x, y, z;
-  for (const Index3& p : sorted) {
-    x.push_back(static_cast<float>(p.x));
-    y.push_back(static_cast<float>(p.y));
-    z.push_back(static_cast<float>(p.z));
-  }
-  for (auto* v : {&x, &y, &z}) v->resize(sorted.size() + 16, 0.0f);
+  PaddedPoints all;
+  for (const Index3& p : sorted) all.add(static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z));
+  all.pad();
   std::vector<std::uint32_t> queries(sorted.size());
   std::iota(queries.begin(), queries.end(), 0u);
   std::vector<PackedNormal> out(sorted.size());
   std::vector<std::int64_t> reach2(sorted.size());
-  const NeighbourIndex index = build_neighbour_index({x.data(), y.data(), z.data(), sorted.size()});
+  const NeighbourIndex index = build_neighbour_index(all.points());
   normals(index, queries, {k, radius * radius}, out, reach2);
   return out;
 }

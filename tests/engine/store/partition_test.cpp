@@ -20,8 +20,7 @@ constexpr std::int64_t kMost = INT64_MAX, kLeast = INT64_MIN;
 IndexBox bounds(std::span<const Index3> points) {
   IndexBox box{{kMost, kMost, kMost}, {kLeast, kLeast, kLeast}};
   for (const Index3& p : points) {
-    box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), std::min(box.min.z, p.z)};
-    box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), std::max(box.max.z, p.z)};
+    box.add(p);
   }
   return box;
 }

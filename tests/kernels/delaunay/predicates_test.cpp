@@ -24,15 +24,15 @@ Big big_in_circle(Point2 a, Point2 b, Point2 c, Point2 d) {
 }
 
 TEST(Predicates, OrientationOfThreePoints) {
-  EXPECT_EQ(orient2d({0, 0}, {4, 0}, {0, 3}), 12);
-  EXPECT_EQ(orient2d({0, 0}, {0, 3}, {4, 0}), -12);
-  EXPECT_EQ(orient2d({1, 1}, {2, 3}, {3, 5}), 0);
+  EXPECT_EQ(orient2d(Point2{0, 0}, {4, 0}, {0, 3}), 12);
+  EXPECT_EQ(orient2d(Point2{0, 0}, {0, 3}, {4, 0}), -12);
+  EXPECT_EQ(orient2d(Point2{1, 1}, {2, 3}, {3, 5}), 0);
 }
 
 TEST(Predicates, TheWholeRangeIsExact) {
   const std::int32_t far = kMaxPlaneCoordinate;
-  EXPECT_EQ(orient2d({-far, -far}, {far, -far}, {far, far}), std::int64_t{1} << 60);
-  EXPECT_EQ(orient2d({-far, -far}, {far, far}, {far, far - 1}), -(std::int64_t{1} << 30));
+  EXPECT_EQ(orient2d(Point2{-far, -far}, {far, -far}, {far, far}), std::int64_t{1} << 60);
+  EXPECT_EQ(orient2d(Point2{-far, -far}, {far, far}, {far, far - 1}), -(std::int64_t{1} << 30));
   EXPECT_TRUE(in_circle({-far, -far}, {far, -far}, {far, far}, {-far + 1, far}));
   EXPECT_TRUE(in_circle({-far, -far}, {far, -far}, {-far, far}, {far, far - 1}));
   EXPECT_FALSE(in_circle({-far, -far}, {far, -far}, {far, far - 1}, {-far, far}));

@@ -88,13 +88,8 @@ TEST(Knn, PointsAsFarApartAsOffsetsAllow) {
                                                   {-e, -e, e},  {e, -e, e},  {-e, e, e},  {e, e, e}};
   test::PointSet set;
   for (int i = 0; i < 5; ++i)
-    for (const auto& c : corners) {
-      set.x.push_back(c[0] + static_cast<float>(i * 900));
-      set.y.push_back(c[1] - static_cast<float>(i * 70));
-      set.z.push_back(c[2]);
-    }
-  set.size = set.x.size();
-  for (auto* v : {&set.x, &set.y, &set.z}) v->resize(set.size + 16, 0.0f);
+    for (const auto& c : corners) set.add(c[0] + static_cast<float>(i * 900), c[1] - static_cast<float>(i * 70), c[2]);
+  set.pad();
   for (const KnnParams params :
        {KnnParams{2, kMaxSquaredReach}, KnnParams{5, kMaxSquaredReach}, KnnParams{6, kMaxSquaredReach}}) {
     const Answer got = run_knn(set.view(), test::all_of(set.size), params);

@@ -13,10 +13,6 @@ namespace {
 
 using Rings = std::vector<std::vector<std::uint32_t>>;
 
-double turn(FlatPoint a, FlatPoint b, FlatPoint c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
 double ring_area(const std::vector<FlatPoint>& points, const std::vector<std::uint32_t>& ring) {
   double sum = 0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
@@ -37,8 +33,8 @@ void expect_cover(const std::vector<FlatPoint>& points, const Rings& rings) {
   }
   EXPECT_EQ(triangles.size(), corners - 2);
   for (const auto& [a, b, c] : triangles) {
-    EXPECT_GE(turn(points[a], points[b], points[c]), 0);
-    area += turn(points[a], points[b], points[c]) / 2;
+    EXPECT_GE(orient2d(points[a], points[b], points[c]), 0);
+    area += orient2d(points[a], points[b], points[c]) / 2;
   }
   EXPECT_NEAR(area, wanted, 1e-9 * (1 + wanted));
 }

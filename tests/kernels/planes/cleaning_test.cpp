@@ -2,6 +2,7 @@
 #include "kernels/planes/cleaning.h"
 
 #include "kernels/core/radix_sort.h"
+#include "kernels/geometry/padded_points.h"
 #include "tests/support/segment_sets.h"
 
 namespace ilot {
@@ -73,10 +74,8 @@ Scan scan(std::uint64_t key) {
   return s;
 }
 
-struct Lattice {
-  std::vector<float> x, y, z;
+struct Lattice : PaddedPoints {
   std::vector<bool> mixed;
-  Points view() const { return {x.data(), y.data(), z.data(), mixed.size()}; }
 };
 
 Lattice lattice(const Scan& s) {
@@ -85,12 +84,12 @@ Lattice lattice(const Scan& s) {
   const auto whole = [](double v) { return static_cast<std::uint32_t>(std::nearbyint(v) + 100000); };
   for (const Vec3& p : s.points) codes.push_back(morton_code({whole(p.x), whole(p.y), whole(p.z)}));
   for (const std::uint32_t i : sorted_order(codes)) {
-    l.x.push_back(static_cast<float>(std::nearbyint(s.points[i].x)));
-    l.y.push_back(static_cast<float>(std::nearbyint(s.points[i].y)));
-    l.z.push_back(static_cast<float>(std::nearbyint(s.points[i].z)));
+    const Vec3 p = s.points[i];
+    l.add(static_cast<float>(std::nearbyint(p.x)), static_cast<float>(std::nearbyint(p.y)),
+          static_cast<float>(std::nearbyint(p.z)));
     l.mixed.push_back(s.mixed[i]);
   }
-  for (auto* v : {&l.x, &l.y, &l.z}) v->resize(l.mixed.size() + 16, 0.0f);
+  l.pad();
   return l;
 }
 
@@ -98,7 +97,7 @@ TEST(Cleaning, MixedPixelsAreDroppedSlantingFloorsAreNot) {
   const Lattice l = lattice(scan(1));
   MixedPixelParams params;
   params.jump = 60;
-  const Kept kept = mixed_pixel_filter(l.view(), {0, 0, 0}, params);
+  const Kept kept = mixed_pixel_filter(l.points(), {0, 0, 0}, params);
   std::size_t mixed = 0, found = 0, wrong = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     mixed += l.mixed[i];
@@ -112,8 +111,8 @@ TEST(Cleaning, MixedPixelsAreDroppedSlantingFloorsAreNot) {
 
 TEST(Cleaning, IsolationDropsWhatHangsBetweenSurfaces) {
   const Lattice l = lattice(scan(2));
-  const auto near = test::neighbours_of(l.view(), 8);
-  const Kept kept = isolation_filter(near.lists(), reaches(l.view(), 8));
+  const auto near = test::neighbours_of(l.points(), 8);
+  const Kept kept = isolation_filter(near.lists(), reaches(l.points(), 8));
   std::size_t mixed = 0, found = 0, wrong = 0;
   for (std::size_t i = 0; i < kept.size(); ++i) {
     mixed += l.mixed[i];

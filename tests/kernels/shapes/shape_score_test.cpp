@@ -166,7 +166,7 @@ TEST(ShapeScore, EmptyLeavesAreNeverMet) {
 TEST(ShapeScore, ABoxCutsOutItsPoints) {
   const auto set = scene(20000);
   const auto index = build_shape_index(set.view(), test::all_of(set.size));
-  const ShapeBox box{{2500, 2400, 2900}, {3400, 3600, 3800}};
+  const Box3<Vec3> box{{2500, 2400, 2900}, {3400, 3600, 3800}};
   for (const Shape& s : shapes()) {
     std::vector<std::uint32_t> wanted = points_on_shape(index, s, {25, 0.9});
     std::erase_if(wanted, [&](std::uint32_t i) {

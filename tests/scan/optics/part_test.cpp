@@ -102,7 +102,7 @@ TEST(Part, BoundsHoldWhatIsMet) {
                                   sphere({0.1, 0, 0}, 0.6, 0), unit_cube()};
   Rng rng(5);
   for (const Part& part : parts) {
-    const Bounds3 box = bounds_of(part);
+    const Box3<Vec3> box = bounds_of(part);
     for (int i = 0; i < 2000; ++i) {
       const Ray ray = ray_to(random_place(rng, 4), random_place(rng, 1));
       const auto hit = meet(ray, part, 0);

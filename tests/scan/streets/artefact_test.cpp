@@ -27,7 +27,7 @@ TEST(Artefact, StandsOnTheGroundAndHasTheSizeOfItsKind) {
     for (std::string_view variant : variants_of(c)) {
       const Artefact artefact = make_artefact(c, variant, rng);
       ASSERT_FALSE(artefact.solids.empty()) << variant;
-      const Bounds3 box = bounds_of(artefact);
+      const Box3<Vec3> box = bounds_of(artefact);
       EXPECT_NEAR(box.min.z, 0, 0.03) << variant;
       const Vec3 size = box.max - box.min;
       if (c == ArtefactClass::car) {
@@ -53,7 +53,7 @@ TEST(Artefact, ParkingMetersAreAsTallAsPeople) {
   Rng rng(2);
   for (int i = 0; i < 20; ++i)
     for (const char* variant : {"parking_meter", "pay_station"}) {
-      const Bounds3 box = bounds_of(make_furniture(variant, rng));
+      const Box3<Vec3> box = bounds_of(make_furniture(variant, rng));
       EXPECT_GT(box.max.z, 1.4);
       EXPECT_LT(box.max.z, 1.95);
       EXPECT_LT(box.max.y - box.min.y, 0.6);

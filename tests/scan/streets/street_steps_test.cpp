@@ -9,6 +9,7 @@
 #include "engine/products/streets/ground/artefacts.h"
 #include "engine/products/streets/objects/separation.h"
 #include "kernels/core/parallel.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/morphology/profile.h"
 #include "kernels/rasters/hough_lines.h"
 #include "scan/scanners/scan_record.h"
@@ -22,10 +23,8 @@ namespace {
 constexpr std::size_t kStepsRecord = 45;
 
 // Millimetres in the scene, where the street lies aslant.
-struct StreetCloud {
-  std::vector<float> x, y, z;
+struct StreetCloud : PaddedPoints {
   std::vector<RecordTruth> truth;
-  Points view() const { return {x.data(), y.data(), z.data(), truth.size()}; }
 };
 
 StreetCloud scanned(std::initializer_list<const char*> settings) {
@@ -39,14 +38,13 @@ StreetCloud scanned(std::initializer_list<const char*> settings) {
     scan_street(scan, stage, [&](std::span<const std::byte> records) {
       for (std::size_t at = 0; at < records.size(); at += kStepsRecord) {
         const Vec3 p = place_of(&records[at], layout);
-        cloud.x.push_back(static_cast<float>(std::floor(1000 * p.x)));
-        cloud.y.push_back(static_cast<float>(std::floor(1000 * p.y)));
-        cloud.z.push_back(static_cast<float>(std::floor(1000 * p.z)));
+        cloud.add(static_cast<float>(std::floor(1000 * p.x)), static_cast<float>(std::floor(1000 * p.y)),
+                  static_cast<float>(std::floor(1000 * p.z)));
         cloud.truth.push_back(truth_of(&records[at]));
       }
     });
   });
-  for (auto* column : {&cloud.x, &cloud.y, &cloud.z}) column->resize(cloud.truth.size() + 16, 0.0f);
+  cloud.pad();
   return cloud;
 }
 
@@ -62,7 +60,7 @@ std::uint32_t most_common(const std::map<std::uint32_t, std::size_t>& counts) {
 // One block without trees, whose crowns hide the ground from above.
 TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
   const StreetCloud cloud = scanned({"scene.blocks=1", "scene.trees=0"});
-  const test::RangeImage image = test::range_image(cloud.view(), 50);
+  const test::RangeImage image = test::range_image(cloud.points(), 50);
   const test::Ground ground = test::find_ground(image.range, {});
   const test::Artefacts artefacts = test::find_artefacts(ground, {});
   const PixelLabels things = separate_artefacts(artefacts.height, {});
@@ -98,7 +96,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
 // City blocks at 5 pixels a metre: both facades' lines, and on each the streets between three blocks.
 TEST(StreetSteps, StreetsBetweenBlocks) {
   const StreetCloud cloud = scanned({"scene.blocks=3", "scene.profiles=3", "scene.slope=5"});
-  const test::RangeImage image = test::range_image(cloud.view(), 200);
+  const test::RangeImage image = test::range_image(cloud.points(), 200);
   const auto lines = hough_lines(image.range, {.max_lines = 2});
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_GT(lines[0].line.nx * lines[1].line.nx + lines[0].line.ny * lines[1].line.ny, 0.9999);

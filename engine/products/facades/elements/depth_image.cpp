@@ -5,6 +5,7 @@
 #include <array>
 
 #include "engine/products/facades/rays/cell_bands.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -32,12 +33,6 @@ void close_gaps(DepthImage& image) {
     }
 }
 
-std::int64_t quantile(std::vector<std::int64_t>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 // Where most of its rows and columns end: ground at its foot and single cells leak out.
 void find_box(DepthRegion& region, std::int64_t columns) {
   std::int64_t c0 = INT64_MAX, c1 = -1, r0 = INT64_MAX, r1 = -1;
@@ -52,8 +47,9 @@ void find_box(DepthRegion& region, std::int64_t columns) {
     left[r] = std::min(left[r], i % columns), right[r] = std::max(right[r], i % columns);
     low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
   }
-  region.c0 = quantile(left, kTail), region.c1 = quantile(right, 1 - kTail);
-  region.r0 = quantile(low, region.what == kBefore ? kMiddle : kTail), region.r1 = quantile(high, 1 - kTail);
+  region.c0 = lower_quantile(left, kTail), region.c1 = lower_quantile(right, 1 - kTail);
+  region.r0 = lower_quantile(low, region.what == kBefore ? kMiddle : kTail),
+  region.r1 = lower_quantile(high, 1 - kTail);
 }
 
 // Of a cell's points: those of the wall, and others of the foremost sheet.

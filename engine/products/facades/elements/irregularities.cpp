@@ -234,9 +234,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, double cell) {
 void make_mesh(const std::vector<Vec3>& points, double cell, Irregularity& found) {
   found.vertices = thinned(points, cell);
   std::vector<Point2> places;
-  for (const Vec3& p : found.vertices)
-    places.push_back({static_cast<std::int32_t>(std::lround(p.x / kLattice)),
-                      static_cast<std::int32_t>(std::lround(p.y / kLattice))});
+  for (const Vec3& p : found.vertices) places.push_back(lattice_point({p.x / kLattice, p.y / kLattice}, 1));
   const Triangulation t = delaunay(places);
   const std::vector<float> reach(places.size(), static_cast<float>(kReachCells * cell / kLattice));
   ShapeParams shape;

@@ -8,6 +8,7 @@
 #include "engine/products/facades/elements/depth_image.h"
 #include "engine/products/facades/elements/slices.h"
 #include "engine/products/facades/walls/side_faces.h"
+#include "kernels/core/quantile.h"
 #include "kernels/outlines/edge_split.h"
 
 namespace ilot {
@@ -33,11 +34,7 @@ double deepest_of(const DepthImage& image, const DepthRegion& region) {
   std::vector<float> depths;
   for (const std::uint32_t i : region.cells)
     if (const float w = image.front[i]; std::isfinite(w)) depths.push_back(std::abs(w));
-  if (depths.empty()) return 0;
-  const auto at =
-      depths.begin() + static_cast<std::ptrdiff_t>((1 - kBehindAll) * static_cast<double>(depths.size() - 1));
-  std::nth_element(depths.begin(), at, depths.end());
-  return *at;
+  return depths.empty() ? 0 : static_cast<double>(lower_quantile(depths, 1 - kBehindAll));
 }
 
 // Cells of an image, closed.

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "engine/products/facades/rays/value_stream.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -34,12 +35,6 @@ struct Piece {
 
 Rays rays_of(const RaySamples& samples, const Piece& piece) {
   return piece.own ? Rays(*piece.own, {{0, piece.own->size()}}) : Rays(samples.by_segment(), piece.runs);
-}
-
-double quantile(std::vector<double> values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
 }
 
 void measure(const RaySamples& samples, Piece& piece) {
@@ -104,7 +99,7 @@ std::optional<Joint> empty_strip(const ValueStream& places, double low, double h
     if (at >= 0 && at < static_cast<double>(bins)) ++counts[static_cast<std::size_t>(at)];
   });
   std::vector<double> sorted(counts.begin(), counts.end());
-  const double few = kFew * quantile(std::move(sorted), 0.5);
+  const double few = kFew * lower_quantile(sorted, 0.5);
   std::size_t best = 0, best_end = 0;
   for (std::size_t i = 1; i + 1 < bins; ++i) {
     std::size_t end = i;

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/products/facades/rays/value_stream.h"
+#include "kernels/core/quantile.h"
 #include "kernels/delaunay/alpha_shape.h"
 #include "kernels/delaunay/rings.h"
 
@@ -16,12 +17,6 @@ namespace {
 constexpr double kLattice = 1e-4;  // metres, of the triangulation of a cut
 constexpr double kTail = 0.005;    // share of a cut's points beyond its extent on each side
 constexpr double kEnough = 0.5;    // of the largest ratio and of the points there
-
-double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
 
 std::size_t boundary_points(std::span<const Point2> points, double reach) {
   const Triangulation t = delaunay(points);
@@ -97,11 +92,11 @@ FacadeSlice slice_of(double w, const Cut& cut, double reach) {
   for (const auto& [at_u, at_v] : cut.kept) {
     u.push_back(at_u);
     v.push_back(at_v);
-    places.push_back({static_cast<std::int32_t>(std::lround(u.back() / kLattice)),
-                      static_cast<std::int32_t>(std::lround(v.back() / kLattice))});
+    places.push_back(lattice_point({u.back() / kLattice, v.back() / kLattice}, 1));
   }
   slice.boundary = boundary_points(places, reach / kLattice);
-  slice.extent = {quantile(u, kTail), quantile(u, 1 - kTail), quantile(v, kTail), quantile(v, 1 - kTail)};
+  slice.extent = {lower_quantile(u, kTail), lower_quantile(u, 1 - kTail), lower_quantile(v, kTail),
+                  lower_quantile(v, 1 - kTail)};
   return slice;
 }
 

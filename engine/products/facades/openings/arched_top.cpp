@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/core/quantile.h"
 #include "kernels/outlines/circle_fit.h"
 #include "kernels/outlines/edge_split.h"
 
@@ -112,12 +113,6 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
   return tops;
 }
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 // From the points of the soffit beside a first arc; the first where there are too few.
 CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, const Box2& search,
                   const CircleFit& first) {
@@ -145,7 +140,7 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
     std::vector<double> offs;
     for (const PlanePoint& p : soffit) offs.push_back(off(fit, p));
     if (offs.size() < kLeastSoffit) return first;
-    const double middle = round == 0 ? median(offs) : 0;
+    const double middle = round == 0 ? upper_median(std::vector(offs)) : 0;
     for (std::size_t i = 0; i < soffit.size(); ++i)
       if (std::abs(offs[i] - middle) < beside) kept.push_back(soffit[i]);
     if (kept.size() < kLeastSoffit) return first;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "kernels/core/quantile.h"
+
 namespace ilot {
 namespace {
 
@@ -13,17 +15,11 @@ constexpr double kMostTouches = 0.7;      // of all in the gap, that lie on it t
 constexpr double kLeastSpread = 0.35;     // share of the face's depth, and of the side's length, that points cover
 constexpr double kSteepest = 0.1;         // of a side face against the wall's normal
 
-double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
   std::vector<double> values;
   for (std::size_t i = first; i < last; ++i) values.push_back(points[i].*field);
-  const double high = quantile(values, 0.95);
-  return high - quantile(values, 0.05);
+  const double high = lower_quantile(values, 0.95);
+  return high - lower_quantile(values, 0.05);
 }
 
 // t = at + slope (w - depth) by least squares.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/products/facades/openings/face_crowd.h"
+#include "kernels/core/quantile.h"
 #include "kernels/outlines/edge_split.h"
 
 namespace ilot {
@@ -186,12 +187,6 @@ void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
   around.outside.resize(kept);
 }
 
-double quantile(std::vector<double>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.at = face.at;
   edge.error = noise / 2 + 2 * face.rms * face.shaky;
@@ -217,8 +212,9 @@ void set_end(const SideSamples& around, const SideSpan& span, double step, doubl
   std::vector<double> ends = ends_of(around, span, slots_of(span, step_along));
   const double last = *std::max_element(ends.begin(), ends.end());
   std::erase_if(ends, [&](double end) { return !(end > last - kStepsOfShadow * step); });
-  const double high = quantile(ends, 1 - kTailOfEnds);
-  const double open = std::max(0.0, step - (high - quantile(ends, kTailOfEnds)));  // of a step that no line ended in
+  const double high = lower_quantile(ends, 1 - kTailOfEnds);
+  const double open =
+      std::max(0.0, step - (high - lower_quantile(ends, kTailOfEnds)));  // of a step that no line ended in
   edge.at = high + open / 2 - beam;
   edge.error = open / 2 + beam;
   edge.points = around.inside.size() << around.level;

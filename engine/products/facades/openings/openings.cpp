@@ -7,6 +7,7 @@
 #include "engine/products/facades/openings/arched_top.h"
 #include "engine/products/facades/openings/leaning_side.h"
 #include "engine/products/facades/rays/cell_bands.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -146,12 +147,6 @@ void for_each_region(const WallCells& cells, const Visit& visit) {
   }
 }
 
-std::int64_t quantile(std::vector<std::int64_t>& values, double share) {
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 struct CellBox {
   std::int64_t c0, c1, r0, r1;
 };
@@ -170,7 +165,8 @@ CellBox box_of(const Region& region, std::int64_t columns) {
     left[r] = std::min(left[r], i % columns), right[r] = std::max(right[r], i % columns);
     low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
   }
-  return {quantile(left, kTail), quantile(right, 1 - kTail), quantile(low, kTail), quantile(high, 1 - kTail)};
+  return {lower_quantile(left, kTail), lower_quantile(right, 1 - kTail), lower_quantile(low, kTail),
+          lower_quantile(high, 1 - kTail)};
 }
 
 // Of the lines of a side that something is known of beyond the opening, the share where the wall goes on; 0 where
@@ -266,9 +262,7 @@ void set_depth(const RaySamples& samples, const Box2& box, double least_depth, F
   for (const Ray& ray : near)
     if (is_on_it(ray) && is_kept(ray, level)) off.push_back(off_of(ray));
   if (off.empty()) return;
-  const auto median_at = off.begin() + static_cast<std::ptrdiff_t>(off.size() / 2);
-  std::nth_element(off.begin(), median_at, off.end());
-  const double centre = *median_at;
+  const double centre = upper_median(off);
   double squares = 0;
   for (const double d : off) squares += (d - centre) * (d - centre);
   opening.depth = -(middle + centre);

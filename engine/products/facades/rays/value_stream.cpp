@@ -5,6 +5,8 @@
 #include <cmath>
 #include <vector>
 
+#include "kernels/core/quantile.h"
+
 namespace ilot {
 namespace {
 
@@ -20,9 +22,7 @@ double nth_in_memory(const ValueStream& values, const Candidates& among, std::ui
   values([&](double v) {
     if (v >= among.low && v <= among.high) found.push_back(v);
   });
-  const auto at = found.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(found.begin(), at, found.end());
-  return *at;
+  return nth_smallest(found, rank);
 }
 
 // Counts the candidates in bins and keeps those of the bin of the wanted one, whose rank among them is returned.

@@ -15,14 +15,9 @@ std::uint64_t key_of(std::int64_t column, std::int64_t row) {
 
 }  // namespace
 
-void GroundBox::include(Vec3 p) {
-  x0 = std::min(x0, p.x), x1 = std::max(x1, p.x);
-  y0 = std::min(y0, p.y), y1 = std::max(y1, p.y);
-}
-
-bool BoxGrid::cells_of(const GroundBox& box, Cells& cells) const {
-  const double c0 = std::floor(box.x0 / cell_), c1 = std::floor(box.x1 / cell_);
-  const double r0 = std::floor(box.y0 / cell_), r1 = std::floor(box.y1 / cell_);
+bool BoxGrid::cells_of(const FlatBox& box, Cells& cells) const {
+  const double c0 = std::floor(box.min.x / cell_), c1 = std::floor(box.max.x / cell_);
+  const double r0 = std::floor(box.min.y / cell_), r1 = std::floor(box.max.y / cell_);
   if (!((c1 - c0 + 1) * (r1 - r0 + 1) <= kMostCells)) return false;
   if (!(std::max({-c0, c1, -r0, r1}) < kFarthest)) return false;
   cells = {static_cast<std::int64_t>(c0), static_cast<std::int64_t>(c1), static_cast<std::int64_t>(r0),
@@ -30,7 +25,7 @@ bool BoxGrid::cells_of(const GroundBox& box, Cells& cells) const {
   return true;
 }
 
-void BoxGrid::add(std::uint32_t number, const GroundBox& box) {
+void BoxGrid::add(std::uint32_t number, const FlatBox& box) {
   all_.push_back(number);
   Cells cells;
   if (!cells_of(box, cells)) return everywhere_.push_back(number);
@@ -38,7 +33,7 @@ void BoxGrid::add(std::uint32_t number, const GroundBox& box) {
     for (std::int64_t c = cells.c0; c <= cells.c1; ++c) numbers_[key_of(c, r)].push_back(number);
 }
 
-std::vector<std::uint32_t> BoxGrid::near(const GroundBox& box) const {
+std::vector<std::uint32_t> BoxGrid::near(const FlatBox& box) const {
   Cells cells;
   std::vector<std::uint32_t> found = everywhere_;
   if (cells_of(box, cells)) {

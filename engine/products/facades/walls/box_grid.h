@@ -7,17 +7,9 @@
 #include <vector>
 
 #include "kernels/core/types.h"
+#include "kernels/geometry/flat_box.h"
 
 namespace ilot {
-
-// Closed, in the units of whoever asks.
-struct GroundBox {
-  double x0 = 0, x1 = 0, y0 = 0, y1 = 0;
-
-  GroundBox grown(double by) const { return {x0 - by, x1 + by, y0 - by, y1 + by}; }
-  void include(Vec3 p);
-};
-constexpr GroundBox kNoGround{INFINITY, -INFINITY, INFINITY, -INFINITY};
 
 // Memory grows with the cells that boxes cover; those that cover more than 1,024 are near to everything.
 class BoxGrid {
@@ -25,18 +17,18 @@ class BoxGrid {
   explicit BoxGrid(double cell) : cell_(cell) {}
 
   // A number may have more than one box.
-  void add(std::uint32_t number, const GroundBox& box);
+  void add(std::uint32_t number, const FlatBox& box);
 
   // Numbers of all boxes that meet this one, and of some others: ascending, each once.
-  std::vector<std::uint32_t> near(const GroundBox& box) const;
+  std::vector<std::uint32_t> near(const FlatBox& box) const;
 
  private:
   struct Cells {
     std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;
   };
   static constexpr double kMostCells = 1024;
-  static constexpr double kFarthest = 1e15;                 // cells
-  bool cells_of(const GroundBox& box, Cells& cells) const;  // false: too many
+  static constexpr double kFarthest = 1e15;               // cells
+  bool cells_of(const FlatBox& box, Cells& cells) const;  // false: too many
 
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;  // by cell

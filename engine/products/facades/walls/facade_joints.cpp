@@ -62,9 +62,9 @@ double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
 constexpr double kCell = 16, kRounding = 0.001;  // metres
 
 // Of an outline on the ground; grown by as much as a wall that leans goes sideways, and by `reach`, metres.
-GroundBox ground_of(const Facade& f, const FacadeElement& outline, double reach, double metres) {
-  GroundBox box = kNoGround;
-  for (const Vec3& p : outline.ring) box.include(p);
+FlatBox ground_of(const Facade& f, const FacadeElement& outline, double reach, double metres) {
+  FlatBox box = FlatBox::none();
+  for (const Vec3& p : outline.ring) box.add({p.x, p.y});
   const double height = box_of(f, outline, metres).height() / metres;
   const double lean = std::sqrt(f.up.x * f.up.x + f.up.y * f.up.y);
   return box.grown(lean * height + reach / metres);
@@ -79,11 +79,11 @@ class OutlineGrid {
   void add(std::vector<Facade>& facades, std::size_t i) {
     const FacadeElement* outline = outline_of(facades[i]);
     if (outline == nullptr) return;
-    const GroundBox box = ground_of(facades[i], *outline, 0, metres_);
+    const FlatBox box = ground_of(facades[i], *outline, 0, metres_);
     grid_.add(static_cast<std::uint32_t>(i), box);
     lean_ = std::max(lean_, std::sqrt(facades[i].up.x * facades[i].up.x + facades[i].up.y * facades[i].up.y));
   }
-  std::vector<std::uint32_t> near(const GroundBox& box) const { return grid_.near(box); }
+  std::vector<std::uint32_t> near(const FlatBox& box) const { return grid_.near(box); }
   double lean() const { return lean_; }  // of the wall that leans most: metres sideways a metre up
 
  private:
@@ -106,8 +106,8 @@ Meeting meeting_of(std::vector<Facade>& facades, const OutlineGrid& grid, std::s
   const EndCorners end = end_of(*outline, left);
   const Vec3 low = outline->ring[end.low], high = outline->ring[end.high];
   // The line is within reach of the end and of the other outline, but for what the walls lean between their heights.
-  GroundBox around = kNoGround;
-  around.include(low), around.include(high);
+  FlatBox around = FlatBox::none();
+  around.add({low.x, low.y}), around.add({high.x, high.y});
   around = around.grown((2 * params.reach + kRounding) / m + grid.lean() * norm(high - low));
   for (const std::size_t o : grid.near(around)) {
     FacadeElement* other = o == own ? nullptr : outline_of(facades[o]);
@@ -148,9 +148,9 @@ class CornerGrid {
   }
 
  private:
-  GroundBox ground_of(std::size_t i) const {
-    GroundBox box = kNoGround;
-    box.include(*corners_[i]);
+  FlatBox ground_of(std::size_t i) const {
+    FlatBox box = FlatBox::none();
+    box.add({corners_[i]->x, corners_[i]->y});
     return box;
   }
   const std::vector<Vec3*>& corners_;

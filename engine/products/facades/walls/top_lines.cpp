@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "kernels/core/portable_math.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -88,9 +89,7 @@ TopLine levelled(const Columns& columns, TopLine line, const TopLineParams& para
   std::vector<double> heights;
   for (std::size_t i = line.first; i <= line.last; ++i)
     if (std::abs(columns.top[i] - line.height(columns.u(i))) <= params.tolerance) heights.push_back(columns.top[i]);
-  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
-  std::nth_element(heights.begin(), middle, heights.end());
-  line.slope = 0, line.at = *middle;
+  line.slope = 0, line.at = upper_median(heights);
   return line;
 }
 

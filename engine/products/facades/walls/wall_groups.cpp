@@ -88,19 +88,21 @@ class SegmentGrid {
     for (std::size_t k = 0; k < list_.size(); ++k) {
       const Segment& s = segments_[list_[k]];
       const Vec3 middle = 0.5 * (s.min + s.max);
-      GroundBox box = kNoGround;
-      box.include(middle);
+      FlatBox box = FlatBox::none();
+      box.add({middle.x, middle.y});
       grid_.add(static_cast<std::uint32_t>(k), box.grown(kDiagonals * 0.5 * norm(s.max - s.min)));
     }
   }
   // Places in the list, ascending, of what may reach into a box in the axes (metres).
   std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
     constexpr double kRounding = 0.001;  // metres
-    GroundBox box = kNoGround;
+    FlatBox box = FlatBox::none();
     for (const double u : {e.u0, e.u1})
       for (const double v : {e.v0, e.v1})
-        for (const double w : {e.w0, e.w1})
-          box.include(axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out));
+        for (const double w : {e.w0, e.w1}) {
+          const Vec3 p = axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out);
+          box.add({p.x, p.y});
+        }
     return grid_.near(box.grown(kRounding / metres_));
   }
   const Segment& segment(std::size_t k) const { return segments_[list_[k]]; }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/products/facades/walls/top_lines.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -224,10 +225,8 @@ double side_between(const Wall& wall, const TopEdge& a, const TopEdge& b, double
     error = std::max(wall.cell, 0.5 * std::abs(b.u0 - a.u1));
     return u;
   }
-  const auto middle = at.begin() + static_cast<std::ptrdiff_t>(at.size() / 2);
-  std::nth_element(at.begin(), middle, at.end());
   error = wall.site.step;
-  return *middle + (rises ? -1 : 1) * 0.25 * wall.site.step;
+  return upper_median(at) + (rises ? -1 : 1) * 0.25 * wall.site.step;
 }
 
 void add_corner(WallOutline& outline, Place2 at, const FacadeEdge& edge) {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "engine/products/planes/boundaries/boundary_stretches.h"
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

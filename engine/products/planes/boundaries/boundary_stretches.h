@@ -12,6 +12,7 @@
 #include "engine/store/view.h"
 #include "kernels/delaunay/plane_frame.h"
 #include "kernels/delaunay/plane_order.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

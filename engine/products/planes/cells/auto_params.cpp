@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "kernels/core/moments.h"
+#include "kernels/core/quantile.h"
 #include "kernels/neighbours/knn.h"
 
 namespace ilot {
@@ -23,10 +24,7 @@ struct Rule {
 constexpr Rule kFromTheAir{4, 1.2, 12, 200}, kFromTheGround{6, 0.005, 30, 200};
 
 double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto at = static_cast<std::size_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(at), values.end());
-  return values[at];
+  return values.empty() ? 0 : lower_quantile(values, share);
 }
 
 // Of every so many points, from the neighbours of each.

@@ -38,16 +38,12 @@ CellPoints only(const CellPoints& cell, const std::vector<std::uint8_t>& kept) {
   CellPoints part;
   for (std::size_t i = 0; i < cell.size; ++i) {
     if (kept[i] == 0) continue;
-    part.x.push_back(cell.x[i]);
-    part.y.push_back(cell.y[i]);
-    part.z.push_back(cell.z[i]);
+    part.add(cell.x[i], cell.y[i], cell.z[i]);
     part.normals.push_back(cell.normals[i]);
     part.core.push_back(cell.core[i]);
     if (!cell.colour_class.empty()) part.colour_class.push_back(cell.colour_class[i]);
   }
-  part.size = part.core.size();
-  constexpr std::size_t kPadding = 16;
-  for (auto* v : {&part.x, &part.y, &part.z}) v->resize(part.size + kPadding, 0.0f);
+  part.pad();
   return part;
 }
 

@@ -13,10 +13,8 @@ namespace {
 
 constexpr int kMarginShift = 4;  // margin = edge / 16
 
-constexpr std::size_t kPadding = 16;
-
 void reserve(CellPoints& cp, std::size_t points) {
-  for (auto* v : {&cp.x, &cp.y, &cp.z}) v->reserve(points + kPadding);
+  cp.reserve(points);
   cp.normals.reserve(points);
   cp.core.reserve(points);
 }
@@ -163,16 +161,14 @@ CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& 
       if (!around.contains(p)) continue;
       const bool core = own.contains(p);
       if (!core && thin && mix64(s.codes[i]) > keep_below) continue;
-      cp.x.push_back(static_cast<float>(p.x - plan.anchor.x));
-      cp.y.push_back(static_cast<float>(p.y - plan.anchor.y));
-      cp.z.push_back(static_cast<float>(p.z - plan.anchor.z));
+      cp.add(static_cast<float>(p.x - plan.anchor.x), static_cast<float>(p.y - plan.anchor.y),
+             static_cast<float>(p.z - plan.anchor.z));
       cp.normals.push_back(normals[i]);
       cp.core.push_back(core);
       if (!colours.empty()) cp.colour_class.push_back(palette.class_of(colours[i]));
     }
   });
-  cp.size = cp.core.size();
-  for (auto* v : {&cp.x, &cp.y, &cp.z}) v->resize(cp.size + kPadding, 0.0f);
+  cp.pad();
   return cp;
 }
 

@@ -8,6 +8,7 @@
 #include "engine/columns/colours_pass.h"
 #include "engine/pass/context.h"
 #include "engine/store/view.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/normals.h"
 
 namespace ilot {
@@ -48,13 +49,10 @@ std::uint64_t points_to_load(const Store& store, const Cell& cell);
 // Points of a cell and of its margin, compact and in global order, as offsets from the cell's corner. A margin of more
 // than kCellPoints points is thinned to about that many by a hash of their codes, so a cell never holds more than twice
 // kCellPoints (unless more coincide). Reads in small batches.
-struct CellPoints {
-  std::vector<float> x, y, z;  // padded as Points asks
+struct CellPoints : PaddedPoints {
   std::vector<PackedNormal> normals;
   std::vector<std::uint8_t> core;           // 1 = in the cell itself
   std::vector<std::uint32_t> colour_class;  // empty where there is no palette
-  std::size_t size = 0;
-  Points points() const { return {x.data(), y.data(), z.data(), size}; }
 };
 CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette = {});
 

@@ -10,6 +10,7 @@
 #include "engine/store/flushed.h"
 #include "kernels/core/rng.h"
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/shapes/shape_fit.h"
 
 namespace ilot {
@@ -42,24 +43,18 @@ struct Part {
   std::uint64_t points = 0;
 };
 
-struct Samples {
-  std::vector<float> x, y, z;
+struct Samples : PaddedPoints {
   std::vector<std::uint32_t> all;
-  Points points() const { return {x.data(), y.data(), z.data(), all.size()}; }
 };
 
 Samples relative(const std::vector<Index3>& a, const std::vector<Index3>& b, Index3 anchor) {
-  constexpr std::size_t kPadding = 16;
   Samples s;
   for (const auto* list : {&a, &b})
-    for (const Index3 p : *list) {
-      s.x.push_back(static_cast<float>(p.x - anchor.x));
-      s.y.push_back(static_cast<float>(p.y - anchor.y));
-      s.z.push_back(static_cast<float>(p.z - anchor.z));
-    }
-  s.all.resize(s.x.size());
+    for (const Index3 p : *list)
+      s.add(static_cast<float>(p.x - anchor.x), static_cast<float>(p.y - anchor.y), static_cast<float>(p.z - anchor.z));
+  s.all.resize(s.size);
   std::iota(s.all.begin(), s.all.end(), 0u);
-  for (auto* v : {&s.x, &s.y, &s.z}) v->resize(v->size() + kPadding, 0.0f);
+  s.pad();
   return s;
 }
 

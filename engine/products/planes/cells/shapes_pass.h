@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/products/planes/cells/cell_shapes.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

@@ -11,6 +11,7 @@
 #include "engine/store/sorted_columns.h"
 #include "kernels/core/parallel_sort.h"
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/knn.h"
 #include "kernels/planes/plane_fit.h"
 
@@ -24,11 +25,9 @@ constexpr double kAgreement = 0.5;  // root mean square of each part from the co
 
 // Labelled points near the border of their cell: all those that points which may reach another cell can see. With
 // fewer, the nearest would depend on the widest reach in the block, and so on the blocks.
-struct BorderPoints {
-  std::vector<float> x, y, z;
+struct BorderPoints : PaddedPoints {
   std::vector<std::uint32_t> segment;  // cell plane
   std::vector<std::uint32_t> own;      // positions of those that belong to the block
-  Points points() const { return {x.data(), y.data(), z.data(), segment.size()}; }
 };
 
 BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& labels, PointRange own,
@@ -49,13 +48,10 @@ BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& l
     if (clear >= 2 * reach) continue;
     if (clear < reach && i >= own.begin && i < own.end)
       border.own.push_back(static_cast<std::uint32_t>(border.segment.size()));
-    border.x.push_back(view.x[i]);
-    border.y.push_back(view.y[i]);
-    border.z.push_back(view.z[i]);
+    border.add(view.x[i], view.y[i], view.z[i]);
     border.segment.push_back(segment);
   }
-  constexpr std::size_t kPadding = 16;
-  for (auto* v : {&border.x, &border.y, &border.z}) v->resize(border.segment.size() + kPadding, 0.0f);
+  border.pad();
   return border;
 }
 

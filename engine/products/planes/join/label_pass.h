@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/products/planes/join/join_pass.h"
+#include "kernels/geometry/box3.h"
 
 namespace ilot {
 

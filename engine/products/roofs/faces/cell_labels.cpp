@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "engine/products/roofs/faces/least_cut.h"
+#include "kernels/geometry/flat_box.h"
 
 namespace ilot {
 namespace {
@@ -23,18 +24,10 @@ constexpr int kRounds = 8;
 constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; with what hangs on them 64 bytes each
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-struct Box {
-  double x0 = std::numeric_limits<double>::infinity(), y0 = x0, x1 = -x0, y1 = -x0;
-  void add(double x, double y) {
-    x0 = std::min(x0, x);
-    x1 = std::max(x1, x);
-    y0 = std::min(y0, y);
-    y1 = std::max(y1, y);
-  }
-  bool near(const Box& o, double by) const {
-    return x0 - by <= o.x1 && o.x0 - by <= x1 && y0 - by <= o.y1 && o.y0 - by <= y1;
-  }
-};
+// As far apart along each axis as `by` at most.
+bool near(const FlatBox& a, const FlatBox& b, double by) {
+  return a.min.x - by <= b.max.x && b.min.x - by <= a.max.x && a.min.y - by <= b.max.y && b.min.y - by <= a.max.y;
+}
 
 // A plane that a cell may have and what it costs.
 struct Candidate {
@@ -103,13 +96,13 @@ class Labelling {
 
  private:
   void find_borders() {
-    boxes_.resize(cells_.regions);
+    boxes_.resize(cells_.regions, FlatBox::none());
     for (const PartitionEdge& e : cells_.edges) {
       const FlatPoint p = metres(cells_.vertices[e.from]), q = metres(cells_.vertices[e.to]);
       for (const std::uint32_t r : {e.left, e.right})
         if (r != kOutside) {
-          boxes_[r - 1].add(p.x, p.y);
-          boxes_[r - 1].add(q.x, q.y);
+          boxes_[r - 1].add(p);
+          boxes_[r - 1].add(q);
         }
       if (e.left == kOutside || e.right == kOutside) continue;
       const double length = std::sqrt((q.x - p.x) * (q.x - p.x) + (q.y - p.y) * (q.y - p.y));
@@ -118,15 +111,15 @@ class Labelling {
   }
 
   bool find_candidates() {
-    std::vector<Box> around(planes_.planes.size());
+    std::vector<FlatBox> around(planes_.planes.size(), FlatBox::none());
     for (std::size_t i = 0; i < site_.points.size(); ++i)
-      if (planes_.of_point[i] != 0) around[planes_.of_point[i] - 1].add(site_.points[i].x, site_.points[i].y);
+      if (planes_.of_point[i] != 0) around[planes_.of_point[i] - 1].add({site_.points[i].x, site_.points[i].y});
     candidates_.resize(cells_.regions);
     std::size_t count = 0;
     for (std::uint32_t r = 0; r < cells_.regions; ++r) {
       for (double by = kNearPlane; candidates_[r].empty(); by *= 4)
         for (std::uint32_t p = 0; p < around.size(); ++p)
-          if (around[p].near(boxes_[r], by)) candidates_[r].push_back({p, 0});
+          if (near(around[p], boxes_[r], by)) candidates_[r].push_back({p, 0});
       count += candidates_[r].size();
       if (count <= kMostCandidates) continue;
       candidates_ = {};
@@ -270,7 +263,7 @@ class Labelling {
   const RoofPlanes& planes_;
   const Partition& cells_;
   CellLabelParams params_;
-  std::vector<Box> boxes_;
+  std::vector<FlatBox> boxes_;
   std::vector<Border> borders_;
   std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
   std::vector<Reach> reaches_;                      // per plane

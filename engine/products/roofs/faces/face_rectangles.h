@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "engine/products/roofs/faces/roof_planes.h"
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

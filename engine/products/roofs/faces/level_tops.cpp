@@ -30,10 +30,6 @@ constexpr double kMostOf = 0.6;  // ... when it takes so much of them or the pla
 
 using Indices = std::vector<std::uint32_t>;
 
-Point2 millimetres(Vec3 p) {
-  return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
-}
-
 // Points in rows along x, each by x, so that those in a box are found without looking at all.
 class Rows {
  public:
@@ -136,7 +132,7 @@ class TopFinder {
   static std::vector<Point2> places_of(const std::vector<Vec3>& points) {
     std::vector<Point2> places;
     places.reserve(points.size());
-    for (const Vec3& p : points) places.push_back(millimetres(p));
+    for (const Vec3& p : points) places.push_back(lattice_point({p.x, p.y}, 1000));
     return places;
   }
 

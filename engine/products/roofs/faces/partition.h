@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/products/roofs/sites/roof_site.h"
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

@@ -34,10 +34,6 @@ struct Sighting {
   FlatPoint upper, lower;      // the points between which it was seen
 };
 
-Point2 millimetres(Vec3 p) {
-  return {static_cast<std::int32_t>(std::lround(p.x * 1000)), static_cast<std::int32_t>(std::lround(p.y * 1000))};
-}
-
 struct Borders {
   std::vector<Sighting> creases, steps;
 };
@@ -47,7 +43,7 @@ class BorderFinder {
   BorderFinder(const RoofSite& site, const RoofPlanes& planes) : site_(site), planes_(planes) {
     for (std::uint32_t i = 0; i < site.points.size(); ++i)
       if (planes.of_point[i] != 0) {
-        points_.push_back(millimetres(site.points[i]));
+        points_.push_back(lattice_point({site.points[i].x, site.points[i].y}, 1000));
         from_.push_back(i);
       }
   }

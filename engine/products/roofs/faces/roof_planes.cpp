@@ -12,6 +12,7 @@
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/core/union_find.h"
+#include "kernels/geometry/padded_points.h"
 #include "kernels/neighbours/hough_normals.h"
 #include "kernels/neighbours/knn.h"
 #include "kernels/planes/plane_fit.h"
@@ -36,24 +37,17 @@ constexpr double kSameAngle = 3.5;                  // degrees
 constexpr double kNormalAngle = 25;                 // degrees
 
 // A site's points as the kernels want them: whole millimetres from their lowest corner, padded.
-struct Cloud {
-  std::vector<float> x, y, z, nx, ny, nz;
+struct Cloud : PaddedOrientedPoints {
   Vec3 corner;  // metres
-  std::size_t size = 0;
-  Points points() const { return {x.data(), y.data(), z.data(), size}; }
-  Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
-  OrientedPoints oriented() const { return {points(), nx.data(), ny.data(), nz.data()}; }
 };
 
 Cloud cloud_of(const std::vector<Vec3>& points) {
-  constexpr std::size_t kPadding = 16;
   Cloud c;
-  c.size = points.size();
+  c.reset(points.size());
   constexpr double kFar = std::numeric_limits<double>::infinity();
   c.corner = {kFar, kFar, kFar};
   for (const Vec3& p : points)
     c.corner = {std::min(c.corner.x, p.x), std::min(c.corner.y, p.y), std::min(c.corner.z, p.z)};
-  for (auto* v : {&c.x, &c.y, &c.z, &c.nx, &c.ny, &c.nz}) v->assign(c.size + kPadding, 0.0f);
   for (std::size_t i = 0; i < c.size; ++i) {
     const Vec3 p = points[i] - c.corner;
     c.x[i] = static_cast<float>(std::round(p.x / kUnit));

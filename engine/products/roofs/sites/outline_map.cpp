@@ -4,16 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "kernels/core/integers.h"
+
 namespace ilot {
 namespace {
 
 constexpr std::int64_t kCell = 65536;      // millimetres
 constexpr std::int64_t kCellsOfOne = 256;  // outlines over more cells are looked at one by one
-
-std::int64_t floor_divided(std::int64_t a, std::int64_t b) {
-  const std::int64_t q = a / b;
-  return a % b < 0 ? q - 1 : q;
-}
 
 struct CellRange {
   std::int64_t row0, row1, column0, column1;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <memory>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
 namespace {
 
@@ -29,12 +31,7 @@ struct GeometryDelete {
 using Geometry = std::unique_ptr<GEOSGeometry, GeometryDelete>;
 
 std::int64_t twice_area(const Ring& ring) {
-  std::int64_t sum = 0;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
-    sum += std::int64_t{a.x} * b.y - std::int64_t{b.x} * a.y;
-  }
-  return sum;
+  return static_cast<std::int64_t>(doubled_area(ring));
 }
 
 // Without the greater of any two vertices in a row that lie nearer than kLeastEdge, the same one wherever the ring
@@ -87,9 +84,9 @@ Ring ring_of(const Geos& geos, const GEOSGeometry* ring) {
   GEOSCoordSeq_getSize_r(geos.handle, sequence, &n);
   Ring result;
   for (unsigned i = 0; i < n; ++i) {
-    double x = 0, y = 0;
-    GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &x, &y);
-    result.push_back({static_cast<std::int32_t>(std::llround(x)), static_cast<std::int32_t>(std::llround(y))});
+    FlatPoint p;
+    GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &p.x, &p.y);
+    result.push_back(lattice_point(p, 1));
   }
   return without_repeats(result);
 }

@@ -11,7 +11,7 @@
 #include "engine/products/roofs/faces/partition.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 #include "engine/products/roofs/sites/step_offset.h"
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "kernels/core/types.h"
-#include "kernels/delaunay/predicates.h"
+#include "kernels/geometry/point2.h"
 
 namespace ilot {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "kernels/geometry/ring.h"
+
 namespace ilot {
 namespace {
 
@@ -12,31 +14,26 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SiteFilter::EdgeSet::EdgeSet(const SitePolygon& polygon)
-    : min_x(kInfinity), min_y(kInfinity), max_x(-kInfinity), max_y(-kInfinity) {
+SiteFilter::EdgeSet::EdgeSet(const SitePolygon& polygon) {
   for (const auto& ring : polygon) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
       if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
-      edges.push_back({a.x * kMillimetre, a.y * kMillimetre, b.x * kMillimetre, b.y * kMillimetre});
-      min_x = std::min({min_x, edges.back().x0, edges.back().x1});
-      max_x = std::max({max_x, edges.back().x0, edges.back().x1});
-      min_y = std::min(min_y, edges.back().y0);
-      max_y = std::max(max_y, edges.back().y1);
+      edges.push_back({{a.x * kMillimetre, a.y * kMillimetre}, {b.x * kMillimetre, b.y * kMillimetre}});
+      box.add(edges.back().a);
+      box.add(edges.back().b);
     }
   }
 }
 
 bool SiteFilter::EdgeSet::near(Vec3 p, double reach) const {
-  return p.x >= min_x - reach && p.x <= max_x + reach && p.y >= min_y - reach && p.y <= max_y + reach;
+  return box.grown(reach).contains(FlatPoint{p.x, p.y});
 }
 
 bool SiteFilter::EdgeSet::holds(Vec3 p) const {
   if (!near(p, 0)) return false;
   bool inside = false;
-  for (const Edge& e : edges)
-    if (e.y0 <= p.y && p.y < e.y1)
-      inside ^= (e.x1 - e.x0) * (p.y - e.y0) > (p.x - e.x0) * (e.y1 - e.y0);  // the edge passes on the right
+  for (const FlatEdge& e : edges) inside ^= ray_crosses({p.x, p.y}, e.a, e.b);
   return inside;
 }
 
@@ -44,12 +41,7 @@ bool SiteFilter::EdgeSet::holds(Vec3 p) const {
 double SiteFilter::EdgeSet::distance2(Vec3 p, double reach) const {
   if (!near(p, reach)) return kInfinity;
   double best = kInfinity;
-  for (const Edge& e : edges) {
-    const double ex = e.x1 - e.x0, ey = e.y1 - e.y0, px = p.x - e.x0, py = p.y - e.y0;
-    const double along = std::clamp((px * ex + py * ey) / (ex * ex + ey * ey), 0.0, 1.0);
-    const double dx = px - along * ex, dy = py - along * ey;
-    best = std::min(best, dx * dx + dy * dy);
-  }
+  for (const FlatEdge& e : edges) best = std::min(best, squared_distance({p.x, p.y}, e));
   return best;
 }
 

@@ -11,6 +11,8 @@
 #include "engine/columns/point_roles.h"
 #include "engine/products/roofs/sites/roof_site.h"
 #include "engine/units/value_counts.h"
+#include "kernels/geometry/flat.h"
+#include "kernels/geometry/flat_box.h"
 
 namespace ilot {
 
@@ -55,12 +57,9 @@ class SiteFilter {
 
  private:
   // In metres. From the lower end to the upper one, so that neighbours see a common edge with the same bits.
-  struct Edge {
-    double x0, y0, x1, y1;
-  };
   struct EdgeSet {
-    std::vector<Edge> edges;
-    double min_x, min_y, max_x, max_y;
+    std::vector<FlatEdge> edges;
+    FlatBox box = FlatBox::none();
 
     explicit EdgeSet(const SitePolygon& polygon);
     bool near(Vec3 p, double reach) const;

@@ -14,6 +14,7 @@
 #include "engine/products/roofs/faces/roof_planes.h"
 #include "engine/products/roofs/sites/outline_repair.h"
 #include "engine/products/roofs/solids/roof_solid.h"
+#include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
@@ -40,10 +41,8 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
     if (!planes.on_wall[i]) z.push_back(site.points[i].z);
   if (z.empty())
     for (const Vec3& p : site.points) z.push_back(p.z);
-  const auto at = z.begin() + static_cast<std::ptrdiff_t>(kBlockHeight * static_cast<double>(z.size() - 1));
-  std::nth_element(z.begin(), at, z.end());
   RoofPlane plane;
-  plane.c = *at;
+  plane.c = lower_quantile(z, kBlockHeight);
   return plane;
 }
 

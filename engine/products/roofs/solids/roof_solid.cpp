@@ -74,8 +74,7 @@ class Solid {
       const Point2 a = p_.vertices[e.from], b = p_.vertices[e.to];
       const double ga = height(e.left, a) - height(e.right, a), gb = height(e.left, b) - height(e.right, b);
       const double t = ga / (ga - gb);
-      const Point2 at{static_cast<std::int32_t>(std::lround(a.x + t * (b.x - a.x))),
-                      static_cast<std::int32_t>(std::lround(a.y + t * (b.y - a.y)))};
+      const Point2 at = lattice_point({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y)}, 1);
       if (at == a || at == b) continue;
       const auto middle = static_cast<std::uint32_t>(p_.vertices.size());
       p_.vertices.push_back(at);
@@ -168,8 +167,7 @@ class Solid {
     for (const Spoke& s : spokes) {
       const Point2 to = p_.vertices[other_end(s)];
       const double share = 0.4 * length / std::sqrt(static_cast<double>(squared_distance(o, to)));
-      ends.push_back({static_cast<std::int32_t>(std::lround(o.x + share * (to.x - o.x))),
-                      static_cast<std::int32_t>(std::lround(o.y + share * (to.y - o.y)))});
+      ends.push_back(lattice_point({o.x + share * (to.x - o.x), o.y + share * (to.y - o.y)}, 1));
     }
     for (std::size_t i = 0; i < ends.size(); ++i)
       if (ends[i] == o || ends[i] == ends[(i + 1) % ends.size()]) return;  // too narrow to cut

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "kernels/core/quantile.h"
 #include "kernels/core/union_find.h"
 #include "kernels/morphology/profile.h"
 #include "kernels/rasters/hough_lines.h"
@@ -263,10 +264,8 @@ class BlockFinder {
       std::vector<Height> heights(profile.begin() + static_cast<std::ptrdiff_t>(begin),
                                   profile.begin() + static_cast<std::ptrdiff_t>(end));
       if (heights.empty()) return;
-      std::nth_element(heights.begin(), heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2),
-                       heights.end());
       stretch.blocks.push_back({static_cast<double>(begin) * pixel_, static_cast<double>(end) * pixel_,
-                                heights[heights.size() / 2] * scale_.unit});
+                                upper_median(heights) * scale_.unit});
     };
     for (const ProfileCut& c : profile_cuts(profile, scale_.units(params_.depth))) {
       const double width = (c.to - c.from + 1) * pixel_;

@@ -36,10 +36,10 @@ TEST(Drawing, ExtentHoldsArcs) {
   Drawing drawing;
   EXPECT_EQ(extent_of(drawing).width(), 0);
   drawing.lines.push_back({DrawingRole::opening, {{0, 0, 0}, {2, 0, 0}, {2, 3, 1}, {0, 3, 0}}, true});
-  const DrawingBox box = extent_of(drawing);
-  EXPECT_EQ(box.min_y, 0);
-  EXPECT_EQ(box.max_y, 4);  // the crown of the half circle
-  EXPECT_EQ(box.max_x, 2);
+  const FlatBox box = extent_of(drawing);
+  EXPECT_EQ(box.min.y, 0);
+  EXPECT_EQ(box.max.y, 4);  // the crown of the half circle
+  EXPECT_EQ(box.max.x, 2);
 }
 
 TEST(Drawing, KeysOfLinesThatLieOnEachOther) {

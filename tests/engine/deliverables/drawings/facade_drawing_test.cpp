@@ -41,7 +41,7 @@ bool says(const Drawing& drawing, const std::string& words) {
 }
 
 // Room of a text that is not turned.
-DrawingBox box_of(const DrawingText& text) {
+FlatBox box_of(const DrawingText& text) {
   const double width = text_width(text.text, text.height);
   const double x = text.x - (text.anchor == TextAnchor::left     ? 0
                              : text.anchor == TextAnchor::middle ? width / 2
@@ -73,13 +73,13 @@ TEST(FacadeDrawing, TextsDoNotOverlapAndStayOffLines) {
     facade.elements.push_back(drawn("stone", wall_rectangle(0.2 * i, 9, 0.2 * i + 0.2, 9.5)));
   for (std::uint32_t i = 0; i < facade.elements.size(); ++i) facade.elements[i].id = i + 1;
   const Drawing drawing = facade_drawing(facade);
-  std::vector<DrawingBox> boxes;
+  std::vector<FlatBox> boxes;
   for (const DrawingText& text : drawing.texts)
     if (text.rotation_deg == 0 && text.role != DrawingRole::title) boxes.push_back(box_of(text));
   for (std::size_t i = 0; i < boxes.size(); ++i)
     for (std::size_t k = i + 1; k < boxes.size(); ++k) {
-      const bool apart = boxes[i].max_x <= boxes[k].min_x || boxes[k].max_x <= boxes[i].min_x ||
-                         boxes[i].max_y <= boxes[k].min_y || boxes[k].max_y <= boxes[i].min_y;
+      const bool apart = boxes[i].max.x <= boxes[k].min.x || boxes[k].max.x <= boxes[i].min.x ||
+                         boxes[i].max.y <= boxes[k].min.y || boxes[k].max.y <= boxes[i].min.y;
       EXPECT_TRUE(apart) << i << " " << k;
     }
 }
@@ -125,11 +125,11 @@ TEST(FacadeDrawing, PaperIsAStandardSizeThatHoldsEverything) {
     if (width < 50) {
       EXPECT_NEAR(std::max(mm_wide, mm_high) / std::min(mm_wide, mm_high), std::sqrt(2.0), 0.01) << width;
     }
-    const DrawingBox box = extent_of(drawing);
-    EXPECT_GE(box.min_x, drawing.sheet.min_x);
-    EXPECT_GE(box.min_y, drawing.sheet.min_y);
-    EXPECT_LE(box.max_x, drawing.sheet.max_x);
-    EXPECT_LE(box.max_y, drawing.sheet.max_y);
+    const FlatBox box = extent_of(drawing);
+    EXPECT_GE(box.min.x, drawing.sheet.min.x);
+    EXPECT_GE(box.min.y, drawing.sheet.min.y);
+    EXPECT_LE(box.max.x, drawing.sheet.max.x);
+    EXPECT_LE(box.max.y, drawing.sheet.max.y);
   }
 }
 

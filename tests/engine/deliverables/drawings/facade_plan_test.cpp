@@ -50,7 +50,7 @@ TEST(FacadePlan, ChordsBecomeOneArc) {
     EXPECT_NEAR(flat.corners[2].bulge, 1, 1e-9);
     EXPECT_DOUBLE_EQ(flat.corners[2].x, 2);
     EXPECT_NEAR(flat.corners[3].x, 0, 1e-12);
-    EXPECT_NEAR(flat.box.max_y, 3, 1e-9);
+    EXPECT_NEAR(flat.box.max.y, 3, 1e-9);
     for (const FlatPoint& p : chords_of(flat))
       if (p.y > 2) {
         EXPECT_NEAR(std::hypot(p.x - 1, p.y - 2), 1, 1e-12);
@@ -64,7 +64,7 @@ TEST(FacadePlan, HalfCirclesKeepTheirCrown) {
     FacadeElement door = arched_door(5);
     door.ring[1].x = door.ring[2].x = 2 + off;
     const FlatElement flat = flat_element(facade_of({door}), door, 1);
-    EXPECT_NEAR(flat.box.max_y, 3, 0.003);
+    EXPECT_NEAR(flat.box.max.y, 3, 0.003);
   }
 }
 

@@ -15,7 +15,7 @@ namespace ilot {
 namespace {
 
 PointSource source_of(const std::vector<ImagePoint>& points, std::size_t piece) {
-  return [&points, piece](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [&points, piece](const Box3<Vec3>&, const std::function<void(std::span<const ImagePoint>)>& take) {
     for (std::size_t i = 0; i < points.size(); i += piece)
       take(std::span(points).subspan(i, std::min(piece, points.size() - i)));
   };
@@ -23,7 +23,7 @@ PointSource source_of(const std::vector<ImagePoint>& points, std::size_t piece) 
 
 // Gives what lies in the box that is asked for and nothing else.
 PointSource strict_source_of(const std::vector<ImagePoint>& points) {
-  return [&points](const PointBox& box, const std::function<void(std::span<const ImagePoint>)>& take) {
+  return [&points](const Box3<Vec3>& box, const std::function<void(std::span<const ImagePoint>)>& take) {
     for (const ImagePoint& p : points)
       if (p.position.x >= box.min.x && p.position.y >= box.min.y && p.position.z >= box.min.z &&
           p.position.x <= box.max.x && p.position.y <= box.max.y && p.position.z <= box.max.z)
@@ -63,7 +63,7 @@ TEST(FacadeImage, PlacesAndColours) {
   EXPECT_EQ(image.rgba[0], 0);         // the top left
   EXPECT_EQ(image.rgba[4 * 99], 200);  // the bottom right
   EXPECT_EQ(image.rgba[4 * 99 + 1], 90);
-  EXPECT_EQ(image.place.max_y, 1);
+  EXPECT_EQ(image.place.max.y, 1);
 }
 
 TEST(FacadeImage, AnyOrderAndAnyPiecesGiveTheSameBytes) {

@@ -41,7 +41,7 @@ TEST(FacadeFiles, WritesWhatThereIs) {
   FacadesPage page(whole.path() / "facades.html", params.layers);
   params.page = &page;
   params.sections.levels = {2};
-  params.points = [](const PointBox&, const std::function<void(std::span<const ImagePoint>)>& take) {
+  params.points = [](const Box3<Vec3>&, const std::function<void(std::span<const ImagePoint>)>& take) {
     const std::vector<ImagePoint> points{{{1.5, 0.1, 2}, {1, 2, 3}}};
     take(points);
   };

@@ -12,17 +12,14 @@ namespace {
 CellPoints floor_and_strays() {
   CellPoints cell;
   const auto add = [&](float x, float y, float z) {
-    cell.x.push_back(x);
-    cell.y.push_back(y);
-    cell.z.push_back(z);
+    cell.add(x, y, z);
     cell.normals.push_back({0, 0, 32767, 0});
     cell.core.push_back(z == 0);
     cell.colour_class.push_back(z == 0 ? 1 : 2);
   };
   for (int i = 0; i < 1600; ++i) add(static_cast<float>(10 * (i % 40)), static_cast<float>(10 * (i / 40)), 0);
   for (int i = 0; i < 5; ++i) add(static_cast<float>(60 * i), 100, 200);
-  cell.size = cell.core.size();
-  for (auto* v : {&cell.x, &cell.y, &cell.z}) v->resize(cell.size + 16, 0.0f);
+  cell.pad();
   return cell;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "kernels/core/closest.h"
+#include "kernels/geometry/closest.h"
 
 #include <algorithm>
 

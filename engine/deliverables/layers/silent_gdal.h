@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <cpl_error.h>
+
+namespace ilot {
+
+// A handler of GDAL's errors that prints nothing: what went wrong is asked for with CPLGetLastErrorMsg().
+inline void keep_silent(CPLErr, CPLErrorNum, const char*) {}
+
+}  // namespace ilot
