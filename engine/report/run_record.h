@@ -21,7 +21,7 @@ struct InputRecord {
   std::string path, format, crs;  // crs: name or empty
   std::uint64_t points = 0;       // that were read
   std::uint64_t bytes = 0;
-  std::string output;  // the labelled cloud, relative to OUT; empty when none is written
+  std::string output;   // the labelled cloud, relative to OUT; empty when none is written
   std::string dialect;  // of text: separators, decimal point or comma; else empty
 };
 

@@ -68,7 +68,7 @@ TEST(PublicCloudFile, FillsTheCallersArraysAndMeasures) {
   EXPECT_NEAR(x[0], 652000.2, 1e-6);
   EXPECT_EQ(red[0], 0) << "the cloud has no colours";
   EXPECT_EQ(cloud.read(300, {.x = x, .y = y, .z = z}, points), 0u);
-  EXPECT_THROW(cloud.read(0, {.x = x, .y = y}, points), Error);
+  EXPECT_THROW(cloud.read(0, {.x = x, .y = y, .z = {}}, points), Error);
   const CloudMeasure measure = cloud.measure();
   EXPECT_EQ(measure.points, 300u);
   EXPECT_EQ(measure.classes[2], 150u);
