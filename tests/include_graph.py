@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the includes and checks the arrows of the house: tools -> engine -> kernels, and the doors inside."""
+"""Reads the includes and checks the arrows of the house: tools -> engine -> kernels -> the public headers, which see
+themselves alone, and the doors inside."""
 import pathlib
 import re
 import sys
 
+# The layer "ilot" is the folder include/ilot: its files are known as they are included.
 LAYER_SEES = {
+    "ilot": {"ilot"},
     "kernels": {"kernels"},
     "engine": {"engine", "kernels"},
     "training": {"training", "engine", "kernels"},
@@ -18,7 +21,11 @@ LAYER_SEES = {
 # Folders of the engine by height: a folder sees itself and what is lower.
 HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
           "visibility": 4, "columns": 4, "deliverables": 4, "validity": 5, "proof": 5, "products/planes": 6,
-          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9}
+          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9, "api": 10}
+# Who may include engine/api, which turns the engine's types into public ones and is called through include/ilot.
+SEE_API = {"engine/api", "tools", "tests", "study"}
+# Headers of the standard library that the public ones may include: all that have neither a folder nor an extension.
+STANDARD = re.compile(r"^[a-z_]+$")
 EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
 PRODUCTS = {"products/roofs", "products/facades", "products/streets"}
@@ -53,9 +60,13 @@ def faults_of(name, text):
         top = included.split("/")[0]
         if top in ("tbb", "oneapi") and name != "kernels/core/parallel.cpp":
             yield f"includes {included}: only kernels/core/parallel.cpp may"
-        if top not in LAYER_SEES:
+        if layer == "ilot" and top != "ilot" and not STANDARD.match(included):
+            yield f"includes {included}: public headers see each other and the standard library alone"
+        if top not in LAYER_SEES or top == "ilot":
             continue
-        if top not in LAYER_SEES[layer]:
+        if included.startswith("engine/api/") and layer not in SEE_API and f"{layer}/{room}" not in SEE_API:
+            yield f"includes {included}: engine/api is called through include/ilot"
+        if layer != "ilot" and top not in LAYER_SEES[layer]:
             yield f"includes {included}: {layer} does not see {top}"
         other = folder(included)
         if layer == top == "kernels" and KERNEL_HEIGHT[other] > KERNEL_HEIGHT[room]:
@@ -71,7 +82,7 @@ def faults_of(name, text):
                 yield f"includes {included}: no product judges itself"
     if INTRINSICS.search(code) and not name.startswith("kernels/simd/"):
         yield "uses intrinsics: only kernels/simd may"
-    if layer in ("kernels", "engine"):
+    if layer in ("ilot", "kernels", "engine"):
         if TALKING.search(code):
             yield f"prints or exits ({TALKING.search(code).group(0).strip()}): library code never does"
         text_alone = INCLUDE.sub("", code)
@@ -110,7 +121,7 @@ def names_taken_twice(files):
     """Types of one name in two headers: the linker joins their functions, and one of the two runs the other's."""
     headers = {}
     for name, text in sorted(files.items()):
-        if not name.endswith(".h") or name.split("/")[0] not in ("kernels", "engine"):
+        if not name.endswith(".h") or name.split("/")[0] not in ("ilot", "kernels", "engine"):
             continue
         code = strip_comments(text)
         space = NAMESPACE.search(code)
@@ -151,12 +162,18 @@ def self_test():
         "engine/cloud/l.cpp": '#include "tools/ilot/console.h"\n',
         "engine/model/m.h": "namespace ilot {\nstruct Twice {\n};\n}\n",
         "engine/store/n.h": "namespace ilot {\nclass Twice final {\n};\n}\n",
+        "ilot/p.h": '#include "kernels/core/types.h"\n',
+        "ilot/q.h": "#include <gdal/gdal.h>\n",
+        "ilot/r.h": "namespace ilot {\nstruct Public {\n};\n}\n",
+        "kernels/core/s.h": "namespace ilot {\nstruct Public {\n};\n}\n",
+        "engine/run/t.cpp": '#include "engine/api/u.h"\n',
+        "scan/v.cpp": '#include "engine/api/u.h"\n',
     }
     faults = "\n".join(check(bad))
     for name in bad:
         if name not in faults:
             sys.exit(f"include_graph: the checker misses the fault in {name}")
-    good = {"engine/formats/las.cpp": '// tbb\n#include "engine/cloud/record.h"\n', "engine/cloud/record.h": "// LAS\n"}
+    good = {"ilot/a.h": '#include <span>\n#include "ilot/b.h"\n', "engine/api/c.cpp": '#include "engine/api/d.h"\n', "engine/formats/las.cpp": '// tbb\n#include "engine/cloud/record.h"\n', "engine/cloud/record.h": "// LAS\n"}
     if check(good):
         sys.exit("include_graph: the checker complains of good code: " + "; ".join(check(good)))
 
@@ -166,9 +183,10 @@ def main():
     root = pathlib.Path(sys.argv[1])
     files = {}
     for layer in LAYER_SEES:
-        for path in (root / layer).rglob("*"):
+        top = root / "include" if layer == "ilot" else root
+        for path in (top / layer).rglob("*"):
             if path.suffix in (".h", ".cpp", ".inl"):
-                files[path.relative_to(root).as_posix()] = path.read_text(encoding="utf-8")
+                files[path.relative_to(top).as_posix()] = path.read_text(encoding="utf-8")
     faults = check(files)
     for fault in faults:
         print(fault)

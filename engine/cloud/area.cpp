@@ -8,7 +8,7 @@ bool Area::contains(double x, double y) const {
   if (!(x >= min_x && x <= max_x && y >= min_y && y <= max_y)) return false;
   if (rings.empty()) return true;
   bool inside = false;
-  for (const Ring& ring : rings) {
+  for (const AreaRing& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       // The lower end first, so that an edge shared by two rings is judged alike in both directions.
       const auto& p = ring[i];

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/cloud/record.h"
+#include "ilot/cloud_info.h"
 #include "kernels/core/types.h"
 
 namespace ilot {
@@ -21,32 +22,6 @@ struct Vlr {
   std::vector<std::byte> payload;
   std::uint16_t reserved = 0;  // 0xAABB in old files
   bool extended = false;       // stood behind the points (EVLR)
-};
-
-// Coordinate reference system as far as the engine needs it.
-struct Crs {
-  std::string wkt;             // empty when unknown
-  int epsg = 0;                // 0 when unknown
-  std::string name;            // for people
-  bool geographic = false;     // degrees: no product works on these
-  double metres_per_unit = 1;  // horizontal
-  double metres_per_unit_z = 1;
-  bool unit_assumed = true;  // nothing said what the unit is: metres are assumed
-};
-
-// Where a scanner stood, in world coordinates, and how it turned.
-struct Station {
-  std::string name;
-  Vec3 position;
-  double azimuth_step = 0, elevation_step = 0;  // radians between profiles and between their points; 0 = unknown
-  Vec3 axis{0, 0, 1};                           // that it turned about, of unit length
-  std::uint16_t source_id = 0;                  // point_source_id of its points; 0 = not told
-};
-
-// One of several scans in a file; its rows follow those of the scan before it.
-struct ScanPart {
-  std::string name;
-  std::uint64_t points = 0;
 };
 
 // What is known of one point cloud after opening it and before reading its points. Declared values come from the

@@ -5,24 +5,9 @@
 #include <map>
 #include <string>
 
-namespace ilot {
+#include "ilot/cloud_info.h"
 
-enum class PointLabel : std::uint8_t {
-  none = 0,
-  ground = 1,
-  roof = 2,
-  wall = 3,
-  vegetation = 4,
-  facade = 5,  // seen from the street: walls and all that is fixed to them
-  window = 6,
-  door = 7,
-  sill = 8,
-  balcony = 9,
-  car = 10,
-  lamppost = 11,
-  pedestrian = 12,
-  other = 13,  // stands on the ground and is none of these
-};
+namespace ilot {
 
 // Names by value, without `none`: those that truth files use for their classes.
 inline const std::map<std::uint32_t, std::string>& point_label_names() {

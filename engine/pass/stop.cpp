@@ -15,6 +15,10 @@ bool stop_requested() {
   return stop_flag.load(std::memory_order_relaxed);
 }
 
+void accept_runs() {
+  stop_flag.store(false, std::memory_order_relaxed);
+}
+
 void request_stop() {
   stop_flag.store(true, std::memory_order_relaxed);
 }

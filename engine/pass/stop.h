@@ -9,6 +9,10 @@ namespace ilot {
 // Error(..., ExitCode::interrupted).
 bool stop_requested();
 
+// Ends what runs: declared here and in ilot/run.h.
 void request_stop();
+
+// Takes the request back: the next run starts. Not while one runs.
+void accept_runs();
 
 }  // namespace ilot

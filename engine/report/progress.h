@@ -45,6 +45,7 @@ class Progress {
   void begin_stage(std::string_view name, std::uint64_t total_points);
   void advance(std::uint64_t points) { done_.fetch_add(points, std::memory_order_relaxed); }
   void end_stage();
+  std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }  // points of the stage
 
   // done of total units of the current stage; the unit's files stand under their names when this is called.
   void unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total);

@@ -13,6 +13,7 @@
 #include "engine/error.h"
 #include "engine/report/progress.h"
 #include "engine/settings/settings.h"
+#include "ilot/run.h"
 
 namespace ilot {
 
@@ -28,12 +29,6 @@ struct InputRecord {
 struct ResultRecord {
   std::string path;  // relative to OUT
   std::uint64_t bytes = 0;
-};
-
-struct SkippedRecord {
-  std::string what;    // "input", "unit", "product"
-  std::string where;   // path or id
-  std::string reason;  // one sentence
 };
 
 // A value that `auto` stood for.

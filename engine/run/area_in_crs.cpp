@@ -32,7 +32,7 @@ Area area_in_crs(const Area& area, const RunInputs& inputs, Progress& progress, 
   const CrsTransform transform(crs_from_epsg(4326), inputs.crs);
   moved.min_x = moved.min_y = INFINITY;
   moved.max_x = moved.max_y = -INFINITY;
-  for (Ring& ring : moved.rings)
+  for (AreaRing& ring : moved.rings)
     for (auto& [x, y] : ring) {
       Vec3 place{x, y, 0};
       transform.apply(std::span(&place, 1));

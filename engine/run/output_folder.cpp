@@ -74,7 +74,7 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
 void check_sources(const fs::path& folder, const RunOptions& options, const RunInputs& inputs) {
   std::vector<fs::path> read;
   for (const auto& reader : inputs.readers) read.push_back(reader->info().path);
-  for (const fs::path& path : {options.footprints, options.stations, options.train.places})
+  for (const fs::path& path : {options.footprints, options.stations, options.train})
     if (!path.empty() && fs::exists(path)) read.push_back(path);
   for (const fs::path& path : read)
     if (lies_in(path, folder))

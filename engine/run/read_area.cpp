@@ -34,7 +34,7 @@ std::optional<double> take_number(std::string_view& text) {
   return value;
 }
 
-void add_ring(Area& area, Ring ring, const std::string& name) {
+void add_ring(Area& area, AreaRing ring, const std::string& name) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3) throw fault(name, "a ring has fewer than three different corners");
   area.rings.push_back(std::move(ring));
@@ -45,7 +45,7 @@ Area with_box(Area area, const std::string& name) {
   const auto& first = area.rings.front().front();
   area.min_x = area.max_x = first[0];
   area.min_y = area.max_y = first[1];
-  for (const Ring& ring : area.rings) {
+  for (const AreaRing& ring : area.rings) {
     for (const auto& [x, y] : ring) {
       area.min_x = std::min(area.min_x, x);
       area.max_x = std::max(area.max_x, x);
@@ -58,7 +58,7 @@ Area with_box(Area area, const std::string& name) {
 
 void add_polygon(Area& area, const Json& rings, const std::string& name) {
   for (const Json& corners : rings) {
-    Ring ring;
+    AreaRing ring;
     for (const Json& corner : corners) {
       ring.push_back({corner.at(0).get<double>(), corner.at(1).get<double>()});
       if (!std::isfinite(ring.back()[0]) || !std::isfinite(ring.back()[1])) {
@@ -143,7 +143,7 @@ class WktParser {
     if (!take(')')) throw fault(name_, "WKT: ')' expected");
   }
   void parse_ring() {
-    Ring ring;
+    AreaRing ring;
     do {
       const auto x = take_number(text_);
       const auto y = take_number(text_);

@@ -15,6 +15,7 @@
 #include "engine/products/planes/make_boundaries.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/run/area_in_crs.h"
@@ -170,7 +171,7 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
     progress.warn(record.warnings.back());
   };
   check("--footprints", options.footprints, "roofs");
-  check("--train", options.train.places, "streets");
+  check("--train", options.train, "streets");
 }
 
 // Of the planes only what labels need stays in memory.
@@ -190,7 +191,7 @@ LabelParams labels_of(const RunOptions& options, std::shared_ptr<PlanesResult> p
 
 // The run, step by step. Everything lands in the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, const std::vector<PlannedSite>& sites,
-                   OutputFolder& out, Progress& progress, RunRecord& record) {
+                   const StreetTraining& training, OutputFolder& out, Progress& progress, RunRecord& record) {
   PassContext context = pass_context(options, inputs, out.block_points(), progress);
   if (options.clouds) check_labelled_clouds(inputs.readers, context);
   progress.begin_stage("index", inputs.points);
@@ -207,7 +208,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
                   options.settings,
                   context,
                   options.footprints.empty() ? nullptr : &sites,
-                  &options.train,
+                  &training,
                   [&](const char* product) { return makes(options, product); },
                   out.staging(),
                   progress,
@@ -280,7 +281,7 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   warn_of_peak(progress, record);
 }
 
-int run_in_arena(const RunOptions& given, Progress& progress) {
+int run_in_arena(const RunOptions& given, const TrainThings& learn, Progress& progress) {
   RunRecord record;
   RunOptions options = given;
   const double start = now();
@@ -301,7 +302,7 @@ int run_in_arena(const RunOptions& given, Progress& progress) {
   }
   set_memory_limit(memory_to_fill(options));
   out->check_space(estimate_run(options, inputs));
-  make_products(options, inputs, sites, *out, progress, record);
+  make_products(options, inputs, sites, {options.train, learn}, *out, progress, record);
   complete_record(options, progress, start, record);
   out->publish(record);
   out->finish(options.keep_store);
@@ -311,11 +312,11 @@ int run_in_arena(const RunOptions& given, Progress& progress) {
 
 }  // namespace
 
-int run(const RunOptions& options, Progress& progress) {
+int run(const RunOptions& options, Progress& progress, const TrainThings& learn) {
   progress.run_start("ilot run");
   int code = 0;
   with_threads(options.threads > 0 ? options.threads : hardware_threads(),
-               [&] { code = run_in_arena(options, progress); });
+               [&] { code = run_in_arena(options, learn, progress); });
   return code;
 }
 

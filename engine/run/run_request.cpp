@@ -122,7 +122,7 @@ std::string run_request(const RunOptions& options, const RunInputs& inputs) {
                      {"settings", settings_of(options)},
                      {"area", area_json(options.area)},
                      {"footprints", named_file(options.footprints)},
-                     {"train", named_file(options.train.places)},
+                     {"train", named_file(options.train)},
                      {"stations", stations_json(inputs.stations)},
                      {"products", options.products},
                      {"crs", options.crs},

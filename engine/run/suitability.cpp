@@ -3,7 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "engine/formats/crs.h"
+#include "engine/report/progress.h"
 #include "engine/run/products.h"
 
 namespace ilot {
@@ -18,6 +21,17 @@ std::optional<std::string> hindrance(const CloudInfo& info, const CloudMeasure& 
   if (m.sampling_step == 0) return "all points are at one place";
   if (m.sampling_step > kMostStep) return fmt::format("{:.3g} m between points, 10 m at most", m.sampling_step);
   return std::nullopt;
+}
+
+// Formats other than LAS and LAZ have no header block of ours to compare with.
+bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
+  if (info.header.empty()) return false;
+  const auto off = [&](double declared, double measured, std::size_t axis) {
+    return !(std::abs(declared - measured) <= 1.5 * info.layout.scale[axis]);
+  };
+  return off(info.declared_min.x, m.all_min.x, 0) || off(info.declared_min.y, m.all_min.y, 1) ||
+         off(info.declared_min.z, m.all_min.z, 2) || off(info.declared_max.x, m.all_max.x, 0) ||
+         off(info.declared_max.y, m.all_max.y, 1) || off(info.declared_max.z, m.all_max.z, 2);
 }
 
 }  // namespace
@@ -35,12 +49,32 @@ std::optional<std::string> doubt_about_step(const CloudMeasure& m) {
   return std::nullopt;
 }
 
-std::vector<ProductSuitability> suitability(const CloudInfo& info, const CloudMeasure& m) {
+std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeasure& m) {
   const auto why = hindrance(info, m);
-  std::vector<ProductSuitability> all;
-  for (const Product* product : all_products())
-    all.push_back({product->name, why ? Suitability{false, *why} : product->suitability(info, m)});
+  std::vector<CloudSuitability> all;
+  for (const Product* product : all_products()) {
+    const Suitability suits = why ? Suitability{false, *why} : product->suitability(info, m);
+    all.push_back({product->name, suits.yes, suits.reason});
+  }
   return all;
+}
+
+std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasure& m) {
+  std::vector<std::string> list = info.warnings;
+  if (m.points > 0 && box_differs(info, m)) list.push_back("the header's box is not that of the points");
+  if (m.strays > 0)
+    list.push_back(grouped(m.strays) + (m.strays == 1 ? " point stands alone" : " points stand alone") +
+                   ", far from all others; a run leaves such points out, index.keep_strays keeps them");
+  if (m.rejected > 0) list.push_back(fmt::format("{} points have unusable coordinates", m.rejected));
+  if (info.points < info.declared_points) {
+    list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
+  }
+  if (const auto doubt = doubt_about_step(m)) list.push_back(*doubt);
+  if (info.crs.geographic && !believed_crs(info, m).geographic)
+    list.push_back(
+        fmt::format("it says degrees, which x = {:.3f} cannot be: metres in an unknown CRS are assumed", m.min.x));
+  if (info.crs.unit_assumed) list.push_back("nothing says what the unit is: metres are assumed");
+  return list;
 }
 
 }  // namespace ilot

@@ -1,43 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every value that a user can set and that can change a result, with its default. Lengths are metres, angles
-// degrees, whatever the unit of the input. nullopt = auto: computed from the measured sampling step and
-// noise. To add one: a line here and a line in the table of parameters.cpp; TOML, --set, help, docs and
-// run.json follow.
+// The settings, as the public interface has them, and the words that choices are written as. To add a setting: a line
+// in include/ilot/settings.h and a line in the table of parameters.cpp; TOML, --set, help, docs and run.json follow.
 #pragma once
 #include <array>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string_view>
-#include <vector>
+
+#include "ilot/settings.h"
 
 namespace ilot {
 
-struct IndexSettings {
-  std::uint64_t block_points = 1u << 20;  // most points in one block of the store
-  double finest_step = 0.00001;           // metres; coordinates in finer steps are rounded to it
-  bool keep_strays = false;               // points that stand alone, far from all others
-};
-
-struct NormalsSettings {
-  int neighbours = 16;     // nearest points that a normal is fitted to
-  double max_radius = 10;  // metres; neighbours farther away are not used
-  bool write = false;      // write NormalX, NormalY, NormalZ
-};
-
-// Ways to find planes; docs/methods.md tells when to use which.
-enum class PlaneMethod : std::uint8_t {
-  ransac,
-  region_growing,
-  smooth_growing,
-  split_merge,
-  hough,
-  shape_ransac,
-  roof_ransac,
-  facade_ransac,
-  colour_ransac,
-};
-// As they are written in settings, in that order.
+// As choices are written in settings, in the order of their values.
 constexpr std::array<std::string_view, 9> kPlaneMethods{"ransac",      "region_growing", "smooth_growing",
                                                         "split_merge", "hough",          "shape_ransac",
                                                         "roof_ransac", "facade_ransac",  "colour_ransac"};
@@ -45,157 +18,49 @@ constexpr std::span<const std::string_view> names_of(PlaneMethod) {
   return kPlaneMethods;
 }
 
-// Points that take no part in the search for planes (docs/methods.md, A1); labels may still reach them.
-enum class Cleaning : std::uint8_t {
-  none,
-  density,    // whose neighbourhood is much sparser than the mean
-  distance,   // in clusters of fewer than min_points, farther than the connectivity from the rest
-  isolation,  // isolated among their own neighbours
-};
 constexpr std::array<std::string_view, 4> kCleanings{"none", "density", "distance", "isolation"};
 constexpr std::span<const std::string_view> names_of(Cleaning) {
   return kCleanings;
 }
 
-// What epsilon is chosen by where it is auto.
-enum class EpsilonBy : std::uint8_t {
-  noise,  // 3.5 times the noise
-  knee,   // the knee of MSE(epsilon) of the largest plane (docs/methods.md, C4)
-};
 constexpr std::array<std::string_view, 2> kEpsilonBy{"noise", "knee"};
 constexpr std::span<const std::string_view> names_of(EpsilonBy) {
   return kEpsilonBy;
 }
 
-struct PlanesSettings {
-  std::optional<PlaneMethod> method;
-  std::optional<double> epsilon;       // metres; greatest distance of a labelled point from its plane
-  std::optional<double> normal_angle;  // degrees; greatest angle between a point's normal and its plane's
-  std::optional<int> min_points;       // fewest points of a plane
-  std::optional<double> connectivity;  // metres; points of one plane farther apart than this are two planes
-  double join_angle = 4;               // degrees; planes that meet at a cell border join below this angle
-  double probability = 0.99;           // that the best plane was among those tried
-  Cleaning cleaning = Cleaning::none;
-  EpsilonBy epsilon_by = EpsilonBy::noise;
-  int colour_classes = 6;      // that colours are parted into where points have them; 0 = none
-  std::optional<bool> curved;  // spheres, cylinders and cones too, before planes
-  int curved_points = 300;     // fewest points of one of these
-};
-
-// Where the sampling step around a point comes from.
-enum class StepSource : std::uint8_t { stations, neighbours };
 constexpr std::array<std::string_view, 2> kStepSources{"stations", "neighbours"};
 constexpr std::span<const std::string_view> names_of(StepSource) {
   return kStepSources;
 }
 
-// What keeps a triangle out of an outline.
-enum class BoundaryRule : std::uint8_t { circumradius, longest_edge };
 constexpr std::array<std::string_view, 2> kBoundaryRules{"circumradius", "longest_edge"};
 constexpr std::span<const std::string_view> names_of(BoundaryRule) {
   return kBoundaryRules;
 }
 
-// How the edges of triangles are measured.
-enum class EdgeLength : std::uint8_t { plane, space };
 constexpr std::array<std::string_view, 2> kEdgeLengths{"plane", "space"};
 constexpr std::span<const std::string_view> names_of(EdgeLength) {
   return kEdgeLengths;
 }
 
-// Which gaps open an outline: all, or those that the outside reaches.
-enum class Erosion : std::uint8_t { everywhere, outside };
 constexpr std::array<std::string_view, 2> kErosions{"everywhere", "outside"};
 constexpr std::span<const std::string_view> names_of(Erosion) {
   return kErosions;
 }
 
-struct BoundariesSettings {
-  double gamma = 1;  // threshold around a point over the sampling step there, the diagonal of a cell of its raster
-  std::optional<double> threshold;  // metres; the same for all points, whatever the step
-  std::optional<StepSource> step;
-  BoundaryRule rule = BoundaryRule::circumradius;
-  EdgeLength edge_length = EdgeLength::plane;  // of longest_edge
-  Erosion erosion = Erosion::everywhere;
-  double tolerance = 0.001;         // metres; outlines are thinned to within it
-  std::optional<int> density_maps;  // planes, the largest first, whose density is written beside the predicted one
-};
-
-// What attributes of buildings are called: by names of our own, or by those that roofer writes (rf_*).
-enum class AttributeStyle : std::uint8_t { plain, roofer };
 constexpr std::array<std::string_view, 2> kAttributeStyles{"plain", "roofer"};
 constexpr std::span<const std::string_view> names_of(AttributeStyle) {
   return kAttributeStyles;
 }
 
-struct RoofsSettings {
-  bool trust_classes = true;               // false: ground and buildings are found by shape
-  std::optional<double> cluster_distance;  // metres; building points farther apart in plan are two buildings
-  std::optional<int> cluster_points;       // fewest points of a building without a footprint
-  double margin = 0.5;                     // metres; points outside all outlines but so near to one are its own
-  std::optional<double> epsilon;           // metres; farthest that a point lies from its roof face
-  std::optional<int> min_points;           // fewest points of a roof face
-  std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
-  bool superstructures = true;             // false: the main roof alone
-  AttributeStyle attribute_style = AttributeStyle::plain;
-};
-
-// Where a street was scanned from: by a vehicle or on foot, or by an aircraft.
-enum class StreetView : std::uint8_t { street, air };
 constexpr std::array<std::string_view, 2> kStreetViews{"street", "air"};
 constexpr std::span<const std::string_view> names_of(StreetView) {
   return kStreetViews;
 }
 
-struct StreetsSettings {
-  std::optional<StreetView> view;
-  std::optional<double> pixel;  // metres; of the images from above
-  double flat = 1;              // metres; heights of neighbours on the ground differ by at most this
-  double longest_gap = 0.5;     // metres; gaps between scan lines are closed up to it
-  double longest_link = 10;     // metres; shadows on the ground are crossed up to it
-  double least_height = 0.1;    // metres; lower things are part of the ground
-  double least_area = 0.0125;   // m2; smaller things are dropped
-  double rise = 0.05;           // metres; what stands so much above the pass to a higher thing is a thing of its own
-};
-
-// Whose names the layers of drawings have.
-enum class LayerNames : std::uint8_t { ilot, aia, iso13567 };
 constexpr std::array<std::string_view, 3> kLayerNames{"ilot", "aia", "iso13567"};
 constexpr std::span<const std::string_view> names_of(LayerNames) {
   return kLayerNames;
 }
-
-struct FacadesSettings {
-  double least_width = 2, least_height = 2;  // metres; of a facade
-  double bias = 0.03;                        // metres; walls whose planes differ by less are one facade
-  double gap = 3;                            // metres between two parts of one facade
-  double relief = 1.5;                       // metres; what stands so far before a facade belongs to it
-  double least_opening = 0.3;                // metres; width and height of a window
-  double alike = 0.04;                       // metres; what differs by less may have been meant equal
-  bool regularise = true;                    // rows, columns and families line up within their errors
-  double scale = 50;                         // of drawings, 1 : scale
-  LayerNames layers = LayerNames::ilot;      // of drawings
-  std::vector<double> sections;              // heights, CRS units, that facades are also cut at
-  std::vector<double> upright_sections;      // metres from the left end of each, upright cuts
-  std::vector<double> section_lines;         // x0, y0, x1, y1 of each, CRS units, upright cuts
-};
-
-struct ClassesSettings {
-  std::vector<int> ground{2};
-  std::vector<int> building{6};
-  std::vector<int> noise{7, 18};
-};
-
-struct Settings {
-  std::uint64_t seed = 0;  // varies the random draws; any value is reproducible
-  IndexSettings index;
-  NormalsSettings normals;
-  PlanesSettings planes;
-  BoundariesSettings boundaries;
-  RoofsSettings roofs;
-  StreetsSettings streets;
-  FacadesSettings facades;
-  ClassesSettings classes;
-};
 
 }  // namespace ilot

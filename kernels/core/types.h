@@ -6,30 +6,9 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "ilot/geometry.h"
+
 namespace ilot {
-
-struct Vec3 {
-  double x = 0, y = 0, z = 0;
-};
-
-inline Vec3 operator+(Vec3 a, Vec3 b) {
-  return {a.x + b.x, a.y + b.y, a.z + b.z};
-}
-inline Vec3 operator-(Vec3 a, Vec3 b) {
-  return {a.x - b.x, a.y - b.y, a.z - b.z};
-}
-inline Vec3 operator*(double s, Vec3 a) {
-  return {s * a.x, s * a.y, s * a.z};
-}
-inline double dot(Vec3 a, Vec3 b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-inline Vec3 cross(Vec3 a, Vec3 b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-inline double norm(Vec3 a) {
-  return std::sqrt(dot(a, a));
-}
 
 // Integer lattice point, in scale units. int64: national grids at a millimetre do not fit 32 bits.
 struct Index3 {
@@ -53,15 +32,5 @@ struct OrientedPoints {
   const float* ny = nullptr;
   const float* nz = nullptr;
 };
-
-// n . p + d = 0, n of unit length; the signed distance of p is n . p + d.
-struct Plane {
-  Vec3 n{0, 0, 1};
-  double d = 0;
-};
-
-inline double signed_distance(const Plane& plane, Vec3 p) {
-  return dot(plane.n, p) + plane.d;
-}
 
 }  // namespace ilot

@@ -10,11 +10,6 @@
 
 namespace ilot {
 
-enum class TriangleRule {
-  kCircumradius,  // circumradius <= reach
-  kLongestEdge,   // longest edge <= reach, and circumradius <= kRadiusPerEdge * reach: a sliver's circle has no bound
-};
-
 constexpr double kRadiusPerEdge = 4;
 
 // reach: per point, in lattice units, at least 0 [Lorraine thesis, 3.3]; a triangle takes the largest of its corners'.

@@ -5,21 +5,11 @@
 #include <utility>
 #include <vector>
 
+#include "ilot/delaunay.h"
 #include "kernels/delaunay/plane_order.h"
 #include "kernels/delaunay/predicates.h"
 
 namespace ilot {
-
-constexpr std::uint32_t kNoEdge = 0xffffffffu;
-
-// Triangle t has the corners corner[3t], corner[3t+1], corner[3t+2], which turn left. Edge e runs from corner[e] to the
-// next corner of its triangle; twin[e] is the same edge seen from the neighbouring triangle, kNoEdge on the hull.
-struct Triangulation {
-  std::vector<std::uint32_t> corner;
-  std::vector<std::uint32_t> twin;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> duplicates;  // (point left out, the smaller index it equals)
-  std::size_t triangles() const { return corner.size() / 3; }
-};
 
 constexpr std::uint32_t next_edge(std::uint32_t e) {
   return e % 3 == 2 ? e - 2 : e + 1;

@@ -2,16 +2,11 @@
 #pragma once
 #include <cstdint>
 #include <span>
-#include <vector>
 
+#include "ilot/clusters.h"
 #include "kernels/core/types.h"
 
 namespace ilot {
-
-struct Clusters {
-  std::vector<std::uint32_t> id;  // per given index: 0 to count-1, numbered by first appearance
-  std::uint32_t count = 0;
-};
 
 // Euclidean clusters [Boltcheva et al. 2019, 3.1]: points at most `radius` units apart (closed) are in one cluster, and
 // so are chains of them. `indices` picks the points; offsets are integers, radius at least 1 and above 2^-20 of the

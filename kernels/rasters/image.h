@@ -6,6 +6,8 @@
 #include <limits>
 #include <vector>
 
+#include "ilot/rasters.h"
+
 namespace ilot {
 
 // In scale units. Magnitudes below 2^30, but for the two ends: kNoHeight marks a pixel without points and is lower than
@@ -13,9 +15,6 @@ namespace ilot {
 using Height = std::int32_t;
 constexpr Height kNoHeight = std::numeric_limits<Height>::min();
 constexpr Height kAboveAll = std::numeric_limits<Height>::max();
-
-// Which pixels are neighbours: across sides, or across corners too.
-enum class Adjacency : std::uint8_t { four, eight };
 
 // Fewer than 2^31 pixels, both sides at least 1 or the whole empty.
 struct Image {

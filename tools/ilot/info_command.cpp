@@ -27,36 +27,8 @@ struct InfoArguments {
   bool json = false, quiet = false;
 };
 
-// Formats other than LAS and LAZ have no header block of ours to compare with.
-bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
-  if (info.header.empty()) return false;
-  const auto off = [&](double declared, double measured, std::size_t axis) {
-    return !(std::abs(declared - measured) <= 1.5 * info.layout.scale[axis]);
-  };
-  return off(info.declared_min.x, m.all_min.x, 0) || off(info.declared_min.y, m.all_min.y, 1) ||
-         off(info.declared_min.z, m.all_min.z, 2) || off(info.declared_max.x, m.all_max.x, 0) ||
-         off(info.declared_max.y, m.all_max.y, 1) || off(info.declared_max.z, m.all_max.z, 2);
-}
-
 std::string stray_text(const CloudMeasure& m) {
   return grouped(m.strays) + (m.strays == 1 ? " point stands alone" : " points stand alone");
-}
-
-std::vector<std::string> warnings_of(const CloudInfo& info, const CloudMeasure& m) {
-  std::vector<std::string> list = info.warnings;
-  if (m.points > 0 && box_differs(info, m)) list.push_back("the header's box is not that of the points");
-  if (m.strays > 0)
-    list.push_back(stray_text(m) + ", far from all others; a run leaves such points out, index.keep_strays keeps them");
-  if (m.rejected > 0) list.push_back(fmt::format("{} points have unusable coordinates", m.rejected));
-  if (info.points < info.declared_points) {
-    list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
-  }
-  if (const auto doubt = doubt_about_step(m)) list.push_back(*doubt);
-  if (info.crs.geographic && !believed_crs(info, m).geographic)
-    list.push_back(
-        fmt::format("it says degrees, which x = {:.3f} cannot be: metres in an unknown CRS are assumed", m.min.x));
-  if (info.crs.unit_assumed) list.push_back("nothing says what the unit is: metres are assumed");
-  return list;
 }
 
 Json vector_json(Vec3 v) {
@@ -108,8 +80,8 @@ Json info_json(const CloudInfo& info, const CloudMeasure& m) {
                              {"azimuth_step_deg", station.azimuth_step * kDegrees},
                              {"elevation_step_deg", station.elevation_step * kDegrees}});
   }
-  for (const auto& [product, s] : suitability(info, m)) j["suits"][product] = {{"yes", s.yes}, {"reason", s.reason}};
-  j["warnings"] = warnings_of(info, m);
+  for (const CloudSuitability& s : suitability(info, m)) j["suits"][s.product] = {{"yes", s.yes}, {"reason", s.reason}};
+  j["warnings"] = cloud_warnings(info, m);
   return j;
 }
 
@@ -158,8 +130,8 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
                                     : "";
     row("station", fmt::format("{}: {:.3f} {:.3f} {:.3f}{}", station.name, at.x, at.y, at.z, steps));
   }
-  for (const auto& [product, s] : suitability(info, m)) row(product, (s.yes ? "yes: " : "no: ") + s.reason);
-  for (const std::string& warning : warnings_of(info, m)) row("warning", warning);
+  for (const CloudSuitability& s : suitability(info, m)) row(s.product.c_str(), (s.yes ? "yes: " : "no: ") + s.reason);
+  for (const std::string& warning : cloud_warnings(info, m)) row("warning", warning);
   return out;
 }
 

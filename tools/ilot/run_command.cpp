@@ -84,7 +84,7 @@ RunOptions options_of(const RunArguments& given) {
   options.products = products_of(given);
   options.footprints = given.footprints;
   options.stations = given.stations;
-  options.train = {given.train, [](std::span<const ThingSample> samples) { return train_things(samples); }};
+  options.train = given.train;
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
   if (given.output.empty()) throw Error("run: no output folder given: -o OUT (ilot run --help)", ExitCode::usage);
   options.output = given.output;
@@ -128,7 +128,7 @@ int run_command(const RunArguments& given) {
   const Verbosity verbosity = given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
   ConsoleProgress progress(verbosity, given.log);
   let_allocator_keep(options.memory_bytes, options.threads > 0 ? options.threads : hardware_threads());
-  return run(options, progress.get());
+  return run(options, progress.get(), [](std::span<const ThingSample> samples) { return train_things(samples); });
 }
 
 void add_work_options(CLI::App& command, RunArguments& given) {

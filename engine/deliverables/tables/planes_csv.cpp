@@ -35,6 +35,13 @@ double number_of(const std::string& cell, const std::string& place) {
   return value;
 }
 
+std::uint64_t content_id_of(const std::string& cell, const std::string& place) {
+  std::uint64_t id = 0;
+  const auto [end, code] = std::from_chars(cell.data(), cell.data() + cell.size(), id, 16);
+  if (code != std::errc() || end != cell.data() + cell.size()) throw Error(place + ": bad content_id");
+  return id;
+}
+
 }  // namespace
 
 void write_planes_csv(const std::filesystem::path& path, std::span<const Segment> segments) {
@@ -50,6 +57,32 @@ void write_planes_csv(const std::filesystem::path& path, std::span<const Segment
                             s.colour_class, s.neighbours));
   }
   file.finish();
+}
+
+std::vector<PlaneNeighbours> read_planes_neighbours_csv(const std::filesystem::path& path) {
+  constexpr std::size_t kColumns = 12;
+  std::ifstream file(path);
+  std::string line;
+  if (!std::getline(file, line)) throw Error(path.string() + ": cannot be read");
+  std::vector<PlaneNeighbours> pairs;
+  for (std::size_t row = 2; std::getline(file, line); ++row) {
+    const std::string place = fmt::format("{}:{}", path.string(), row);
+    const std::vector<std::string> cells = split(line);
+    if (cells.size() != kColumns)
+      throw Error(fmt::format("{}: {} cells for {} columns", place, cells.size(), kColumns));
+    const auto value = [&](std::size_t column) { return number_of(cells[column], place); };
+    const double a = value(0), b = value(1);
+    if (!(a >= 1 && a < b && b <= 4294967295.0)) throw Error(place + ": bad ids");
+    pairs.push_back({static_cast<std::uint32_t>(a),
+                     static_cast<std::uint32_t>(b),
+                     cells[2] == "edge" ? Touching::edge : Touching::step,
+                     value(3),
+                     value(4),
+                     value(5),
+                     {value(6), value(7), value(8)},
+                     {value(9), value(10), value(11)}});
+  }
+  return pairs;
 }
 
 std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
@@ -75,6 +108,8 @@ std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
     if (!(id >= 1 && id <= 4294967295.0) || !(points >= 0 && points < 1e15)) throw Error(place + ": bad id or count");
     s.id = static_cast<std::uint32_t>(id);
     s.points = static_cast<std::uint64_t>(points);
+    if (const auto found = column.find("content_id"); found != column.end())
+      s.content_id = content_id_of(cells[found->second], place);
     s.plane = {{value("nx"), value("ny"), value("nz")}, value("d")};
     s.centroid = {value("centroid_x"), value("centroid_y"), value("centroid_z")};
     s.min = {value("min_x"), value("min_y"), value("min_z")};

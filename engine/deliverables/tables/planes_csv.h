@@ -16,4 +16,7 @@ void write_planes_csv(const std::filesystem::path& path, std::span<const Segment
 // stays zero, but id, plane and centroid must be there. Error names file and line.
 std::vector<Segment> read_planes_csv(const std::filesystem::path& path);
 
+// planes_neighbours.csv. All columns must be there. Error names file and line.
+std::vector<PlaneNeighbours> read_planes_neighbours_csv(const std::filesystem::path& path);
+
 }  // namespace ilot

@@ -9,25 +9,15 @@
 #include <string_view>
 #include <vector>
 
+#include "ilot/cloud_info.h"
+
 namespace ilot {
-
-enum class Separator : std::uint8_t { blank, tab, comma, semicolon };
-
-struct TextDialect {
-  Separator separator = Separator::blank;  // blank: any run of blanks and tabs
-  char decimal = '.';                      // or ','
-  char thousands =
-      0;  // ',' '.' '\'' or ' ' (also the no-break blanks of Unicode and Latin-1); 0: digits are not grouped
-  friend bool operator==(const TextDialect&, const TextDialect&) = default;
-};
 
 // For people: "separated by semicolons, decimal comma".
 std::string description_of(const TextDialect& dialect);
 
-// For --text-dialect, and back: words joined by commas, "semicolon,decimal-comma,thousands-blank". A separator is
-// needed, decimal-point and no thousands are the default. Throws Error of ExitCode::usage naming the words there are.
+// For --text-dialect; back: dialect_of_words (ilot/cloud_info.h).
 std::string words_of(const TextDialect& dialect);
-TextDialect dialect_of_words(const std::string& words);
 
 // Splits a line; quotes around a field are removed, and a separator at the end of the line begins no field. With commas
 // both as separators and as decimal points every second comma of a line without quotes separates. Stops at `most`.

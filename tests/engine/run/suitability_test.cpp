@@ -19,7 +19,7 @@ CloudMeasure airborne() {
 
 std::string verdict(const CloudInfo& info, const CloudMeasure& m) {
   std::string letters;
-  for (const auto& [product, s] : suitability(info, m)) {
+  for (const CloudSuitability& s : suitability(info, m)) {
     letters += s.yes ? 'y' : 'n';
     EXPECT_FALSE(s.reason.empty());
   }
@@ -31,7 +31,7 @@ TEST(Suitability, FollowsDensityAndStations) {
   CloudMeasure m = airborne();
   EXPECT_EQ(verdict(info, m), "yyny");
   m.classes[6] = 5;
-  EXPECT_NE(suitability(info, m)[1].suits.reason.find("class 6"), std::string::npos);
+  EXPECT_NE(suitability(info, m)[1].reason.find("class 6"), std::string::npos);
   m.sampling_step = 0.7;
   EXPECT_EQ(verdict(info, m), "yynn");
   m.last_return_density = 0.4;

@@ -16,7 +16,7 @@
 namespace ilot {
 namespace {
 
-std::string fault_of(const std::function<void()>& action) {
+std::string settings_fault(const std::function<void()>& action) {
   try {
     action();
   } catch (const Error& error) {
@@ -29,14 +29,14 @@ std::string fault_of(const std::function<void()>& action) {
 std::string load_fault(const std::string& text) {
   Settings settings;
   const std::uint64_t before = settings_hash(settings);
-  const std::string fault = fault_of([&] { load_config_text(settings, text, "ilot.toml"); });
+  const std::string fault = settings_fault([&] { load_config_text(settings, text, "ilot.toml"); });
   EXPECT_EQ(settings_hash(settings), before) << "a refused file must change nothing";
   return fault;
 }
 
 std::string set_fault(const std::string& assignment) {
   Settings settings;
-  return fault_of([&] { apply_assignment(settings, assignment); });
+  return settings_fault([&] { apply_assignment(settings, assignment); });
 }
 
 TEST(Config, ReadsEveryKindOfValue) {
@@ -112,7 +112,7 @@ TEST(Config, NamesTheBrokenLine) {
 
 TEST(Config, MissingFile) {
   Settings s;
-  EXPECT_EQ(fault_of([&] { load_config(s, "/nonexistent/ilot.toml"); }),
+  EXPECT_EQ(settings_fault([&] { load_config(s, "/nonexistent/ilot.toml"); }),
             "/nonexistent/ilot.toml: cannot read the configuration: No such file or directory");
 }
 

@@ -49,7 +49,7 @@ StreetsOutcome run_cloud(const TemporaryFolder& folder, const std::vector<Index3
   options.threads = 2;
   if (change) change(options);
   Progress progress;
-  StreetsOutcome out{run(options, progress), {}, options.output};
+  StreetsOutcome out{run(options, progress, learn), {}, options.output};
   out.record = record_of(out.out);
   return out;
 }
@@ -299,11 +299,7 @@ TEST(StreetsProduct, LearnsFromPlaces) {
   for (int b = 0; b < 3; ++b) features += "," + place(700005 + 6 * b, 660003.8, b == 0 ? "car" : "other");
   features += "," + place(700005.01, 660003.8, "car");
   const auto train = folder.put("labels.geojson", collection(features));
-  EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one",
-                         [&](RunOptions& o) {
-                           o.train = {train, learn};
-                         }),
-               Error)
+  EXPECT_THROW(run_cloud(folder, street_points(2, 3), "one", [&](RunOptions& o) { o.train = train; }), Error)
       << "one thing of a class is too little";
 }
 
@@ -337,7 +333,7 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   features += "," + place(900000, 660001, "car");
   const TemporaryFolder folder;
   const auto train = folder.put("labels.geojson", collection(features));
-  const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = {train, learn}; });
+  const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
   ASSERT_FALSE(out.record["warnings"].empty());
   EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
       << out.record["warnings"].dump();
@@ -352,7 +348,7 @@ TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {
   const auto unknown = folder.put("unknown.geojson", collection(place(700005, 660003.8, "cow")));
   for (const auto& [file, part] : {std::pair{outside, "none of its 2 places"}, {unknown, "no class 'cow'"}}) {
     try {
-      run_cloud(folder, street_points(2, 3), "out", [&, f = file](RunOptions& o) { o.train = {f, learn}; });
+      run_cloud(folder, street_points(2, 3), "out", [&, f = file](RunOptions& o) { o.train = f; });
       FAIL() << part;
     } catch (const Error& e) {
       EXPECT_EQ(e.code(), ExitCode::usage);

@@ -137,11 +137,11 @@ TEST(ShapesPass, NothingCurvedIsFoundWhereAllIsFlat) {
 TEST(ShapesPass, TwoPlanesThatMeetAreNoCone) {
   std::vector<Index3> points;
   Rng rng(7);
-  constexpr std::int64_t kStep = 20, kWidth = 100, kLength = 1100;
+  constexpr std::int64_t kApart = 20, kWidth = 100, kLength = 1100;
   const auto noise = [&] { return static_cast<std::int64_t>(std::nearbyint(2 * test::bell(rng))); };
-  for (std::int64_t across = 0; across < kWidth; across += kStep)
-    for (std::int64_t along = 0; along < kLength; along += kStep) {
-      const std::int64_t x = 500 + across + static_cast<std::int64_t>(rng.below(kStep / 2));
+  for (std::int64_t across = 0; across < kWidth; across += kApart)
+    for (std::int64_t along = 0; along < kLength; along += kApart) {
+      const std::int64_t x = 500 + across + static_cast<std::int64_t>(rng.below(kApart / 2));
       points.push_back({x, 3000 + noise(), 500 + along});
       points.push_back({x, 3000 - along, 500 + noise()});
     }

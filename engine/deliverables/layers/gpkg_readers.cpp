@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/deliverables/layers/gpkg_readers.h"
+
+#include <cpl_conv.h>
+#include <ogrsf_frmts.h>
+
+#include <string>
+
+#include "engine/error.h"
+#include "engine/model/point_label.h"
+
+namespace ilot {
+namespace {
+
+void say_nothing(CPLErr, CPLErrorNum, const char*) {}
+
+// A file of ours that is read layer by layer.
+class LayerFile {
+ public:
+  explicit LayerFile(const std::filesystem::path& path) : path_(path) {
+    CPLSetErrorHandler(say_nothing);
+    RegisterOGRGeoPackage();
+    CPLErrorReset();
+    const char* drivers[] = {"GPKG", nullptr};
+    file_.reset(GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_READONLY, drivers));
+    if (!file_) fail(CPLGetLastErrorMsg());
+  }
+
+  // Calls use(feature, geometry) for each feature, in the file's order.
+  template <class Use>
+  void for_each(const char* name, const Use& use) {
+    OGRLayer* layer = file_->GetLayerByName(name);
+    if (layer == nullptr) fail(std::string("has no layer '") + name + "'");
+    for (const OGRFeatureUniquePtr& feature : layer) {
+      const OGRGeometry* geometry = feature->GetGeometryRef();
+      if (geometry == nullptr) fail(std::string("layer '") + name + "': a feature has no geometry");
+      use(*feature, *geometry);
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& what) const { throw Error(path_.string() + ": cannot be read: " + what); }
+
+  // A whole number that a feature has, 0 where it is not set.
+  std::uint64_t whole(const OGRFeature& feature, const char* name) const {
+    const int field = feature.GetFieldIndex(name);
+    if (field < 0) fail(std::string("has no column '") + name + "'");
+    return feature.IsFieldSetAndNotNull(field) ? static_cast<std::uint64_t>(feature.GetFieldAsInteger64(field)) : 0;
+  }
+
+  std::uint32_t number(const OGRFeature& feature, const char* name) const {
+    return static_cast<std::uint32_t>(whole(feature, name));
+  }
+
+  double real(const OGRFeature& feature, const char* name) const {
+    const int field = feature.GetFieldIndex(name);
+    if (field < 0) fail(std::string("has no column '") + name + "'");
+    return feature.GetFieldAsDouble(field);
+  }
+
+ private:
+  std::filesystem::path path_;
+  GDALDatasetUniquePtr file_;
+};
+
+Outline::Ring open_ring(const OGRLinearRing& ring) {
+  Outline::Ring vertices;
+  for (int i = 0; i + 1 < ring.getNumPoints(); ++i) vertices.push_back({ring.getX(i), ring.getY(i), ring.getZ(i)});
+  return vertices;
+}
+
+std::vector<Outline::Part> parts_of(const LayerFile& file, const OGRGeometry& geometry) {
+  if (wkbFlatten(geometry.getGeometryType()) != wkbMultiPolygon) file.fail("an outline is no MultiPolygon");
+  std::vector<Outline::Part> parts;
+  for (const OGRPolygon* polygon : *geometry.toMultiPolygon()) {
+    parts.emplace_back();
+    for (const OGRLinearRing* ring : *polygon) parts.back().push_back(open_ring(*ring));
+  }
+  return parts;
+}
+
+PointLabel label_named(const LayerFile& file, const std::string& name) {
+  for (const auto& [value, known] : point_label_names())
+    if (known == name) return static_cast<PointLabel>(value);
+  file.fail("there is no class '" + name + "'");
+}
+
+Vec3 place_of(const OGRPoint& point) {
+  return {point.getX(), point.getY(), point.getZ()};
+}
+
+std::vector<FacadePart> parts_of_layer(LayerFile& file, const char* layer) {
+  std::vector<FacadePart> parts;
+  file.for_each(layer, [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbLineString || geometry.toLineString()->getNumPoints() < 2)
+      file.fail("a block is no line");
+    OGRPoint from, to;
+    geometry.toLineString()->StartPoint(&from);
+    geometry.toLineString()->EndPoint(&to);
+    parts.push_back({file.number(feature, "stretch"), file.number(feature, "number"), place_of(from), place_of(to),
+                     file.real(feature, "length_m"), file.real(feature, "height_m")});
+  });
+  return parts;
+}
+
+}  // namespace
+
+std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<Outline> outlines;
+  file.for_each("planes", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    outlines.push_back({file.number(feature, "plane_id"), parts_of(file, geometry)});
+  });
+  return outlines;
+}
+
+std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path) {
+  LayerFile file(path);
+  std::vector<StreetObject> objects;
+  file.for_each("objects", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (wkbFlatten(geometry.getGeometryType()) != wkbPoint) file.fail("the place of an object is no point");
+    StreetObject o;
+    o.id = file.number(feature, "object_id");
+    o.label = label_named(file, feature.GetFieldAsString("class"));
+    o.probability = file.real(feature, "probability");
+    o.base = o.middle = place_of(*geometry.toPoint());
+    o.height_m = file.real(feature, "height_m");
+    o.length_m = file.real(feature, "length_m");
+    o.width_m = file.real(feature, "width_m");
+    o.heading_deg = file.real(feature, "heading_deg");
+    o.area_m2 = file.real(feature, "area_m2");
+    o.points = file.whole(feature, "points");
+    o.stretch = file.number(feature, "stretch");
+    o.block = file.number(feature, "block");
+    objects.push_back(o);
+  });
+  std::size_t next = 0;  // the extents follow in the same order
+  file.for_each("extents", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
+    if (next >= objects.size() || objects[next].id != file.number(feature, "object_id"))
+      file.fail("the layers 'objects' and 'extents' do not agree");
+    OGREnvelope box;
+    geometry.getEnvelope(&box);  // of a rectangle: its middle is the rectangle's
+    StreetObject& o = objects[next++];
+    o.middle.x = (box.MinX + box.MaxX) / 2;
+    o.middle.y = (box.MinY + box.MaxY) / 2;
+  });
+  return objects;
+}
+
+void read_blocks_gpkg(const std::filesystem::path& path, StreetPlan& plan) {
+  LayerFile file(path);
+  plan.blocks = parts_of_layer(file, "blocks");
+  plan.gaps = parts_of_layer(file, "gaps");
+}
+
+}  // namespace ilot

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+// What a run found on streets, read back from its folder. Positions in the CRS of the inputs and its units; names that
+// end in _m, _m2 and _deg are metres, square metres and degrees.
+//
+//   for (const ilot::StreetObject& o : ilot::read_streets("out").objects)
+//     if (o.label == ilot::PointLabel::car) std::printf("%g %g\n", o.base.x, o.base.y);
+#pragma once
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "ilot/cloud_info.h"
+#include "ilot/geometry.h"
+
+namespace ilot {
+
+// Something that stands on the ground.
+struct StreetObject {
+  std::uint32_t id = 0;  // from 1
+  PointLabel label = PointLabel::other;
+  double probability = 0;  // of that class
+  Vec3 base;               // on the ground
+  Vec3 middle;             // of its extent, on the ground
+  double height_m = 0, length_m = 0, width_m = 0;
+  double heading_deg = 0;  // of the length, from x towards y, 0 to below 180
+  double area_m2 = 0;
+  std::uint64_t points = 0;
+  std::uint32_t stretch = 0, block = 0;  // the nearest; 0 = none
+};
+
+// A part of a line of facades: a block, or the gap between two.
+struct FacadePart {
+  std::uint32_t stretch = 0, number = 0;  // from 1; along the stretch
+  Vec3 from, to;                          // on the ground
+  double length_m = 0, height_m = 0;
+};
+
+struct StreetPlan {
+  std::vector<StreetObject> objects;
+  std::vector<FacadePart> blocks, gaps;
+};
+
+// Reads objects.gpkg and blocks.gpkg in streets/ of a run with the product streets. `middle` is that of the written
+// extent, at the height of the base; blocks and gaps lie at z = 0, as they are written. O(bytes). Several threads may
+// read at once. Error (usage) when there are no streets in the folder; a damaged file is an Error that names it.
+StreetPlan read_streets(const std::filesystem::path& run_folder);
+
+}  // namespace ilot
