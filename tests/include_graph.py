@@ -18,7 +18,7 @@ LAYER_SEES = {
 # Folders of the engine by height: a folder sees itself and what is lower.
 HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
           "visibility": 4, "columns": 4, "deliverables": 4, "validity": 5, "proof": 5, "products/planes": 6,
-          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9}
+          "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9, "replay": 10}
 EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
 PRODUCTS = {"products/roofs", "products/facades", "products/streets"}

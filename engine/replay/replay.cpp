@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/replay/replay.h"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/deliverables/layers/layers_gpkg.h"
+#include "engine/deliverables/solids/city_json.h"
+#include "engine/error.h"
+#include "engine/replay/building_replay.h"
+#include "engine/version.h"
+#include "engine/whole_file.h"
+
+namespace ilot {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kModel = "building.city.jsonl";
+
+struct UnitName {
+  std::string kind, id;
+};
+
+UnitName unit_name(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  const UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
+  if (unit.kind != "building" || unit.id.empty())
+    throw Error(text + ": is no unit; write building:ID (ilot replay OUT --list)", ExitCode::usage);
+  return unit;
+}
+
+// Ids may hold anything.
+std::string folder_name(const std::string& unit) {
+  std::string name;
+  for (const char c : unit) {
+    const bool plain = (c >= '0' && c <= '9') || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+    name += plain ? c : '-';
+  }
+  return name;
+}
+
+void write_report(const ReplayOptions& options, std::span<const Layer> layers, const ReplayResult& result) {
+  nlohmann::ordered_json report{{"unit", options.unit},
+                                {"version", version()},
+                                {"git_hash", git_hash()},
+                                {"same_as_run", result.differences.empty()},
+                                {"differences", result.differences}};
+  for (const Layer& layer : layers) report["layers"][layer.name] = layer.features.size();
+  for (const Picture& picture : result.pictures) report["pictures"][picture.name + ".png"] = picture.title;
+  write_whole_file(result.folder / "replay.json", report.dump(2) + "\n");
+}
+
+std::vector<Layer> replay_into(const KeptRun& run, const UnitName& unit, Progress& progress, ReplayResult& result) {
+  const BuildingReplay building = replay_building(run, unit.id, progress);
+  CityJsonWriter writer(result.folder / kModel, building.file);
+  writer.add(building.result.levels);
+  writer.finish();
+  result.differences = differences_of(building, run, result.folder / kModel);
+  result.pictures = pictures_of(building);
+  return layers_of(building);
+}
+
+}  // namespace
+
+ReplayResult replay(const ReplayOptions& options, Progress& progress) {
+  const UnitName unit = unit_name(options.unit);
+  kept_options(options.places);  // faults of these before anything is written
+  ReplayResult result;
+  result.folder = options.folder.empty() ? options.places.out / "replay" / folder_name(options.unit) : options.folder;
+  const bool made = fs::create_directories(result.folder);
+  try {
+    const KeptRun run(options.places, result.folder / ".scratch", progress);
+    const std::vector<Layer> layers = replay_into(run, unit, progress, result);
+    fs::remove(result.folder / "steps.gpkg");
+    write_layers(result.folder / "steps.gpkg", layers, run.inputs().crs);
+    write_report(options, layers, result);
+  } catch (...) {
+    std::error_code ignored;
+    if (made) fs::remove_all(result.folder, ignored);
+    if (made && options.folder.empty()) fs::remove(options.places.out / "replay", ignored);  // only when it is empty
+    throw;
+  }
+  return result;
+}
+
+std::vector<std::string> units_to_replay(const KeptRunPlaces& places) {
+  const RunOptions options = kept_options(places);
+  RunRecord record;
+  Progress silent;
+  const RunInputs inputs = open_inputs(options, silent, record);
+  std::vector<std::string> units;
+  for (const std::string& product : options.products)
+    if (product == "roofs") units = buildings_to_replay(options.output, inputs.crs.metres_per_unit);
+  return units;
+}
+
+}  // namespace ilot
