@@ -5,8 +5,10 @@
 
 #include "engine/deliverables/layers/layers_gpkg.h"
 #include "engine/deliverables/solids/city_json.h"
+#include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"
 #include "engine/replay/building_replay.h"
+#include "engine/replay/facade_replay.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
 
@@ -24,8 +26,8 @@ struct UnitName {
 UnitName unit_name(const std::string& text) {
   const std::size_t colon = text.find(':');
   const UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
-  if (unit.kind != "building" || unit.id.empty())
-    throw Error(text + ": is no unit; write building:ID (ilot replay OUT --list)", ExitCode::usage);
+  if ((unit.kind != "building" && unit.kind != "facade") || unit.id.empty())
+    throw Error(text + ": is no unit; write building:ID or facade:N (ilot replay OUT --list)", ExitCode::usage);
   return unit;
 }
 
@@ -50,8 +52,16 @@ void write_report(const ReplayOptions& options, std::span<const Layer> layers, c
   write_whole_file(result.folder / "replay.json", report.dump(2) + "\n");
 }
 
-std::vector<Layer> replay_into(const KeptRun& run, const UnitName& unit, Progress& progress, ReplayResult& result) {
-  const BuildingReplay building = replay_building(run, unit.id, progress);
+std::vector<Layer> facade_into(const KeptRun& run, const std::string& id, Progress& progress, ReplayResult& result) {
+  const FacadeReplay facade = replay_facade(run, id, progress);
+  write_facade_json(result.folder / "facade.json", facade.facade);
+  result.differences = differences_of(facade, run);
+  result.pictures = pictures_of(facade);
+  return layers_of(facade);
+}
+
+std::vector<Layer> building_into(const KeptRun& run, const std::string& id, Progress& progress, ReplayResult& result) {
+  const BuildingReplay building = replay_building(run, id, progress);
   CityJsonWriter writer(result.folder / kModel, building.file);
   writer.add(building.result.levels);
   writer.finish();
@@ -70,9 +80,11 @@ ReplayResult replay(const ReplayOptions& options, Progress& progress) {
   const bool made = fs::create_directories(result.folder);
   try {
     const KeptRun run(options.places, result.folder / ".scratch", progress);
-    const std::vector<Layer> layers = replay_into(run, unit, progress, result);
+    const bool facade = unit.kind == "facade";
+    const std::vector<Layer> layers =
+        facade ? facade_into(run, unit.id, progress, result) : building_into(run, unit.id, progress, result);
     fs::remove(result.folder / "steps.gpkg");
-    write_layers(result.folder / "steps.gpkg", layers, run.inputs().crs);
+    write_layers(result.folder / "steps.gpkg", layers, facade ? Crs{} : run.inputs().crs);
     write_report(options, layers, result);
   } catch (...) {
     std::error_code ignored;
@@ -89,8 +101,11 @@ std::vector<std::string> units_to_replay(const KeptRunPlaces& places) {
   Progress silent;
   const RunInputs inputs = open_inputs(options, silent, record);
   std::vector<std::string> units;
-  for (const std::string& product : options.products)
-    if (product == "roofs") units = buildings_to_replay(options.output, inputs.crs.metres_per_unit);
+  const auto add = [&](std::vector<std::string> more) { units.insert(units.end(), more.begin(), more.end()); };
+  for (const std::string& product : options.products) {
+    if (product == "roofs") add(buildings_to_replay(options.output, inputs.crs.metres_per_unit));
+    if (product == "facades") add(facades_to_replay(options.output));
+  }
   return units;
 }
 

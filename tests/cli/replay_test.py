@@ -121,6 +121,31 @@ class Replay(unittest.TestCase):
             self.assertEqual((look / picture).read_bytes()[:8], b"\x89PNG\r\n\x1a\n")
         self.assertEqual([p for p in look.iterdir() if p.name.startswith(".")], [])
 
+    def test_a_facade_is_that_of_the_run(self):
+        cloud, stations = self.folder / "front.laz", self.folder / "front.stations.csv"
+        scanned = ilot("scan", "facade-restoration", "-o", cloud, "--points", "60000", "-q")
+        self.assertEqual(scanned.returncode, 0, scanned.stderr)
+        out = self.run_of(cloud, "front", "--products", "facades", "--stations", stations, "--keep-store")
+        before = sums(out)
+        self.assertEqual(self.units(out)[0], "facade:1")
+        look = self.folder / "look"
+        done = ilot("replay", out, "facade:1", "--stations", stations, "-o", look, "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual((look / "facade.json").read_bytes(), (out / "facades" / "facade-001.json").read_bytes())
+        counted = json.loads((look / "replay.json").read_text())
+        self.assertTrue(counted["same_as_run"])
+        drawn = json.loads((look / "facade.json").read_text())["elements"]
+        self.assertEqual(counted["layers"]["elements"], len(drawn))
+        with sqlite3.connect(look / "steps.gpkg") as file:
+            openings = file.execute("select count(*) from searches where search = 'opening'").fetchone()[0]
+            self.assertGreater(openings, 5)
+            seen = {row[0] for row in file.execute("select distinct seen from cells")}
+            self.assertLessEqual({"wall", "open", "unknown"}, seen)
+            self.assertEqual(file.execute("select count(*) from elements").fetchone()[0], len(drawn))
+        self.assertEqual(sums(out), before)
+        self.refuse([out, "facade:99", "--stations", stations], "facade:1 to facade:")
+        self.refuse([out, "facade:1"], "stations", "--stations")
+
     def test_a_changed_result_is_told(self):
         out = self.run_of(houses(self.folder / "houses.las"), "out", "--products", "roofs", "--keep-store")
         unit = self.units(out)[0]

@@ -63,7 +63,7 @@ void add_replay_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Shows every step of one unit of a run that kept its store");
   auto given = std::make_shared<ReplayArguments>();
   command->add_option("OUT", given->out, "the folder of a run with --keep-store")->option_text(" ");
-  command->add_option("UNIT", given->unit, "building:ID")->option_text(" ");
+  command->add_option("UNIT", given->unit, "building:ID or facade:N")->option_text(" ");
   command->add_option("-o,--output", given->folder, "folder for what is written [OUT/replay/UNIT]")
       ->option_text("FOLDER");
   command->add_flag("--list", given->list, "print the units with their places and sizes, the first 50 [off]");

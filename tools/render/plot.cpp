@@ -58,7 +58,7 @@ class Plot {
     for (const PictureArea& a : picture_.areas) fill(a);
     for (const PictureArea& a : picture_.areas) draw_edges(a);
     const std::size_t points = picture_.points.size();
-    const int radius = points < 1000 ? 3 : points < 4000 ? 2 : points < 60000 ? 1 : 0;
+    const int radius = points < 1000 ? 3 : points < 4000 ? 2 : points < 400000 ? 1 : 0;
     for (const PicturePoint& p : picture_.points) dot_at(column(p.at.x), row(p.at.y), radius, p.colour);
     for (const PictureLine& l : picture_.lines) draw(l);
     write_words();
@@ -211,7 +211,10 @@ void Plot::write_words() {
   }
   for (const PictureWord& word : picture_.legend) {
     for (int y = 0; y < 12; ++y)
-      for (int x = 0; x < 12; ++x) set_word(kMargin + x, top + 2 + y, word.colour);
+      for (int x = 0; x < 12; ++x) {
+        const bool border = x == 0 || y == 0 || x == 11 || y == 11;
+        set_word(kMargin + x, top + 2 + y, border ? kGrey : word.colour);
+      }
     write_text(image_, kMargin + 24, top + 1, word.text, kInk, kText);
     top += kLine;
   }
