@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/report/path_text.h"
+#include "engine/run/area_in_crs.h"
 #include "engine/run/finished_result.h"
 #include "engine/run/folder_lock.h"
 #include "engine/run/run_context.h"
@@ -54,13 +55,33 @@ Settings settings_of(const json& parameters) {
   return settings;
 }
 
-// What a replay does not need to be as it was: the program is named in a warning, the others are not read.
-std::string without_unneeded(const std::string& before, const std::string& now, bool stations) {
+// What a replay does not need to be as it was: another program is told by what it finds, and buildings are found
+// without the others.
+std::string without_unneeded(const std::string& before, const std::string& now, const RunOptions& options) {
   json old = json::parse(before);
   const json other = json::parse(now);
-  for (const char* key : {"version", "git_hash", "area", "train"}) old[key] = other[key];
-  if (!stations) old["stations"] = other["stations"];
+  const auto made = [&](const char* product) {
+    return std::find(options.products.begin(), options.products.end(), product) != options.products.end();
+  };
+  for (const char* key : {"version", "git_hash"}) old[key] = other[key];
+  if (!made("facades")) old["stations"] = other["stations"];
+  if (!made("facades") && !made("streets")) old["area"] = other["area"];
   return old.dump();
+}
+
+// The box that products were asked for in, without polygons.
+std::optional<Area> area_of(const json& area) {
+  if (!area.is_object()) return std::nullopt;
+  const auto box = area.value("box", std::vector<double>{});
+  if (box.size() != 4) return std::nullopt;
+  return Area{box[0], box[1], box[2], box[3], {}};
+}
+
+std::string what_to_give(const std::string& names) {
+  std::string options;
+  for (const auto& [name, option] : {std::pair{"stations", "--stations"}, std::pair{"area", "--within"}})
+    if (names.find(name) != std::string::npos) options += (options.empty() ? "" : " and ") + std::string(option);
+  return options.empty() ? "" : " (give " + options + " as the run was given it)";
 }
 
 }  // namespace
@@ -101,6 +122,8 @@ RunOptions kept_options(const KeptRunPlaces& places) {
   if (const std::string words = request.value("text_dialect", ""); !words.empty())
     options.dialect = dialect_of_words(words);
   options.clouds = request.value("clouds", true);
+  options.train.learn = places.learn;
+  options.area = area_of(request.value("area", json()));
   return options;
 }
 
@@ -109,13 +132,13 @@ KeptRun::KeptRun(const KeptRunPlaces& places, const fs::path& scratch, Progress&
   RunRecord record;
   Progress silent;  // the run has said it all
   inputs_ = open_inputs(options_, silent, record);
+  if (places.within) options_.area = area_in_crs(*places.within, inputs_, silent, record);
   const auto before = read_finished(options_.output);
   const std::string now = run_request(options_, inputs_);
-  const bool facades = made("facades");
-  const std::string other = request_differences(without_unneeded(before->request, now, facades), now, Compare::store);
+  const std::string other = request_differences(without_unneeded(before->request, now, options_), now, Compare::store);
   if (!other.empty())
     throw Error(options_.output.string() + ": cannot be replayed, since what it was made from is different now: " +
-                    other + (other == "stations" ? " (give --stations as the run was given it)" : ""),
+                    other + what_to_give(other),
                 ExitCode::usage);
   context_ = pass_context(options_, inputs_, options_.settings.index.block_points, progress);
   scratch_.emplace(options_.store, scratch);

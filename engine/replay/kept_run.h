@@ -15,6 +15,8 @@ struct KeptRunPlaces {
   std::filesystem::path out;
   std::filesystem::path store;     // empty = out/.store
   std::filesystem::path stations;  // that the run was given, if any: run.json does not name the file
+  std::optional<Area> within;      // polygons that the run was given, if any: run.json has their box alone
+  TrainThings learn;               // as the run learns from places of things
 };
 
 // A folder that looks like a store: every file of it is a link to that of the kept store. What a pass writes takes the
@@ -41,6 +43,8 @@ class KeptRun {
  public:
   // Throws a usage Error that names what is not as it was: inputs, footprints, settings.
   KeptRun(const KeptRunPlaces& places, const std::filesystem::path& scratch, Progress& progress);
+  KeptRun(const KeptRun&) = delete;
+  KeptRun& operator=(const KeptRun&) = delete;
 
   const RunOptions& options() const { return options_; }
   const RunInputs& inputs() const { return inputs_; }

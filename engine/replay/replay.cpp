@@ -9,6 +9,8 @@
 #include "engine/error.h"
 #include "engine/replay/building_replay.h"
 #include "engine/replay/facade_replay.h"
+#include "engine/replay/tile_replay.h"
+#include "engine/run/run_context.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
 
@@ -26,8 +28,9 @@ struct UnitName {
 UnitName unit_name(const std::string& text) {
   const std::size_t colon = text.find(':');
   const UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
-  if ((unit.kind != "building" && unit.kind != "facade") || unit.id.empty())
-    throw Error(text + ": is no unit; write building:ID or facade:N (ilot replay OUT --list)", ExitCode::usage);
+  if ((unit.kind != "building" && unit.kind != "facade" && unit.kind != "tile") || unit.id.empty())
+    throw Error(text + ": is no unit; write building:ID, facade:N or tile:ROW,COLUMN (ilot replay OUT --list)",
+                ExitCode::usage);
   return unit;
 }
 
@@ -70,6 +73,20 @@ std::vector<Layer> building_into(const KeptRun& run, const std::string& id, Prog
   return layers_of(building);
 }
 
+std::vector<Layer> tile_into(const KeptRun& run, const std::string& id, Progress& progress, ReplayResult& result) {
+  const TileReplay tile = replay_tile(run, id, progress);
+  write_images(tile, run.inputs().crs, result.folder);
+  result.differences = tile.differences;
+  result.pictures = pictures_of(tile);
+  return layers_of(tile);
+}
+
+std::vector<Layer> replay_into(const KeptRun& run, const UnitName& unit, Progress& progress, ReplayResult& result) {
+  if (unit.kind == "facade") return facade_into(run, unit.id, progress, result);
+  if (unit.kind == "tile") return tile_into(run, unit.id, progress, result);
+  return building_into(run, unit.id, progress, result);
+}
+
 }  // namespace
 
 ReplayResult replay(const ReplayOptions& options, Progress& progress) {
@@ -80,11 +97,9 @@ ReplayResult replay(const ReplayOptions& options, Progress& progress) {
   const bool made = fs::create_directories(result.folder);
   try {
     const KeptRun run(options.places, result.folder / ".scratch", progress);
-    const bool facade = unit.kind == "facade";
-    const std::vector<Layer> layers =
-        facade ? facade_into(run, unit.id, progress, result) : building_into(run, unit.id, progress, result);
+    const std::vector<Layer> layers = replay_into(run, unit, progress, result);
     fs::remove(result.folder / "steps.gpkg");
-    write_layers(result.folder / "steps.gpkg", layers, facade ? Crs{} : run.inputs().crs);
+    write_layers(result.folder / "steps.gpkg", layers, unit.kind == "facade" ? Crs{} : run.inputs().crs);
     write_report(options, layers, result);
   } catch (...) {
     std::error_code ignored;
@@ -105,6 +120,14 @@ std::vector<std::string> units_to_replay(const KeptRunPlaces& places) {
   for (const std::string& product : options.products) {
     if (product == "roofs") add(buildings_to_replay(options.output, inputs.crs.metres_per_unit));
     if (product == "facades") add(facades_to_replay(options.output));
+    if (product == "streets") {
+      const InputLattice first =
+          common_lattice(inputs.readers, inputs.crs.metres_per_unit, options.settings.index.finest_step);
+      const IndexResult index = open_index(options.store, first);
+      PassContext context = pass_context(options, inputs, options.settings.index.block_points, silent);
+      context.corner = index.corner;
+      add(tiles_to_replay(index.store, options.settings.streets, context));
+    }
   }
   return units;
 }

@@ -146,6 +146,34 @@ class Replay(unittest.TestCase):
         self.refuse([out, "facade:99", "--stations", stations], "facade:1 to facade:")
         self.refuse([out, "facade:1"], "stations", "--stations")
 
+    def test_a_tile_is_that_of_the_run(self):
+        cloud = self.folder / "street.laz"
+        scanned = ilot("scan", "street", "-o", cloud, "--points", "60000", "--set", "scene.blocks=1", "-q")
+        self.assertEqual(scanned.returncode, 0, scanned.stderr)
+        out = self.run_of(cloud, "street", "--products", "streets", "--keep-store")
+        before = sums(out)
+        listed = ilot("replay", out, "--list", "--all").stdout.splitlines()
+        first = listed[0].split()
+        look, same = self.folder / "look", self.folder / "same"
+        done = ilot("replay", out, first[0], "-o", look, "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        done = ilot("replay", out, f"tile:at:{first[2]},{first[3]}", "-o", same, "-q")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(json.loads((look / "replay.json").read_text())["same_as_run"])
+        layers = sorted(path.name for path in (look / "layers").iterdir())
+        self.assertLessEqual({"range.tif", "filled.tif", "zones.tif", "mask.tif", "height.tif", "things.tif"}, set(layers))
+        for layer in layers:
+            self.assertEqual((look / "layers" / layer).read_bytes(), (same / "layers" / layer).read_bytes())
+        objects = 0
+        for line in listed[:-1]:
+            tile = self.folder / "tile"
+            self.assertEqual(ilot("replay", out, line.split()[0], "-o", tile, "-q").returncode, 0)
+            objects += json.loads((tile / "replay.json").read_text())["layers"]["objects"]
+        with sqlite3.connect(out / "streets" / "objects.gpkg") as file:
+            self.assertEqual(file.execute("select count(*) from objects").fetchone()[0], objects)
+        self.assertEqual(sums(out), before)
+        self.refuse([out, "tile:1,1"], "rows", "columns", "--list")
+
     def test_a_changed_result_is_told(self):
         out = self.run_of(houses(self.folder / "houses.las"), "out", "--products", "roofs", "--keep-store")
         unit = self.units(out)[0]

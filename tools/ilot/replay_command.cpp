@@ -7,16 +7,18 @@
 
 #include "engine/error.h"
 #include "engine/replay/replay.h"
+#include "engine/run/read_area.h"
 #include "kernels/core/parallel.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/render/plot.h"
+#include "training/thing_training.h"
 
 namespace ilot {
 namespace {
 
 struct ReplayArguments {
-  std::string out, unit, folder, store, stations;
+  std::string out, unit, folder, store, stations, within;
   int threads = 0, size = 1200;
   bool list = false, all = false, quiet = false;
 };
@@ -53,7 +55,9 @@ int replay_command(const ReplayArguments& given) {
   if (given.unit.empty() != given.list)
     throw Error("replay: give a UNIT or --list (ilot replay --help)", ExitCode::usage);
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
-  const KeptRunPlaces places{given.out, given.store, given.stations};
+  KeptRunPlaces places{given.out, given.store, given.stations, {}, {}};
+  if (!given.within.empty()) places.within = read_area(given.within);
+  places.learn = [](std::span<const ThingSample> samples) { return train_things(samples); };
   return given.list ? list_units(places, given.all) : replay_unit(given, places, progress.get());
 }
 
@@ -63,7 +67,7 @@ void add_replay_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Shows every step of one unit of a run that kept its store");
   auto given = std::make_shared<ReplayArguments>();
   command->add_option("OUT", given->out, "the folder of a run with --keep-store")->option_text(" ");
-  command->add_option("UNIT", given->unit, "building:ID or facade:N")->option_text(" ");
+  command->add_option("UNIT", given->unit, "building:ID, facade:N, tile:ROW,COLUMN or tile:at:E,N")->option_text(" ");
   command->add_option("-o,--output", given->folder, "folder for what is written [OUT/replay/UNIT]")
       ->option_text("FOLDER");
   command->add_flag("--list", given->list, "print the units with their places and sizes, the first 50 [off]");
@@ -71,6 +75,7 @@ void add_replay_command(CLI::App& app, Action& action) {
   command->add_option("--store", given->store, "the kept store, where the run had --store [OUT/.store]")
       ->option_text("DIR");
   command->add_option("--stations", given->stations, "as the run was given it [as inputs say]")->option_text("FILE");
+  command->add_option("--within", given->within, "as the run was given it [everything]")->option_text("FILE");
   command->add_option("--size", given->size, "pixels of the longer side of pictures [1200]")
       ->option_text("N")
       ->check(CLI::Range(64, 8192));
