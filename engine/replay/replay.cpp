@@ -8,6 +8,7 @@
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/error.h"
 #include "engine/replay/building_replay.h"
+#include "engine/replay/cell_replay.h"
 #include "engine/replay/facade_replay.h"
 #include "engine/replay/tile_replay.h"
 #include "engine/run/run_context.h"
@@ -28,9 +29,11 @@ struct UnitName {
 UnitName unit_name(const std::string& text) {
   const std::size_t colon = text.find(':');
   const UnitName unit{text.substr(0, colon), colon == std::string::npos ? "" : text.substr(colon + 1)};
-  if ((unit.kind != "building" && unit.kind != "facade" && unit.kind != "tile") || unit.id.empty())
-    throw Error(text + ": is no unit; write building:ID, facade:N or tile:ROW,COLUMN (ilot replay OUT --list)",
-                ExitCode::usage);
+  if ((unit.kind != "building" && unit.kind != "facade" && unit.kind != "tile" && unit.kind != "cell") ||
+      unit.id.empty())
+    throw Error(
+        text + ": is no unit; write building:ID, facade:N, tile:ROW,COLUMN or cell:X,Y,Z (ilot replay OUT --list)",
+        ExitCode::usage);
   return unit;
 }
 
@@ -81,8 +84,16 @@ std::vector<Layer> tile_into(const KeptRun& run, const std::string& id, Progress
   return layers_of(tile);
 }
 
+std::vector<Layer> cell_into(const KeptRun& run, const std::string& id, Progress& progress, ReplayResult& result) {
+  const CellReplay cell = replay_cell(run, id, progress);
+  result.differences = cell.differences;
+  result.pictures = pictures_of(cell);
+  return layers_of(cell);
+}
+
 std::vector<Layer> replay_into(const KeptRun& run, const UnitName& unit, Progress& progress, ReplayResult& result) {
   if (unit.kind == "facade") return facade_into(run, unit.id, progress, result);
+  if (unit.kind == "cell") return cell_into(run, unit.id, progress, result);
   if (unit.kind == "tile") return tile_into(run, unit.id, progress, result);
   return building_into(run, unit.id, progress, result);
 }
@@ -115,20 +126,19 @@ std::vector<std::string> units_to_replay(const KeptRunPlaces& places) {
   RunRecord record;
   Progress silent;
   const RunInputs inputs = open_inputs(options, silent, record);
+  const InputLattice first =
+      common_lattice(inputs.readers, inputs.crs.metres_per_unit, options.settings.index.finest_step);
+  const IndexResult index = open_index(options.store, first);
+  PassContext context = pass_context(options, inputs, options.settings.index.block_points, silent);
+  context.corner = index.corner;
   std::vector<std::string> units;
   const auto add = [&](std::vector<std::string> more) { units.insert(units.end(), more.begin(), more.end()); };
   for (const std::string& product : options.products) {
     if (product == "roofs") add(buildings_to_replay(options.output, inputs.crs.metres_per_unit));
     if (product == "facades") add(facades_to_replay(options.output));
-    if (product == "streets") {
-      const InputLattice first =
-          common_lattice(inputs.readers, inputs.crs.metres_per_unit, options.settings.index.finest_step);
-      const IndexResult index = open_index(options.store, first);
-      PassContext context = pass_context(options, inputs, options.settings.index.block_points, silent);
-      context.corner = index.corner;
-      add(tiles_to_replay(index.store, options.settings.streets, context));
-    }
+    if (product == "streets") add(tiles_to_replay(index.store, options.settings.streets, context));
   }
+  if (index.store.has(0, columns::kSegment)) add(cells_to_replay(index.store, context));
   return units;
 }
 

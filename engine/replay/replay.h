@@ -12,7 +12,7 @@ namespace ilot {
 
 struct ReplayOptions {
   KeptRunPlaces places;
-  std::string unit;              // "building:ID", "facade:N", "tile:ROW,COLUMN"
+  std::string unit;              // "building:ID", "facade:N", "tile:ROW,COLUMN", "cell:X,Y,Z"
   std::filesystem::path folder;  // for what is written; empty = out/replay/UNIT
 };
 

@@ -174,6 +174,30 @@ class Replay(unittest.TestCase):
         self.assertEqual(sums(out), before)
         self.refuse([out, "tile:1,1"], "rows", "columns", "--list")
 
+    def test_a_cell_is_that_of_the_run(self):
+        out = self.run_of(houses(self.folder / "houses.las"), "planes", "--keep-store")
+        before = sums(out)
+        units = self.units(out)
+        points = 0
+        for unit in units:
+            look = self.folder / "look"
+            done = ilot("replay", out, unit, "-o", look, "-q")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            counted = json.loads((look / "replay.json").read_text())
+            self.assertTrue(counted["same_as_run"])
+            points += counted["layers"]["points"]
+        self.assertEqual(points, 7200)
+        self.assertEqual(sums(out), before)
+        self.refuse([out, "cell:1,2,3"], "the nearest is cell:")
+        self.refuse([out, "cell:1,2"], "cell:at:E,N,H")
+        column = next((out / ".store" / "blocks").glob("*.segment"))
+        values = bytearray(column.read_bytes())
+        values[16:20] = struct.pack("<I", 1 + struct.unpack("<I", values[16:20])[0])
+        column.write_bytes(values)
+        told = [ilot("replay", out, unit, "-q", "-o", self.folder / "changed") for unit in units]
+        self.assertEqual(sorted(done.returncode for done in told)[-1], 3)
+        self.assertIn("1 point has another segment", "".join(done.stderr for done in told))
+
     def test_a_changed_result_is_told(self):
         out = self.run_of(houses(self.folder / "houses.las"), "out", "--products", "roofs", "--keep-store")
         unit = self.units(out)[0]

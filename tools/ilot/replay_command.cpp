@@ -67,7 +67,10 @@ void add_replay_command(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Shows every step of one unit of a run that kept its store");
   auto given = std::make_shared<ReplayArguments>();
   command->add_option("OUT", given->out, "the folder of a run with --keep-store")->option_text(" ");
-  command->add_option("UNIT", given->unit, "building:ID, facade:N, tile:ROW,COLUMN or tile:at:E,N")->option_text(" ");
+  command
+      ->add_option("UNIT", given->unit,
+                   "building:ID, facade:N, tile:ROW,COLUMN, tile:at:E,N, cell:X,Y,Z or cell:at:E,N,H")
+      ->option_text(" ");
   command->add_option("-o,--output", given->folder, "folder for what is written [OUT/replay/UNIT]")
       ->option_text("FOLDER");
   command->add_flag("--list", given->list, "print the units with their places and sizes, the first 50 [off]");
@@ -83,7 +86,7 @@ void add_replay_command(CLI::App& app, Action& action) {
       ->option_text("N")
       ->check(CLI::Range(1, 1024));
   command->add_flag("-q,--quiet", given->quiet, "say only what is wrong [off]");
-  command->footer("Example: ilot replay out building:0503100000012869 -o look");
+  command->footer("Example: ilot replay out building:718 -o look");
   command->callback([given, &action] { action = [given] { return replay_command(*given); }; });
 }
 
