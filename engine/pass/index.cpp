@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "engine/error.h"
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/rows_in_box.h"
 #include "engine/pass/input_lattice.h"
@@ -206,6 +207,13 @@ InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs
   return asked;
 }
 
+IndexResult finished_index(const IndexFiles& files, const InputLattice& lattice) {
+  IndexResult result{Store(files.folder, lattice.unit, read_column<Block>(files.done())), {}, lattice, {}};
+  ColumnReader<std::uint64_t>(files.rejected()).read(0, result.rejected);
+  result.corner = read_column<Index3>(files.corner()).at(0);
+  return result;
+}
+
 }  // namespace
 
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
@@ -223,11 +231,15 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
     fs::remove_all(folder / "runs");
     if (!(needed == asked)) return nothing_with(needed, folder);
   }
-  IndexResult result{Store(folder, params.unit, read_column<Block>(files.done())), {}, asked, {}};
-  ColumnReader<std::uint64_t>(files.rejected()).read(0, result.rejected);
-  result.corner = read_column<Index3>(files.corner()).at(0);
+  IndexResult result = finished_index(files, asked);
   flush_pass(result.store, Pass::index);
   return result;
+}
+
+IndexResult open_index(const fs::path& folder, const InputLattice& first) {
+  const IndexFiles files{folder};
+  if (!fs::exists(files.done())) throw Error(folder.string() + ": holds no finished store");
+  return finished_index(files, fs::exists(files.lattice()) ? read_column<InputLattice>(files.lattice()).at(0) : first);
 }
 
 }  // namespace ilot

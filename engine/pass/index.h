@@ -34,4 +34,8 @@ struct IndexResult {
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 
+// The index that an earlier build_index left in the folder, without the inputs; nothing is written. `first` is the
+// lattice that the run asked for first (common_lattice). Throws Error when the folder has none.
+IndexResult open_index(const std::filesystem::path& folder, const InputLattice& first);
+
 }  // namespace ilot

@@ -118,7 +118,7 @@ class Cli(unittest.TestCase):
         everything = json.loads(ilot("--version", "--json").stdout)
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
-        for command in ("run", "info", "convert", "scan", "evaluate", "render", "validate"):
+        for command in ("run", "info", "convert", "scan", "evaluate", "render", "replay", "validate"):
             told = ilot(command, "--help")
             self.assertEqual(told.returncode, 0)
             self.assertIn(f"Example: ilot {command} ", told.stdout)

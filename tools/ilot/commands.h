@@ -12,6 +12,7 @@ using Action = std::function<int()>;
 void add_run_command(CLI::App& app, Action& action);
 void add_info_command(CLI::App& app, Action& action);
 void add_convert_command(CLI::App& app, Action& action);
+void add_replay_command(CLI::App& app, Action& action);
 void add_scan_command(CLI::App& app, Action& action);
 void add_draw_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);

@@ -31,6 +31,18 @@ constexpr const char* kOutlinesDropped =
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
 
+std::vector<Vec3> places_of(std::span<const Station> stations) {
+  std::vector<Vec3> places;
+  for (const Station& s : stations) places.push_back(s.position);
+  return places;
+}
+
+std::vector<FacadeStation> steps_of(std::span<const Station> stations) {
+  std::vector<FacadeStation> steps;
+  for (const Station& s : stations) steps.push_back({{}, s.azimuth_step, s.elevation_step});
+  return steps;
+}
+
 WallParams wall_params(const FacadesSettings& s, double metres_per_unit) {
   WallParams p;
   p.least_width = s.least_width;
@@ -180,73 +192,99 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
   page.finish();
 }
 
+// What facades are found with.
+struct FacadeSearch {
+  const Settings& settings;
+  const RunInputs& inputs;
+  const PassContext& context;
+  std::size_t lanes;
+  const FacadeObserver* observer;
+};
+
+void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup>> dormers,
+               std::span<const PassTask> tasks, FacadesOfRun& run) {
+  const FacadeWork& work = run.work;
+  const RunInputs& inputs = search.inputs;
+  FacadeParams params = facade_params(search.settings.facades);
+  params.lanes = search.lanes;
+  const DormerParams of_dormers = dormer_params(search.settings.facades);
+  run_pass(tasks, search.context.budget_bytes, [&](std::size_t i) {
+    GatheredFacade gathered = gather_facade(work, run.walls[i]);
+    if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
+    const RaySamples samples(gathered.site, gathered.points, work.store.folder());
+    const bool observed = search.observer != nullptr && search.observer->facade == i + 1;
+    run.found[i] = find_facade(samples, params, observed ? &search.observer->steps : nullptr);
+    if (observed && search.observer->look) search.observer->look(samples);
+    std::vector<DormerFront> fronts;
+    for (const WallGroup& front : dormers[i]) {
+      const GatheredFacade of_front = gather_facade(work, front);
+      fronts.push_back(find_dormer(RaySamples(of_front.site, of_front.points, work.store.folder()), of_dormers));
+    }
+    run.found[i].occluded_edges += add_dormers(fronts, run.found[i].facade, of_dormers);
+    search.context.advance(tasks[i].points);
+  });
+}
+
 }  // namespace
 
-void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
-                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record) {
-  std::vector<Vec3> stations;
-  std::vector<FacadeStation> steps;
-  for (const Station& s : inputs.stations) {
-    stations.push_back(s.position);
-    steps.push_back({{}, s.azimuth_step, s.elevation_step});
-  }
-  if (stations.empty()) record.warnings.push_back(kNoStations);
-  std::vector<WallGroup> walls = find_walls(planes.segments, stations, middle_of(planes.segments),
-                                            wall_params(settings.facades, context.metres_per_unit));
-  std::erase_if(walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
-
-  FacadeWork work{store, planes.final_id, stations, steps, planes.outlines.outlines()};
-  work.told = stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
+FacadesOfRun::FacadesOfRun(const Store& store, const PlanesResult& planes, const RunInputs& inputs,
+                           const PassContext& context)
+    : stations(places_of(inputs.stations)),
+      steps(steps_of(inputs.stations)),
+      work{store, planes.final_id, stations, steps, planes.outlines.outlines()} {
   work.metres_per_unit = context.metres_per_unit;
   work.outline_numbers = numbers_of(work.outlines);
-  const std::vector<std::vector<WallGroup>> dormers =
-      dormers_of(walls, planes.segments, wall_params(settings.facades, context.metres_per_unit));
+}
+
+std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResult& planes, const Settings& settings,
+                                           const RunInputs& inputs, const PassContext& context, Progress& progress,
+                                           RunRecord& record, const FacadeObserver* observer) {
+  auto run = std::make_unique<FacadesOfRun>(store, planes, inputs, context);
+  FacadeWork& work = run->work;
+  const WallParams params = wall_params(settings.facades, context.metres_per_unit);
+  const Vec3 middle = middle_of(planes.segments);
+  if (run->stations.empty()) record.warnings.push_back(kNoStations);
+  run->walls = find_walls(planes.segments, run->stations, middle, params);
+  std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
+  work.told = run->stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
+  const std::vector<std::vector<WallGroup>> dormers = dormers_of(run->walls, planes.segments, params);
   const std::size_t lanes = lanes_of(context.budget_bytes);
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;
-  for (const WallGroup& wall : walls) {
+  for (const WallGroup& wall : run->walls) {
     const std::uint64_t count = points_to_read(work, wall);
     tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, lanes), count});
     points += count;
   }
   progress.begin_stage("facades", points);
-  std::filesystem::create_directories(folder);
-  std::vector<FoundFacade> found(walls.size());
-  FacadeParams params = facade_params(settings.facades);
-  params.lanes = lanes;
-  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
-    GatheredFacade gathered = gather_facade(work, walls[i]);
-    if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
-    found[i] = find_facade(RaySamples(gathered.site, gathered.points, store.folder()), params);
-    std::vector<DormerFront> fronts;
-    for (const WallGroup& front : dormers[i]) {
-      const GatheredFacade of_front = gather_facade(work, front);
-      fronts.push_back(
-          find_dormer(RaySamples(of_front.site, of_front.points, store.folder()), dormer_params(settings.facades)));
-    }
-    found[i].occluded_edges += add_dormers(fronts, found[i].facade, dormer_params(settings.facades));
-    context.advance(tasks[i].points);
-  });
-  join_facades(found,
-               small_walls(walls, planes.segments, stations, middle_of(planes.segments),
-                           wall_params(settings.facades, context.metres_per_unit)),
+  run->found.resize(run->walls.size());
+  find_each({settings, inputs, context, lanes, observer}, dormers, tasks, *run);
+  join_facades(run->found, small_walls(run->walls, planes.segments, run->stations, middle, params),
                context.metres_per_unit);
+  for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
+  if (planes.outlines.dropped() > 0)
+    record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
+  reach_tops(run->found, run->walls, context.metres_per_unit);
+  prove_facades(work, run->walls, planes.outlines.outlines(), run->found, context);
+  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
+  return run;
+}
+
+void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
+                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
+                  RunRecord& record) {
+  std::filesystem::create_directories(folder);
+  const auto run = find_facades(store, planes, settings, inputs, context, progress, record);
   FacadeCounts counts;
-  for (FoundFacade& f : found) {
-    f.facade.id = static_cast<std::uint32_t>(++counts.facades);
+  for (const FoundFacade& f : run->found) {
+    ++counts.facades;
     counts.elements += f.facade.elements.size();
     counts.occluded_edges += f.occluded_edges;
   }
-  if (planes.outlines.dropped() > 0)
-    record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
-  reach_tops(found, walls, context.metres_per_unit);
-  prove_facades(work, walls, planes.outlines.outlines(), found, context);
-  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
-  write_facade_labels(work, walls, found, context);
-  if (!found.empty())
-    write_facades(found, walls, work, files_params(settings, inputs, colours_of_points(store, inputs, context)), folder,
-                  progress);
+  write_facade_labels(run->work, run->walls, run->found, context);
+  if (!run->found.empty())
+    write_facades(run->found, run->walls, run->work,
+                  files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
   record.facades = counts;
   progress.end_stage();
 }

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "engine/columns/run_inputs.h"
 #include "engine/pass/context.h"
+#include "engine/products/facades/elements/facade_model.h"
+#include "engine/products/facades/facade_gathering.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
@@ -12,7 +17,33 @@
 
 namespace ilot {
 
-// Facades among the planes, each drawn from its own points, to the files of facade_files.h in the folder and a page,
+// All facades of a run. Refers to the store and the planes.
+struct FacadesOfRun {
+  FacadesOfRun(const Store& store, const PlanesResult& planes, const RunInputs& inputs, const PassContext& context);
+  FacadesOfRun(const FacadesOfRun&) = delete;
+  FacadesOfRun& operator=(const FacadesOfRun&) = delete;
+
+  std::vector<Vec3> stations;
+  std::vector<FacadeStation> steps;
+  FacadeWork work;
+  std::vector<WallGroup> walls;
+  std::vector<FoundFacade> found;  // per wall; facade.id from 1
+};
+
+// Looks at one of the facades while they are found.
+struct FacadeObserver {
+  std::uint32_t facade = 0;  // its id
+  FacadeSteps& steps;
+  std::function<void(const RaySamples&)> look;  // at its rays
+};
+
+// Facades among the planes, each from its own points, then what they are to each other and what proves them. The planes
+// have their areas (make_boundaries). Begins the stage "facades". Facades whose middle is not wanted are left out.
+std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResult& planes, const Settings& settings,
+                                           const RunInputs& inputs, const PassContext& context, Progress& progress,
+                                           RunRecord& record, const FacadeObserver* observer = nullptr);
+
+// find_facades, the column "facade" and the files of facade_files.h in the folder and a page,
 // facades.html, over them. The planes have their areas (make_boundaries). Facades whose middle is not wanted are left
 // out.
 void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,

@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/pass/pass.h"
 #include "engine/products/roofs/footprint_plan.h"
+#include "engine/products/roofs/roof_setup.h"
 #include "engine/products/roofs/roof_sink.h"
 #include "kernels/core/parallel.h"
 
@@ -18,13 +19,6 @@ namespace {
 constexpr double kGridMetres = 0.001;
 constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
 constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model, points to show
-
-// A corner of the CRS's own raster of 100 km, near the least corner of the whole cloud: the same for each part of it.
-Vec3 origin_near(Index3 least, double unit, double metres_per_unit) {
-  const double raster = 100000 / metres_per_unit;
-  const auto corner = [&](std::int64_t v) { return std::round(static_cast<double>(v) * unit / raster) * raster; };
-  return {corner(least.x), corner(least.y), 0};
-}
 
 std::vector<std::size_t> wanted_sites(std::span<const PlannedSite> sites, const Store& store,
                                       const PassContext& context) {
@@ -82,15 +76,6 @@ struct RoofBudget {
                 ExitCode::usage);
   }
 };
-
-RoofModelParams model_params(const RoofsSettings& s) {
-  RoofModelParams params;
-  params.epsilon = s.epsilon.value_or(0);
-  params.min_points = s.min_points.value_or(0);
-  params.least_face_area = s.least_face_area.value_or(0);
-  params.superstructures = s.superstructures;
-  return params;
-}
 
 // How far the outlines lie beside the points, from at most 64 of them, evenly spread.
 void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
@@ -187,12 +172,8 @@ std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext
 void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
                 const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                 RunRecord& record) {
-  std::vector<GridBox> boxes;
-  boxes.reserve(sites.size());
-  for (const PlannedSite& site : sites) boxes.push_back(site.outline.polygon.empty() ? GridBox{} : site.outline.box);
-  const OutlineMap map(std::move(boxes));
-  SiteWork work{store, sites, map, {}, context.metres_per_unit};
-  work.params.margin = settings.roofs.margin;
+  const RoofSetup setup(store, sites, settings, crs, context);
+  const SiteWork& work = setup.work;
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
   const std::vector<PassTask> costs = costs_of(work, wanted);
   const RoofBudget budget(context.budget_bytes, sites, costs);
@@ -200,15 +181,13 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   for (const PassTask& cost : costs) points += cost.points;
   progress.begin_stage("roofs", points);
   if (record.footprints) {
-    record.footprints->overlapping = count_overlapping(sites, map);
+    record.footprints->overlapping = count_overlapping(sites, work.map);
     measure_misalignment(work, wanted, costs, budget, progress, *record.footprints);
   }
   std::filesystem::create_directories(folder);
-  const CityJsonParams file{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
-                            settings.roofs.attribute_style, context.metres_per_unit};
   RoofLabels labels(store);
-  RoofSink sink(folder, file, crs, labels, progress, record);
-  const SiteModeller modeller(work, model_params(settings.roofs), file, labels);
+  RoofSink sink(folder, setup.file, crs, labels, progress, record);
+  const SiteModeller modeller(work, setup.model, setup.file, labels);
   model_sites(modeller, wanted, costs, budget, context, sink);
   sink.finish();
   labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });

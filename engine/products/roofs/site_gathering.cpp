@@ -74,18 +74,12 @@ SiteReader::SiteReader(const SiteWork& work, std::size_t site)
 UnitSample SiteReader::sample(GatheredSite& gathered) {
   SiteMeasure measure(filter_);
   UnitCollector building(work_.most_points), unclassified(work_.most_points);
-  for_each_stretch_in(work_.store, box_, [&](const Stretch& s, std::span<const StretchPoint> inside) {
-    const auto roles = s.read(work_.store, columns::kRole);
-    gathered.points_around += inside.size();
-    for (const StretchPoint& p : inside) {
-      const Vec3 at = metres(p.position);
-      const PointRole role = roles[p.number];
-      const Belonging belonging = filter_.of(at, role);
-      measure.add(at, role, belonging);
-      if (belonging != Belonging::held) continue;
-      if (role == PointRole::building) building.add({place_of(s, p), p.position});
-      if (role == PointRole::unclassified) unclassified.add({place_of(s, p), p.position});
-    }
+  for_each_around([&](const AroundPoint& p, Index3 position) {
+    ++gathered.points_around;
+    measure.add(p.at, p.role, p.belonging);
+    if (p.belonging != Belonging::held) return;
+    if (p.role == PointRole::building) building.add({p.place, position});
+    if (p.role == PointRole::unclassified) unclassified.add({p.place, position});
   });
   rule_ = measure.rule();
   UnitCollector& kind = rule_.by_class ? building : unclassified;
@@ -122,6 +116,16 @@ GatheredSite SiteReader::gather() {
     gathered.places.push_back(k.place);
   }
   return gathered;
+}
+
+std::vector<AroundPoint> SiteReader::points_around(std::size_t most) const {
+  const std::uint64_t all = plan_view(work_.store, box_, {}).size, every = 1 + all / std::max<std::size_t>(most, 1);
+  std::vector<AroundPoint> points;
+  std::uint64_t number = 0;
+  for_each_around([&](const AroundPoint& p, Index3) {
+    if (number++ % every == 0) points.push_back(p);
+  });
+  return points;
 }
 
 void SiteReader::for_each_stretch(const Visit& visit) const {

@@ -41,6 +41,14 @@ struct GatheredSite {
   std::uint64_t points_around = 0;  // of any class, over the outline and within reach of it
 };
 
+// A point around a site, as the decision about it sees it.
+struct AroundPoint {
+  StorePlace place;
+  Vec3 at;  // metres from the site's anchor; heights from 0 of the CRS
+  PointRole role{};
+  Belonging belonging{};
+};
+
 // Points that are around the site: what reading it costs. 0 without an outline.
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site);
 
@@ -51,6 +59,9 @@ class SiteReader {
 
   // Reads the columns over the outline once; three times where the building has more points than work.most_points.
   GatheredSite gather();
+
+  // All points that gather() looks at, of any role, in global order, at most so many: of more every second, third ...
+  std::vector<AroundPoint> points_around(std::size_t most) const;
 
   // Calls visit(block, points, at) for all points of the building in global order, some thousands of one block at a
   // time: their numbers in the block and where they are, as in RoofSite. After gather().
@@ -83,6 +94,18 @@ class SiteReader {
         return rule_.takes(role, at.z) && filter_.of(at, role) == Belonging::held;
       };
     };
+  }
+  // Calls visit(AroundPoint, position on the lattice) for all points over the outline and within reach of it.
+  template <class Visit>
+  void for_each_around(const Visit& visit) const {
+    for_each_stretch_in(work_.store, box_, [&](const Stretch& s, std::span<const StretchPoint> inside) {
+      const auto roles = s.read(work_.store, columns::kRole);
+      for (const StretchPoint& p : inside) {
+        const Vec3 at = metres(p.position);
+        const PointRole role = roles[p.number];
+        visit(AroundPoint{place_of(s, p), at, role, filter_.of(at, role)}, p.position);
+      }
+    });
   }
   UnitSample sample(GatheredSite& gathered);
 

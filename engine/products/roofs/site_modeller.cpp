@@ -53,7 +53,7 @@ std::string why_empty(const GatheredSite& gathered) {
 
 }  // namespace
 
-SiteResult SiteModeller::model(std::size_t number) const {
+SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
   const PlannedSite& planned = work_.sites[number];
   SiteResult result;
   if (planned.outline.polygon.empty()) {
@@ -64,8 +64,10 @@ SiteResult SiteModeller::model(std::size_t number) const {
   }
   SiteReader reader(work_, number);
   const GatheredSite gathered = reader.gather();
-  RoofModel model = model_of(gathered);
+  if (steps != nullptr) steps->gathered = gathered;
+  RoofModel model = model_of(gathered, steps == nullptr ? nullptr : &steps->roof);
   result.planes = number_planes(model);
+  if (steps != nullptr) steps->face_of_point = model.face_of_point;
   PointMeasures measures(gathered.site, model, work_.metres_per_unit);
   if (gathered.thinned)
     label_all(reader, gathered.site, model, measures, result);
@@ -83,15 +85,16 @@ SiteResult SiteModeller::model(std::size_t number) const {
   return result;
 }
 
-RoofModel SiteModeller::model_of(const GatheredSite& gathered) const {
+RoofModel SiteModeller::model_of(const GatheredSite& gathered, RoofSteps* steps) const {
   if (gathered.site.points.empty()) {
     RoofModel model;
     model.reason = why_empty(gathered);
     return model;
   }
-  return model_roof(gathered.site, params_, work_.metres_per_unit, [&](const Building& b) {
+  const SolidCheck check = [&](const Building& b) {
     return fault_of(validate_building(b, file_.origin, file_.step, tolerances(work_.metres_per_unit)));
-  });
+  };
+  return model_roof(gathered.site, params_, work_.metres_per_unit, check, steps);
 }
 
 void SiteModeller::label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,

@@ -24,6 +24,13 @@ struct SiteResult {
   double share_off = 0;          // of its points that lie on no face
 };
 
+// What was found on the way to a SiteResult, for whoever looks for the step that went wrong.
+struct SiteSteps {
+  GatheredSite gathered;
+  RoofSteps roof;
+  std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else the plane_id that SiteResult has
+};
+
 // Memory of a site in work, whatever the number of its points; kBytesOfSitePoint more a point of its model.
 constexpr std::uint64_t kBytesOfSite = 1u << 18, kBytesOfSitePoint = 256;
 
@@ -34,10 +41,11 @@ class SiteModeller {
 
   // A building of more points than work.most_points is modelled from a sample of them; then each of its points is
   // labelled by the face above or below it (faces_at), and heights, rmse and counts are of all its points.
-  SiteResult model(std::size_t site) const;
+  // Where `steps` are given they are filled; the result is the same.
+  SiteResult model(std::size_t site, SiteSteps* steps = nullptr) const;
 
  private:
-  RoofModel model_of(const GatheredSite& gathered) const;
+  RoofModel model_of(const GatheredSite& gathered, RoofSteps* steps) const;
   void label_sample(const GatheredSite& gathered, const RoofModel& model, PointMeasures& measures,
                     SiteResult& result) const;
   void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,

@@ -118,12 +118,21 @@ void tell_of_ground(const GroundZones& ground, Progress& progress, RunRecord& re
 
 }  // namespace
 
-FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context) {
+StreetPixel street_pixel(const Store& store, const StreetsSettings& settings, const PassContext& context) {
+  StreetPixel pixel;
+  pixel.density = point_density(store, context);
+  pixel.view = settings.view.value_or(view_of(pixel.density));
+  pixel.metres = settings.pixel.value_or(pixel_for(pixel.density.median, pixel.view));
+  return pixel;
+}
+
+FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context,
+                        const SeeTile& see) {
   FoundStreet street;
-  street.density = point_density(store, context);
-  street.view = settings.view.value_or(view_of(street.density));
-  const double pixel = settings.pixel.value_or(pixel_for(street.density.median, street.view));
-  street.tiles = std::make_unique<StreetTiles>(store, context, pixel);
+  const StreetPixel pixel = street_pixel(store, settings, context);
+  street.density = pixel.density;
+  street.view = pixel.view;
+  street.tiles = std::make_unique<StreetTiles>(store, context, pixel.metres, see);
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
   ArtefactParams artefacts;
@@ -140,10 +149,10 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
 
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record) {
+                  RunRecord& record, StreetSteps* steps) {
   progress.begin_stage("streets", 2 * store.points());
   std::filesystem::create_directories(folder);
-  const FoundStreet street = find_street(store, settings.streets, context);
+  const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
   record_choices(settings.streets, street, record);
   tell_of_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
@@ -163,6 +172,10 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
     object_of_thing[i + 1] = object.id;
     plan.objects.push_back(object);
+  }
+  if (steps != nullptr) {
+    const SeeTile see = std::move(steps->see);
+    *steps = {see, street.tiles->raster(), street.things, classes, taken, thing_of, object_of_thing, plan.objects};
   }
   ThingLabels labels{{0}, {PointLabel::none}};
   for (std::size_t part = 1; part < thing_of.size(); ++part) {

@@ -103,11 +103,20 @@ double pixel_for(double density, StreetView view) {
   return kFinestPixel * times;
 }
 
-StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres)
+TileRaster street_raster(const Store& store, const PassContext& context, double pixel_metres) {
+  return plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, "streets");
+}
+
+StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres, SeeTile see)
     : store_(store),
       context_(context),
-      tiles_(context, store.folder() / "streets",
-             plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, "streets"), "streets") {
+      tiles_(context, store.folder() / "streets", street_raster(store, context, pixel_metres), "streets"),
+      layers_(tiles_.layers()) {
+  if (see)
+    layers_.write = [this, see](const char* layer, std::size_t tile, const Image& image) {
+      see(raster(), layer, tile, image);
+      tiles_.layers().write(layer, tile, image);
+    };
   const std::vector<std::uint64_t> bytes(raster().grid.count(), kBytesDrawn * kSide * kSide + kBytesOfStretch);
   run_tasks(raster().grid, bytes, [&](std::size_t tile) { draw(tile); });
 }

@@ -2,6 +2,7 @@
 // The images of a street on disk, and what is drawn in them from the points.
 #pragma once
 #include <algorithm>
+#include <functional>
 
 #include "engine/pass/context.h"
 #include "engine/settings/settings.h"
@@ -34,14 +35,20 @@ StreetView view_of(const PointDensity& density);
 // lie at random: things are then of one piece.
 double pixel_for(double density, StreetView view);
 
+// Sees each image of a tile that a step writes, before it is written; from several threads at once.
+using SeeTile = std::function<void(const TileRaster& raster, const char* layer, std::size_t tile, const Image& image)>;
+
+// The raster of a street with pixels of so many metres.
+TileRaster street_raster(const Store& store, const PassContext& context, double pixel_metres);
+
 class StreetTiles {
  public:
   // Plans the raster and draws "range" and "accumulation"; tiles without a point are absent. Throws Error where tiles
   // are so many that their pixels have no numbers (2^31 in a direction).
-  StreetTiles(const Store& store, const PassContext& context, double pixel_metres);
+  StreetTiles(const Store& store, const PassContext& context, double pixel_metres, SeeTile see = {});
 
   const TileRaster& raster() const { return tiles_.raster(); }
-  const TileLayers& layers() const { return tiles_.layers(); }
+  const TileLayers& layers() const { return layers_; }
 
   // Points of a pixel of the ground that has any, on average; 1 where there is none. Of "mask", "height",
   // "accumulation".
@@ -63,6 +70,7 @@ class StreetTiles {
   const Store& store_;
   const PassContext& context_;
   RasterLayers tiles_;
+  TileLayers layers_;
 };
 
 }  // namespace ilot

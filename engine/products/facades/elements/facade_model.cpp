@@ -118,12 +118,19 @@ void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundR
   }
 }
 
-std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params) {
+std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
   const std::array<std::function<void()>, 4> searches{
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
-      [&] { stones = find_stones(samples); }, [&] { openings = find_openings(samples, params.openings); }};
+      [&] { stones = find_stones(samples); },
+      [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells); }};
   in_lanes(params.lanes, searches.size(), [&](std::size_t i) { searches[i](); });
+  if (steps != nullptr) {
+    steps->openings = openings;
+    steps->relief = relief;
+    steps->stones = stones;
+    steps->large = large;
+  }
   drop_pierced_stones(openings, stones);
   std::vector<FacadeThing> things;
   for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
@@ -175,12 +182,13 @@ std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::si
          std::min(kBands + kSorting, kPoint * points) + lanes * std::min(kLane, kPoint * points);
 }
 
-FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params) {
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
   const FacadeSite& site = samples.site();
-  std::vector<FacadeThing> things = things_of(samples, params);
+  std::vector<FacadeThing> things = things_of(samples, params, steps);
   const std::vector<Irregularity> irregular = find_irregularities(samples, boxes_of_elements(things), params.irregular);
   drop_patches(things, irregular);
   group_things(things, params.regular);
+  if (steps != nullptr) steps->found = things;
   if (params.regularise) {
     regularise_things(things, params.regular);
     complete_things(things, params.regular);
@@ -196,7 +204,13 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params) {
   f.right = site.axes.right;
   f.up = site.axes.up;
   f.out = site.axes.out;
-  f.elements.push_back(wall_of(samples, wall_outline(samples, params.outline)));
+  const WallOutline outline = wall_outline(samples, params.outline);
+  if (steps != nullptr) {
+    steps->drawn = things;
+    steps->irregular = irregular;
+    steps->outline = outline;
+  }
+  f.elements.push_back(wall_of(samples, outline));
   f.width_m = f.elements[0].width_m;
   f.height_m = f.elements[0].height_m;
   for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;

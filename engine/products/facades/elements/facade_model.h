@@ -28,9 +28,18 @@ struct FoundFacade {
   std::uint64_t occluded_edges = 0;  // that are not drawn as seen
 };
 
+// What was found on the way to a FoundFacade, for whoever looks for the step that went wrong.
+struct FacadeSteps {
+  OpeningSteps cells;
+  std::vector<FoundRectangle> openings, relief, stones, large;  // as the four searches found them
+  std::vector<FacadeThing> found, drawn;                        // before and after regularisation
+  std::vector<Irregularity> irregular;
+  WallOutline outline;
+};
+
 // Openings and what stands out, named, brought into rows and families, completed where shadows hid them, and the wall's
-// own outline first. The site's points in any order give the same. O(n log n).
-FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {});
+// own outline first. The site's points in any order give the same. Where `steps` are given they are filled. O(n log n).
+FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr);
 
 // Memory of the rays and of find_facade() at most, for a site of so many points.
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes);

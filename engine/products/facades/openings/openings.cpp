@@ -27,29 +27,13 @@ constexpr double kCoverShare = 0.25;  // of the widest spread
 constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
 constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of what fills it: more tell no more
 
-enum Cell : std::uint8_t {
-  kUnknown,
-  kSolid,
-  kThrough,
-  kBlocked,  // something before the wall
-  kShallow,  // too little behind it to be an opening: joints of stone
-};
-
-// The wall in cells.
-struct WallCells {
-  double cell = 0;
-  std::int64_t columns = 0, rows = 0;
-  std::vector<std::uint8_t> what;
-
-  std::uint8_t& at(std::int64_t c, std::int64_t r) { return what[static_cast<std::size_t>(r * columns + c)]; }
-  std::uint8_t at(std::int64_t c, std::int64_t r) const { return what[static_cast<std::size_t>(r * columns + c)]; }
-};
+using enum WallCells::What;
 
 // Counts of a cell's rays.
 struct CellCounts {
   std::uint32_t solid = 0, through = 0, shallow = 0, blocked = 0;
 
-  Cell what() const {
+  WallCells::What what() const {
     if (through > solid) return kThrough;
     if (solid > 0) return kSolid;
     if (blocked > 0) return kBlocked;
@@ -328,8 +312,9 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
 
 }  // namespace
 
-std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params) {
-  const WallCells cells = filled(cells_of(samples, depth_through(samples.site(), params)), params.shadow);
+std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps) {
+  const WallCells seen = cells_of(samples, depth_through(samples.site(), params)), cells = filled(seen, params.shadow);
+  if (steps != nullptr) *steps = {seen, cells};
   std::vector<FoundRectangle> found;
   for_each_region(cells, [&](const Region& region) {
     if (const std::optional<FoundRectangle> opening = opening_of(samples, cells, region, params))

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/products/facades/openings/located_edge.h"
+#include "engine/products/facades/openings/wall_cells.h"
 #include "engine/products/facades/rays/ray_samples.h"
 
 namespace ilot {
@@ -46,7 +47,9 @@ struct FoundRectangle {
 
 // Cells of the wall's plane where rays go through and no point of the wall lies, joined over cells that nothing was
 // seen in; a region that the wall bounds on both sides and above is an opening. A shadow of something in the street has
-// no ray through it and is none. Left to right within bottom up. O(points).
-std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params = {});
+// no ray through it and is none. Left to right within bottom up. Where `steps`
+// are given they are filled. O(points).
+std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params = {},
+                                          OpeningSteps* steps = nullptr);
 
 }  // namespace ilot

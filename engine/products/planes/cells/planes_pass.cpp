@@ -272,6 +272,10 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   return all;
 }
 
+void forget_cell(const Store& store, const Cell& cell) {
+  std::filesystem::remove(cell_path(store, cell));
+}
+
 std::vector<CellPlane> read_cell_planes(const Store& store, const Cell& cell) {
   const RecordReader reader(cell_path(store, cell));
   const StoredCell header = header_of(reader);

@@ -35,6 +35,9 @@ struct CellPlanes {
 CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                        const PassContext& context, const ColourPalette& palette = {});
 
+// Removes what planes_pass keeps of a cell's planes, so that it looks for them again.
+void forget_cell(const Store& store, const Cell& cell);
+
 // A plane of one cell before the join, as it is kept on disk. Coordinates relative to the cell's corner.
 struct CellPlane {
   Plane plane;      // fitted over the cell and its margin

@@ -48,12 +48,15 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
 
 // The outline parted and every cell given to a plane.
 struct LabelledCells {
+  std::vector<FlatEdge> lines;
   Partition cells;
   std::vector<std::uint32_t> of_point, label;
 };
 
 LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes) {
-  LabelledCells c{part(site.outline, roof_lines(site, planes)), {}, {}};
+  LabelledCells c;
+  c.lines = roof_lines(site, planes);
+  c.cells = part(site.outline, c.lines);
   std::vector<FlatPoint> flat;
   for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
   c.of_point = regions_of(c.cells, flat);
@@ -110,8 +113,14 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
 // The faces of the roof raised; where the check refuses that, with ever more of the small ones given to their
 // neighbours.
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
-               const SolidCheck& check, RoofModel& model) {
+               const SolidCheck& check, RoofModel& model, RoofSteps* steps) {
   const LabelledCells c = labelled_cells(site, planes);
+  if (steps != nullptr) {
+    steps->lines = c.lines;
+    steps->cells = c.cells;
+    steps->cell_of_point = c.of_point;
+    steps->label = c.label;
+  }
   if (c.label.empty() && c.cells.regions > 0) {
     model.reason = "too many faces: " + std::to_string(planes.planes.size()) + " planes in " +
                    std::to_string(c.cells.regions) + " cells of the outline; its points may not be a roof's";
@@ -121,6 +130,7 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
   std::string first_fault;
   for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
     RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, least);
+    if (steps != nullptr) steps->faces = roof.faces, steps->face_planes = roof.planes;
     auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
     if (house) {
       model.lod22 = std::move(*house);
@@ -129,6 +139,7 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
       model.status = RoofStatus::lod22;
       return;
     }
+    if (steps != nullptr) steps->refused.push_back(model.reason);
     if (attempt == 0) first_fault = model.reason;
   }
   model.reason = first_fault;
@@ -152,7 +163,7 @@ std::vector<std::uint32_t> faces_at(const RoofFaceMap& map, std::span<const Vec3
 }
 
 RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
-                     const SolidCheck& check) {
+                     const SolidCheck& check, RoofSteps* steps) {
   RoofModel model;
   model.face_of_point.assign(site.points.size(), 0);
   if (site.outline.empty() || area_of(site.outline) < kLeastOutline) {
@@ -164,12 +175,13 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     return model;
   }
   const RoofPlanes planes = find_roof_planes(site, params);
+  if (steps != nullptr) steps->planes = planes;
   if (!add_block(site, planes, metres_per_unit, check, model)) return model;
   if (planes.planes.empty()) {
     model.reason = "no plane has enough points";
     return model;
   }
-  add_house(site, planes, params, metres_per_unit, check, model);
+  add_house(site, planes, params, metres_per_unit, check, model, steps);
   return model;
 }
 

@@ -38,16 +38,28 @@ struct RoofModel {
   RoofFaceMap map;                           // of lod22
 };
 
+// What the steps found on the way to the model, for whoever looks for the step that went wrong.
+struct RoofSteps {
+  RoofPlanes planes;
+  std::vector<FlatEdge> lines;  // that part the outline, metres from the anchor
+  Partition cells;
+  std::vector<std::uint32_t> cell_of_point, label;  // per point its cell, per cell 1 + the index of its plane
+  Partition faces;                                  // of the attempt that was delivered, else of the last one
+  std::vector<RoofPlane> face_planes;
+  std::vector<std::string> refused;  // why attempts to raise the faces came to nothing, in their order
+};
+
 // What speaks against delivering a solid; empty when nothing does.
 using SolidCheck = std::function<std::string(const Building&)>;
 
 // Depends on the site alone: the same building gives the same vertices wherever and with whatever neighbours it is
 // modelled. A solid that the check refuses is raised again with fewer faces sharing vertices, then with small faces
 // given to their neighbours, up to 16 m2; if that does not help either, the next lower level of detail is the answer.
-// Never throws for what the data holds. `metres_per_unit` of the CRS.
+// Never throws for what the data holds. `metres_per_unit` of the CRS. Where `steps` are given they are
+// filled; the model is the same.
 RoofModel model_roof(
     const RoofSite& site, const RoofModelParams& params, double metres_per_unit,
-    const SolidCheck& check = [](const Building&) { return std::string(); });
+    const SolidCheck& check = [](const Building&) { return std::string(); }, RoofSteps* steps = nullptr);
 
 // For points that the model was not made from (metres from the site's anchor): the face above or below which each lies
 // when its plane passes within epsilon of it, else 0.

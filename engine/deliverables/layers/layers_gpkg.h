@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+#include <filesystem>
+#include <span>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/model/layer.h"
+
+namespace ilot {
+
+// One GeoPackage with a table for every layer, in their order; those without a feature too. No time stamps. Throws
+// Error when it cannot be written; then no file stays.
+void write_layers(const std::filesystem::path& path, std::span<const Layer> layers, const Crs& crs);
+
+}  // namespace ilot

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+// What all buildings of a run are modelled with.
+#pragma once
+#include <span>
+
+#include "engine/cloud/cloud_info.h"
+#include "engine/pass/context.h"
+#include "engine/products/roofs/site_modeller.h"
+#include "engine/settings/settings.h"
+
+namespace ilot {
+
+// Refers to the store and the sites.
+struct RoofSetup {
+  RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
+            const PassContext& context);
+  RoofSetup(const RoofSetup&) = delete;
+  RoofSetup& operator=(const RoofSetup&) = delete;
+
+  OutlineMap map;
+  SiteWork work;
+  RoofModelParams model;
+  CityJsonParams file;
+};
+
+}  // namespace ilot

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// A finished run whose store was kept, opened to look into one of its units again.
+#pragma once
+#include <filesystem>
+#include <optional>
+
+#include "engine/pass/index.h"
+#include "engine/report/progress.h"
+#include "engine/run/open_inputs.h"
+#include "engine/run/options.h"
+
+namespace ilot {
+
+struct KeptRunPlaces {
+  std::filesystem::path out;
+  std::filesystem::path store;     // empty = out/.store
+  std::filesystem::path stations;  // that the run was given, if any: run.json does not name the file
+  std::optional<Area> within;      // polygons that the run was given, if any: run.json has their box alone
+  TrainThings learn;               // as the run learns from places of things
+};
+
+// A folder that looks like a store: every file of it is a link to that of the kept store. What a pass writes takes the
+// place of a link, so the kept store stays as it is. The folder is removed at the end.
+class ScratchStore {
+ public:
+  ScratchStore(const std::filesystem::path& kept, std::filesystem::path scratch);
+  ~ScratchStore();
+  ScratchStore(const ScratchStore&) = delete;
+  ScratchStore& operator=(const ScratchStore&) = delete;
+
+  const std::filesystem::path& folder() const { return folder_; }
+
+ private:
+  std::filesystem::path folder_;
+};
+
+// The options of the run as run.json records them. Throws a usage Error when there is no run, another one works there,
+// or its store was not kept.
+RunOptions kept_options(const KeptRunPlaces& places);
+
+// Everything that products were given. The store is a ScratchStore in `scratch`.
+class KeptRun {
+ public:
+  // Throws a usage Error that names what is not as it was: inputs, footprints, settings.
+  KeptRun(const KeptRunPlaces& places, const std::filesystem::path& scratch, Progress& progress);
+  KeptRun(const KeptRun&) = delete;
+  KeptRun& operator=(const KeptRun&) = delete;
+
+  const RunOptions& options() const { return options_; }
+  const RunInputs& inputs() const { return inputs_; }
+  const PassContext& context() const { return context_; }
+  const Store& store() const { return index_->store; }
+  bool made(const char* product) const;
+
+ private:
+  RunOptions options_;
+  RunInputs inputs_;
+  PassContext context_;
+  std::optional<ScratchStore> scratch_;
+  std::optional<IndexResult> index_;
+};
+
+}  // namespace ilot

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+// What passes are given, of the options and inputs of a run.
+#pragma once
+#include "engine/pass/context.h"
+#include "engine/pass/input_lattice.h"
+#include "engine/report/progress.h"
+#include "engine/run/open_inputs.h"
+
+namespace ilot {
+
+// Without what depends on the lattice.
+PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points,
+                         Progress& progress);
+
+// What of the context depends on the lattice. The context refers to options.area.
+void set_lattice(const RunOptions& options, const RunInputs& inputs, const InputLattice& lattice, PassContext& context);
+
+}  // namespace ilot
