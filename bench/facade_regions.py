@@ -64,7 +64,7 @@ def best_match(box, candidates):
     return (best, share(best)) if best and share(best) > 0 else (None, 0)
 
 
-def judge_regions(facades, truth, show):
+def evaluate_regions(facades, truth, show):
     true_parts, right, errors = 0, 0, {}
     used = set()
     for e in truth["elements"]:
@@ -111,7 +111,7 @@ def distance_to_mesh(heights, frame, place):
     return None
 
 
-def judge_meshes(facades, places):
+def evaluate_meshes(facades, places):
     """Root mean square of the distances of exact points to each mesh, along the normal; how many of them lie on one."""
     rows = []
     for facade in facades:
@@ -162,7 +162,7 @@ def main():
     options = arguments()
     facades = [json.loads(f.read_text()) for f in sorted((options.out / "facades").glob("facade-*.json"))]
     truth = json.loads(options.truth.read_text())
-    parts, right, elements, invented, errors = judge_regions(facades, truth, options.list)
+    parts, right, elements, invented, errors = evaluate_regions(facades, truth, options.list)
     print(f"facades {len(facades)}; true parts {parts}, right region {right} ({100 * right / max(1, parts):.1f} %); "
           f"found {elements}, matched by none {invented}")
     for key, values in errors.items():
@@ -176,7 +176,7 @@ def main():
     print("ends of walls closed: %d of %d" % corners_closed(facades))
     if options.exact:
         number = next(int(k) for k, name in truth["classes"].items() if name == "bulge")
-        rows = judge_meshes(facades, exact_places(options.ilot, options.exact, number))
+        rows = evaluate_meshes(facades, exact_places(options.ilot, options.exact, number))
         for rms, count in rows:
             print(f"mesh: {count} exact points on it, RMS {1000 * rms:.2f} mm")
 

@@ -166,7 +166,7 @@ def true_size(frame, part, sign):
         [max(sign * c[2] for c in corners)]
 
 
-def judge(parts, points, found):
+def evaluate(parts, points, found):
     """Per part and per element: 2 as labelled, 1 either way, 0 not found or wrong; errors of sizes, metres."""
     held = points_of_parts(parts, points)
     of_part, of_found, errors = [0] * len(parts), [0] * len(found), []
@@ -209,7 +209,7 @@ def measure(options, variant, data, folder):
         parts = labelled_parts(data / f"references/minimal_house_{number}.obj")
         facades, judged = run(options.ilot, points, place), points[::JUDGED]
         found = found_elements(facades, judged)
-        of_part, of_found, errors = judge(parts, judged, found)
+        of_part, of_found, errors = evaluate(parts, judged, found)
         if options.list:
             show(number, parts, found, of_part, of_found)
         parts_found += of_part

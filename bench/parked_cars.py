@@ -62,23 +62,23 @@ def objects_of(run):
     return rows
 
 
-def holds(car, thing):
+def contains(car, detected):
     a = math.radians(car["heading_deg"])
-    x, y = thing["x"] - car["x"], thing["y"] - car["y"]
+    x, y = detected["x"] - car["x"], detected["y"] - car["y"]
     along, across = x * math.cos(a) + y * math.sin(a), y * math.cos(a) - x * math.sin(a)
     return abs(along) <= car["length_m"] / 2 + GROWN and abs(across) <= car["width_m"] / 2 + GROWN
 
 
-def judge(cars, objects):
+def evaluate(cars, objects):
     """Each car's finds, nearest first, and the objects called car that are none."""
     called = [o for o in objects if o["class"] == "car"]
     found, taken = [], set()
     for car in cars:
         near = sorted((math.hypot(o["x"] - car["x"], o["y"] - car["y"]), i) for i, o in enumerate(called)
-                      if i not in taken and holds(car, o))
+                      if i not in taken and contains(car, o))
         found.append(called[near[0][1]] if near else None)
         taken.update(i for _, i in near[:1])
-    on_part = {i for i, o in enumerate(called) if any(c["seen"] == "part" and holds(c, o) for c in cars)}
+    on_part = {i for i, o in enumerate(called) if any(c["seen"] == "part" and contains(c, o) for c in cars)}
     return found, [o for i, o in enumerate(called) if i not in taken and i not in on_part]
 
 
@@ -91,7 +91,7 @@ def run_on(args, clouds, folder):
     return json.loads((folder / "run.json").read_text())
 
 
-def told(o):
+def describe(o):
     return (f"{o['class']} {o['probability']:.2f} at {o['x']:.1f} {o['y']:.1f}, {o['length_m']:.1f} by {o['width_m']:.1f} m, "
             f"{o['height_m']:.1f} m high, {o['points']} points")
 
@@ -101,7 +101,7 @@ def study(args, name, tiles, folder):
     run_on(args, [data / CLOUDS[t] for t in tiles], folder)
     cars = [c for c in seen_cars() if c["tile"] in tiles]
     objects = objects_of(folder)
-    found, false = judge(cars, objects)
+    found, false = evaluate(cars, objects)
     whole = [f for c, f in zip(cars, found) if c["seen"] == "whole"]
     part = [f for c, f in zip(cars, found) if c["seen"] == "part"]
     print(f"{name}: {sum(f is not None for f in whole)} of {len(whole)} cars, "
@@ -111,9 +111,9 @@ def study(args, name, tiles, folder):
         print(f"  {tile}: {sum(f is not None for f in here)} of {len(here)}")
     if args.list:
         for car, find in zip(cars, found):
-            print(f"  {car['seen']} {car['x']:.1f} {car['y']:.1f}: {told(find) if find else 'lost'}")
+            print(f"  {car['seen']} {car['x']:.1f} {car['y']:.1f}: {describe(find) if find else 'lost'}")
         for o in false:
-            print(f"  false: {told(o)}")
+            print(f"  false: {describe(o)}")
 
 
 def main():

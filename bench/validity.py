@@ -13,8 +13,8 @@ import sys
 
 
 def validate(program, path):
-    told = subprocess.run([program, "validate", "--json", path], capture_output=True, text=True, check=False)
-    return json.loads(told.stdout)["files"][0]
+    completed = subprocess.run([program, "validate", "--json", path], capture_output=True, text=True, check=False)
+    return json.loads(completed.stdout)["files"][0]
 
 
 def rows_of(path):

@@ -40,7 +40,7 @@ double v_measure(const std::vector<std::uint32_t>& truth, const std::vector<std:
   return 2 * homogeneity * completeness / (homogeneity + completeness);
 }
 
-void judge_spaces(const Scene& s) {
+void evaluate_spaces(const Scene& s) {
   const std::pair<const char*, ColourSpace> spaces[]{
       {"Lab", ColourSpace::kLab}, {"RGB", ColourSpace::kRgb}, {"Lab + intensity", ColourSpace::kLabIntensity}};
   for (const auto& [name, space] : spaces) {
@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   try {
     const Scene s = bench::load_scene(argv[1], 32, bench::Cleaning::kNone);
     if (s.red.empty()) throw std::runtime_error("the scene has no colours");
-    judge_spaces(s);
+    evaluate_spaces(s);
     const std::vector<std::uint32_t> classes = colour_classes(s.colours()).label, none;
     const int seeds = argc > 2 ? std::atoi(argv[2]) : 20;
     std::vector<std::uint64_t> needed[2][kPlanes], drawn[2][kPlanes], support[2][kPlanes];

@@ -212,7 +212,7 @@ bool agrees(const bench::TrueShape& t, const FoundShape& f, double unit) {
   }
 }
 
-void judge_shapes(const Scene& s, const Setting& set) {
+void evaluate_shapes(const Scene& s, const Setting& set) {
   ShapeSegments found;
   ShapeRansacParams params = shape_params(set, kAllShapes);
   params.min_points = std::min<std::uint32_t>(params.min_points, 300);
@@ -306,12 +306,12 @@ int run(const Options& o) {
     const double seconds = seconds_of([&] {
       found = m.run(s, set);
       const RelabelParams relabel{set.epsilon, set.connectivity, 2, 4, 0.2 * set.epsilon};
-      settle_planes(s.points(), s.neighbours(), relabel, set.min_points, found);
+      relabel_until_stable(s.points(), s.neighbours(), relabel, set.min_points, found);
     });
     check_epsilon(s, found, set.epsilon, m.name);
     print_row(s, m.name, seconds, found.planes.size(), found.label);
   }
-  if (std::string_view("A6 all shapes").find(o.only) != std::string_view::npos) judge_shapes(s, set);
+  if (std::string_view("A6 all shapes").find(o.only) != std::string_view::npos) evaluate_shapes(s, set);
   return 0;
 }
 

@@ -104,8 +104,8 @@ std::map<std::uint32_t, Face> faces_of(const std::filesystem::path& file) {
   return faces;
 }
 
-void judge(const char* name, const std::vector<Building>& buildings, const std::map<std::uint32_t, Face>& faces,
-           const std::function<PlaneSegments(const Building&)>& method) {
+void evaluate(const char* name, const std::vector<Building>& buildings, const std::map<std::uint32_t, Face>& faces,
+              const std::function<PlaneSegments(const Building&)>& method) {
   const auto start = std::chrono::steady_clock::now();
   std::map<std::uint32_t, std::uint64_t> of_truth;
   std::map<std::pair<std::uint32_t, std::uint64_t>, std::uint64_t> shared;
@@ -114,7 +114,7 @@ void judge(const char* name, const std::vector<Building>& buildings, const std::
   for (const Building& b : buildings) {
     PlaneSegments s = method(b);
     RelabelParams relabel{kEpsilon, kGap};
-    settle_planes(b.points(), b.neighbours(), relabel, kLeast, s);
+    relabel_until_stable(b.points(), b.neighbours(), relabel, kLeast, s);
     for (std::size_t i = 0; i < b.truth.size(); ++i) {
       const std::uint64_t found = s.label[i] == 0 ? 0 : planes + s.label[i];
       if (b.truth[i] != 0) ++of_truth[b.truth[i]];
@@ -190,13 +190,13 @@ int main(int argc, char** argv) {
                faces.size());
     fmt::print("{:<22}{:>7}{:>7}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "method", "s", "planes", ">= 10 m2", "5-10", "2-5",
                "gable", "hip", "complex");
-    judge("D2 + D3, 2 degrees", buildings, faces, [](const Building& b) { return smooth(b, 2); });
-    judge("D2 + D3, 5 degrees", buildings, faces, [](const Building& b) { return smooth(b, 5); });
-    judge("D2 + A2", buildings, faces, pairs);
-    judge("D4, 100 points", buildings, faces, [](const Building& b) { return rings(b, 100); });
-    judge("D4, 20 points", buildings, faces, [](const Building& b) { return rings(b, 20); });
-    judge("D2 + A6", buildings, faces, draws);
-    judge("A3 octree", buildings, faces, octree);
+    evaluate("D2 + D3, 2 degrees", buildings, faces, [](const Building& b) { return smooth(b, 2); });
+    evaluate("D2 + D3, 5 degrees", buildings, faces, [](const Building& b) { return smooth(b, 5); });
+    evaluate("D2 + A2", buildings, faces, pairs);
+    evaluate("D4, 100 points", buildings, faces, [](const Building& b) { return rings(b, 100); });
+    evaluate("D4, 20 points", buildings, faces, [](const Building& b) { return rings(b, 20); });
+    evaluate("D2 + A6", buildings, faces, draws);
+    evaluate("A3 octree", buildings, faces, octree);
   } catch (const std::exception& e) {
     fmt::print(stderr, "study_roofs: {}\n", e.what());
     return 1;

@@ -25,17 +25,17 @@ constexpr std::uint32_t kTree = 7;  // true class
 constexpr double kHalf = 0.5;       // of an object: less is not it
 constexpr double kClearly = 0.2;    // by which one overlap is better than another
 
-struct TrueThing {
+struct MatchedObject {
   std::string class_name, variant;
   std::uint64_t points = 0;
   bool touches = false;
   // Of the thing that is most of it.
   double overlap = 0;  // common points over those of both
-  std::uint64_t common = 0, of_thing = 0;
+  std::uint64_t common = 0, of_candidate = 0;
 };
 
 struct TrueStreet {
-  std::map<std::uint32_t, TrueThing> objects;
+  std::map<std::uint32_t, MatchedObject> objects;
   CutPlane ground;                            // of the road
   std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides, along the street
 };
@@ -86,11 +86,12 @@ struct Shares {
   std::vector<std::map<std::uint32_t, std::uint64_t>> of_object, of_class;
   std::vector<std::uint64_t> points;
 
-  explicit Shares(std::size_t things) : of_object(things + 1), of_class(things + 1), points(things + 1, 0) {}
+  explicit Shares(std::size_t candidates)
+      : of_object(candidates + 1), of_class(candidates + 1), points(candidates + 1, 0) {}
 
-  void add_joined(const std::vector<Thing>& things) {
+  void add_joined(const std::vector<ObjectCandidate>& candidates) {
     for (std::size_t i = 1; i < points.size(); ++i) {
-      for (const std::uint32_t part : things[i - 1].parts) {
+      for (const std::uint32_t part : candidates[i - 1].parts) {
         if (part == 0) continue;
         points[i] += points[part];
         for (const auto& [c, n] : of_class[part]) of_class[i][c] += n;
@@ -122,13 +123,13 @@ class Trunks {
 };
 
 // Level and things of the pixel of a point; few tiles are kept.
-class TileLook {
+class PixelLookup {
  public:
-  explicit TileLook(const FoundStreet& found) : tiles_(*found.tiles) {}
+  explicit PixelLookup(const FoundStreet& found) : tiles_(*found.tiles) {}
 
   struct Seen {
     Height level = kNoHeight;
-    std::size_t thing = 0;
+    std::size_t candidate = 0;
   };
   Seen at(Index3 p) {
     const TileRaster& raster = tiles_.raster();
@@ -139,7 +140,7 @@ class TileLook {
       if (kept_.size() > 60) kept_.clear();
       entry = kept_
                   .try_emplace(tile, layer_tile(tiles_.layers(), "level", tile),
-                               layer_tile(tiles_.layers(), "things", tile))
+                               layer_tile(tiles_.layers(), "candidates", tile))
                   .first;
     }
     const auto pixel = static_cast<std::size_t>(y % side * side + x % side);
@@ -159,8 +160,8 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
   const TileRaster& raster = found.tiles->raster();
   const LatticeMap lattice(info.layout, raster.unit);
   const Height least = raster.scale.units(StreetsSettings{}.least_height);
-  Shares shares(found.things.size());
-  TileLook look(found);
+  Shares shares(found.candidates.size());
+  PixelLookup look(found);
   Trunks trunks;
   for_each_record(reader, [&](const std::byte* record) {
     std::int32_t raw[3];
@@ -173,16 +174,16 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
       object = trunks.at(raw[0] * info.layout.scale[0], raw[1] * info.layout.scale[1], truth);
     const auto entry = truth.objects.find(object);
     if (entry != truth.objects.end()) ++entry->second.points;
-    const TileLook::Seen seen = look.at(p);
+    const PixelLookup::Seen seen = look.at(p);
     const bool on_ground = seen.level != kNoHeight && p.z - seen.level < least;
     street.ground += true_class == 1;
     street.ground_found += true_class == 1 && on_ground;
-    if (seen.thing == 0 || on_ground) return;
-    ++shares.points[seen.thing];
-    ++shares.of_class[seen.thing][true_class];
-    if (entry != truth.objects.end()) ++shares.of_object[seen.thing][object];
+    if (seen.candidate == 0 || on_ground) return;
+    ++shares.points[seen.candidate];
+    ++shares.of_class[seen.candidate][true_class];
+    if (entry != truth.objects.end()) ++shares.of_object[seen.candidate][object];
   });
-  shares.add_joined(found.things);
+  shares.add_joined(found.candidates);
   return shares;
 }
 
@@ -190,19 +191,19 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
 void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& truth, Street& street) {
   const TileRaster& raster = found.tiles->raster();
   for (std::size_t i = 1; i < shares.points.size(); ++i) {
-    const Thing& thing = found.things[i - 1];
-    ThingSample sample{thing.features, PointLabel::none, 0};
-    sample.parts = {thing.parts[0], thing.parts[1]};
-    sample.group = block_of(truth, raster.crs_x(thing.x), raster.crs_y(thing.y));
+    const ObjectCandidate& candidate = found.candidates[i - 1];
+    TrainingSample sample{candidate.features, PointLabel::none, 0};
+    sample.parts = {candidate.parts[0], candidate.parts[1]};
+    sample.group = block_of(truth, raster.crs_x(candidate.x), raster.crs_y(candidate.y));
     street.object.push_back(0);
     street.overlaps.push_back(0);
     std::uint64_t most = 0;
     for (const auto& [true_class, count] : shares.of_class[i])
       if (count > most) most = count, sample.label = true_class == kTree ? PointLabel::vegetation : PointLabel::none;
     for (const auto& [object, common] : shares.of_object[i]) {
-      TrueThing& o = truth.objects.at(object);
+      MatchedObject& o = truth.objects.at(object);
       const double overlap = static_cast<double>(common) / static_cast<double>(o.points + shares.points[i] - common);
-      if (overlap > o.overlap) o.overlap = overlap, o.common = common, o.of_thing = shares.points[i];
+      if (overlap > o.overlap) o.overlap = overlap, o.common = common, o.of_candidate = shares.points[i];
       if (overlap < kHalf) continue;
       sample.label = label_of(o.class_name);
       street.object.back() = object;
@@ -210,14 +211,14 @@ void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& tru
     }
     street.samples.push_back(sample);
   }
-  street.things = found.things;
+  street.candidates = found.candidates;
 }
 
 void print_lost(const TrueStreet& truth, const FoundStreet& found) {
   for (const auto& [id, o] : truth.objects)
     if (o.points > 0 && o.overlap < kHalf)
       fmt::print("  missed {} {} ({}{}): {} points, best thing has {} of them and {} in all\n", o.class_name, id,
-                 o.variant, o.touches ? ", touching" : "", o.points, o.common, o.of_thing);
+                 o.variant, o.touches ? ", touching" : "", o.points, o.common, o.of_candidate);
   for (const StreetStretch& s : found.stretches)
     fmt::print("  stretch of {:.0f} m: {} blocks, {} gaps\n", s.length, s.blocks.size(), s.gaps.size());
 }
@@ -265,8 +266,8 @@ void save(const Street& street, const fs::path& path) {
     text += fmt::format("{} ", street.objects.count(name) ? street.objects.at(name) : 0);
   text += "\n";
   for (std::size_t i = 0; i < street.samples.size(); ++i) {
-    const ThingSample& s = street.samples[i];
-    const Thing& t = street.things[i];
+    const TrainingSample& s = street.samples[i];
+    const ObjectCandidate& t = street.candidates[i];
     text += fmt::format("{} {} {} {:.17g} {} {} {}", static_cast<int>(s.label), s.group, street.object[i],
                         street.overlaps[i], t.pixels, t.parts[0], t.parts[1]);
     for (const double f : s.features) text += fmt::format(" {:.17g}", f);
@@ -281,10 +282,10 @@ Street load(const fs::path& path) {
   file >> street.blocks >> street.ground >> street.ground_found;
   for (const std::string& name : object_classes()) file >> street.objects[name];
   int label = 0;
-  for (ThingSample s; file >> label >> s.group;) {
+  for (TrainingSample s; file >> label >> s.group;) {
     s.label = static_cast<PointLabel>(label);
-    street.object.push_back(0), street.overlaps.push_back(0), street.things.push_back({});
-    Thing& t = street.things.back();
+    street.object.push_back(0), street.overlaps.push_back(0), street.candidates.push_back({});
+    ObjectCandidate& t = street.candidates.back();
     file >> street.object.back() >> street.overlaps.back() >> t.pixels >> t.parts[0] >> t.parts[1];
     for (double& f : s.features) file >> f;
     s.parts = {t.parts[0], t.parts[1]};
@@ -312,18 +313,18 @@ void set_roles(Street& street) {
     street.classes[object] = street.samples[i].label;
   }
   for (std::size_t i = n; i-- > 0;)
-    for (const std::uint32_t part : street.things[i].parts)
+    for (const std::uint32_t part : street.candidates[i].parts)
       if (part != 0) below[part - 1] = below[i] | is_best[i];
   for (std::size_t i = 0; i < n; ++i) {
-    for (const std::uint32_t part : street.things[i].parts)
+    for (const std::uint32_t part : street.candidates[i].parts)
       if (part != 0) above[i] |= above[part - 1] | is_best[part - 1];
-    ThingSample& s = street.samples[i];
+    TrainingSample& s = street.samples[i];
     const std::uint32_t object = street.object[i];
     if (object != 0 && street.overlaps[i] >= street.overlaps[best.at(object)] - kClearly) continue;
     if (above[i] != 0)
-      s.role = ThingRole::several;
+      s.role = CandidateRole::merged;
     else if (below[i] != 0)
-      s.role = ThingRole::part;
+      s.role = CandidateRole::part;
   }
 }
 

@@ -7,16 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "engine/products/streets/classes/thing_sample.h"
+#include "engine/products/streets/classes/training_sample.h"
 
 namespace ilot {
 
 // What one cloud gave: things with their truth, and how many objects there were to find.
 struct Street {
-  std::vector<ThingSample> samples;   // groups are blocks
-  std::vector<Thing> things;          // of the samples: pixels and parts; all of them only where just studied
-  std::vector<std::uint32_t> object;  // that a sample overlaps by half; 0 = none
-  std::vector<double> overlaps;       // with it: common points over those of both
+  std::vector<TrainingSample> samples;      // groups are blocks
+  std::vector<ObjectCandidate> candidates;  // of the samples: pixels and parts; all of them only where just studied
+  std::vector<std::uint32_t> object;        // that a sample overlaps by half; 0 = none
+  std::vector<double> overlaps;             // with it: common points over those of both
   std::map<std::string, std::uint64_t> objects;  // seen, by class
   std::map<std::uint32_t, PointLabel> classes;   // of objects
   std::uint64_t blocks = 0, ground = 0, ground_found = 0;

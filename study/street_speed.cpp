@@ -13,7 +13,7 @@
 #include "engine/formats/reader.h"
 #include "engine/pass/index.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
-#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_training.h"
 #include "kernels/core/parallel.h"
@@ -66,14 +66,15 @@ class Clock {
 };
 
 // Which thing each point belongs to, by the default model.
-ThingLabels labels_of(const FoundStreet& street) {
-  static const StreetClasses model{&default_thing_model(), {}};
-  const std::vector<ThingClass> classes = model.of(street.things);
-  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, whole_things(street.things, classes));
-  ThingLabels labels{{0}, {PointLabel::none}};
-  for (std::size_t part = 1; part < thing_of.size(); ++part) {
-    labels.object.push_back(thing_of[part]);
-    labels.label.push_back(classes[thing_of[part] - 1].label);
+ObjectLabels labels_of(const FoundStreet& street) {
+  static const StreetClasses model{&default_object_model(), {}};
+  const std::vector<CandidateClass> classes = model.of(street.candidates);
+  const std::vector<std::uint32_t> candidate_of =
+      candidate_of_part(street.candidates, select_objects(street.candidates, classes));
+  ObjectLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < candidate_of.size(); ++part) {
+    labels.object.push_back(candidate_of[part]);
+    labels.label.push_back(classes[candidate_of[part] - 1].label);
   }
   return labels;
 }
@@ -92,7 +93,7 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   clock.time("images", [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel); });
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
-  ThingsParams params;
+  ObjectCandidateParams params;
   clock.time("ground", [&] { street.ground = find_ground_tiled(tiles.layers(), scale); });
   clock.time("what stands on it", [&] { find_artefacts_tiled(tiles.layers(), scale); });
   clock.time("level of the ground", [&] { tiles.spread_level(ArtefactParams{}.ring_reach); });
@@ -100,9 +101,9 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
     params.mean_accumulation = tiles.mean_accumulation();
     tiles.count_above(ArtefactParams{}.least_height, params.low_height, StreetView::street);
   });
-  clock.time("things", [&] { street.things = find_things(tiles.layers(), scale, params); });
+  clock.time("things", [&] { street.candidates = find_object_candidates(tiles.layers(), scale, params); });
   clock.time("blocks", [&] { street.stretches = find_city_blocks(tiles.layers(), scale); });
-  ThingLabels labels;
+  ObjectLabels labels;
   clock.time("classes", [&] { labels = labels_of(street); });
   clock.time("labels", [&] { write_street_labels(store, tiles, labels, ArtefactParams{}.least_height, context); });
   double pixels = 0;

@@ -14,7 +14,7 @@
 #include "engine/pass/index.h"
 #include "engine/products/streets/ground/artefacts.h"
 #include "engine/products/streets/make_streets.h"
-#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_training.h"
 #include "kernels/core/parallel.h"
 #include "kernels/morphology/area_opening.h"
@@ -193,18 +193,20 @@ void draw_steps(const Image& range, const RasterScale& scale, const Pictures& pi
 }
 
 // From the separation to the classes, as a run has them.
-void draw_things(const FoundStreet& street, const Image& parts, const Pictures& pictures) {
+void draw_candidates(const FoundStreet& street, const Image& parts, const Pictures& pictures) {
   const std::vector<std::uint32_t> part_of(parts.values.begin(), parts.values.end());
   const auto part_at = [&](std::size_t i) { return parts.values[i] == kNoHeight ? 0u : part_of[i]; };
   pictures.draw("b5-parts", [&](std::size_t i) { return colour_of(part_at(i)); });
-  std::vector<ThingFeatures> features;
-  std::vector<ThingParts> joins;
-  for (const Thing& t : street.things) features.push_back(t.features), joins.push_back({t.parts[0], t.parts[1]});
-  const std::vector<ThingClass> classes = classify_things(library_model(street.view), features, joins);
-  const std::vector<std::uint32_t> thing = thing_of_part(street.things, whole_things(street.things, classes));
-  pictures.draw("b7-whole", [&](std::size_t i) { return colour_of(thing[part_at(i)]); });
+  std::vector<CandidateFeatures> features;
+  std::vector<CandidateParts> joins;
+  for (const ObjectCandidate& t : street.candidates)
+    features.push_back(t.features), joins.push_back({t.parts[0], t.parts[1]});
+  const std::vector<CandidateClass> classes = classify_candidates(library_model(street.view), features, joins);
+  const std::vector<std::uint32_t> candidate =
+      candidate_of_part(street.candidates, select_objects(street.candidates, classes));
+  pictures.draw("b7-whole", [&](std::size_t i) { return colour_of(candidate[part_at(i)]); });
   pictures.draw("b7-classes", [&](std::size_t i) {
-    const std::uint32_t t = thing[part_at(i)];
+    const std::uint32_t t = candidate[part_at(i)];
     return t == 0 ? kEmpty : colour_of(classes[t - 1].label);
   });
 }
@@ -230,7 +232,7 @@ void run(const fs::path& cloud, const fs::path& out, std::size_t block) {
   pictures.draw("b1-accumulation", greys(accumulation));
   draw_blocks(street, w, range, pictures);
   draw_steps(range, street.tiles->raster().scale, pictures);
-  draw_things(street, layer("things"), pictures);
+  draw_candidates(street, layer("candidates"), pictures);
   fs::remove_all(folder);
 }
 

@@ -14,13 +14,13 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/objects/object_selection.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
 #include "kernels/core/portable_math.h"
 #include "study/confusion.h"
 #include "study/street_samples.h"
-#include "training/thing_training.h"
+#include "training/object_model_training.h"
 
 namespace {
 
@@ -32,8 +32,8 @@ bool is_object(PointLabel label) {
 }
 
 // Of each object that was found the thing that is most of it.
-std::vector<ThingSample> objects_of(const Street& street) {
-  std::vector<ThingSample> out;
+std::vector<TrainingSample> objects_of(const Street& street) {
+  std::vector<TrainingSample> out;
   for (const auto& [object, i] : best_samples(street)) {
     out.push_back(street.samples[i]);
     out.back().parts = {};
@@ -41,15 +41,16 @@ std::vector<ThingSample> objects_of(const Street& street) {
   return out;
 }
 
-void print_ranking(const std::vector<ThingSample>& samples, const ThingTrainingParams& params) {
+void print_ranking(const std::vector<TrainingSample>& samples, const ObjectTrainingParams& params) {
   fmt::print("  features:");
-  for (const std::size_t f : selected_features(samples, params)) fmt::print(" {},", thing_feature_name(f));
+  for (const std::size_t f : selected_features(samples, params)) fmt::print(" {},", candidate_feature_name(f));
   fmt::print("\n");
 }
 
 // What a run would give: the things that are whole, by class; all objects that points lie on count.
-void judge_whole(const Street& street, const std::vector<ThingClass>& classes, Confusion& all, RunShares& shares) {
-  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+void evaluate_selection(const Street& street, const std::vector<CandidateClass>& classes, Confusion& all,
+                        RunShares& shares) {
+  const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
   Confusion m, judged;
   std::map<std::string, std::uint64_t> detected;
   std::uint64_t wrong = 0, right = 0, objects = 0;
@@ -83,20 +84,20 @@ void judge_whole(const Street& street, const std::vector<ThingClass>& classes, C
 struct Found {
   std::uint64_t right = 0, wrong = 0;
 };
-Found found_at(const Street& street, std::vector<ThingClass> classes, double more) {
-  for (ThingClass& c : classes) {
+Found found_at(const Street& street, std::vector<CandidateClass> classes, double more) {
+  for (CandidateClass& c : classes) {
     const double most = std::max(c.object, 0.0), most_now = std::max(c.object + more, 0.0);
     c.whole *= natural_exp(most_now - most);
     c.object += more;
   }
-  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
+  const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
   Found out;
   for (std::size_t i = 0; i < taken.size(); ++i)
     if (taken[i] != 0 && classes[i].object >= 0) ++(street.object[i] != 0 ? out.right : out.wrong);
   return out;
 }
 
-void print_trade(const std::vector<Street>& streets, const std::vector<std::vector<ThingClass>>& classes) {
+void print_trade(const std::vector<Street>& streets, const std::vector<std::vector<CandidateClass>>& classes) {
   std::uint64_t objects = 0;
   for (const Street& street : streets)
     for (const auto& [name, n] : street.objects) objects += n;
@@ -115,11 +116,11 @@ void print_trade(const std::vector<Street>& streets, const std::vector<std::vect
 }
 
 // Samples of all streets, their blocks told apart; the lists repeat the streets after so many.
-std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& streets, std::size_t different) {
-  std::vector<ThingSample> all;
+std::vector<TrainingSample> pooled(const std::vector<std::vector<TrainingSample>>& streets, std::size_t different) {
+  std::vector<TrainingSample> all;
   for (std::size_t s = 0; s < streets.size(); ++s) {
     const auto before = static_cast<std::uint32_t>(all.size());
-    for (ThingSample sample : streets[s]) {
+    for (TrainingSample sample : streets[s]) {
       sample.group += static_cast<std::uint32_t>(1000 * (s % different));
       for (std::uint32_t& part : sample.parts) part += part != 0 ? before : 0;
       all.push_back(sample);
@@ -128,7 +129,7 @@ std::vector<ThingSample> pooled(const std::vector<std::vector<ThingSample>>& str
   return all;
 }
 
-Confusion confusion_of(const std::vector<ThingSample>& samples, const std::vector<ThingClass>& given) {
+Confusion confusion_of(const std::vector<TrainingSample>& samples, const std::vector<CandidateClass>& given) {
   Confusion m;
   for (std::size_t i = 0; i < samples.size(); ++i) ++m[samples[i].label][given[i].label];
   return m;
@@ -147,26 +148,26 @@ void print_kind(Confusion& all, RunShares& shares, const char* kind) {
 // a run would give.
 enum class Judged : std::uint8_t { objects, everything };
 
-void judge(const std::vector<Street>& streets, std::size_t different, const char* title,
-           const ThingTrainingParams& params, Judged judged) {
+void evaluate(const std::vector<Street>& streets, std::size_t different, const char* title,
+              const ObjectTrainingParams& params, Judged judged) {
   fmt::print("\n{}\n", title);
-  std::vector<std::vector<ThingSample>> samples;
+  std::vector<std::vector<TrainingSample>> samples;
   for (const Street& street : streets)
     samples.push_back(judged == Judged::objects ? objects_of(street) : street.samples);
-  const std::vector<ThingSample> all_samples = pooled(samples, different);
+  const std::vector<TrainingSample> all_samples = pooled(samples, different);
   print_ranking(all_samples, params);
-  const std::vector<ThingClass> given = cross_validate(all_samples, params);
+  const std::vector<CandidateClass> given = cross_validate(all_samples, params);
   RunShares shares;
   Confusion all;
-  std::vector<std::vector<ThingClass>> by_street;
+  std::vector<std::vector<CandidateClass>> by_street;
   auto first = given.begin();
   for (std::size_t s = 0; s < streets.size(); ++s) {
     if (s == different) print_kind(all, shares, "as they are");
-    const std::vector<ThingClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
+    const std::vector<CandidateClass> own(first, first + static_cast<std::ptrdiff_t>(samples[s].size()));
     first += static_cast<std::ptrdiff_t>(samples[s].size());
     by_street.push_back(own);
     if (judged == Judged::everything) {
-      judge_whole(streets[s], own, all, shares);
+      evaluate_selection(streets[s], own, all, shares);
       continue;
     }
     const Confusion m = confusion_of(samples[s], own);
@@ -178,18 +179,18 @@ void judge(const std::vector<Street>& streets, std::size_t different, const char
 }
 
 // What a run with a model of the library gives.
-void judge_shipped(const std::vector<Street>& streets, std::size_t different, const ThingModel& model) {
+void evaluate_shipped(const std::vector<Street>& streets, std::size_t different, const ObjectModel& model) {
   fmt::print("\neverything found, the library's model\n");
   RunShares shares;
   Confusion all;
-  std::vector<std::vector<ThingClass>> by_street;
+  std::vector<std::vector<CandidateClass>> by_street;
   for (const Street& street : streets) {
     if (&street == &streets[0] + different) print_kind(all, shares, "as they are");
-    std::vector<ThingFeatures> features;
-    std::vector<ThingParts> parts;
-    for (const ThingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
-    by_street.push_back(classify_things(model, features, parts));
-    judge_whole(street, by_street.back(), all, shares);
+    std::vector<CandidateFeatures> features;
+    std::vector<CandidateParts> parts;
+    for (const TrainingSample& s : street.samples) features.push_back(s.features), parts.push_back(s.parts);
+    by_street.push_back(classify_candidates(model, features, parts));
+    evaluate_selection(street, by_street.back(), all, shares);
   }
   print_kind(all, shares, streets.size() > different ? "cut" : "as they are");
   print_trade(streets, by_street);
@@ -197,20 +198,20 @@ void judge_shipped(const std::vector<Street>& streets, std::size_t different, co
 
 void write_model(const std::vector<Street>& streets, const std::vector<std::string>& clouds, double cut,
                  std::uint32_t most, const fs::path& path) {
-  std::vector<std::vector<ThingSample>> lists;
+  std::vector<std::vector<TrainingSample>> lists;
   for (const Street& street : streets) lists.push_back(street.samples);
-  const std::vector<ThingSample> samples = pooled(lists, clouds.size());
-  ThingTrainingParams params;
+  const std::vector<TrainingSample> samples = pooled(lists, clouds.size());
+  ObjectTrainingParams params;
   params.most_of_class = most;
-  ThingModel model = train_things(samples, params);
+  ObjectModel model = train_object_model(samples, params);
   std::string names;
   for (const std::string& c : clouds) names += " " + fs::path(c).filename().string();
   model.recipe = "study_streets" + names + (cut > 0 ? fmt::format(" --cut {}", cut) : "") +
-                 (most != ThingTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") + " --model " +
+                 (most != ObjectTrainingParams{}.most_of_class ? fmt::format(" --most {}", most) : "") + " --model " +
                  path.filename().string() + "\n" +
                  fmt::format("{} things; {} folds by block; at most {} of a class\n", samples.size(), params.folds,
                              params.most_of_class);
-  write_whole_file(path, thing_model_text(model));
+  write_whole_file(path, object_model_text(model));
   fmt::print("\n{}: {} trees, {} support vectors, cost {}, gamma {}\n", path.string(),
              model.trees.stages[0].trees.trees() + model.trees.stages[1].trees.trees(), model.vectors.size(),
              model.cost, model.gamma);
@@ -219,13 +220,13 @@ void write_model(const std::vector<Street>& streets, const std::vector<std::stri
 Street street_of(const std::string& cloud, double cut, const fs::path& cache) {
   const std::string kind = cut > 0 ? fmt::format(".cut{}", cut) : "";
   fmt::print("{}{}\n", cloud, kind);
-  const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".things");
+  const fs::path kept = cache.empty() ? fs::path() : cache / (fs::path(cloud).stem().string() + kind + ".candidates");
   Street street = !kept.empty() && fs::exists(kept) ? load(kept) : study(cloud, cut);
   if (!kept.empty() && !fs::exists(kept)) save(street, kept);
   set_roles(street);
   std::map<std::string, std::uint64_t> counts;
-  for (const ThingSample& s : street.samples)
-    ++counts[s.role == ThingRole::whole ? name_of(s.label) : s.role == ThingRole::part ? "part" : "several"];
+  for (const TrainingSample& s : street.samples)
+    ++counts[s.role == CandidateRole::whole ? name_of(s.label) : s.role == CandidateRole::part ? "part" : "merged"];
   fmt::print(
       "  ground {:.2f} %; in the tree {} of objects; things:",
       100.0 * static_cast<double>(street.ground_found) / static_cast<double>(std::max<std::uint64_t>(1, street.ground)),
@@ -239,8 +240,8 @@ struct Arguments {
   std::vector<std::string> clouds;
   fs::path cache, model;
   double cut = 0;
-  std::uint32_t most = ThingTrainingParams{}.most_of_class;
-  bool judge = true, four_classes = true, shipped = false, air = false;
+  std::uint32_t most = ObjectTrainingParams{}.most_of_class;
+  bool evaluate = true, four_classes = true, shipped = false, air = false;
 };
 
 Arguments read_arguments(const std::vector<std::string>& words) {
@@ -255,9 +256,9 @@ Arguments read_arguments(const std::vector<std::string>& words) {
     else if (words[i] == "--most" && i + 1 < words.size())
       a.most = static_cast<std::uint32_t>(std::stoul(words[++i]));
     else if (words[i] == "--only-model")
-      a.judge = false;
+      a.evaluate = false;
     else if (words[i] == "--shipped")
-      a.shipped = true, a.judge = false;
+      a.shipped = true, a.evaluate = false;
     else if (words[i] == "--air")
       a.air = true;
     else if (words[i] == "--everything")
@@ -277,18 +278,18 @@ void run(const Arguments& a) {
   if (a.cut > 0)
     for (const std::string& cloud : a.clouds) streets.push_back(street_of(cloud, a.cut, a.cache));
   const std::size_t different = whole.size();
-  if (a.shipped) judge_shipped(streets, different, a.air ? air_thing_model() : default_thing_model());
-  if (a.judge) {
-    ThingTrainingParams document;
+  if (a.shipped) evaluate_shipped(streets, different, a.air ? air_object_model() : default_object_model());
+  if (a.evaluate) {
+    ObjectTrainingParams document;
     document.features = FeatureSet::document;
     fmt::print(
         "\ndocument: mean height, area, max accumulation, s.d. height, mode accumulation, s.d. accumulation;\n"
         "car 91.04, lamppost 100, pedestrian 96.97, other 62.50 %, total error 14.93 %\n");
     if (a.four_classes) {
-      judge(whole, different, "four classes of what was found, the document's features", document, Judged::objects);
-      judge(whole, different, "four classes of what was found, all features", {}, Judged::objects);
+      evaluate(whole, different, "four classes of what was found, the document's features", document, Judged::objects);
+      evaluate(whole, different, "four classes of what was found, all features", {}, Judged::objects);
     }
-    judge(streets, different, "everything found, all features", {}, Judged::everything);
+    evaluate(streets, different, "everything found, all features", {}, Judged::everything);
   }
   if (!a.model.empty()) write_model(streets, a.clouds, a.cut, a.most, a.model);
 }

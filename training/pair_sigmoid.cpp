@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/products/streets/classes/thing_decisions.h"
+#include "engine/products/streets/classes/object_model_functions.h"
 
 namespace ilot {
 namespace {

@@ -3,30 +3,30 @@
 
 #include <algorithm>
 
-#include "engine/products/streets/classes/thing_decisions.h"
+#include "engine/products/streets/classes/object_model_functions.h"
 #include "training/role_weights.h"
 #include "training/tree_boosting.h"
 
 namespace ilot {
 namespace {
 
-ThingNature nature_of(const ThingSample& s) {
-  if (s.role == ThingRole::part) return ThingNature::part;
-  if (s.role == ThingRole::several) return ThingNature::several;
-  if (s.label >= PointLabel::car) return ThingNature::object;
-  return s.label == PointLabel::none ? ThingNature::nothing : ThingNature::vegetation;
+CandidateKind nature_of(const TrainingSample& s) {
+  if (s.role == CandidateRole::part) return CandidateKind::part;
+  if (s.role == CandidateRole::merged) return CandidateKind::merged;
+  if (s.label >= PointLabel::car) return CandidateKind::object;
+  return s.label == PointLabel::none ? CandidateKind::nothing : CandidateKind::vegetation;
 }
 
 // Samples with what the first stage says of them; nothing is said for the first.
 struct StageSamples {
-  std::vector<ThingFeatures> features;
-  std::vector<ThingParts> parts;
-  std::vector<NatureShares> said;
+  std::vector<CandidateFeatures> features;
+  std::vector<CandidateParts> parts;
+  std::vector<KindShares> predicted;
 };
-StageSamples stage_samples(const ChosenSamples& chosen, std::span<const NatureShares> said) {
+StageSamples stage_samples(const ChosenSamples& chosen, std::span<const KindShares> predicted) {
   StageSamples out{features_of(chosen.samples), parts_of(chosen.samples), {}};
-  if (!said.empty())
-    for (const std::size_t place : chosen.places) out.said.push_back(said[place]);
+  if (!predicted.empty())
+    for (const std::size_t place : chosen.places) out.predicted.push_back(predicted[place]);
   return out;
 }
 
@@ -47,46 +47,47 @@ RoleStage only_used(RoleStage stage) {
   return out;
 }
 
-RoleStage train_stage(const ChosenSamples& chosen, std::span<const NatureShares> said_of_all) {
+RoleStage train_stage(const ChosenSamples& chosen, std::span<const KindShares> said_of_all) {
   const StageSamples from = stage_samples(chosen, said_of_all);
   RoleStage stage;
-  for (std::size_t c = 0; c < (from.said.empty() ? kThingFeatures : kRoleColumns); ++c) stage.columns.push_back(c);
-  std::vector<std::uint32_t> natures;
-  for (const ThingSample& s : chosen.samples) natures.push_back(static_cast<std::uint32_t>(nature_of(s)));
-  const std::vector<ThingRelations> relations = thing_relations(from.features, from.parts);
+  for (std::size_t c = 0; c < (from.predicted.empty() ? kCandidateFeatures : kRoleColumns); ++c)
+    stage.columns.push_back(c);
+  std::vector<std::uint32_t> kinds;
+  for (const TrainingSample& s : chosen.samples) kinds.push_back(static_cast<std::uint32_t>(nature_of(s)));
+  const std::vector<CandidateRelations> relations = candidate_relations(from.features, from.parts);
   const std::vector<double> rows =
-      role_rows(stage.columns, {from.features, relations, from.said}, 0, from.features.size());
-  stage.trees = boost_trees({stage.columns.size(), kThingNatures, rows, natures});
+      role_rows(stage.columns, {from.features, relations, from.predicted}, 0, from.features.size());
+  stage.trees = boost_trees({stage.columns.size(), kCandidateKinds, rows, kinds});
   return only_used(std::move(stage));
 }
 
 // What a stage says of each sample when trained on the other folds.
-std::vector<NatureShares> held_out(std::span<const ThingSample> all, const ThingFolds& folds,
-                                   std::span<const NatureShares> said_of_all) {
-  std::vector<NatureShares> out(all.size());
+std::vector<KindShares> held_out(std::span<const TrainingSample> all, const TrainingFolds& folds,
+                                 std::span<const KindShares> said_of_all) {
+  std::vector<KindShares> out(all.size());
   for (std::uint32_t fold = 0; fold < folds.count(); ++fold) {
     const ChosenSamples others = choose(all, folds, fold, Chosen::of_others);
     const ChosenSamples own = choose(all, folds, fold, Chosen::of_fold);
     if (others.samples.empty()) continue;
     const StageSamples asked = stage_samples(own, said_of_all);
-    const auto said = stage_shares(train_stage(others, said_of_all), asked.features, asked.parts, asked.said);
-    for (std::size_t i = 0; i < said.size(); ++i) out[own.places[i]] = said[i];
+    const auto predicted = stage_shares(train_stage(others, said_of_all), asked.features, asked.parts, asked.predicted);
+    for (std::size_t i = 0; i < predicted.size(); ++i) out[own.places[i]] = predicted[i];
   }
   return out;
 }
 
 // The states that a sample may have in a true cut. What is no thing may be parted and joined at will.
-RoleSample role_sample(const ThingSample& s, const NatureShares& shares) {
+RoleSample role_sample(const TrainingSample& s, const KindShares& shares) {
   RoleSample out;
   const bool object = s.label >= PointLabel::car;
   switch (s.role) {
-    case ThingRole::whole:
+    case CandidateRole::whole:
       out.may = {object, !object, 1, 1};
       break;
-    case ThingRole::part:
+    case CandidateRole::part:
       out.may = {0, 0, 1, 0};
       break;
-    case ThingRole::several:
+    case CandidateRole::merged:
       out.may = {0, 0, 0, 1};
       break;
   }
@@ -95,22 +96,23 @@ RoleSample role_sample(const ThingSample& s, const NatureShares& shares) {
   return out;
 }
 
-RoleWeights weights_of(std::span<const ThingSample> all, const std::vector<NatureShares>& unseen) {
-  std::vector<RoleSample> things;
-  for (std::size_t i = 0; i < all.size(); ++i) things.push_back(role_sample(all[i], unseen[i]));
-  return learn_role_weights(things);
+RoleWeights weights_of(std::span<const TrainingSample> all, const std::vector<KindShares>& unseen) {
+  std::vector<RoleSample> candidates;
+  for (std::size_t i = 0; i < all.size(); ++i) candidates.push_back(role_sample(all[i], unseen[i]));
+  return learn_role_weights(candidates);
 }
 
 }  // namespace
 
-LearntRoles learn_roles(std::span<const ThingSample> samples, const ThingFolds& folds) {
-  const ThingFolds one(samples, 1);
+LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds) {
+  const TrainingFolds one(samples, 1);
   const ChosenSamples everything = choose(samples, one, 0, Chosen::of_fold);
   LearntRoles out;
   out.trees.stages[0] = train_stage(everything, {});
-  const std::vector<NatureShares> first = held_out(samples, folds, {});
+  const std::vector<KindShares> first = held_out(samples, folds, {});
   out.trees.stages[1] = train_stage(everything, first);
-  const bool joined = std::any_of(samples.begin(), samples.end(), [](const ThingSample& s) { return s.parts[0] != 0; });
+  const bool joined =
+      std::any_of(samples.begin(), samples.end(), [](const TrainingSample& s) { return s.parts[0] != 0; });
   if (joined && folds.by_group()) out.weights = weights_of(samples, held_out(samples, folds, first));
   return out;
 }

@@ -11,12 +11,13 @@ namespace ilot {
 namespace {
 
 constexpr double kNever = -1e9;
-constexpr std::size_t kWeights = 2 * kThingStates;  // powers, then biases
+constexpr std::size_t kWeights = 2 * kCandidateStates;  // powers, then biases
 using Weights = std::array<double, kWeights>;
 constexpr Weights kPlain{1, 1, 1, 1, 0, 0, 0, 0};
-constexpr auto kObject = static_cast<std::size_t>(ThingState::object),
-               kRest = static_cast<std::size_t>(ThingState::rest), kPart = static_cast<std::size_t>(ThingState::part),
-               kSeveral = static_cast<std::size_t>(ThingState::several);
+constexpr auto kObject = static_cast<std::size_t>(CandidateState::object),
+               kRest = static_cast<std::size_t>(CandidateState::rest),
+               kPart = static_cast<std::size_t>(CandidateState::part),
+               kMerged = static_cast<std::size_t>(CandidateState::merged);
 
 double exp_of(double v) {
   return v < -700 ? 0 : natural_exp(std::min(v, 700.0));
@@ -26,21 +27,22 @@ double log_sum(double a, double b) {
   return most + natural_log(1 + exp_of(std::min(a, b) - most));
 }
 
-using StateScores = std::array<double, kThingStates>;
+using StateScores = std::array<double, kCandidateStates>;
 
 // All cuts of all trees at once: log sums of what lies below each thing, and how probable its states are.
 class Cuts {
  public:
-  Cuts(std::span<const RoleSample> things, const Weights& w, bool only_allowed)
-      : things_(things), scores_(things.size()), parts_(things.size()), all_(things.size()) {
-    for (std::size_t i = 0; i < things.size(); ++i) {
-      for (std::size_t s = 0; s < kThingStates; ++s)
-        scores_[i][s] = only_allowed && things[i].may[s] == 0 ? kNever : w[s] * things[i].log[s] + w[kThingStates + s];
-      const auto [a, b] = std::pair{things[i].parts[0], things[i].parts[1]};
+  Cuts(std::span<const RoleSample> candidates, const Weights& w, bool only_allowed)
+      : candidates_(candidates), scores_(candidates.size()), parts_(candidates.size()), all_(candidates.size()) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      for (std::size_t s = 0; s < kCandidateStates; ++s)
+        scores_[i][s] =
+            only_allowed && candidates[i].may[s] == 0 ? kNever : w[s] * candidates[i].log[s] + w[kCandidateStates + s];
+      const auto [a, b] = std::pair{candidates[i].parts[0], candidates[i].parts[1]};
       const double below = a == 0 ? 0 : parts_[a - 1] + parts_[b - 1];
       parts_[i] = scores_[i][kPart] + below;
       all_[i] = whole(i) + below;
-      if (a != 0) all_[i] = log_sum(all_[i], scores_[i][kSeveral] + all_[a - 1] + all_[b - 1]);
+      if (a != 0) all_[i] = log_sum(all_[i], scores_[i][kMerged] + all_[a - 1] + all_[b - 1]);
     }
   }
 
@@ -48,23 +50,23 @@ class Cuts {
 
   // How probable the states of each thing are; parts come before what joins them.
   std::vector<StateScores> probabilities() const {
-    std::vector<StateScores> out(things_.size(), StateScores{});
-    std::vector<double> open(things_.size(), 1), inside(things_.size(), 0);
-    for (std::size_t i = things_.size(); i-- > 0;) {
-      const auto [a, b] = std::pair{things_[i].parts[0], things_[i].parts[1]};
-      double several = 0;
+    std::vector<StateScores> out(candidates_.size(), StateScores{});
+    std::vector<double> open(candidates_.size(), 1), inside(candidates_.size(), 0);
+    for (std::size_t i = candidates_.size(); i-- > 0;) {
+      const auto [a, b] = std::pair{candidates_[i].parts[0], candidates_[i].parts[1]};
+      double merged = 0;
       if (a != 0) {
-        several = open[i] * exp_of(std::min(0.0, scores_[i][kSeveral] + all_[a - 1] + all_[b - 1] - all_[i]));
+        merged = open[i] * exp_of(std::min(0.0, scores_[i][kMerged] + all_[a - 1] + all_[b - 1] - all_[i]));
         for (const std::uint32_t part : {a, b}) {
-          open[part - 1] = several;
-          inside[part - 1] = inside[i] + open[i] - several;
+          open[part - 1] = merged;
+          inside[part - 1] = inside[i] + open[i] - merged;
         }
       }
       const double object = exp_of(scores_[i][kObject] - whole(i));
-      out[i][kObject] = (open[i] - several) * object;
-      out[i][kRest] = (open[i] - several) * (1 - object);
+      out[i][kObject] = (open[i] - merged) * object;
+      out[i][kRest] = (open[i] - merged) * (1 - object);
       out[i][kPart] = inside[i];
-      out[i][kSeveral] = several;
+      out[i][kMerged] = merged;
     }
     return out;
   }
@@ -72,16 +74,16 @@ class Cuts {
  private:
   double whole(std::size_t i) const { return log_sum(scores_[i][kObject], scores_[i][kRest]); }
 
-  std::span<const RoleSample> things_;
+  std::span<const RoleSample> candidates_;
   std::vector<StateScores> scores_;
   std::vector<double> parts_, all_;  // of all below, itself included: being parts; any cut
 };
 
-std::vector<std::size_t> roots_of(std::span<const RoleSample> things) {
-  std::vector<std::size_t> root(things.size());
-  for (std::size_t i = things.size(); i-- > 0;) {
+std::vector<std::size_t> roots_of(std::span<const RoleSample> candidates) {
+  std::vector<std::size_t> root(candidates.size());
+  for (std::size_t i = candidates.size(); i-- > 0;) {
     root[i] = std::max(root[i], i);  // parents come last
-    for (const std::uint32_t part : things[i].parts)
+    for (const std::uint32_t part : candidates[i].parts)
       if (part != 0) root[part - 1] = root[i];
   }
   return root;
@@ -92,22 +94,22 @@ struct Slope {
   Weights gradient{};
 };
 
-Slope slope_at(std::span<const RoleSample> things, const std::vector<std::size_t>& roots, const Weights& w) {
-  const Cuts any(things, w, false), allowed(things, w, true);
+Slope slope_at(std::span<const RoleSample> candidates, const std::vector<std::size_t>& roots, const Weights& w) {
+  const Cuts any(candidates, w, false), allowed(candidates, w, true);
   const auto of_any = any.probabilities(), of_allowed = allowed.probabilities();
   Slope out;
   for (std::size_t k = 0; k < kWeights; ++k) {
     out.gradient[k] = w[k] - kPlain[k];
     out.value += (w[k] - kPlain[k]) * (w[k] - kPlain[k]) / 2;
   }
-  for (std::size_t i = 0; i < things.size(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     const double log_allowed = allowed.log_of_all(roots[i]);
     if (log_allowed < kNever / 10) continue;
     if (roots[i] == i) out.value += any.log_of_all(i) - log_allowed;
-    for (std::size_t s = 0; s < kThingStates; ++s) {
+    for (std::size_t s = 0; s < kCandidateStates; ++s) {
       const double more = of_any[i][s] - of_allowed[i][s];
-      out.gradient[s] += more * things[i].log[s];
-      out.gradient[kThingStates + s] += more;
+      out.gradient[s] += more * candidates[i].log[s];
+      out.gradient[kCandidateStates + s] += more;
     }
   }
   return out;
@@ -146,10 +148,10 @@ class InverseHessian {
 
 }  // namespace
 
-RoleWeights learn_role_weights(std::span<const RoleSample> things) {
-  const std::vector<std::size_t> roots = roots_of(things);
+RoleWeights learn_role_weights(std::span<const RoleSample> candidates) {
+  const std::vector<std::size_t> roots = roots_of(candidates);
   Weights w = kPlain;
-  Slope at = slope_at(things, roots, w);
+  Slope at = slope_at(candidates, roots, w);
   InverseHessian inverse;
   double step = 1 / std::max(1.0, std::sqrt(dot(at.gradient, at.gradient)));  // the first goes no farther than 1
   for (int round = 0; round < 100; ++round) {
@@ -157,7 +159,7 @@ RoleWeights learn_role_weights(std::span<const RoleSample> things) {
     Slope there;
     for (; step > 1e-9; step /= 2) {
       for (std::size_t k = 0; k < kWeights; ++k) next[k] = w[k] - step * direction[k];
-      there = slope_at(things, roots, next);
+      there = slope_at(candidates, roots, next);
       if (there.value <= at.value - 1e-4 * step * dot(direction, at.gradient)) break;
     }
     if (step <= 1e-9) break;
@@ -174,7 +176,7 @@ RoleWeights learn_role_weights(std::span<const RoleSample> things) {
     if (gain <= 1e-9 * std::abs(at.value)) break;
   }
   RoleWeights out;
-  for (std::size_t s = 0; s < kThingStates; ++s) out.power[s] = w[s], out.bias[s] = w[kThingStates + s];
+  for (std::size_t s = 0; s < kCandidateStates; ++s) out.power[s] = w[s], out.bias[s] = w[kCandidateStates + s];
   return out;
 }
 

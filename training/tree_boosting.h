@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "kernels/machines/boosted_trees.h"
+#include "kernels/classifiers/boosted_trees.h"
 
 namespace ilot {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ceiling of arithmetic: multiplications, additions, comparisons and counts in the proportion of plane scoring, on
 // registers alone, with the lanes of the instruction set that the kernels use. No fused operations: the kernels may not
-// use them either, or their bits would differ between machines.
+// use them either, or their bits would differ between classifiers.
 #pragma once
 #include <cstddef>
 #include <cstdint>

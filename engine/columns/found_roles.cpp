@@ -121,7 +121,7 @@ class RoleFinder {
       const PackedNormal& n = normals[i];
       const bool has_normal = n.x != 0 || n.y != 0 || n.z != 0;
       ++pixels[at].high;
-      pixels[at].smooth += has_normal && n.curvature <= kSmooth * 3 * 65535 && (echoes[i] & kOneOfSeveral) == 0;
+      pixels[at].smooth += has_normal && n.curvature <= kSmooth * 3 * 65535 && (echoes[i] & kMultipleReturns) == 0;
     });
     const std::vector<std::uint8_t> mask = building_mask(pixels, kAround, kAround);
     return without_halo({kAround, kAround, {mask.begin(), mask.end()}}, kMaskHalo);

@@ -20,7 +20,7 @@ constexpr std::uint64_t kLeastPoints = 1 << 15;  // of small blocks more may lie
 struct Waiting {
   std::vector<std::uint32_t> points;
   std::int64_t margin = 0;
-  bool whatever_it_takes = false;  // as many points as that coincide there: take them all
+  bool unlimited = false;  // as many points as that coincide there: take them all
 };
 
 std::int64_t root(std::int64_t squared) {
@@ -123,7 +123,7 @@ class BlockNormals {
   void attempt(const Waiting& group, std::vector<Waiting>& stack) {
     const IndexBox read = box_of(group.points).grown(group.margin);
     View view = plan_view(store_, read, store_.blocks()[block_].node.min_corner());
-    if (view.size > max_points_ && !group.whatever_it_takes) return divide(group, stack);
+    if (view.size > max_points_ && !group.unlimited) return divide(group, stack);
     load_points(store_, view);
     const std::vector<std::uint32_t> queries = positions(view, group.points);
     std::vector<PackedNormal> found(queries.size());

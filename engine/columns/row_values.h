@@ -71,7 +71,7 @@ class RowValues {
       if (store_.has(block, column)) return;
       const auto order = store_.read(block, columns::kOrder);
       std::vector<Stored> values(order.size(), none);
-      Rising rows(*this);
+      AscendingReader rows(*this);
       for (const std::uint32_t p : points_by_row(store_, block, order))
         if (const Value* value = rows.at(file_of(order[p]), row_of(order[p])))
           values[p] = stored(*value, static_cast<std::size_t>(file_of(order[p])));
@@ -118,9 +118,9 @@ class RowValues {
   }
 
   // Values by file and row, asked for in rising order, read a window at a time.
-  class Rising {
+  class AscendingReader {
    public:
-    explicit Rising(const RowValues& all) : all_(all) {}
+    explicit AscendingReader(const RowValues& all) : all_(all) {}
 
     const Value* at(std::uint64_t file, std::uint64_t row) {
       const std::vector<RowStretch>& stretches = all_.stretches_;

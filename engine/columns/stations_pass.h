@@ -22,13 +22,13 @@ struct InputStations {
 };
 
 struct StationTally {
-  std::uint64_t told = 0, untold = 0;  // points of the store
+  std::uint64_t recorded = 0, unrecorded = 0;  // points of the store
 };
 
 // Writes the column "station" (StationNumber) of every block. `inputs` and `told` belong together. Inputs whose rows
 // tell by point_source_id are read once more for that alone, into files of 2 bytes a row, so memory stays that of a
 // block.
 StationTally stations_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
-                           const std::vector<InputStations>& told, const PassContext& context);
+                           const std::vector<InputStations>& recorded, const PassContext& context);
 
 }  // namespace ilot

@@ -58,8 +58,8 @@ std::vector<Pair> pairs_within_reach(const std::vector<Vec3>& points, const std:
   return pairs;
 }
 
-ControlGroup judge_group(const std::string& name, const std::vector<Vec3>& points, std::span<const Facade> facades,
-                         const ControlPointParams& params) {
+ControlGroup evaluate_group(const std::string& name, const std::vector<Vec3>& points, std::span<const Facade> facades,
+                            const ControlPointParams& params) {
   const std::vector<DrawnVertex> vertices = vertices_of_kind(facades, name.substr(0, name.find('_')));
   std::vector<char> point_taken(points.size()), vertex_taken(vertices.size());
   std::vector<double> dx, dz, dd, completed;
@@ -94,8 +94,8 @@ MeanAndSpread mean_and_spread(std::span<const double> values) {
   return {mean, values.size() < 2 ? 0 : std::sqrt(squares / static_cast<double>(values.size() - 1))};
 }
 
-std::vector<ControlGroup> judge_control_points(std::span<const TrueControlPoint> truth, std::span<const Facade> facades,
-                                               const ControlPointParams& params) {
+std::vector<ControlGroup> evaluate_control_points(std::span<const TrueControlPoint> truth,
+                                                  std::span<const Facade> facades, const ControlPointParams& params) {
   std::vector<std::pair<std::string, std::vector<Vec3>>> groups;
   for (const TrueControlPoint& point : truth) {
     auto group = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == point.group; });
@@ -103,7 +103,7 @@ std::vector<ControlGroup> judge_control_points(std::span<const TrueControlPoint>
     group->second.push_back(point.position);
   }
   std::vector<ControlGroup> judged;
-  for (const auto& [name, points] : groups) judged.push_back(judge_group(name, points, facades, params));
+  for (const auto& [name, points] : groups) judged.push_back(evaluate_group(name, points, facades, params));
   return judged;
 }
 

@@ -37,8 +37,9 @@ struct ControlGroup {
 // control point of a group, pairs in the order of their distance (ties: the earlier control point, then the earlier
 // vertex). A control point without a vertex within the limit is missed. Occluded elements draw nothing. Facades may be
 // several; each control point is measured in the axes of the facade whose vertex it gets. O(c v) a group.
-std::vector<ControlGroup> judge_control_points(std::span<const TrueControlPoint> truth, std::span<const Facade> facades,
-                                               const ControlPointParams& params = {});
+std::vector<ControlGroup> evaluate_control_points(std::span<const TrueControlPoint> truth,
+                                                  std::span<const Facade> facades,
+                                                  const ControlPointParams& params = {});
 
 // Mean and sample standard deviation.
 MeanAndSpread mean_and_spread(std::span<const double> values);

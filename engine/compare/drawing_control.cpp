@@ -16,7 +16,7 @@ namespace ilot {
 namespace {
 
 constexpr double kSamePlace = 1e-5, kMoved = 1e-4;  // metres
-constexpr std::size_t kMostTold = 20;               // vertices in the table
+constexpr std::size_t kMostReported = 20;           // vertices in the table
 constexpr std::size_t kMostCandidates = 64;         // of one vertex, the nearest
 
 // Different places, by x, then y.
@@ -67,8 +67,8 @@ std::vector<Pair> pairs_within(const std::vector<FlatPoint>& ours, const std::ve
   return pairs;
 }
 
-LayerControl judge(const std::string& name, const std::vector<FlatPoint>& ours, const std::vector<FlatPoint>& corrected,
-                   double limit) {
+LayerControl evaluate_layer(const std::string& name, const std::vector<FlatPoint>& ours,
+                            const std::vector<FlatPoint>& corrected, double limit) {
   LayerControl control{name, corrected.size(), 0, 0, 0, 0, {}, {}, {}, {}, {}, 0, {}};
   std::vector<char> taken_ours(ours.size()), taken(corrected.size());
   std::vector<double> dx, dz, dd, signed_dx, signed_dz;
@@ -129,9 +129,9 @@ std::vector<LayerControl> compare_drawings(const DxfDrawing& ours, const DxfDraw
     const std::string& name = params.layers[role].name;
     if (!all.insert(name).second) continue;
     const auto a = vertices_of(ours, {name}), b = vertices_of(corrected, {name});
-    if (!a.empty() || !b.empty()) layers.push_back(judge(name, a, b, params.limit_m));
+    if (!a.empty() || !b.empty()) layers.push_back(evaluate_layer(name, a, b, params.limit_m));
   }
-  layers.push_back(judge("", vertices_of(ours, all), vertices_of(corrected, all), params.limit_m));
+  layers.push_back(evaluate_layer("", vertices_of(ours, all), vertices_of(corrected, all), params.limit_m));
   return layers;
 }
 
@@ -146,7 +146,7 @@ std::string drawing_control_text(const std::vector<LayerControl>& layers) {
                         cm(c.dx_m), cm(c.dz_m), cm(c.dd_m), 100 * c.largest_m);
   const std::vector<VertexControl>& moved = layers.back().vertices;
   if (!moved.empty()) text += fmt::format("\n{:>12}{:>12}{:>10}{:>10}{:>10}\n", "x", "z", "dX cm", "dZ cm", "dD cm");
-  for (std::size_t i = 0; i < std::min(moved.size(), kMostTold); ++i)
+  for (std::size_t i = 0; i < std::min(moved.size(), kMostReported); ++i)
     text += fmt::format("{:>12.3f}{:>12.3f}{:>10.2f}{:>10.2f}{:>10.2f}\n", moved[i].x, moved[i].z, 100 * moved[i].dx,
                         100 * moved[i].dz, 100 * moved[i].dd);
   return text;

@@ -32,7 +32,7 @@ LabelCounts count_all(const ResultFiles& files, const Truth& truth, const Evalua
   for (const TrueObject& object : truth.objects) objects.insert(object.id);
   LabelCounts counts;
   const bool in_words = !files.facades.empty() && !truth.elements.empty();
-  const FacadeWords words = in_words ? facade_words(truth) : FacadeWords{};
+  const FacadeTruthLabels words = in_words ? facade_truth_labels(truth) : FacadeTruthLabels{};
   for (const fs::path& cloud : files.clouds)
     count_labels(cloud, params.found_field, objects, in_words ? &words : nullptr, counts);
   return counts;
@@ -48,7 +48,7 @@ ClassNames class_names(const LabelCounts& counts, const Truth& truth) {
   return names;
 }
 
-void judge_classes(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
+void evaluate_classes(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!counts.has_true_class) return;
   const ClassNames names = class_names(counts, truth);
   if (counts.any_label && !counts.facade_labels.sorted().empty()) {
@@ -62,8 +62,8 @@ void judge_classes(const LabelCounts& counts, const Truth& truth, Evaluation& ev
   }
 }
 
-void judge_planes(const ResultFiles& files, const LabelCounts& counts, const Truth& truth, const EvaluateParams& params,
-                  Evaluation& evaluation) {
+void evaluate_planes(const ResultFiles& files, const LabelCounts& counts, const Truth& truth,
+                     const EvaluateParams& params, Evaluation& evaluation) {
   if (!counts.has_true_plane || !counts.has_planes) return;
   std::function<bool(std::uint32_t)> judged;
   if (params.only_class || params.min_points > 1)
@@ -140,8 +140,8 @@ class BoundaryCollector {
   std::vector<BoundaryPoints> points_;
 };
 
-void judge_boundary(const ResultFiles& files, const LabelCounts& counts, const Truth& truth,
-                    const EvaluateParams& params, Evaluation& evaluation) {
+void evaluate_boundary(const ResultFiles& files, const LabelCounts& counts, const Truth& truth,
+                       const EvaluateParams& params, Evaluation& evaluation) {
   if (!evaluation.planes || !counts.has_boundary) return;
   BoundaryCollector collector(evaluation.planes->matching.matches, truth);
   if (collector.planes() == 0) return;
@@ -150,8 +150,8 @@ void judge_boundary(const ResultFiles& files, const LabelCounts& counts, const T
   evaluation.boundary = collector.sum(counts.metres_per_unit);
 }
 
-void judge_facades(const ResultFiles& files, const Truth& truth, const EvaluateParams& params, double metres_per_unit,
-                   Evaluation& evaluation) {
+void evaluate_facades(const ResultFiles& files, const Truth& truth, const EvaluateParams& params,
+                      double metres_per_unit, Evaluation& evaluation) {
   if (!truth.has_openings && !truth.has_control_points) return;
   std::vector<Facade> facades;
   for (const fs::path& file : files.facades) facades.push_back(read_facade_json(file));
@@ -161,11 +161,12 @@ void judge_facades(const ResultFiles& files, const Truth& truth, const EvaluateP
   }
   if (truth.has_control_points)
     evaluation.control_points =
-        judge_control_points(truth.control_points, facades, {params.control_point_limit_m, 0.5, metres_per_unit});
-  if (truth.has_openings) evaluation.openings = judge_openings(truth.openings, facades, {0.5, 0.5, metres_per_unit});
+        evaluate_control_points(truth.control_points, facades, {params.control_point_limit_m, 0.5, metres_per_unit});
+  if (truth.has_openings) evaluation.openings = evaluate_openings(truth.openings, facades, {0.5, 0.5, metres_per_unit});
 }
 
-void judge_roof_models(const ResultFiles& files, const Truth& truth, double metres_per_unit, Evaluation& evaluation) {
+void evaluate_roof_models(const ResultFiles& files, const Truth& truth, double metres_per_unit,
+                          Evaluation& evaluation) {
   if (!truth.has_buildings) return;
   if (!files.roofs) {
     evaluation.notes.emplace_back("no roofs/*.city.jsonl, *.city.json or *.obj: roofs are not judged");
@@ -179,20 +180,20 @@ void judge_roof_models(const ResultFiles& files, const Truth& truth, double metr
   RoofParams params;
   params.metres_per_unit = metres_per_unit;
   RoofEvaluation roofs{
-      judge_roofs(true_roofs(truth.planes, origin), model_roofs(file.models, origin, metres_per_unit), params),
+      evaluate_roofs(true_roofs(truth.planes, origin), model_roofs(file.models, origin, metres_per_unit), params),
       file.models.size(), 0};
   for (const PolygonModel& model : file.models) roofs.closed += is_closed(model);
   evaluation.roofs = roofs;
 }
 
-void judge_street(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
+void evaluate_street(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!truth.has_objects || !counts.has_true_element) return;
   if (!counts.has_objects) {
     evaluation.notes.emplace_back("no extra bytes 'object_id': objects are not judged");
     return;
   }
   evaluation.objects =
-      judge_objects(truth.objects, counts.objects.sorted(), counts.object_labels.sorted(), point_label_names());
+      evaluate_objects(truth.objects, counts.objects.sorted(), counts.object_labels.sorted(), point_label_names());
 }
 
 }  // namespace
@@ -229,15 +230,15 @@ Evaluation evaluate(const fs::path& result, const Truth& truth, const EvaluatePa
   evaluation.result = result.string();
   const LabelCounts counts = count_all(files, truth, params);
   evaluation.points = counts.points;
-  judge_classes(counts, truth, evaluation);
-  judge_planes(files, counts, truth, params, evaluation);
-  judge_boundary(files, counts, truth, params, evaluation);
-  judge_facades(files, truth, params, counts.metres_per_unit, evaluation);
-  judge_roof_models(files, truth, counts.metres_per_unit, evaluation);
-  judge_street(counts, truth, evaluation);
-  const bool anything = evaluation.confusion || evaluation.planes || evaluation.control_points || evaluation.openings ||
-                        evaluation.roofs || evaluation.objects;
-  if (!anything)
+  evaluate_classes(counts, truth, evaluation);
+  evaluate_planes(files, counts, truth, params, evaluation);
+  evaluate_boundary(files, counts, truth, params, evaluation);
+  evaluate_facades(files, truth, params, counts.metres_per_unit, evaluation);
+  evaluate_roof_models(files, truth, counts.metres_per_unit, evaluation);
+  evaluate_street(counts, truth, evaluation);
+  const bool any_result = evaluation.confusion || evaluation.planes || evaluation.control_points ||
+                          evaluation.openings || evaluation.roofs || evaluation.objects;
+  if (!any_result)
     throw Error(result.string() + ": nothing to judge: no extra bytes true_plane or true_class beside '" +
                 params.found_field + "', no models that the truth knows; run ilot on the scanned cloud itself");
   return evaluation;

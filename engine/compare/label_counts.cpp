@@ -26,7 +26,7 @@ std::uint32_t segment_of(std::uint32_t plane, std::uint32_t shape) {
 }
 
 // A facade's run says nothing of what is no facade.
-void add_in_words(const FacadeWords& words, std::uint32_t kind, std::uint32_t element, std::uint32_t label,
+void add_in_words(const FacadeTruthLabels& words, std::uint32_t kind, std::uint32_t element, std::uint32_t label,
                   LabelCounts& counts) {
   constexpr auto kOther = static_cast<std::uint32_t>(PointLabel::other);
   counts.facade_labels.add(static_cast<std::uint32_t>(words.of(kind, element)), label == 0 ? kOther : label);
@@ -35,7 +35,8 @@ void add_in_words(const FacadeWords& words, std::uint32_t kind, std::uint32_t el
 }  // namespace
 
 void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
-                  const std::unordered_set<std::uint32_t>& objects, const FacadeWords* words, LabelCounts& counts) {
+                  const std::unordered_set<std::uint32_t>& objects, const FacadeTruthLabels* words,
+                  LabelCounts& counts) {
   const std::unique_ptr<PointReader> reader = open_cloud(cloud);
   reader->limit_to(kFieldExtra);
   const RecordLayout& layout = reader->info().layout;

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
-#include "engine/compare/facade_words.h"
+#include "engine/compare/facade_truth_labels.h"
 #include "engine/compare/plane_matching.h"
 
 namespace ilot {
@@ -31,6 +31,7 @@ struct LabelCounts {
 // Adds one cloud to the counts. Fields that it has not are passed over. `objects`: the ids among true_element that are
 // objects; `words`: of facades, where there are any. Error when the cloud cannot be read.
 void count_labels(const std::filesystem::path& cloud, const std::string& found_field,
-                  const std::unordered_set<std::uint32_t>& objects, const FacadeWords* words, LabelCounts& counts);
+                  const std::unordered_set<std::uint32_t>& objects, const FacadeTruthLabels* words,
+                  LabelCounts& counts);
 
 }  // namespace ilot

@@ -33,8 +33,8 @@ std::map<std::string, std::uint32_t> class_numbers(std::span<const TrueObject> t
 
 }  // namespace
 
-ObjectResult judge_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
-                           std::span<const LabelPair> labels, const ClassNames& label_names) {
+ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
+                              std::span<const LabelPair> labels, const ClassNames& label_names) {
   const PlaneMatching matching = match_planes(pairs, {}, MatchRule::overlap);
   std::map<std::uint32_t, std::uint32_t> partner;
   for (const PlaneMatch& match : matching.matches) partner[match.truth] = match.found;

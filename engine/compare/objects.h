@@ -22,7 +22,7 @@ struct ObjectResult {
 // their common points are at least half of the points of both together; at most one to one, the greater intersection
 // first. `labels`: points by found object and label (0 = none); an object has the label that most of its points have,
 // `none` aside (ties: the smaller).
-ObjectResult judge_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
-                           std::span<const LabelPair> labels, const ClassNames& label_names);
+ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
+                              std::span<const LabelPair> labels, const ClassNames& label_names);
 
 }  // namespace ilot

@@ -63,8 +63,8 @@ void compare(const TrueOpening& truth, std::size_t number, const std::vector<con
 
 }  // namespace
 
-OpeningResult judge_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
-                             const OpeningMatching& params) {
+OpeningResult evaluate_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
+                                const OpeningMatching& params) {
   std::vector<const FacadeElement*> found;
   for (const Facade& facade : facades)
     for (const FacadeElement& e : facade.elements)

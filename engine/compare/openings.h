@@ -25,7 +25,7 @@ struct OpeningResult {
 // Drawn openings are the elements of facades marked as such, occluded ones aside. Rings are compared in the plane of
 // the true one; pairs are matched one to one in the order of their intersection over union (ties: the earlier true one,
 // then the earlier found one). O(t f) box tests.
-OpeningResult judge_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
-                             const OpeningMatching& params = {});
+OpeningResult evaluate_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
+                                const OpeningMatching& params = {});
 
 }  // namespace ilot

@@ -65,12 +65,12 @@ std::vector<PlaneMatch> match_one_to_one(std::span<const LabelPair> pairs, const
 
 // Found planes that hold most of two true planes or more.
 std::uint64_t count_under(std::span<const LabelPair> pairs, const Totals& true_points) {
-  std::map<std::uint32_t, int> swallowed;
+  std::map<std::uint32_t, int> under_segmented;
   for (const LabelPair& pair : pairs)
     if (pair.found != 0 && true_points.contains(pair.truth) && 2 * pair.points > true_points.at(pair.truth))
-      ++swallowed[pair.found];
-  return static_cast<std::uint64_t>(
-      std::count_if(swallowed.begin(), swallowed.end(), [](const auto& entry) { return entry.second > 1; }));
+      ++under_segmented[pair.found];
+  return static_cast<std::uint64_t>(std::count_if(under_segmented.begin(), under_segmented.end(),
+                                                  [](const auto& entry) { return entry.second > 1; }));
 }
 
 std::uint64_t count_over(std::span<const FoundPlane> found) {

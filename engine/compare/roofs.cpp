@@ -240,7 +240,7 @@ std::uint64_t count_buildings(std::span<const RoofFace> faces) {
 
 }  // namespace
 
-RoofResult judge_roofs(std::span<const RoofFace> truth, std::span<const RoofFace> found, const RoofParams& params) {
+RoofResult evaluate_roofs(std::span<const RoofFace> truth, std::span<const RoofFace> found, const RoofParams& params) {
   RoofResult result;
   result.true_buildings = count_buildings(truth);
   result.found_buildings = count_buildings(found);

@@ -39,6 +39,7 @@ struct RoofResult {
 // then the earlier found one). Neighbours are faces of one building; a matched true face has the right ones when its
 // matched neighbours' partners are exactly its partner's neighbours among matched faces. Without found faces all
 // distances are infinite.
-RoofResult judge_roofs(std::span<const RoofFace> truth, std::span<const RoofFace> found, const RoofParams& params = {});
+RoofResult evaluate_roofs(std::span<const RoofFace> truth, std::span<const RoofFace> found,
+                          const RoofParams& params = {});
 
 }  // namespace ilot

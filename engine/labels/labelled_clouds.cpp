@@ -215,7 +215,7 @@ class Labeller {
       const double distance =
           on_plane ? metres * residual(s.rows.data() + i * length, lattice, params_.planes[say.plane->plane - 1]) : 0;
       append_labels(say, distance, params_, s.appended.data() + i * appended_length);
-      s.labelled += say.says_anything();
+      s.labelled += say.is_labelled();
     }
     return s;
   }

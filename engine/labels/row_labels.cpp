@@ -141,7 +141,7 @@ std::uint64_t count_labelled(const Store& store, const LabelParams& params, cons
       labels.planes[p].plane = params.final_id[plane[p]];
       if (!shape.empty()) labels.planes[p].shape = params.final_shape[shape[p]];
     }
-    for (std::size_t p = 0; p < store.blocks()[block].points; ++p) labelled[i] += labels.row(p).says_anything();
+    for (std::size_t p = 0; p < store.blocks()[block].points; ++p) labelled[i] += labels.row(p).is_labelled();
   });
   return std::accumulate(labelled.begin(), labelled.end(), std::uint64_t{0});
 }

@@ -52,7 +52,7 @@ struct RowLabels {
     if (street != nullptr && street->label != PointLabel::none) return street->label;
     return roof == nullptr ? PointLabel::none : roof->label;
   }
-  bool says_anything() const {
+  bool is_labelled() const {
     return (plane != nullptr && (plane->plane != 0 || plane->shape != 0)) || (roof != nullptr && roof->unit != 0) ||
            (street != nullptr && street->object != 0) || label() != PointLabel::none;
   }

@@ -150,7 +150,7 @@ void FacadeProof::add(std::span<const Vec3> points, ProofTally& tally) const {
     double distance = INFINITY;
     std::uint32_t key = 0;
     std::size_t face = 0;
-    if (std::abs(p.z) <= params_.reach_m && wall_.region.holds({p.x, p.y})) {
+    if (std::abs(p.z) <= params_.reach_m && wall_.region.contains({p.x, p.y})) {
       distance = std::abs(p.z);
       key = key_of(wall_.element, FaceName::front);
       face = static_cast<std::size_t>(std::lower_bound(faces_.begin(), faces_.end(), key) - faces_.begin());

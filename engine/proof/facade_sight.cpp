@@ -43,12 +43,12 @@ class FacadeView {
     return false;
   }
 
-  SightTally edge(Vec3 a, Vec3 b, Vec3 aside) const {
+  SightTally edge(Vec3 a, Vec3 b, Vec3 shift) const {
     SightTally tally;
     tally.places = static_cast<std::uint64_t>(std::clamp(std::ceil(norm(b - a) / params_.edge_spacing_m), 4.0, 64.0));
     for (std::uint64_t i = 0; i < tally.places; ++i) {
       const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(tally.places);
-      tally.hidden += !seen(a + share * (b - a) + params_.margin_m * aside, {0, 0, 1});
+      tally.hidden += !seen(a + share * (b - a) + params_.margin_m * shift, {0, 0, 1});
     }
     return tally;
   }
@@ -96,7 +96,7 @@ class FacadeView {
     for (int r = 0; r < rows; ++r)
       for (int c = 0; c < columns; ++c) {
         const FlatPoint p{low.x + (c + 0.5) * width / columns, low.y + (r + 0.5) * height / rows};
-        if (!region.holds(p)) continue;
+        if (!region.contains(p)) continue;
         ++tally.places;
         tally.hidden += !seen(place(p), visible);
       }
@@ -111,7 +111,7 @@ class FacadeView {
 
 // Beyond an outline other walls begin: what lies within is looked at. Where a body stands on the wall its edges there
 // are looked at beside it.
-double aside_of(const FacadeElement& e, const std::vector<Vec3>& ring) {
+double shift_sign(const FacadeElement& e, const std::vector<Vec3>& ring) {
   if (e.region == FacadeRegion::facade) return 1;
   double out = 0;
   for (const Vec3& p : ring) out += p.z / static_cast<double>(ring.size());
@@ -120,12 +120,12 @@ double aside_of(const FacadeElement& e, const std::vector<Vec3>& ring) {
 
 void look_at_edges(const FacadeView& view, double metres, const Facade& facade, FacadeElement& e) {
   const std::vector<Vec3> ring = local_ring(facade, e, metres);
-  const double aside = aside_of(e, ring);
+  const double shift = shift_sign(e, ring);
   for (std::size_t i = 0; i < e.edges.size() && i < ring.size(); ++i) {
     const Vec3 a = ring[i], b = ring[(i + 1) % ring.size()], way = b - a;
     const double length = std::sqrt(way.x * way.x + way.y * way.y);
     const Vec3 inwards = length > 0 ? (1 / length) * Vec3{-way.y, way.x, 0} : Vec3{};
-    e.edges[i].occluded_share = view.edge(a, b, aside * inwards).share();
+    e.edges[i].occluded_share = view.edge(a, b, shift * inwards).share();
   }
 }
 

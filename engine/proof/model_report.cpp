@@ -45,7 +45,7 @@ std::string model_text(const ModelEvaluation& e) {
                                  r.buildings.size(), r.missing, e.points.models_without_points);
   text += fmt::format("points     {} read, {} judged, {} of no building; buildings by {}; distance to {}\n\n",
                       e.points.read, r.points, e.points.unassigned, name_of(e.points.owner),
-                      e.params.faces == JudgedFaces::roofs ? "roofs" : "all faces");
+                      e.params.faces == EvaluatedFaces::roofs ? "roofs" : "all faces");
   text += fmt::format("{:<24}{:>9}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "", "points", "p10", "median", "p90", "p95", "largest");
   text += row("RMSE, m", r.rmse_m, r.building_rmse_m);
   text += row(fmt::format("RMSE of nearest {:.0f} %, m", 100 * e.params.kept_share).c_str(), r.trimmed_rmse_m,
@@ -59,7 +59,7 @@ std::string model_json(const ModelEvaluation& e) {
   Json json{{"models", e.models},
             {"cloud", e.cloud},
             {"points_of", name_of(e.points.owner)},
-            {"faces", e.params.faces == JudgedFaces::roofs ? "roofs" : "all"}};
+            {"faces", e.params.faces == EvaluatedFaces::roofs ? "roofs" : "all"}};
   json["points"] = {{"read", e.points.read}, {"judged", r.points}, {"unassigned", e.points.unassigned}};
   json["buildings"] = {
       {"judged", r.buildings.size()}, {"missing", r.missing}, {"without_points", e.points.models_without_points}};

@@ -18,7 +18,7 @@ std::vector<Triangle3> judged_triangles(const PolygonModel& model, const ModelRe
   std::vector<Triangle3> triangles;
   const std::vector<bool> roofs = roof_faces(model, params.metres_per_unit);
   for (std::size_t i = 0; i < model.faces.size(); ++i) {
-    if (params.faces == JudgedFaces::roofs && !roofs[i]) continue;
+    if (params.faces == EvaluatedFaces::roofs && !roofs[i]) continue;
     append_triangles(model, model.faces[i], triangles);
     ++faces;
   }
@@ -78,8 +78,8 @@ Percentiles percentiles(std::vector<double> values) {
   return {at(10), at(50), at(90), at(95), values.back()};
 }
 
-ModelResiduals judge_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
-                            const ModelResidualParams& params) {
+ModelResiduals evaluate_building_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
+                                        const ModelResidualParams& params) {
   std::vector<const BuildingPoints*> seen;
   for (const BuildingPoints& building : buildings)
     if (!building.points.empty()) seen.push_back(&building);

@@ -11,10 +11,10 @@
 
 namespace ilot {
 
-enum class JudgedFaces : std::uint8_t { all, roofs };
+enum class EvaluatedFaces : std::uint8_t { all, roofs };
 
 struct ModelResidualParams {
-  JudgedFaces faces = JudgedFaces::all;
+  EvaluatedFaces faces = EvaluatedFaces::all;
   double near_m = 0.2;         // distance up to which a point counts as near, inclusive
   double kept_share = 0.9;     // of the points of a building, those the trimmed RMSE keeps: the nearest
   double metres_per_unit = 1;  // of the coordinates
@@ -54,8 +54,8 @@ struct ModelResiduals {
 // points does not show. Percentiles are values that occur: the smallest that at least so large a share of buildings
 // does not exceed (for shares of near points, the p10 is the low end). Buildings in parallel. Buildings without points
 // are left out.
-ModelResiduals judge_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
-                            const ModelResidualParams& params = {});
+ModelResiduals evaluate_building_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
+                                        const ModelResidualParams& params = {});
 
 // For each point the model whose plan lies nearest within `margin` (closed, CRS units), or kNoModel; in ties the model
 // that comes first. The plan of a model is the projection of its faces along z. O(log faces) a point, in parallel.

@@ -72,7 +72,7 @@ Layer point_layer(const BuildingReplay& b, const Places& at) {
     const bool used = p.number.has_value();
     const std::size_t i = p.number.value_or(0);
     layer.features.push_back({{{at.of(p.at)}},
-                              {std::string(name_of(p.role)), std::string(name_of(p.belonging)), used,
+                              {std::string(name_of(p.role)), std::string(name_of(p.membership)), used,
                                used ? value(roof.planes.of_point, i) : 0, used && value(roof.planes.on_wall, i) != 0,
                                used ? value(roof.cell_of_point, i) : 0, used ? value(b.steps.face_of_point, i) : 0}});
   }

@@ -31,8 +31,8 @@ Picture begin(const BuildingReplay& b, const char* name, const std::string& titl
 
 PictureColour colour_of(const SeenPoint& p) {
   if (p.number) return kBlue;
-  if (p.belonging == Belonging::ground) return kBrown;
-  if (p.belonging == Belonging::held) return kRed;
+  if (p.membership == PointMembership::ground) return kBrown;
+  if (p.membership == PointMembership::held) return kRed;
   return p.role == PointRole::building ? PictureColour{150, 170, 210} : kPale;
 }
 

@@ -20,7 +20,7 @@ std::vector<SeenPoint> seen_points(const BuildingReplay& building) {
   seen.reserve(building.points.size() + places.size());
   std::size_t next = 0;  // of the model's points
   const auto add_used = [&] {
-    seen.push_back({gathered.site.points[next], kind, Belonging::held, next});
+    seen.push_back({gathered.site.points[next], kind, PointMembership::held, next});
     ++next;
   };
   for (const AroundPoint& p : building.points) {
@@ -28,7 +28,7 @@ std::vector<SeenPoint> seen_points(const BuildingReplay& building) {
     if (next < places.size() && places[next] == p.place)
       add_used();
     else
-      seen.push_back({p.at - Vec3{0, 0, floor_of(building)}, p.role, p.belonging, std::nullopt});
+      seen.push_back({p.at - Vec3{0, 0, floor_of(building)}, p.role, p.membership, std::nullopt});
   }
   while (next < places.size()) add_used();
   return seen;
@@ -58,9 +58,9 @@ const char* name_of(PointRole role) {
   return kNames[static_cast<int>(role)];
 }
 
-const char* name_of(Belonging belonging) {
+const char* name_of(PointMembership membership) {
   constexpr const char* kNames[] = {"none", "held", "ground"};
-  return kNames[static_cast<int>(belonging)];
+  return kNames[static_cast<int>(membership)];
 }
 
 }  // namespace ilot

@@ -12,7 +12,7 @@ namespace ilot {
 struct SeenPoint {
   Vec3 at;  // metres from the site's anchor
   PointRole role{};
-  Belonging belonging{};
+  PointMembership membership{};
   std::optional<std::size_t> number;
 };
 
@@ -26,6 +26,6 @@ std::vector<SeenPoint> seen_points(const BuildingReplay& building);
 std::vector<SitePolygon> plane_hulls(const SiteSteps& steps);
 
 const char* name_of(PointRole role);
-const char* name_of(Belonging belonging);
+const char* name_of(PointMembership membership);
 
 }  // namespace ilot

@@ -91,10 +91,10 @@ Layer search_layer(const FacadeReplay& r) {
   return layer;
 }
 
-Layer thing_layer(const char* name, const std::vector<FacadeThing>& things) {
+Layer thing_layer(const char* name, const std::vector<ElementCandidate>& things) {
   Layer layer{
       name, LayerShape::polygon, false, {"kind", "depth_m", "family", "row", "column", "moved_m", "reason"}, {}};
-  for (const FacadeThing& t : things) {
+  for (const ElementCandidate& t : things) {
     double moved = 0;
     for (const LocatedEdge& edge : t.shape.sides) moved = std::max(moved, std::abs(edge.moved));
     layer.features.push_back({placed(ring_of(t.shape), t.shape.depth),

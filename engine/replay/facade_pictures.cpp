@@ -86,18 +86,18 @@ Picture search_picture(const FacadeReplay& r) {
   return picture;
 }
 
-PictureColour colour_of(FacadeThingKind kind) {
-  if (kind == FacadeThingKind::window) return kBlue;
-  if (kind == FacadeThingKind::door) return kViolet;
-  if (kind == FacadeThingKind::stone) return kGrey;
-  return kind == FacadeThingKind::protrusion || kind == FacadeThingKind::recess ? kOrange : kGreen;
+PictureColour colour_of(ElementKind kind) {
+  if (kind == ElementKind::window) return kBlue;
+  if (kind == ElementKind::door) return kViolet;
+  if (kind == ElementKind::stone) return kGrey;
+  return kind == ElementKind::protrusion || kind == ElementKind::recess ? kOrange : kGreen;
 }
 
 Picture regular_picture(const FacadeReplay& r) {
   Picture picture = begin(r, "5-regular", "things before and after regularisation");
   add_ring(picture, r.steps.outline.ring, kInk);
-  for (const FacadeThing& t : r.steps.drawn) add_ring(picture, ring_of(t.shape), colour_of(t.kind));
-  for (const FacadeThing& t : r.steps.found) add_ring(picture, ring_of(t.shape), kRed, true);
+  for (const ElementCandidate& t : r.steps.drawn) add_ring(picture, ring_of(t.shape), colour_of(t.kind));
+  for (const ElementCandidate& t : r.steps.found) add_ring(picture, ring_of(t.shape), kRed, true);
   picture.legend = {{kBlue, "windows"},
                     {kViolet, "doors"},
                     {kOrange, "protrusions and recesses"},

@@ -18,7 +18,7 @@ struct WallPoint {
   Place2 crossed;  // where its ray crosses the wall
   std::uint32_t plane = 0;
   bool on_wall = false;
-  Met met{};
+  RayOutcome met{};
 };
 
 // Everything that was found of a facade.

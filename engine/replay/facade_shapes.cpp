@@ -3,13 +3,13 @@
 
 namespace ilot {
 
-const char* name_of(FacadeThingKind kind) {
+const char* name_of(ElementKind kind) {
   constexpr const char* kNames[] = {"window", "door",  "sill",    "lintel",     "balcony", "band",
                                     "bulge",  "stone", "bracket", "protrusion", "recess",  "eaves"};
   return kNames[static_cast<int>(kind)];
 }
 
-const char* name_of(Met met) {
+const char* name_of(RayOutcome met) {
   constexpr const char* kNames[] = {"solid", "through", "before"};
   return kNames[static_cast<int>(met)];
 }

@@ -8,8 +8,8 @@
 
 namespace ilot {
 
-const char* name_of(FacadeThingKind kind);
-const char* name_of(Met met);
+const char* name_of(ElementKind kind);
+const char* name_of(RayOutcome met);
 const char* name_of(DrawnStatus status);
 const char* name_of_cell(std::uint8_t what);
 

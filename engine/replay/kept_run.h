@@ -16,7 +16,7 @@ struct KeptRunPlaces {
   std::filesystem::path store;     // empty = out/.store
   std::filesystem::path stations;  // that the run was given, if any: run.json does not name the file
   std::optional<Area> within;      // polygons that the run was given, if any: run.json has their box alone
-  TrainThings learn;               // as the run learns from places of things
+  TrainObjectModel learn;          // as the run learns from places of things
 };
 
 // A folder that looks like a store: every file of it is a link to that of the kept store. What a pass writes takes the

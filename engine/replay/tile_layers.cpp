@@ -33,15 +33,15 @@ Layer thing_layer(const TileReplay& replay) {
       false,
       {"thing", "taken", "part_1", "part_2", "object", "label", "probability", "whole", "part", "several", "points"},
       {}};
-  for (std::size_t f = 0; f < kThingFeatures; ++f) layer.fields.push_back(thing_feature_name(f));
+  for (std::size_t f = 0; f < kCandidateFeatures; ++f) layer.fields.push_back(candidate_feature_name(f));
   const StreetSteps& steps = replay.steps;
   const TileRaster& raster = *steps.raster;
   const TileBox box = box_of(replay);
   for (std::size_t i = 0; i < steps.things.size(); ++i) {
-    const Thing& t = steps.things[i];
+    const ObjectCandidate& t = steps.things[i];
     const Vec3 base{raster.crs_x(t.x + 0.5), raster.crs_y(t.y + 0.5), t.ground * raster.unit};
     if (!box.holds(base)) continue;
-    const ThingClass& c = steps.classes[i];
+    const CandidateClass& c = steps.classes[i];
     LayerFeature feature{{{base}},
                          {static_cast<std::int64_t>(i + 1), steps.taken[i] != 0, std::int64_t{t.parts[0]},
                           std::int64_t{t.parts[1]}, std::int64_t{steps.object_of[i + 1]}, label_text(c.label),

@@ -123,8 +123,8 @@ PictureColour colour_of_label(PointLabel label) {
 void TilePictures::add_objects() {
   const StreetSteps& steps = replay_.steps;
   std::set<PointLabel> seen;
-  const auto class_of = [&](Height part) -> const ThingClass& {
-    return steps.classes[steps.thing_of_part[static_cast<std::size_t>(part)] - 1];
+  const auto class_of = [&](Height part) -> const CandidateClass& {
+    return steps.classes[steps.candidate_of_part[static_cast<std::size_t>(part)] - 1];
   };
   add("things", "what things that were taken as whole are called", 0, [&](Height part) {
     const PointLabel label = class_of(part).label;

@@ -51,7 +51,7 @@ std::string place_text(Vec3 place) {
 }
 
 // A CRS in which the places cannot be is wrong, whoever says it.
-void doubt_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox& box, Progress& progress,
+void check_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox& box, Progress& progress,
                    RunRecord& record) {
   if (can_be_at(inputs.crs, box.one)) return;
   const std::string where = place_text(box.one);
@@ -132,12 +132,12 @@ std::string crs_name(const Crs& crs) {
   return crs.name.empty() ? "none" : crs.name;
 }
 
-double settle_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
+double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
   inputs.crs = agreed_crs(inputs, options);
   if (inputs.crs.geographic || !options.to_crs.empty()) {
     const auto box = sampled_box(inputs.readers);
     if (!box) throw Error("no input has a point with usable coordinates");
-    if (inputs.crs.geographic) doubt_degrees(inputs, options, *box, progress, record);
+    if (inputs.crs.geographic) check_degrees(inputs, options, *box, progress, record);
     if (!options.to_crs.empty()) reproject_all(inputs, options, *box, progress, record);
     if (inputs.crs.geographic) refuse_degrees(inputs, options, *box);
   }

@@ -17,6 +17,6 @@ std::string crs_name(const Crs& crs);
 // - heights in another unit than positions are converted, and inputs.crs is then the CRS of the positions alone.
 // All of it is said and recorded. Returns the factor that heights were multiplied by (units of x and y per unit of z).
 // Errors are of ExitCode::usage.
-double settle_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record);
+double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record);
 
 }  // namespace ilot

@@ -81,7 +81,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   }
   if (inputs.readers.empty()) throw Error("none of the inputs can be used; see the lines above");
   note_dialects(inputs, progress);
-  const double height_factor = settle_crs(inputs, options, progress, record);
+  const double height_factor = resolve_crs(inputs, options, progress, record);
   if (!options.stations.empty()) {
     inputs.stations = read_stations(options.stations);
     for (Station& station : inputs.stations) station.position.z *= height_factor;

@@ -247,7 +247,7 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   warn_of_peak(progress, record);
 }
 
-int run_in_arena(const RunOptions& given, const TrainThings& learn, Progress& progress) {
+int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progress& progress) {
   RunRecord record;
   RunOptions options = given;
   const double start = now();
@@ -278,7 +278,7 @@ int run_in_arena(const RunOptions& given, const TrainThings& learn, Progress& pr
 
 }  // namespace
 
-int run(const RunOptions& options, Progress& progress, const TrainThings& learn) {
+int run(const RunOptions& options, Progress& progress, const TrainObjectModel& learn) {
   progress.run_start("ilot run");
   int code = 0;
   with_threads(options.threads > 0 ? options.threads : hardware_threads(),

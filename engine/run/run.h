@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "engine/products/streets/classes/thing_sample.h"
+#include "engine/products/streets/classes/training_sample.h"
 #include "engine/report/progress.h"
 #include "engine/run/options.h"
 
@@ -9,6 +9,6 @@ namespace ilot {
 // Does what the options say and writes OUT with run.json. Returns the exit code: 0 done, 3 done but something
 // was skipped or a product is empty. Throws Error for 1 failed, 2 usage and 130 interrupted (resumable).
 // `learn`: how places that options.train names become a model; empty: only models are read.
-int run(const RunOptions& options, Progress& progress, const TrainThings& learn = {});
+int run(const RunOptions& options, Progress& progress, const TrainObjectModel& learn = {});
 
 }  // namespace ilot

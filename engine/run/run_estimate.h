@@ -10,7 +10,7 @@ namespace ilot {
 struct RunEstimate {
   std::uint64_t store_bytes = 0;   // the most that the store takes at any time
   std::uint64_t result_bytes = 0;  // an upper bound: clouds are written compressed
-  double processor_seconds = 0;    // roughly: machines differ by a factor of two, and so do clouds
+  double processor_seconds = 0;    // roughly: classifiers differ by a factor of two, and so do clouds
 };
 
 RunEstimate estimate_run(const RunOptions& options, const RunInputs& inputs);

@@ -16,7 +16,7 @@ constexpr double kMostStep = 10, kLeastStep = 1e-4;  // metres
 
 // What no product can work with.
 std::optional<std::string> hindrance(const CloudInfo& info, const CloudMeasure& m) {
-  if (believed_crs(info, m).geographic) return "the coordinates are degrees: run --to-crs utm projects them";
+  if (assumed_crs(info, m).geographic) return "the coordinates are degrees: run --to-crs utm projects them";
   if (m.points < 3) return "fewer than three points";
   if (m.sampling_step == 0) return "all points are at one place";
   if (m.sampling_step > kMostStep) return fmt::format("{:.3g} m between points, 10 m at most", m.sampling_step);
@@ -36,12 +36,12 @@ bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
 
 }  // namespace
 
-Crs believed_crs(const CloudInfo& info, const CloudMeasure& m) {
+Crs assumed_crs(const CloudInfo& info, const CloudMeasure& m) {
   const Vec3 middle = 0.5 * (m.min + m.max);
   return m.points == 0 || can_be_at(info.crs, middle) ? info.crs : Crs{};
 }
 
-std::optional<std::string> doubt_about_step(const CloudMeasure& m) {
+std::optional<std::string> step_warning(const CloudMeasure& m) {
   if (m.points < 2) return std::nullopt;
   if (m.sampling_step == 0) return "all points are at one place";
   if (m.sampling_step > kMostStep || m.sampling_step < kLeastStep)
@@ -69,8 +69,8 @@ std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasur
   if (info.points < info.declared_points) {
     list.push_back(fmt::format("{} of {} points can be read", info.points, info.declared_points));
   }
-  if (const auto doubt = doubt_about_step(m)) list.push_back(*doubt);
-  if (info.crs.geographic && !believed_crs(info, m).geographic)
+  if (const auto doubt = step_warning(m)) list.push_back(*doubt);
+  if (info.crs.geographic && !assumed_crs(info, m).geographic)
     list.push_back(
         fmt::format("it says degrees, which x = {:.3f} cannot be: metres in an unknown CRS are assumed", m.min.x));
   if (info.crs.unit_assumed) list.push_back("nothing says what the unit is: metres are assumed");

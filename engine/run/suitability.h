@@ -13,12 +13,12 @@ namespace ilot {
 std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeasure& measure);
 
 // What is odd about the distance between points: 0, above 10 m or below 0.1 mm; the unit is probably wrong then.
-std::optional<std::string> doubt_about_step(const CloudMeasure& measure);
+std::optional<std::string> step_warning(const CloudMeasure& measure);
 
 // All that is odd about a cloud: what its reader found, what its points do not bear out, what a run would leave out.
 std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasure& measure);
 
 // The CRS that `run` works with: unknown where the cloud says degrees and its places cannot be any.
-Crs believed_crs(const CloudInfo& info, const CloudMeasure& measure);
+Crs assumed_crs(const CloudInfo& info, const CloudMeasure& measure);
 
 }  // namespace ilot

@@ -32,7 +32,7 @@ inline constexpr Column<std::uint64_t> kOrder{
 inline constexpr Column<std::uint8_t> kClass{
     {"class", "u8", Pass::index, "classes", "class code of the input; only where roofs are asked for"}};
 inline constexpr Column<std::uint8_t> kEchoes{
-    {"echoes", "u8", Pass::index, "classes", "kOneOfSeveral, kNotTheLast; only where roofs are asked for"}};
+    {"echoes", "u8", Pass::index, "classes", "kMultipleReturns, kNotLastReturn; only where roofs are asked for"}};
 inline constexpr Column<ChunkBox> kChunks{
     {"chunks", "ChunkBox", Pass::index, "all", "box of each 1,024 points, one after the other"}};
 

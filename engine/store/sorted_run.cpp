@@ -92,12 +92,12 @@ void write_table(const SortedRun& run) {
 }
 
 std::uint8_t echoes(const PointFields& f) {
-  return static_cast<std::uint8_t>((f.return_count > 1 ? kOneOfSeveral : 0) |
-                                   (f.return_number < f.return_count ? kNotTheLast : 0));
+  return static_cast<std::uint8_t>((f.return_count > 1 ? kMultipleReturns : 0) |
+                                   (f.return_number < f.return_count ? kNotLastReturn : 0));
 }
 
-std::optional<Rejection> judge(const PointFields& f, bool valid, const LatticeMap& lattice, const IndexFilter& filter,
-                               Index3& at) {
+std::optional<Rejection> rejection_of(const PointFields& f, bool valid, const LatticeMap& lattice,
+                                      const IndexFilter& filter, Index3& at) {
   if (!valid) return Rejection::invalid;
   if (!lattice.map(f.x, f.y, f.z, at)) return Rejection::invalid;
   if (f.withheld) return Rejection::withheld;
@@ -142,7 +142,7 @@ SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, 
       Index3 at;
       const PointFields fields =
           decode_fields(std::span(records).subspan(i * length, length), info.layout.point_format);
-      const auto rejection = judge(fields, valid[i] != 0, map, filter, at);
+      const auto rejection = rejection_of(fields, valid[i] != 0, map, filter, at);
       if (rejection != Rejection::invalid) off.check(fields);
       if (rejection) {
         ++run.rejected[static_cast<std::size_t>(*rejection)];

@@ -82,8 +82,8 @@ class Store {
 constexpr std::uint32_t kChunkPoints = 1024;
 
 // Bits of "echoes".
-constexpr std::uint8_t kOneOfSeveral = 1;  // the pulse came back more than once
-constexpr std::uint8_t kNotTheLast = 2;    // and this is not its last echo
+constexpr std::uint8_t kMultipleReturns = 1;  // the pulse came back more than once
+constexpr std::uint8_t kNotLastReturn = 2;    // and this is not its last echo
 
 // Bounding box of 1,024 consecutive points of a block, relative to its tile's corner.
 struct ChunkBox {

@@ -17,12 +17,12 @@ constexpr double kFirstStep = 0x1p-10;
 void ValueCounts::add(double value) {
   waiting_.push_back(value);
   ++count_;
-  if (waiting_.size() >= kMostWaiting) settle();
+  if (waiting_.size() >= kMostWaiting) count_waiting();
 }
 
 double ValueCounts::nth(std::uint64_t n) {
   if (counted_.empty()) return nth_smallest(waiting_, n);  // few values: no need to count them
-  settle();
+  count_waiting();
   for (const auto& [value, times] : counted_) {
     if (n < times) return value;
     n -= times;
@@ -34,7 +34,7 @@ double ValueCounts::rounded(double value) const {
   return step_ == 0 ? value : std::floor(value / step_) * step_;
 }
 
-void ValueCounts::settle() {
+void ValueCounts::count_waiting() {
   const auto before = static_cast<std::ptrdiff_t>(counted_.size());
   counted_.reserve(counted_.size() + waiting_.size());
   for (const double v : waiting_) counted_.emplace_back(rounded(v), 1);

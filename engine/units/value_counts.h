@@ -19,7 +19,7 @@ class ValueCounts {
 
  private:
   using Counted = std::pair<double, std::uint64_t>;
-  void settle();
+  void count_waiting();
   void merge_equal();
   double rounded(double value) const;
 

@@ -112,8 +112,9 @@ void check_count(Case& c) {
   const std::uint64_t points = c.measured.points;
   if (points < c.info.points)
     c.severe("points-damaged", fmt::format("the points from number {} on cannot be decoded", points));
-  const std::uint64_t said = c.claims.has_counts ? c.claims.count : c.claims.legacy_count;
-  if (said != points) c.severe("point-count", fmt::format("the header says {} points, {} can be read", said, points));
+  const std::uint64_t declared = c.claims.has_counts ? c.claims.count : c.claims.legacy_count;
+  if (declared != points)
+    c.severe("point-count", fmt::format("the header says {} points, {} can be read", declared, points));
   if (!c.claims.has_counts) return;
   const std::uint64_t legacy = c.claims.legacy_count;
   if (c.info.layout.point_format < 6 && points <= UINT32_MAX && legacy != points)
@@ -127,10 +128,10 @@ void check_count(Case& c) {
 }
 
 template <std::size_t N>
-void check_returns(Case& c, const std::array<std::uint64_t, N>& said, const char* which) {
+void check_returns(Case& c, const std::array<std::uint64_t, N>& declared, const char* which) {
   for (std::size_t i = 0; i < N; ++i) {
-    if (said[i] == c.measured.returns[i + 1]) continue;
-    c.severe("returns-count", fmt::format("the {} says {} points of return {}, there are {}", which, said[i], i + 1,
+    if (declared[i] == c.measured.returns[i + 1]) continue;
+    c.severe("returns-count", fmt::format("the {} says {} points of return {}, there are {}", which, declared[i], i + 1,
                                           c.measured.returns[i + 1]));
     return;
   }

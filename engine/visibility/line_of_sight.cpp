@@ -31,7 +31,7 @@ struct FlatFace {
   bool meets(Vec3 from, Vec3 to) const {
     const double before = dot(from - origin, normal), after = dot(to - origin, normal);
     if (before == after || (before < 0 && after < 0) || (before > 0 && after > 0)) return false;
-    return region.holds(flat(from + (before / (before - after)) * (to - from)));
+    return region.contains(flat(from + (before / (before - after)) * (to - from)));
   }
 };
 

@@ -41,7 +41,7 @@ struct RunOptions {
   std::optional<Area> area;                             // products inside only, neighbours as halo
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
-  std::filesystem::path train;         // streets: a model of things (things.model); empty = the own one
+  std::filesystem::path train;         // streets: a model of things (objects.model); empty = the own one
   std::optional<TextDialect> dialect;  // of text inputs; none: found from their rows
   std::string to_crs;                  // reproject to: "EPSG:2154", "utm" or empty
   std::string crs;                     // overrides the inputs'; "EPSG:2154" or empty

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few transcendental functions that parameters need, out of plain arithmetic: the maths library's own variants
-// differ between machines, and these values decide which points are inliers.
+// differ between classifiers, and these values decide which points are inliers.
 #pragma once
 
 namespace ilot {

@@ -43,12 +43,12 @@ Outer outer_of(const Polygons& polygons, const Ring& r, std::span<const Point2> 
   return outer;
 }
 
-bool box_holds(const Outer& a, const Outer& b) {
+bool box_contains(const Outer& a, const Outer& b) {
   return a.low.x <= b.low.x && b.high.x <= a.high.x && a.low.y <= b.low.y && b.high.y <= a.high.y;
 }
 
 // Whether a place in half units, not on the ring, lies inside: edges that a ray to the right crosses.
-bool holds(const Outer& outer, const std::int64_t (&place)[2], std::span<const Point2> points) {
+bool contains(const Outer& outer, const std::int64_t (&place)[2], std::span<const Point2> points) {
   bool inside = false;
   for (std::size_t i = 0, before = outer.ring.size() - 1; i < outer.ring.size(); before = i++) {
     const Point2 a = points[outer.ring[before]], b = points[outer.ring[i]];
@@ -222,7 +222,7 @@ Polygons outer_rings(const Polygons& polygons, std::span<const Point2> points) {
   Polygons out;
   for (std::size_t i = 0; i < outers.size(); ++i) {
     const bool inside = std::any_of(outers.begin(), outers.end(), [&](const Outer& other) {
-      return &other != &outers[i] && box_holds(other, outers[i]) && holds(other, outers[i].middle, points);
+      return &other != &outers[i] && box_contains(other, outers[i]) && contains(other, outers[i].middle, points);
     });
     if (inside) continue;
     out.rings.push_back({static_cast<std::uint32_t>(out.vertices.size()),

@@ -25,8 +25,8 @@ struct BothWays {
 BothWays turned(Vec3 v, Vec3 axis, double angle) {
   const double h = angle / 2, h2 = h * h, t = h * (1 + h2 * (1.0 / 3 + h2 * (2.0 / 15 + h2 * 17.0 / 315)));
   const double scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale, sine = 2 * t * scale;
-  const Vec3 same = cosine * v, aside = sine * cross(axis, v), along = (1 - cosine) * dot(axis, v) * axis;
-  return {same + aside + along, same - aside + along};
+  const Vec3 same = cosine * v, perpendicular = sine * cross(axis, v), along = (1 - cosine) * dot(axis, v) * axis;
+  return {same + perpendicular + along, same - perpendicular + along};
 }
 
 // Where the ray meets the plane, as a vector from the station; false when it does not.

@@ -34,7 +34,7 @@ class Parts {
   }
 
   // Of a pixel whose parent is settled already.
-  Height settled(std::uint32_t p) const {
+  Height final_height(std::uint32_t p) const {
     if (link_[p] > 0) return f_[static_cast<std::size_t>(link_[p])];
     return -link_[p] >= enough_ ? f_[p] : kNoHeight;
   }
@@ -69,7 +69,7 @@ Image area_opening(const Image& image, std::uint32_t area, Adjacency adjacency) 
     for (std::size_t s = 0; s < step_count(adjacency); ++s)
       if (parts.seen(p + steps[s])) parts.join(p, p + steps[s]);
   }
-  for (std::size_t i = order.size(); i-- > 0;) f[order[i]] = parts.settled(order[i]);
+  for (std::size_t i = order.size(); i-- > 0;) f[order[i]] = parts.final_height(order[i]);
   return {image.width, image.height, unpadded<Height>(frame, f)};
 }
 

@@ -16,8 +16,8 @@ class BorderZones {
   // Of each zone of a tile (by its number there; [0] = 0) its number among those on the tile's border, from 1; 0 = not
   // on it. `image`: what the zones are of, for the step over the border; without it zones that touch are joined.
   // Different tiles from several threads at once.
-  std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, const Image& image);
-  std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones);
+  std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones, const Image& image);
+  std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones);
 
   // Joins all that was told: neighbours of two tiles that differ by at most lambda. Memory: 8 bytes a pixel of all
   // borders, 4 a zone on one.
@@ -29,22 +29,22 @@ class BorderZones {
   }
   std::uint32_t count() const { return count_; }
 
-  // Of a number: steps over borders that fall from it by more than lambda, less those that rise (zone_falls).
-  std::int32_t falls(std::uint32_t number) const { return falls_[number]; }
+  // Of a number: steps over borders that fall from it by more than lambda, less those that rise (outward_drops).
+  std::int32_t drops(std::uint32_t number) const { return drops_[number]; }
 
  private:
-  std::vector<std::uint32_t> tell(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
+  std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
 
-  struct Told {
+  struct TileRecord {
     std::vector<Height> heights;       // of the perimeter; empty: zones that touch are joined
     std::vector<std::uint32_t> zones;  // of the perimeter, numbers on the border; 0 = none
     std::uint32_t count = 0;
   };
   BorderPixels pixels_;
-  std::vector<Told> told_;
+  std::vector<TileRecord> recorded_;
   std::vector<std::size_t> first_;      // of each tile in numbers_
   std::vector<std::uint32_t> numbers_;  // of the zones on borders, tile after tile
-  std::vector<std::int32_t> falls_;     // of what was joined
+  std::vector<std::int32_t> drops_;     // of what was joined
   std::uint32_t count_ = 0;
 };
 

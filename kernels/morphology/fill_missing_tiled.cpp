@@ -49,7 +49,8 @@ void fill_run(Image& image, std::uint32_t y, PixelRun run, Height level) {
 
 }  // namespace
 
-TiledMissing::TiledMissing(const TileGrid& grid) : grid_(grid), pixels_(grid), borders_(grid), told_(grid.count()) {}
+TiledMissing::TiledMissing(const TileGrid& grid)
+    : grid_(grid), pixels_(grid), borders_(grid), recorded_(grid.count()) {}
 
 // What is joined to the end of the image stays without a height.
 void TiledMissing::open_at_ends(std::size_t tile, const ZoneRuns& missing, std::vector<Height>& levels) const {
@@ -71,10 +72,10 @@ Image TiledMissing::fill(std::size_t tile, const Image& around) {
   const ZoneRuns missing = missing_runs(image, Adjacency::eight);
   std::vector<Height> levels = levels_around(missing, around);
   open_at_ends(tile, missing, levels);
-  const std::vector<std::uint32_t> on_border = borders_.tell(tile, missing);
-  std::vector<Height>& told = told_[tile];
+  const std::vector<std::uint32_t> on_border = borders_.record(tile, missing);
+  std::vector<Height>& recorded = recorded_[tile];
   for (std::size_t z = 1; z < on_border.size(); ++z)
-    if (on_border[z] != 0) told.push_back(levels[z]);
+    if (on_border[z] != 0) recorded.push_back(levels[z]);
   for_each_run(missing, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
     if (on_border[zone] == 0) fill_run(image, y, run, levels[zone]);
   });
@@ -84,20 +85,20 @@ Image TiledMissing::fill(std::size_t tile, const Image& around) {
 void TiledMissing::join() {
   borders_.join(0, Adjacency::eight);
   levels_.assign(borders_.count(), kAboveAll);
-  for (std::size_t t = 0; t < told_.size(); ++t)
-    for (std::uint32_t z = 1; z <= told_[t].size(); ++z) {
+  for (std::size_t t = 0; t < recorded_.size(); ++t)
+    for (std::uint32_t z = 1; z <= recorded_[t].size(); ++z) {
       Height& level = levels_[borders_.number(t, z)];
-      level = std::min(level, told_[t][z - 1]);
+      level = std::min(level, recorded_[t][z - 1]);
     }
 }
 
 // The regions that are left are those on the border, in the order in which they were told.
 bool TiledMissing::finish(std::size_t tile, Image& image) const {
   bool any = false;
-  for (std::uint32_t z = 1; z <= told_[tile].size(); ++z) any |= levels_[borders_.number(tile, z)] != kNoHeight;
+  for (std::uint32_t z = 1; z <= recorded_[tile].size(); ++z) any |= levels_[borders_.number(tile, z)] != kNoHeight;
   if (!any) return false;
   const ZoneRuns missing = missing_runs(image, Adjacency::eight);
-  assert(missing.count == told_[tile].size());
+  assert(missing.count == recorded_[tile].size());
   for_each_run(missing, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
     fill_run(image, y, run, levels_[borders_.number(tile, zone)]);
   });

@@ -30,8 +30,8 @@ class TiledMissing {
   TileGrid grid_;
   BorderPixels pixels_;
   BorderZones borders_;
-  std::vector<std::vector<Height>> told_;  // by tile: of each region on its border the lowest height around it
-  std::vector<Height> levels_;             // of those joined
+  std::vector<std::vector<Height>> recorded_;  // by tile: of each region on its border the lowest height around it
+  std::vector<Height> levels_;                 // of those joined
 };
 
 }  // namespace ilot

@@ -22,23 +22,24 @@ struct TileZones {
   std::vector<std::uint32_t> zones;
 };
 
-TileZones told_by(const TileGrid& grid, std::size_t tile, const Image& image, const ZoneRuns& runs) {
+TileZones zones_of_tile(const TileGrid& grid, std::size_t tile, const Image& image, const ZoneRuns& runs) {
   const TileFrame frame = tile_frame(grid, tile);
   const Perimeter perimeter{frame.width, frame.height};
-  TileZones told{std::vector<std::uint64_t>(runs.count + 1, UINT64_MAX), std::vector<std::uint64_t>(runs.count + 1, 0),
-                 heights_on(perimeter, image), std::vector<std::uint32_t>(perimeter.size(), 0)};
-  told.size[0] = image.size();
+  TileZones recorded{std::vector<std::uint64_t>(runs.count + 1, UINT64_MAX),
+                     std::vector<std::uint64_t>(runs.count + 1, 0), heights_on(perimeter, image),
+                     std::vector<std::uint32_t>(perimeter.size(), 0)};
+  recorded.size[0] = image.size();
   for_each_run(runs, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
     const std::uint64_t first = std::uint64_t{frame.y + y} * grid.width + frame.x + run.from;
-    told.first[zone] = std::min(told.first[zone], first);
-    told.size[zone] += run.to - run.from;
-    told.size[0] -= run.to - run.from;
+    recorded.first[zone] = std::min(recorded.first[zone], first);
+    recorded.size[zone] += run.to - run.from;
+    recorded.size[0] -= run.to - run.from;
     if (y == 0 || y + 1 == frame.height)
-      for (std::uint32_t x = run.from; x < run.to; ++x) told.zones[perimeter.index(x, y)] = zone;
-    if (run.from == 0) told.zones[perimeter.index(0, y)] = zone;
-    if (run.to == frame.width) told.zones[perimeter.index(frame.width - 1, y)] = zone;
+      for (std::uint32_t x = run.from; x < run.to; ++x) recorded.zones[perimeter.index(x, y)] = zone;
+    if (run.from == 0) recorded.zones[perimeter.index(0, y)] = zone;
+    if (run.to == frame.width) recorded.zones[perimeter.index(frame.width - 1, y)] = zone;
   });
-  return told;
+  return recorded;
 }
 
 // The zones of all tiles as one list: zone z of tile t is first[t] + z - 1.
@@ -48,34 +49,34 @@ struct ZoneList {
   std::uint32_t count = 0;
 };
 
-void join_across_borders(const TileGrid& grid, const std::vector<TileZones>& told, const ZoneList& list, Height lambda,
-                         Adjacency adjacency, UnionFind& sets) {
+void join_across_borders(const TileGrid& grid, const std::vector<TileZones>& recorded, const ZoneList& list,
+                         Height lambda, Adjacency adjacency, UnionFind& sets) {
   const BorderPixels pixels(grid);
-  for (std::size_t t = 0; t < told.size(); ++t) {
-    for (std::uint32_t i = 0; i < told[t].zones.size(); ++i) {
-      if (told[t].zones[i] == 0) continue;
+  for (std::size_t t = 0; t < recorded.size(); ++t) {
+    for (std::uint32_t i = 0; i < recorded[t].zones.size(); ++i) {
+      if (recorded[t].zones[i] == 0) continue;
       pixels.for_beyond(pixels.first(t) + i, adjacency, [&](std::uint32_t q) {
         const std::size_t u = pixels.tile_of(q);
         const std::uint32_t j = q - pixels.first(u);
-        if (told[u].zones[j] == 0) return;
-        if (std::abs(std::int64_t{told[t].heights[i]} - told[u].heights[j]) <= lambda)
-          sets.unite(static_cast<std::uint32_t>(list.first[t] + told[t].zones[i] - 1),
-                     static_cast<std::uint32_t>(list.first[u] + told[u].zones[j] - 1));
+        if (recorded[u].zones[j] == 0) return;
+        if (std::abs(std::int64_t{recorded[t].heights[i]} - recorded[u].heights[j]) <= lambda)
+          sets.unite(static_cast<std::uint32_t>(list.first[t] + recorded[t].zones[i] - 1),
+                     static_cast<std::uint32_t>(list.first[u] + recorded[u].zones[j] - 1));
       });
     }
   }
 }
 
 // Numbers the sets by their first pixels.
-void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& list) {
+void number_sets(const std::vector<TileZones>& recorded, UnionFind& sets, ZoneList& list) {
   std::vector<std::uint64_t> first(list.first.back(), UINT64_MAX);
   std::vector<std::uint32_t> roots;
-  for (std::size_t t = 0; t < told.size(); ++t) {
-    for (std::size_t z = 1; z < told[t].first.size(); ++z) {
+  for (std::size_t t = 0; t < recorded.size(); ++t) {
+    for (std::size_t z = 1; z < recorded[t].first.size(); ++z) {
       const auto at = static_cast<std::uint32_t>(list.first[t] + z - 1);
       const std::uint32_t root = sets.find(at);
       if (root == at) roots.push_back(root);
-      first[root] = std::min(first[root], told[t].first[z]);
+      first[root] = std::min(first[root], recorded[t].first[z]);
     }
   }
   std::sort(roots.begin(), roots.end(), [&](std::uint32_t a, std::uint32_t b) { return first[a] < first[b]; });
@@ -84,15 +85,15 @@ void number_sets(const std::vector<TileZones>& told, UnionFind& sets, ZoneList& 
   for (std::uint32_t at = 0; at < list.number.size(); ++at) list.number[at] = list.number[sets.find(at)];
 }
 
-ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Height lambda, Adjacency adjacency) {
-  ZoneList list{std::vector<std::size_t>(told.size() + 1, 0), {}};
-  for (std::size_t t = 0; t < told.size(); ++t) list.first[t + 1] = list.first[t] + told[t].first.size() - 1;
+ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& recorded, Height lambda, Adjacency adjacency) {
+  ZoneList list{std::vector<std::size_t>(recorded.size() + 1, 0), {}};
+  for (std::size_t t = 0; t < recorded.size(); ++t) list.first[t + 1] = list.first[t] + recorded[t].first.size() - 1;
   assert(list.first.back() < (std::size_t{1} << 32));
   need_bytes(grid, list.first.back() * kBytesOfZone);
   std::vector<std::uint32_t> parents(list.first.back());
   UnionFind sets(parents);
-  join_across_borders(grid, told, list, lambda, adjacency, sets);
-  number_sets(told, sets, list);
+  join_across_borders(grid, recorded, list, lambda, adjacency, sets);
+  number_sets(recorded, sets, list);
   return list;
 }
 
@@ -100,20 +101,20 @@ ZoneList numbered(const TileGrid& grid, const std::vector<TileZones>& told, Heig
 
 ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
                            const WriteLabels& write) {
-  std::vector<TileZones> told(grid.count());
+  std::vector<TileZones> recorded(grid.count());
   std::vector<ZoneRuns> kept(grid.count());
   for_each_tile(grid, [&](std::size_t tile) {
     const Image image = read(tile);
     ZoneRuns runs = zone_runs(image, lambda, adjacency);
-    told[tile] = told_by(grid, tile, image, runs);
+    recorded[tile] = zones_of_tile(grid, tile, image, runs);
     if (runs.runs.size() * kPixelsOfRun <= image.size()) kept[tile] = std::move(runs);
   });
-  const ZoneList list = numbered(grid, told, lambda, adjacency);
+  const ZoneList list = numbered(grid, recorded, lambda, adjacency);
   ZoneSizes sizes{std::vector<std::uint64_t>(std::size_t{list.count} + 1, 0)};
-  for (std::size_t t = 0; t < told.size(); ++t) {
-    sizes.pixels[0] += told[t].size[0];
-    for (std::size_t z = 1; z < told[t].size.size(); ++z)
-      sizes.pixels[list.number[list.first[t] + z - 1]] += told[t].size[z];
+  for (std::size_t t = 0; t < recorded.size(); ++t) {
+    sizes.pixels[0] += recorded[t].size[0];
+    for (std::size_t z = 1; z < recorded[t].size.size(); ++z)
+      sizes.pixels[list.number[list.first[t] + z - 1]] += recorded[t].size[z];
   }
   for_each_tile(grid, [&](std::size_t tile) {
     ZoneRuns runs = kept[tile].height > 0 ? std::move(kept[tile]) : zone_runs(read(tile), lambda, adjacency);

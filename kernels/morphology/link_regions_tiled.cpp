@@ -21,7 +21,7 @@ std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& wind
   for (std::int64_t y = std::max<std::int64_t>(0, -window.y); y < y1; ++y)
     for (std::int64_t x = std::max<std::int64_t>(0, -window.x), end = 0; x < x1; x = end) {
       end = std::min(x1, x + grid.side - (window.x + x) % grid.side);  // of the tile
-      if (grid.holds(window.x + x, window.y + y))
+      if (grid.contains(window.x + x, window.y + y))
         std::fill(inside.begin() + y * width + x, inside.begin() + y * width + end, std::uint8_t{1});
     }
   return inside;
@@ -33,12 +33,13 @@ bool straight_around(const TileGrid& grid, std::size_t tile, std::uint32_t halo)
   if (grid.tiles.empty()) return true;
   if (grid.side < halo) return false;
   const TilePlace place = grid.place(tile);
-  const auto holds = [&](std::int64_t dx, std::int64_t dy) {
+  const auto contains = [&](std::int64_t dx, std::int64_t dy) {
     return grid.tile_at(place.row + dy, place.column + dx) != kNoTile;
   };
   for (std::int64_t y = -1; y < 1; ++y)
     for (std::int64_t x = -1; x < 1; ++x) {
-      if (holds(x, y) == holds(x + 1, y + 1) && holds(x + 1, y) == holds(x, y + 1) && holds(x, y) != holds(x + 1, y))
+      if (contains(x, y) == contains(x + 1, y + 1) && contains(x + 1, y) == contains(x, y + 1) &&
+          contains(x, y) != contains(x + 1, y))
         return false;
     }
   return true;

@@ -30,21 +30,21 @@ class Flood {
         basin_(frame_.size(), kOutside),
         parents_(perimeter_.size()),
         trees_(parents_),
-        shores_(std::move(queue)) {
+        queue_(std::move(queue)) {
     for (std::uint32_t y = 0; y < image.height; ++y) std::fill_n(basin_.begin() + at(0, y), image.width, kDry);
   }
 
   BorderFlood run(const ZoneRuns& missing) {
-    drown(missing);
+    flood_missing(missing);
     for (std::uint32_t i = 0; i < perimeter_.size(); ++i) {
       const auto [x, y] = perimeter_.place(i);
       const auto p = static_cast<std::uint32_t>(at(x, y));
       if (basin_[p] != kDry && (basin_[p] & kWet) == 0) continue;
-      if (basin_[p] == kDry) shores_.push(level_[p], p);  // a wet one waits on the shore of what is missing
+      if (basin_[p] == kDry) queue_.push(level_[p], p);  // a wet one waits on the shore of what is missing
       basin_[p] = i | kWet;
     }
-    while (!shores_.empty()) {
-      const auto item = shores_.pop();
+    while (!queue_.empty()) {
+      const auto item = queue_.pop();
       under_water_.push_back(item.pixel);
       while (!under_water_.empty()) {
         const std::uint32_t p = under_water_.back();
@@ -59,7 +59,7 @@ class Flood {
   std::ptrdiff_t at(std::uint32_t x, std::uint32_t y) const { return static_cast<std::ptrdiff_t>(frame_.row(y) + x); }
 
   // Regions without a height that reach the perimeter: of one basin, the first that they touch.
-  void drown(const ZoneRuns& missing) {
+  void flood_missing(const ZoneRuns& missing) {
     std::vector<std::uint32_t> basins(std::size_t{missing.count} + 1, kDry);
     const auto join = [&](std::uint32_t zone, std::uint32_t x, std::uint32_t y) {
       const std::uint32_t i = perimeter_.index(x, y);
@@ -94,7 +94,7 @@ class Flood {
     for (auto q = static_cast<std::uint32_t>(from); q < static_cast<std::uint32_t>(to); ++q) {
       if (basin_[q] != kDry) continue;
       basin_[q] = basin | kWet;
-      shores_.push(level_[q], q);
+      queue_.push(level_[q], q);
     }
   }
 
@@ -111,7 +111,7 @@ class Flood {
         if (level_[q] <= level)
           under_water_.push_back(q);
         else
-          shores_.push(level_[q], q);
+          queue_.push(level_[q], q);
       } else if ((other & kWet) == 0 && trees_.unite(basin, other)) {
         spills_.push_back({basin, other, level});
       }
@@ -127,7 +127,7 @@ class Flood {
   std::vector<std::uint32_t> basin_;
   std::vector<std::uint32_t> parents_;
   UnionFind trees_;
-  Queue shores_;
+  Queue queue_;
   std::vector<std::uint32_t> under_water_;
   std::vector<SpillEdge> spills_;
 };

@@ -32,24 +32,24 @@ void forget_outside(const PaddedFrame& frame, const std::vector<std::uint8_t>& i
 // nearest_keys on ways around what does not belong to the image. Waves: all of one distance are known before the next
 // begins.
 template <class Key>
-NearestKeys<Key> keys_by_waves(const PaddedFrame& frame, const Image& heights, const std::vector<std::uint8_t>& outer,
-                               std::uint32_t reach) {
+NearestKeys<Key> keys_by_fronts(const PaddedFrame& frame, const Image& heights, const std::vector<std::uint8_t>& outer,
+                                std::uint32_t reach) {
   NearestKeys<Key> nearest = nearest_keys<Key>(heights, 0, 1);
   const Key step = Key{1} << nearest.bits;
   nearest.far = (static_cast<Key>(reach) + 1) << nearest.bits;
   const std::vector<std::uint8_t> inside = padded<std::uint8_t>(frame.width, frame.height, outer, 0);
   const auto steps = frame.steps();
-  std::vector<std::uint32_t> wave, next;
+  std::vector<std::uint32_t> front, next;
   for (std::uint32_t p = 0; p < frame.size(); ++p) {
     Key& key = nearest.keys[p];
     if (key < step)
-      wave.push_back(p);
+      front.push_back(p);
     else
       key = nearest.far;
   }
-  for (std::uint32_t d = 1; d <= reach && !wave.empty(); ++d) {
+  for (std::uint32_t d = 1; d <= reach && !front.empty(); ++d) {
     next.clear();
-    for (const std::uint32_t p : wave) {
+    for (const std::uint32_t p : front) {
       for (std::size_t s = 0; s < step_count(Adjacency::four); ++s) {
         const std::uint32_t q = p + steps[s];
         const Key through = nearest.keys[p] + step;
@@ -58,14 +58,14 @@ NearestKeys<Key> keys_by_waves(const PaddedFrame& frame, const Image& heights, c
         nearest.keys[q] = through;
       }
     }
-    wave.swap(next);
+    front.swap(next);
   }
   return nearest;
 }
 
 template <class Key>
 NearestKeys<Key> keys_of(const PaddedFrame& frame, const LinkWindow& window, std::uint32_t reach) {
-  if (!window.straight) return keys_by_waves<Key>(frame, window.heights, window.inside, reach);
+  if (!window.straight) return keys_by_fronts<Key>(frame, window.heights, window.inside, reach);
   NearestKeys<Key> nearest = nearest_keys<Key>(window.heights, reach, 1);
   forget_outside(frame, window.inside, nearest);
   return nearest;

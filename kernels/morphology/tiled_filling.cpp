@@ -75,7 +75,7 @@ Image TiledFilling::fill(std::size_t tile, const Image& image) {
 }
 
 void TiledFilling::join() {
-  settle();
+  propagate();
 }
 
 // What lies below the filling of a pixel of the border, and is joined to it below that, is filled as high: otherwise
@@ -105,7 +105,7 @@ bool TiledFilling::raise(std::size_t tile, Image& filled) const {
   return any;
 }
 
-void TiledFilling::tell_drained(std::size_t tile, const Image& drained) {
+void TiledFilling::record_drained(std::size_t tile, const Image& drained) {
   const std::vector<Height> heights = heights_on(pixels_.perimeter(tile), drained);
   for (std::uint32_t i = 0; i < heights.size(); ++i) {
     Height& reached = reached_[pixels_.first(tile) + i];
@@ -116,7 +116,7 @@ void TiledFilling::tell_drained(std::size_t tile, const Image& drained) {
 }
 
 void TiledFilling::join_drained() {
-  settle();
+  propagate();
 }
 
 void TiledFilling::lower(std::size_t tile, const Image& image, Image& drained) const {
@@ -151,7 +151,7 @@ struct TiledFilling::Pending {
 // Lowers what each pixel is reached at to what reaches it from the open ones of any tile: tile by tile, the one with
 // the lowest open pixel first, until none is open. Heights are only ever lowered, to the least there is: no order can
 // show.
-void TiledFilling::settle() {
+void TiledFilling::propagate() {
   Pending pending;
   for (std::size_t t = 0; t < pixels_.grid().count(); ++t) {
     const std::uint32_t first = pixels_.first(t), end = first + pixels_.perimeter(t).size();
@@ -164,12 +164,12 @@ void TiledFilling::settle() {
   while (!pending.tiles.empty()) {
     const std::size_t tile = pending.tiles.top().second;
     pending.tiles.pop();
-    settle_tile(tile, pending);
+    propagate_tile(tile, pending);
   }
 }
 
 // From the open pixels of a tile through its spills, and to the tiles beside it.
-void TiledFilling::settle_tile(std::size_t tile, Pending& pending) {
+void TiledFilling::propagate_tile(std::size_t tile, Pending& pending) {
   const std::uint32_t first = pixels_.first(tile), count = pixels_.perimeter(tile).size();
   RadixHeap queue;
   for (std::uint32_t i = 0; i < count; ++i)

@@ -22,7 +22,7 @@ struct SpillStore {
 // its own border let the water out, and tells the spill heights between the pixels of its border; a graph of all
 // borders gives what each of them is really filled to, and only what is below that is raised once more (after parallel
 // priority flood, Barnes 2016). In order: fill of all tiles, join, raise of all; then, if anything is drained,
-// tell_drained of some, join_drained, lower of all. Different tiles from several threads at once. Memory: for each
+// record_drained of some, join_drained, lower of all. Different tiles from several threads at once. Memory: for each
 // thread some 30 bytes a pixel of a tile; for all tiles 9 bytes a pixel of their borders, and 12 for their spills where
 // the caller does not keep them.
 class TiledFilling {
@@ -38,7 +38,7 @@ class TiledFilling {
 
   // `drained`: reconstruct_by_erosion of the tile alone, from a marker that is its raised filling but for pixels that
   // are lower.
-  void tell_drained(std::size_t tile, const Image& drained);
+  void record_drained(std::size_t tile, const Image& drained);
   void join_drained();
   // From what was told, or the raised filling, to the reconstruction of the whole from that marker. `image`: as given
   // to `fill`. Looks at the border and at what is lowered.
@@ -46,8 +46,8 @@ class TiledFilling {
 
  private:
   struct Pending;
-  void settle();
-  void settle_tile(std::size_t tile, Pending& pending);
+  void propagate();
+  void propagate_tile(std::size_t tile, Pending& pending);
 
   Adjacency adjacency_;
   BorderPixels pixels_;

@@ -23,13 +23,13 @@ class Flood {
 
   void run() {
     touch_around_markers();
-    std::vector<std::uint32_t> wave, next;
-    while (!shores_.empty()) {
-      const Height level = shores_.pop_level(wave);
-      for (; !wave.empty(); wave.swap(next)) {
-        settle(wave);
+    std::vector<std::uint32_t> front, next;
+    while (!queue_.empty()) {
+      const Height level = queue_.pop_level(front);
+      for (; !front.empty(); front.swap(next)) {
+        label_front(front);
         next.clear();
-        for (const std::uint32_t p : wave) touch_around(p, level, next);
+        for (const std::uint32_t p : front) touch_around(p, level, next);
       }
     }
   }
@@ -53,20 +53,20 @@ class Flood {
       if (relief_[q] <= level) {
         next.push_back(q);
       } else {
-        shores_.push(relief_[q], q);
+        queue_.push(relief_[q], q);
       }
     }
   }
 
   // The whole wave sees the labels of before it.
-  void settle(const std::vector<std::uint32_t>& wave) {
+  void label_front(const std::vector<std::uint32_t>& front) {
     chosen_.clear();
-    for (const std::uint32_t p : wave) {
+    for (const std::uint32_t p : front) {
       std::uint32_t least = 0;  // less 1, so that none is the highest
       for (std::size_t s = 0; s < neighbours_; ++s) least = std::min(least - 1, labels_[p + steps_[s]] - 1) + 1;
       chosen_.push_back(least);
     }
-    for (std::size_t i = 0; i < wave.size(); ++i) labels_[wave[i]] = chosen_[i];
+    for (std::size_t i = 0; i < front.size(); ++i) labels_[front[i]] = chosen_[i];
   }
 
   PaddedFrame frame_;
@@ -75,7 +75,7 @@ class Flood {
   std::vector<Height> relief_;
   std::vector<std::uint32_t> labels_;
   std::vector<std::uint8_t> waiting_;
-  RadixHeap shores_;
+  RadixHeap queue_;
   std::vector<std::uint32_t> chosen_;
 };
 

@@ -46,7 +46,7 @@ std::size_t BandedRegion::band_of(double y) const {
       std::clamp((y - low_) * bands_per_unit_, 0.0, static_cast<double>(first_.size() - 2)));
 }
 
-bool BandedRegion::holds(FlatPoint p) const {
+bool BandedRegion::contains(FlatPoint p) const {
   if (first_.empty()) return false;
   const std::size_t band = band_of(p.y);
   bool inside = false;

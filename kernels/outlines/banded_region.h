@@ -19,7 +19,7 @@ class BandedRegion {
   // The edges of closed rings, in any order.
   explicit BandedRegion(std::span<const FlatEdge> edges);
 
-  bool holds(FlatPoint p) const;
+  bool contains(FlatPoint p) const;
 
  private:
   std::size_t band_of(double y) const;

@@ -95,13 +95,13 @@ class Transform {
       const Indices members = plane_at(cell);
       if (members.empty()) {
         dead_.push_back(cell);
-        bury(cell);
+        discard_cell(cell);
         continue;
       }
       for (const std::uint32_t i : members)
         result_.label[left_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
       vote(members, static_cast<std::uint32_t>(-1));
-      for (const std::size_t d : dead_) bury(d);
+      for (const std::size_t d : dead_) discard_cell(d);
       take_out(left_, members);
     }
     return std::move(result_);
@@ -128,7 +128,7 @@ class Transform {
   }
 
   // A cell that gave no plane; votes taken back later would wrap it, so it is buried again after each.
-  void bury(std::size_t cell) {
+  void discard_cell(std::size_t cell) {
     votes_[cell] = 0;
     stale_[cell / bins_] = 1;
   }
@@ -180,9 +180,9 @@ class Transform {
     for (int round = 0; round < kRounds && fit.unique; ++round) {
       plane = fit.plane;
       Indices next = largest_part(points_on_shape(left_, shape_of(plane), {params_.epsilon, params_.min_cos}));
-      const bool settled = next == members;
+      const bool converged = next == members;
       members = std::move(next);
-      if (settled || members.size() < 3) break;
+      if (converged || members.size() < 3) break;
       fit = fit_plane(moments_of(positions(), members));
     }
     if (members.size() < params_.min_points) return {};

@@ -106,8 +106,8 @@ Rays rays_from(Points p, Vec3 station) {
   return r;
 }
 
-bool hangs(Points points, const Rays& rays, std::uint32_t at, std::span<const std::uint32_t> around,
-           const MixedPixelParams& params) {
+bool is_mixed_pixel(Points points, const Rays& rays, std::uint32_t at, std::span<const std::uint32_t> around,
+                    const MixedPixelParams& params) {
   std::uint32_t nearer = 0, farther = 0, same = 0;
   std::vector<std::uint32_t> indices;
   for (const std::uint32_t j : around) {
@@ -141,7 +141,7 @@ Kept mixed_pixel_filter(Points points, Vec3 station, const MixedPixelParams& par
   const double reach = params.max_angle * kDirectionUnits;
   knn(build_neighbour_index(rays.points()), all, {kRays, static_cast<std::int64_t>(reach * reach)}, around, reach2);
   for (std::uint32_t i = 0; i < n; ++i)
-    if (hangs(points, rays, i, std::span(around).subspan(std::size_t{i} * kRays, kRays), params))
+    if (is_mixed_pixel(points, rays, i, std::span(around).subspan(std::size_t{i} * kRays, kRays), params))
       kept[rays.index[i]] = 0;
   return kept;
 }

@@ -218,7 +218,7 @@ class Search {
     for (std::size_t run = 0; run < runs_.count(); ++run) {
       if (!runs_[run].meets(box, margin) || !runs_[run].may_reach(plane, params_.epsilon)) continue;
       for (std::size_t i = run * RunBoxes::kRun; i < RunBoxes::end(run, remaining_); ++i)
-        if (agrees(plane, i) && box.holds(remaining_.position(i), params_.connectivity))
+        if (agrees(plane, i) && box.contains(remaining_.position(i), params_.connectivity))
           members.push_back(static_cast<std::uint32_t>(i));
     }
     return members;
@@ -251,7 +251,7 @@ class Search {
   // Along an edge normals are a mixture, so a strip of points there agrees on a plane of its own although it lies on
   // the surface beside it. Its points are not that surface's because their normals disagree; points whose normals agree
   // are another part of the same plane.
-  bool is_fringe(const std::vector<std::uint32_t>& members, const PointExtent& extent) const {
+  bool is_edge_strip(const std::vector<std::uint32_t>& members, const PointExtent& extent) const {
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
       if (!extent.meets(extents_[p], static_cast<double>(params_.connectivity))) continue;
       const Plane& plane = result_.planes[p];
@@ -275,9 +275,9 @@ class Search {
       std::vector<std::uint32_t> next = consensus_around(fit.plane, extent_of(members));
       if (next.size() < params_.min_points) break;
       plane = fit.plane;
-      const bool settled = next == members;
+      const bool converged = next == members;
       members = std::move(next);
-      if (settled) break;
+      if (converged) break;
     }
     if (members.size() >= params_.min_points) members = part_of(members, seed);
     if (members.size() < params_.min_points) {
@@ -285,7 +285,7 @@ class Search {
       return;
     }
     const PointExtent extent = extent_of(members);
-    if (!is_fringe(members, extent)) {
+    if (!is_edge_strip(members, extent)) {
       result_.planes.push_back(plane);
       extents_.push_back(extent);
       for (const std::uint32_t i : members)

@@ -31,7 +31,7 @@ double share(std::uint64_t part, std::uint64_t whole) {
 
 }  // namespace
 
-std::uint64_t draws_for_chance(double chance, double probability) {
+std::uint64_t draws_for_probability(double chance, double probability) {
   assert(probability > 0 && probability < 1);
   if (!(chance > 0)) return kMaxDraws;
   if (chance >= 1) return 1;
@@ -42,7 +42,7 @@ std::uint64_t draws_for_chance(double chance, double probability) {
 std::uint64_t ransac_iterations(double outlier_share, int sample_size, double probability) {
   double chance = 1;
   for (int i = 0; i < sample_size; ++i) chance *= 1 - outlier_share;
-  return draws_for_chance(chance, probability);
+  return draws_for_probability(chance, probability);
 }
 
 std::uint64_t with_safety_factor(std::uint64_t draws) {
@@ -56,7 +56,8 @@ SamplingPlan plan_sampling(const ColourShares& shares, double probability) {
   const double within = share(shares.class_consensus, shares.class_points);
   const bool guided = within > all;
   const double q = guided ? within : all;
-  return {guided ? SamplingPlan::From::kClass : SamplingPlan::From::kAll, draws_for_chance(q * q * q, probability)};
+  return {guided ? SamplingPlan::From::kClass : SamplingPlan::From::kAll,
+          draws_for_probability(q * q * q, probability)};
 }
 
 }  // namespace ilot

@@ -11,7 +11,7 @@ constexpr std::uint64_t kMaxDraws = std::uint64_t{1} << 62;  // what an impossib
 // Draws after which one with all members of a sample right has been seen with the probability given:
 // log(1 - probability) / log(1 - q), rounded up, q = the chance of one draw. q <= 0: kMaxDraws; q >= 1: 1.
 // probability in (0, 1).
-std::uint64_t draws_for_chance(double chance, double probability);
+std::uint64_t draws_for_probability(double chance, double probability);
 
 // [Marchand 2018, I.3.1.5] N = log(1 - p) / log(1 - (1 - eps)^s): share of outliers eps, samples of s points.
 std::uint64_t ransac_iterations(double outlier_share, int sample_size, double probability);

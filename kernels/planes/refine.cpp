@@ -36,10 +36,10 @@ RefinedPlane refine_plane(const OrientedPoints& points, std::span<const std::uin
     if (next.size() < params.min_points) break;
     ++r.rounds;
     r.plane = fit.plane;
-    const bool settled = next == r.members;
+    const bool converged = next == r.members;
     r.members = std::move(next);
-    if (!settled) continue;
-    r.end = RefinedPlane::End::kSettled;
+    if (!converged) continue;
+    r.end = RefinedPlane::End::kConverged;
     break;
   }
   return r;

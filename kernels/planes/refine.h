@@ -19,7 +19,7 @@ struct RefinedPlane {
   Plane plane;                         // the plane that `members` were tested against
   std::vector<std::uint32_t> members;  // of the candidates, in their order
   int rounds = 0;                      // least-squares fits made
-  enum class End { kSettled, kCapped, kTooFew } end = End::kTooFew;
+  enum class End { kConverged, kCapped, kTooFew } end = End::kTooFew;
 };
 
 // Members of one plane: the candidates (indices) within epsilon of it whose normals agree, judged in double. O(n).

@@ -89,8 +89,8 @@ Part best_part(const Points& p, const Indices& members, std::uint32_t seed, cons
 }
 
 // What is left of the members (ascending) in connected parts.
-std::vector<Indices> leftovers(const Points& p, const Indices& members, const Indices& taken,
-                               const RegionPlaneParams& params) {
+std::vector<Indices> unassigned(const Points& p, const Indices& members, const Indices& taken,
+                                const RegionPlaneParams& params) {
   Indices rest;
   std::set_difference(members.begin(), members.end(), taken.begin(), taken.end(), std::back_inserter(rest));
   if (rest.size() < params.min_points) return {};
@@ -120,7 +120,7 @@ PlaneSegments planes_of_regions(Points points, const Regions& regions, const Reg
       if (taken.members.size() < params.min_points) continue;
       result.planes.push_back(taken.plane);
       for (const std::uint32_t i : taken.members) result.label[i] = static_cast<std::uint32_t>(result.planes.size());
-      for (Indices& rest : leftovers(points, part, taken.members, params)) parts.push_back(std::move(rest));
+      for (Indices& rest : unassigned(points, part, taken.members, params)) parts.push_back(std::move(rest));
       if (!parts.empty()) seed = parts.front()[parts.front().size() / 2];
     }
   }

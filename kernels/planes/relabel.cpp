@@ -89,8 +89,8 @@ class Neighbourhood {
 
 }  // namespace
 
-std::size_t adopt_strays(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
-                         PlaneSegments& segments) {
+std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                              PlaneSegments& segments) {
   const Neighbourhood around(points, neighbours, params.max_gap);
   std::vector<std::uint32_t> strays;
   for (std::uint32_t i = 0; i < points.size; ++i)
@@ -143,8 +143,8 @@ std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const Relabe
 }
 
 // The label a point should have, its own or that of a plane whose side of the bisector it lies on.
-std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
-                     const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
+std::uint32_t split_label(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
+                          const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
   const std::uint32_t own = segments.label[i];
   if (around.all_have(i, own, segments.label)) return own;
   const Votes votes = around.votes(i, segments.label);
@@ -175,8 +175,8 @@ std::uint32_t parted(const Neighbourhood& around, std::uint32_t i, const Relabel
   return best;
 }
 
-std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,
-                         const RelabelParams& params, PlaneSegments& segments) {
+std::size_t split_borders(Points points, const NeighbourLists& neighbours, const RunNeighbours& runs,
+                          const RelabelParams& params, PlaneSegments& segments) {
   const Neighbourhood around(points, neighbours, params.max_gap);
   std::size_t moves = 0;
   struct Move {
@@ -189,11 +189,11 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
   for (const std::uint32_t l : segments.label) ++size[l];
   for (int r = 0; r < params.max_rounds; ++r) {
     round.clear();
-    const std::vector<std::uint8_t> quiet = r == 0 ? quiet_runs(runs, segments.label) : untouched_runs(runs, moved);
+    const std::vector<std::uint8_t> quiet = r == 0 ? uniform_runs(runs, segments.label) : unaffected_runs(runs, moved);
     for (std::uint32_t i = 0; i < points.size; ++i) {
       if (quiet[i / RunNeighbours::kRun]) continue;
       if (segments.label[i] == 0 || (r > 0 && !around.any_in(i, in_moved))) continue;
-      const std::uint32_t label = parted(around, i, params, segments, size);
+      const std::uint32_t label = split_label(around, i, params, segments, size);
       if (label != segments.label[i]) round.push_back({i, label});
     }
     for (const std::uint32_t i : moved) in_moved[i] = 0;
@@ -211,9 +211,9 @@ std::size_t part_borders(Points points, const NeighbourLists& neighbours, const 
 
 }  // namespace
 
-std::size_t part_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
-                         PlaneSegments& segments) {
-  return part_borders(points, neighbours, RunNeighbours(points.size, neighbours), params, segments);
+std::size_t split_borders(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                          PlaneSegments& segments) {
+  return split_borders(points, neighbours, RunNeighbours(points.size, neighbours), params, segments);
 }
 
 namespace {
@@ -239,14 +239,14 @@ void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegment
 
 }  // namespace
 
-void settle_planes(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
-                   std::uint32_t min_points, PlaneSegments& segments) {
+void relabel_until_stable(Points points, const NeighbourLists& neighbours, const RelabelParams& params,
+                          std::uint32_t min_points, PlaneSegments& segments) {
   const RunNeighbours runs(points.size, neighbours);
   std::vector<std::uint32_t> before;
   for (int round = 0; round < params.max_rounds && before != segments.label; ++round) {
     before = segments.label;
-    adopt_strays(points, neighbours, params, segments);
-    part_borders(points, neighbours, runs, params, segments);
+    assign_unlabelled(points, neighbours, params, segments);
+    split_borders(points, neighbours, runs, params, segments);
     refit(points, params.epsilon, min_points, segments);
   }
 }

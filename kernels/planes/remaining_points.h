@@ -41,7 +41,7 @@ struct PointExtent {
       max[axis] = std::max(max[axis], static_cast<float>(v[axis]));
     }
   }
-  bool holds(Vec3 p, std::int64_t margin) const {
+  bool contains(Vec3 p, std::int64_t margin) const {
     const double v[3]{p.x, p.y, p.z};
     const auto m = static_cast<double>(margin);
     bool inside = true;

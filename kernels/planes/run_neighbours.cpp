@@ -23,7 +23,7 @@ RunNeighbours::RunNeighbours(std::size_t points, const NeighbourLists& neighbour
   }
 }
 
-std::vector<std::uint8_t> quiet_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label) {
+std::vector<std::uint8_t> uniform_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label) {
   constexpr std::uint32_t kMixed = 0xffffffffu;
   std::vector<std::uint32_t> only(runs.count());
   for (std::size_t r = 0; r < only.size(); ++r) {
@@ -40,7 +40,7 @@ std::vector<std::uint8_t> quiet_runs(const RunNeighbours& runs, std::span<const 
   return quiet;
 }
 
-std::vector<std::uint8_t> untouched_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set) {
+std::vector<std::uint8_t> unaffected_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set) {
   std::vector<std::uint8_t> in_set(runs.count(), 0), quiet(runs.count());
   for (const std::uint32_t i : set) in_set[i / RunNeighbours::kRun] = 1;
   for (std::size_t r = 0; r < quiet.size(); ++r) {

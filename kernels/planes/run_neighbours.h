@@ -31,9 +31,9 @@ class RunNeighbours {
 };
 
 // Per run 1 where all its points have one label, as all points of the runs around it have. O(points).
-std::vector<std::uint8_t> quiet_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label);
+std::vector<std::uint8_t> uniform_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label);
 
 // Per run 1 where no point of the set lies in it nor in the runs around it. O(set + runs).
-std::vector<std::uint8_t> untouched_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set);
+std::vector<std::uint8_t> unaffected_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set);
 
 }  // namespace ilot

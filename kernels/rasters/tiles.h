@@ -62,7 +62,7 @@ struct TileGrid {
     return x < 0 || y < 0 || x >= width || y >= height ? kNoTile : tile_at(y / side, x / side);
   }
   // Whether a pixel belongs to the image; any x and y.
-  bool holds(std::int64_t x, std::int64_t y) const { return tile_with(x, y) != kNoTile; }
+  bool contains(std::int64_t x, std::int64_t y) const { return tile_with(x, y) != kNoTile; }
   // Whether a pixel has a neighbour, of sides and corners, outside of the image.
   bool ends_at(std::int64_t x, std::int64_t y) const {
     if (x < 1 || y < 1 || x + 1 >= width || y + 1 >= height) return true;

@@ -8,20 +8,20 @@ namespace ilot {
 
 // Calls take(i) for the i below `size`, in order, for which holds(i), a whole number, is not 0. Sixteen are looked at
 // together: where `holds` has no branches, by vector instructions, and most of the sixteen go by at once.
-template <class Holds, class Take>
-void for_each_where(std::size_t size, const Holds& holds, const Take& take) {
+template <class Predicate, class Take>
+void for_each_where(std::size_t size, const Predicate& predicate, const Take& take) {
   constexpr unsigned kTogether = 16;
   std::size_t i = 0;
   for (; i + kTogether <= size; i += kTogether) {
     int any = 0;
-    for (unsigned k = 0; k < kTogether; ++k) any |= holds(i + k);
+    for (unsigned k = 0; k < kTogether; ++k) any |= predicate(i + k);
     if (any == 0) continue;
     unsigned bits = 0;
-    for (unsigned k = 0; k < kTogether; ++k) bits |= holds(i + k) != 0 ? 1u << k : 0u;
+    for (unsigned k = 0; k < kTogether; ++k) bits |= predicate(i + k) != 0 ? 1u << k : 0u;
     for (; bits != 0; bits &= bits - 1) take(i + static_cast<unsigned>(std::countr_zero(bits)));
   }
   for (; i < size; ++i)
-    if (holds(i) != 0) take(i);
+    if (predicate(i) != 0) take(i);
 }
 
 }  // namespace ilot

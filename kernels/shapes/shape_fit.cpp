@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMost = 6;  // parameters of a cone
 constexpr int kMaxSteps = 30;
-constexpr double kSettled = 1e-9;  // relative gain of a step that ends the fit
+constexpr double kConverged = 1e-9;  // relative gain of a step that ends the fit
 
 using Row = std::array<double, kMost>;
 
@@ -164,13 +164,13 @@ ShapeFit fit_curved(std::span<const Vec3> points, const Shape& start) {
       damping *= 10;
       continue;
     }
-    const bool settled = n.error - error <= kSettled * n.error;
+    const bool converged = n.error - error <= kConverged * n.error;
     fit.shape = next;
     ++fit.iterations;
     damping = std::max(1e-9, damping / 10);
     frame = frame_across(next.axis);
     n = normal_equations(next, frame, points);
-    if (settled) break;
+    if (converged) break;
   }
   fit.rms = std::sqrt(n.error / static_cast<double>(points.size()));
   fit.valid = solved && sensible(fit.shape);

@@ -195,9 +195,9 @@ class Search {
           points_on_shape(all_, fit.shape, score_params(), around.grown(static_cast<double>(params_.connectivity)));
       if (next.size() < params_.min_points) break;
       part.shape = fit.shape;
-      const bool settled = next == part.members;
+      const bool converged = next == part.members;
       part.members = std::move(next);
-      if (settled) break;
+      if (converged) break;
     }
     // Whatever round ended it: the members are those of the shape that is kept.
     std::erase_if(part.members, [&](std::uint32_t i) {
@@ -208,7 +208,7 @@ class Search {
     return part;
   }
 
-  bool is_fringe(const Indices& members) const {
+  bool is_edge_strip(const Indices& members) const {
     std::size_t explained = 0;
     for (const std::uint32_t i : members) {
       const Vec3 p = all_.position(i);
@@ -243,7 +243,7 @@ class Search {
   }
 
   void keep(const Part& part) {
-    if (!is_fringe(part.members)) {
+    if (!is_edge_strip(part.members)) {
       auto extent = Box3<Vec3>::none();
       double squares = 0;
       const auto label = static_cast<std::uint32_t>(result_.shapes.size() + 1);

@@ -94,7 +94,7 @@ class CellBuilder {
       if (previous && rng_.uniform() < 0.25) imitate(draft, *previous);
       place(draft, street, side, u);
       if (i == 0) foot = ground_.height(draft.form.x, draft.form.y);
-      if (!settle(draft, foot, previous)) break;
+      if (!choose_eave_height(draft, foot, previous)) break;
       u += draft.form.width;
       previous = accept(draft, previous.has_value()) ? std::optional(std::move(draft)) : std::nullopt;
     }
@@ -138,7 +138,7 @@ class CellBuilder {
   }
 
   // Chooses the height of the eaves, from the one drawn on, so that no roof nearly continues the neighbour's.
-  bool settle(Draft& draft, double foot, const std::optional<Draft>& previous) const {
+  bool choose_eave_height(Draft& draft, double foot, const std::optional<Draft>& previous) const {
     for (int attempt = 0; attempt < 13; ++attempt) {
       draft.form.eave = foot + draft.eave_height;
       draft.faces = house_faces(draft.form, ground_);

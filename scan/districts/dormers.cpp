@@ -8,14 +8,14 @@
 namespace ilot::scan {
 namespace {
 
-constexpr Whole kGap = 1000;  // between dormers and to the ends of the slope
-constexpr Whole kGableSlope = 12, kShedSlope = 3;
+constexpr Integer kGap = 1000;  // between dormers and to the ends of the slope
+constexpr Integer kGableSlope = 12, kShedSlope = 3;
 
 enum class DormerStyle { gable, shed, flat };
 
 // From the slope's eaves to where the dormer's roof meets it.
-Whole depth_of(const Slope& slope, DormerStyle style, Whole width, Whole setback, Whole height) {
-  const Whole above = height - slope.eave;  // of the dormer's eaves
+Integer depth_of(const Slope& slope, DormerStyle style, Integer width, Integer setback, Integer height) {
+  const Integer above = height - slope.eave;  // of the dormer's eaves
   switch (style) {
     case DormerStyle::gable:
       return (above + kGableSlope * width / (2 * kSlopeUnit)) * kSlopeUnit / slope.slope;
@@ -26,7 +26,7 @@ Whole depth_of(const Slope& slope, DormerStyle style, Whole width, Whole setback
   }
 }
 
-Wing dormer(DormerStyle style, const GridRect& rect, Whole height) {
+Wing dormer(DormerStyle style, const GridRect& rect, Integer height) {
   switch (style) {
     case DormerStyle::gable:
       return gable_wing(rect, Axis::v, height, kGableSlope);
@@ -41,17 +41,17 @@ Wing dormer(DormerStyle style, const GridRect& rect, Whole height) {
 
 void add_dormers(Rng& rng, const Slope& slope, std::vector<Wing>& wings) {
   const auto style = static_cast<DormerStyle>(rng.below(3));
-  const Whole width = 1500 + 500 * static_cast<Whole>(rng.below(style == DormerStyle::gable ? 3 : 5));
-  const Whole setback = 250 * static_cast<Whole>(rng.below(4));
-  const Whole height = slope.eave + slope.slope * setback / kSlopeUnit + 1250;
+  const Integer width = 1500 + 500 * static_cast<Integer>(rng.below(style == DormerStyle::gable ? 3 : 5));
+  const Integer setback = 250 * static_cast<Integer>(rng.below(4));
+  const Integer height = slope.eave + slope.slope * setback / kSlopeUnit + 1250;
   if (slope.slope < kShedSlope + 5) return;
-  const Whole end = (depth_of(slope, style, width, setback, height) / 250 + 1) * 250;
-  const Whole room = slope.to - slope.from - kGap;
-  const Whole count = std::min<Whole>(room / (width + kGap), 1 + static_cast<Whole>(rng.below(4)));
+  const Integer end = (depth_of(slope, style, width, setback, height) / 250 + 1) * 250;
+  const Integer room = slope.to - slope.from - kGap;
+  const Integer count = std::min<Integer>(room / (width + kGap), 1 + static_cast<Integer>(rng.below(4)));
   if (end > slope.depth || count < 1) return;
-  const Whole pitch = (slope.to - slope.from) / count / 250 * 250;
-  for (Whole i = 0; i < count; ++i) {
-    const Whole u = slope.from + i * pitch + (pitch - width) / 2;
+  const Integer pitch = (slope.to - slope.from) / count / 250 * 250;
+  for (Integer i = 0; i < count; ++i) {
+    const Integer u = slope.from + i * pitch + (pitch - width) / 2;
     wings.push_back(dormer(style, {u, setback, u + width, end}, height));
   }
 }

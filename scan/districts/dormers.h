@@ -9,9 +9,9 @@ namespace ilot::scan {
 
 // A slope that rises northwards from the eaves at v = 0. Millimetres, slope in sixteenths.
 struct Slope {
-  Whole from = 0, to = 0;  // u between which it is free
-  Whole eave = 0, slope = 0;
-  Whole depth = 0;  // from the eaves to the ridge
+  Integer from = 0, to = 0;  // u between which it is free
+  Integer eave = 0, slope = 0;
+  Integer depth = 0;  // from the eaves to the ridge
 };
 
 // Adds a row of equal dormers under gable, shed or flat roofs, one to four as there is room; none where the slope is

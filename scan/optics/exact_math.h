@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The few functions of mathematics a scene needs, made of IEEE basic operations only: libm's sin, tan and log
-// differ between machines, and the same seed must give the same file everywhere.
+// differ between classifiers, and the same seed must give the same file everywhere.
 #pragma once
 #include <cstdint>
 

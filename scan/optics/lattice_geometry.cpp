@@ -7,7 +7,7 @@
 namespace ilot::scan {
 
 GridLine reduced(const GridLine& line) {
-  const Whole divisor = std::gcd(std::gcd(line.a, line.b), line.c);
+  const Integer divisor = std::gcd(std::gcd(line.a, line.b), line.c);
   return divisor > 1 ? GridLine{line.a / divisor, line.b / divisor, line.c / divisor} : line;
 }
 
@@ -17,13 +17,13 @@ GridLine opposite(const GridLine& line) {
 
 Spot meet(const GridLine& p, const GridLine& q) {
   Spot spot{p.b * q.c - q.b * p.c, p.c * q.a - q.c * p.a, p.a * q.b - q.a * p.b};
-  Whole divisor = std::gcd(std::gcd(spot.u, spot.v), spot.w);
+  Integer divisor = std::gcd(std::gcd(spot.u, spot.v), spot.w);
   if (spot.w < 0) divisor = -divisor;
   return {spot.u / divisor, spot.v / divisor, spot.w / divisor};
 }
 
 int side(const GridLine& line, const Spot& spot) {
-  const Whole value = line.a * spot.u + line.b * spot.v + line.c * spot.w;
+  const Integer value = line.a * spot.u + line.b * spot.v + line.c * spot.w;
   return (value > 0) - (value < 0);
 }
 

@@ -10,11 +10,11 @@
 
 namespace ilot::scan {
 
-using Whole = std::int64_t;
+using Integer = std::int64_t;
 
 // The half-plane a u + b v + c >= 0, and its border.
 struct GridLine {
-  Whole a = 0, b = 0, c = 0;
+  Integer a = 0, b = 0, c = 0;
   friend auto operator<=>(const GridLine&, const GridLine&) = default;
 };
 
@@ -24,7 +24,7 @@ GridLine opposite(const GridLine& line);
 
 // The place (u / w, v / w); w > 0 and no common divisor, so that equal places have equal numbers.
 struct Spot {
-  Whole u = 0, v = 0, w = 1;
+  Integer u = 0, v = 0, w = 1;
   friend auto operator<=>(const Spot&, const Spot&) = default;
 };
 
@@ -42,7 +42,7 @@ struct Corner {
 using Piece = std::vector<Corner>;
 
 struct GridRect {
-  Whole u0 = 0, v0 = 0, u1 = 0, v1 = 0;
+  Integer u0 = 0, v0 = 0, u1 = 0, v1 = 0;
 };
 Piece rectangle(const GridRect& rect);
 std::vector<GridLine> half_planes(const GridRect& rect);

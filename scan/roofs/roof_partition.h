@@ -13,10 +13,10 @@ namespace ilot::scan {
 
 // 16 z = a u + b v + c.
 struct RoofPlane {
-  Whole a = 0, b = 0, c = 0;
+  Integer a = 0, b = 0, c = 0;
   friend auto operator<=>(const RoofPlane&, const RoofPlane&) = default;
 };
-constexpr Whole kSlopeUnit = 16;
+constexpr Integer kSlopeUnit = 16;
 
 // Convex: it is the prism over the rectangle below all of its planes.
 struct Wing {

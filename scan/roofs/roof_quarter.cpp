@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kMetres = 0.001;
 constexpr std::array<double, 4> kHeadings{8, 27, 51, 72};
-constexpr double kRich = 0.25;            // share of detached complex roofs that are to have more than ten faces
-constexpr Whole kLongestTerrace = 60000;  // millimetres, without the last house
+constexpr double kRich = 0.25;              // share of detached complex roofs that are to have more than ten faces
+constexpr Integer kLongestTerrace = 60000;  // millimetres, without the last house
 constexpr double kLeastEdge = 0.12, kLeastWidth = 0.4;  // metres
 
 class QuarterBuilder {
@@ -65,18 +65,18 @@ class QuarterBuilder {
       RoofDesign design = draw(kind, attempt);
       const GridRect bounds = bounds_of(design.wings);
       if (!adjoins_) start_group(street, side, u, bounds);
-      const Whole across = continues_ ? 0 : place_across(side, bounds), up = continues_ ? 0 : foot_;
+      const Integer across = continues_ ? 0 : place_across(side, bounds), up = continues_ ? 0 : foot_;
       for (Wing& wing : design.wings) wing = moved(wing, next_u_ - bounds.u0, across, up);
       least_faces_ = kind != RoofKind::complex ? 2 : rich && attempt < 18 ? 11 : 3;
-      if (settle(kind, std::move(design.wings))) return u + kMetres * static_cast<double>(bounds.u1 - bounds.u0);
+      if (try_building(kind, std::move(design.wings))) return u + kMetres * static_cast<double>(bounds.u1 - bounds.u0);
     }
     return std::nullopt;
   }
 
   // Sometimes a gable continues its neighbour's roof.
   RoofDesign draw(RoofKind kind, int attempt) {
-    RoofDesign design =
-        draw_roof(rng_, kind, terraced_ ? Siting::terraced : Siting::detached, attempt < 12 ? params_.chimneys : 0);
+    RoofDesign design = draw_roof(rng_, kind, terraced_ ? BuiltForm::terraced : BuiltForm::detached,
+                                  attempt < 12 ? params_.chimneys : 0);
     continues_ = adjoins_ && kind == RoofKind::gable && buildings_.back().kind == RoofKind::gable &&
                  buildings_.back().wings.size() == 1 && design.wings.size() == 1 && rng_.uniform() < 0.3;
     if (continues_) {
@@ -87,8 +87,8 @@ class QuarterBuilder {
     return design;
   }
 
-  Whole place_across(int side, const GridRect& bounds) {
-    const Whole setback = 250 * static_cast<Whole>(rng_.below(adjoins_ ? 4 : 9));
+  Integer place_across(int side, const GridRect& bounds) {
+    const Integer setback = 250 * static_cast<Integer>(rng_.below(adjoins_ ? 4 : 9));
     return side > 0 ? setback - bounds.v0 : -setback - bounds.v1;
   }
 
@@ -103,14 +103,14 @@ class QuarterBuilder {
     next_u_ = 0;
   }
 
-  bool settle(RoofKind kind, std::vector<Wing> wings) {
+  bool try_building(RoofKind kind, std::vector<Wing> wings) {
     RoofBuilding building;
     building.kind = kind;
     building.wings = std::move(wings);
     building.frame = frame_;
     const GridRect bounds = bounds_of(building.wings);
     if (!has_room(bounds)) return false;
-    const Whole floor = lowest_ground(bounds);
+    const Integer floor = lowest_ground(bounds);
     building.solid = build_solid(partition_roof(building.wings), floor);
     if (fault_of(building.solid, kLeastEdge, kLeastWidth) || too_simple(building)) return false;
     if (doubtful(building, building) || (adjoins_ && doubtful(building, buildings_.back()))) return false;
@@ -155,17 +155,17 @@ class QuarterBuilder {
     return true;
   }
 
-  Whole lowest_ground(const GridRect& bounds) const {
+  Integer lowest_ground(const GridRect& bounds) const {
     double lowest = 1e9;
-    for (Whole u : {bounds.u0, bounds.u1})
-      for (Whole v : {bounds.v0, bounds.v1}) {
+    for (Integer u : {bounds.u0, bounds.u1})
+      for (Integer v : {bounds.v0, bounds.v1}) {
         const Vec3 p = frame_.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});
         lowest = std::min(lowest, ground_.height(p.x, p.y));
       }
-    return static_cast<Whole>(std::floor(lowest / kMetres));
+    return static_cast<Integer>(std::floor(lowest / kMetres));
   }
 
-  static void measure(RoofBuilding& building, Whole floor) {
+  static void measure(RoofBuilding& building, Integer floor) {
     building.floor = kMetres * static_cast<double>(floor);
     building.eave = 1e9;
     building.ridge = -1e9;
@@ -193,7 +193,7 @@ class QuarterBuilder {
   std::vector<RoofBuilding> buildings_;
   std::vector<Rect> rooms_;
   RoofFrame frame_;
-  Whole foot_ = 0, next_u_ = 0;
+  Integer foot_ = 0, next_u_ = 0;
   std::ptrdiff_t least_faces_ = 2;  // of the roof being drawn
   bool terraced_ = false, adjoins_ = false, continues_ = false;
 };

@@ -20,11 +20,11 @@ constexpr double kMetres = 0.001;  // per unit of the lattice
 // border they stand), the floor.
 struct PlaneKey {
   RoofPart part = RoofPart::roof;
-  Whole a = 0, b = 0, c = 0;
+  Integer a = 0, b = 0, c = 0;
   friend auto operator<=>(const PlaneKey&, const PlaneKey&) = default;
 };
 
-Plane plane_of(const PlaneKey& key, Whole floor) {
+Plane plane_of(const PlaneKey& key, Integer floor) {
   if (key.part == RoofPart::floor) return {{0, 0, -1}, kMetres * static_cast<double>(floor)};
   const double up = key.part == RoofPart::roof ? kSlopeUnit : 0;
   const Vec3 outward{-static_cast<double>(key.a), -static_cast<double>(key.b), up};
@@ -34,7 +34,7 @@ Plane plane_of(const PlaneKey& key, Whole floor) {
 
 class Builder {
  public:
-  Builder(std::span<const RoofPiece> pieces, Whole floor) : pieces_(pieces), floor_(floor) {
+  Builder(std::span<const RoofPiece> pieces, Integer floor) : pieces_(pieces), floor_(floor) {
     for (const RoofPiece& piece : pieces_)
       for (const Corner& corner : piece.outline) spots_.push_back(corner.at);
     split_edges();
@@ -121,15 +121,15 @@ class Builder {
   }
 
   // Heights at a spot are whole in units of 1 / (kSlopeUnit w) millimetres.
-  Whole roof_level(std::size_t piece, std::size_t spot) const {
+  Integer roof_level(std::size_t piece, std::size_t spot) const {
     const RoofPlane& plane = pieces_[piece].plane;
     const Spot& s = spots_[spot];
     return plane.a * s.u + plane.b * s.v + plane.c * s.w;
   }
-  Whole floor_level(std::size_t spot) const { return kSlopeUnit * spots_[spot].w * floor_; }
+  Integer floor_level(std::size_t spot) const { return kSlopeUnit * spots_[spot].w * floor_; }
 
   // Of the piece on the other side of an edge; the floor outside the footprint.
-  Whole level_beyond(std::size_t from, std::size_t to, std::size_t at) const {
+  Integer level_beyond(std::size_t from, std::size_t to, std::size_t at) const {
     const auto twin = left_of_.find({to, from});
     return twin == left_of_.end() ? floor_level(at) : roof_level(twin->second, at);
   }
@@ -146,7 +146,7 @@ class Builder {
     }
   }
 
-  std::uint32_t vertex(std::size_t spot, Whole level) {
+  std::uint32_t vertex(std::size_t spot, Integer level) {
     const auto [entry, fresh] =
         vertex_numbers_.try_emplace({spot, level}, static_cast<std::uint32_t>(vertices_.size()));
     if (fresh) {
@@ -171,19 +171,19 @@ class Builder {
   }
 
   // Rising, with both ends.
-  std::vector<Whole> levels_between(std::size_t spot, Whole low, Whole high) const {
+  std::vector<Integer> levels_between(std::size_t spot, Integer low, Integer high) const {
     return {levels_[spot].lower_bound(low), levels_[spot].upper_bound(high)};
   }
 
   // The wall between the piece and a lower neighbour, with a vertex wherever another face ends on its upright edges.
   void add_wall(std::size_t piece, std::size_t i) {
     const std::size_t from = rings_[piece][i].spot, to = rings_[piece][(i + 1) % rings_[piece].size()].spot;
-    const Whole low_from = level_beyond(from, to, from), low_to = level_beyond(from, to, to);
-    const Whole high_from = roof_level(piece, from), high_to = roof_level(piece, to);
+    const Integer low_from = level_beyond(from, to, from), low_to = level_beyond(from, to, to);
+    const Integer high_from = roof_level(piece, from), high_to = roof_level(piece, to);
     if (high_from <= low_from && high_to <= low_to) return;
     std::vector<std::uint32_t> ring{vertex(from, low_from)};
-    for (Whole level : levels_between(to, low_to, high_to)) ring.push_back(vertex(to, level));
-    const std::vector<Whole> up = levels_between(from, low_from, high_from);
+    for (Integer level : levels_between(to, low_to, high_to)) ring.push_back(vertex(to, level));
+    const std::vector<Integer> up = levels_between(from, low_from, high_from);
     for (std::size_t level = up.size() - 1; level > 0; --level) ring.push_back(vertex(from, up[level]));
     const GridLine line = reduced(rings_[piece][i].line);
     add_patch({RoofPart::wall, line.a, line.b, line.c}, std::move(ring));
@@ -220,19 +220,19 @@ class Builder {
   }
 
   std::span<const RoofPiece> pieces_;
-  Whole floor_;
+  Integer floor_;
   std::vector<Spot> spots_;
   std::vector<std::vector<Side>> rings_;                                // per piece
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> left_of_;  // piece to the left of a way between spots
-  std::vector<std::set<Whole>> levels_;                                 // per spot
-  std::map<std::pair<std::size_t, Whole>, std::uint32_t> vertex_numbers_;
+  std::vector<std::set<Integer>> levels_;                               // per spot
+  std::map<std::pair<std::size_t, Integer>, std::uint32_t> vertex_numbers_;
   std::vector<Vec3> vertices_;
   std::vector<std::pair<PlaneKey, std::vector<std::uint32_t>>> keyed_;
 };
 
 }  // namespace
 
-RoofSolid build_solid(std::span<const RoofPiece> pieces, Whole floor) {
+RoofSolid build_solid(std::span<const RoofPiece> pieces, Integer floor) {
   return Builder(pieces, floor).build();
 }
 
@@ -245,7 +245,7 @@ double face_area(const RoofSolid& solid, const RoofFace& face) {
   return dot(sum, face.plane.n) / 2;
 }
 
-bool face_holds(const RoofSolid& solid, const RoofFace& face, Vec3 place) {
+bool face_contains(const RoofSolid& solid, const RoofFace& face, Vec3 place) {
   bool inside = false;
   for (const auto& ring : face.rings) {
     std::vector<FlatPoint> flat;

@@ -30,7 +30,7 @@ struct RoofSolid {
 // The solid below the pieces and above the floor: roof faces, walls where neighbouring pieces differ in height and
 // around the footprint, and the floor. Pieces of one plane that meet are one face, and so are walls; the vertices are
 // those that a face needs as a corner. All pieces must be higher than the floor.
-RoofSolid build_solid(std::span<const RoofPiece> pieces, Whole floor);
+RoofSolid build_solid(std::span<const RoofPiece> pieces, Integer floor);
 
 // What is wrong with a solid as a model of a building: open or crossed edges, faces or walls that touch in a point or
 // an edge only, edges shorter than `least_edge`, roof faces narrower than `least_width` (twice the area over the
@@ -41,6 +41,6 @@ std::optional<std::string_view> fault_of(const RoofSolid& solid, double least_ed
 double face_area(const RoofSolid& solid, const RoofFace& face);
 
 // Whether a place lies within the face, both seen along the face's normal.
-bool face_holds(const RoofSolid& solid, const RoofFace& face, Vec3 place);
+bool face_contains(const RoofSolid& solid, const RoofFace& face, Vec3 place);
 
 }  // namespace ilot::scan

@@ -10,8 +10,8 @@
 namespace ilot::scan {
 namespace {
 
-Whole step(Rng& rng, Whole from, Whole by, std::uint64_t choices) {
-  return from + by * static_cast<Whole>(rng.below(choices));
+Integer step(Rng& rng, Integer from, Integer by, std::uint64_t choices) {
+  return from + by * static_cast<Integer>(rng.below(choices));
 }
 
 bool happens(Rng& rng, double chance) {
@@ -20,9 +20,9 @@ bool happens(Rng& rng, double chance) {
 
 // The body of a house, its ridge along u.
 struct Body {
-  Whole length = 0, depth = 0, eave = 0, slope = 0;
+  Integer length = 0, depth = 0, eave = 0, slope = 0;
   GridRect rect() const { return {0, 0, length, depth}; }
-  Whole ridge() const { return eave + slope * depth / (2 * kSlopeUnit); }
+  Integer ridge() const { return eave + slope * depth / (2 * kSlopeUnit); }
 };
 
 Body draw_body(Rng& rng) {
@@ -46,9 +46,9 @@ void turn_at_random(Rng& rng, std::vector<Wing>& wings) {
 
 // A lower building against the right end: a garage under a flat or a shed roof.
 void add_annex(Rng& rng, const Body& body, std::vector<Wing>& wings) {
-  const Whole from = step(rng, 0, 500, 4), depth = std::min(body.depth - from, step(rng, 4000, 500, 6));
+  const Integer from = step(rng, 0, 500, 4), depth = std::min(body.depth - from, step(rng, 4000, 500, 6));
   const GridRect rect{body.length, from, body.length + step(rng, 2500, 500, 5), from + depth};
-  const Whole height = std::min(body.eave - 500, step(rng, 2250, 250, 4));
+  const Integer height = std::min(body.eave - 500, step(rng, 2250, 250, 4));
   if (happens(rng, 0.5))
     wings.push_back(flat_wing(rect, height));
   else
@@ -56,9 +56,9 @@ void add_annex(Rng& rng, const Body& body, std::vector<Wing>& wings) {
 }
 
 // Leaves the body southwards; its ridge runs along v, up to below the body's.
-Wing cross_wing(Rng& rng, const Body& body, Whole from, Whole width) {
+Wing cross_wing(Rng& rng, const Body& body, Integer from, Integer width) {
   const GridRect rect{from, -step(rng, 0, 750, 8), from + width, body.depth / 2};
-  const Whole eave = happens(rng, 0.7) ? body.eave : body.eave - step(rng, 500, 250, 3);
+  const Integer eave = happens(rng, 0.7) ? body.eave : body.eave - step(rng, 500, 250, 3);
   Wing wing = gable_wing(rect, Axis::v, eave, body.slope);
   if (happens(rng, 0.35)) wing.planes.push_back(shed_wing(rect, eave, body.slope, Uphill::north).planes[0]);
   return wing;
@@ -67,7 +67,7 @@ Wing cross_wing(Rng& rng, const Body& body, Whole from, Whole width) {
 // L, T, U, H and crosses: a body with cross wings on either side, dormers on what is left of the slopes.
 std::vector<Wing> draw_winged(Rng& rng) {
   Body body = draw_body(rng);
-  body.length = std::max(body.length, Whole{11000});
+  body.length = std::max(body.length, Integer{11000});
   std::vector<Wing> wings;
   const double style = rng.uniform();
   if (style < 0.5)
@@ -79,12 +79,12 @@ std::vector<Wing> draw_winged(Rng& rng) {
   const bool ends_slope = style >= 0.5;
   for (int flank = 0; flank < 2; ++flank) {
     const std::uint64_t layout = flank == 0 ? 1 + rng.below(4) : rng.below(5);
-    const Whole width = std::min({step(rng, 4000, 500, 8), body.depth, (body.length - 2000) / 2});
+    const Integer width = std::min({step(rng, 4000, 500, 8), body.depth, (body.length - 2000) / 2});
     std::vector<Wing> side;
     if (layout == 1 || layout == 3) side.push_back(cross_wing(rng, body, 0, width));
     if (layout == 2 || layout == 3) side.push_back(cross_wing(rng, body, body.length - width, width));
     if (layout == 4) side.push_back(cross_wing(rng, body, (body.length - width) / 2, width));
-    Whole from = layout == 1 || layout == 3 ? width : 0, to = body.length - (layout == 2 || layout == 3 ? width : 0);
+    Integer from = layout == 1 || layout == 3 ? width : 0, to = body.length - (layout == 2 || layout == 3 ? width : 0);
     if (ends_slope && from == 0) from = body.depth / 2 - 1000;
     if (ends_slope && to == body.length) to -= body.depth / 2 - 1000;
     if (layout == 4) to = (body.length - width) / 2;
@@ -97,13 +97,13 @@ std::vector<Wing> draw_winged(Rng& rng) {
 
 std::vector<Wing> draw_dormered(Rng& rng) {
   Body body = draw_body(rng);
-  body.slope = std::max(body.slope, Whole{11});
-  body.depth = std::max(body.depth, Whole{9000});
+  body.slope = std::max(body.slope, Integer{11});
+  body.depth = std::max(body.depth, Integer{9000});
   const double style = rng.uniform();
   std::vector<Wing> wings{style < 0.6   ? gable_wing(body.rect(), Axis::u, body.eave, body.slope)
                           : style < 0.8 ? half_hip_wing(body.rect(), Axis::u, body.eave, body.slope, 2000)
                                         : hip_wing(body.rect(), body.eave, body.slope, body.slope)};
-  const Whole end = style < 0.6 ? 0 : style < 0.8 ? 1000 : body.depth / 2 - 1500;
+  const Integer end = style < 0.6 ? 0 : style < 0.8 ? 1000 : body.depth / 2 - 1500;
   for (int flank = 0; flank < 2; ++flank) {
     std::vector<Wing> side;
     if (flank == 0 || happens(rng, 0.6))
@@ -120,15 +120,15 @@ std::vector<Wing> draw_half_hip(Rng& rng) {
   return wings;
 }
 
-std::vector<Wing> draw_mansard(Rng& rng, Siting siting) {
+std::vector<Wing> draw_mansard(Rng& rng, BuiltForm built_form) {
   Body body = draw_body(rng);
   body.eave = step(rng, 5500, 250, 10);
-  const Whole steep = 40, shallow = 6, knee = 2400;
-  std::vector<Wing> wings{siting == Siting::terraced || happens(rng, 0.3)
+  const Integer steep = 40, shallow = 6, knee = 2400;
+  std::vector<Wing> wings{built_form == BuiltForm::terraced || happens(rng, 0.3)
                               ? gambrel_wing(body.rect(), Axis::u, body.eave, steep, shallow, knee)
                               : mansard_wing(body.rect(), body.eave, steep, shallow, knee)};
-  const Whole width = 1500, pitch = step(rng, 2750, 250, 4);
-  for (Whole u = 2000; u + width + 2000 <= body.length; u += pitch)
+  const Integer width = 1500, pitch = step(rng, 2750, 250, 4);
+  for (Integer u = 2000; u + width + 2000 <= body.length; u += pitch)
     for (int flank = 0; flank < 2; ++flank) {
       const Wing dormer = flat_wing({u, 250, u + width, 2500}, body.eave + 2000);
       wings.push_back(flank == 0 ? dormer : mirrored_v(dormer, body.depth));
@@ -137,43 +137,43 @@ std::vector<Wing> draw_mansard(Rng& rng, Siting siting) {
 }
 
 // Flat roofs at two to four levels.
-std::vector<Wing> draw_stepped(Rng& rng, Siting siting) {
+std::vector<Wing> draw_stepped(Rng& rng, BuiltForm built_form) {
   Body body = draw_body(rng);
   body.eave = step(rng, 5000, 500, 8);
   body.depth += 2000;
-  const Whole split = step(rng, 3000, 500, static_cast<std::uint64_t>((body.length - 6000) / 500 + 1));
+  const Integer split = step(rng, 3000, 500, static_cast<std::uint64_t>((body.length - 6000) / 500 + 1));
   std::vector<Wing> wings{flat_wing({0, 0, split, body.depth}, body.eave),
                           flat_wing({split, 0, body.length, body.depth}, body.eave - step(rng, 1000, 500, 5))};
   if (happens(rng, 0.7))
     wings.push_back(flat_wing({1000, 2000, split - 500, body.depth - 2000}, body.eave + step(rng, 1000, 500, 4)));
-  if (siting == Siting::detached && happens(rng, 0.5))
+  if (built_form == BuiltForm::detached && happens(rng, 0.5))
     wings.push_back(flat_wing({split - 1500, -2500, split + 1000, 1000}, 3000));
   return wings;
 }
 
 // Two sheds back to back with a step between them, or a saw-tooth.
-std::vector<Wing> draw_sheds(Rng& rng, Siting siting) {
+std::vector<Wing> draw_sheds(Rng& rng, BuiltForm built_form) {
   const Body body = draw_body(rng);
-  if (siting == Siting::detached && happens(rng, 0.25)) {
+  if (built_form == BuiltForm::detached && happens(rng, 0.25)) {
     std::vector<Wing> teeth;
-    const Whole tooth = step(rng, 3500, 500, 4);
-    for (Whole i = 0; i < 2 + static_cast<Whole>(rng.below(4)); ++i)
+    const Integer tooth = step(rng, 3500, 500, 4);
+    for (Integer i = 0; i < 2 + static_cast<Integer>(rng.below(4)); ++i)
       teeth.push_back(shed_wing({i * tooth, 0, (i + 1) * tooth, body.depth + 4000}, body.eave + 1500, 8, Uphill::east));
     return teeth;
   }
-  const Whole split = body.depth * step(rng, 4, 1, 3) / 10;
+  const Integer split = body.depth * step(rng, 4, 1, 3) / 10;
   return {shed_wing({0, 0, body.length, split}, body.eave, body.slope, Uphill::north),
           shed_wing({0, split, body.length, body.depth}, body.eave - step(rng, 0, 250, 3), 6, Uphill::south)};
 }
 
 // Two gables side by side with a valley between, or a gable with a lower one beside it.
-std::vector<Wing> draw_double(Rng& rng, Siting siting) {
+std::vector<Wing> draw_double(Rng& rng, BuiltForm built_form) {
   Body body = draw_body(rng);
-  const Whole second = step(rng, 5000, 500, 7), lower = happens(rng, 0.5) ? 0 : step(rng, 750, 250, 5);
-  const Whole from = siting == Siting::detached ? step(rng, 0, 1000, 4) : 0;
+  const Integer second = step(rng, 5000, 500, 7), lower = happens(rng, 0.5) ? 0 : step(rng, 750, 250, 5);
+  const Integer from = built_form == BuiltForm::detached ? step(rng, 0, 1000, 4) : 0;
   const GridRect beside{from, body.depth, body.length, body.depth + second};
   return {gable_wing(body.rect(), Axis::u, body.eave, body.slope),
-          gable_wing(beside, Axis::u, std::max(body.eave - lower, Whole{2250}), body.slope)};
+          gable_wing(beside, Axis::u, std::max(body.eave - lower, Integer{2250}), body.slope)};
 }
 
 // A gable or hip with a square tower at a corner or amid the front.
@@ -181,47 +181,47 @@ std::vector<Wing> draw_tower(Rng& rng) {
   const Body body = draw_body(rng);
   std::vector<Wing> wings{happens(rng, 0.5) ? gable_wing(body.rect(), Axis::u, body.eave, body.slope)
                                             : hip_wing(body.rect(), body.eave, body.slope, body.slope)};
-  const Whole side = step(rng, 3500, 500, 4), out = step(rng, 1000, 500, 3);
-  const Whole from = happens(rng, 0.5) ? -out : (body.length - side) / 2;
-  const Whole height = std::max(body.ridge(), body.eave + 2000) + step(rng, 250, 250, 4);
+  const Integer side = step(rng, 3500, 500, 4), out = step(rng, 1000, 500, 3);
+  const Integer from = happens(rng, 0.5) ? -out : (body.length - side) / 2;
+  const Integer height = std::max(body.ridge(), body.eave + 2000) + step(rng, 250, 250, 4);
   const GridRect rect{from, -out, from + side, side - out};
-  const Whole slope = step(rng, 12, 2, 3);
+  const Integer slope = step(rng, 12, 2, 3);
   wings.push_back(hip_wing(rect, height, slope, slope));
   if (happens(rng, 0.5)) add_annex(rng, body, wings);
   return wings;
 }
 
-std::vector<Wing> draw_complex(Rng& rng, Siting siting) {
+std::vector<Wing> draw_complex(Rng& rng, BuiltForm built_form) {
   const double style = rng.uniform();
-  if (siting == Siting::terraced) {
+  if (built_form == BuiltForm::terraced) {
     if (style < 0.4) return draw_dormered(rng);
-    if (style < 0.6) return draw_mansard(rng, siting);
-    if (style < 0.75) return draw_stepped(rng, siting);
-    return style < 0.9 ? draw_sheds(rng, siting) : draw_double(rng, siting);
+    if (style < 0.6) return draw_mansard(rng, built_form);
+    if (style < 0.75) return draw_stepped(rng, built_form);
+    return style < 0.9 ? draw_sheds(rng, built_form) : draw_double(rng, built_form);
   }
   if (style < 0.44) return draw_winged(rng);
   if (style < 0.58) return draw_dormered(rng);
   if (style < 0.66) return draw_half_hip(rng);
-  if (style < 0.74) return draw_mansard(rng, siting);
-  if (style < 0.82) return draw_stepped(rng, siting);
-  if (style < 0.88) return draw_sheds(rng, siting);
-  return style < 0.94 ? draw_double(rng, siting) : draw_tower(rng);
+  if (style < 0.74) return draw_mansard(rng, built_form);
+  if (style < 0.82) return draw_stepped(rng, built_form);
+  if (style < 0.88) return draw_sheds(rng, built_form);
+  return style < 0.94 ? draw_double(rng, built_form) : draw_tower(rng);
 }
 
-std::vector<Wing> draw_simple(Rng& rng, RoofKind kind, Siting siting) {
+std::vector<Wing> draw_simple(Rng& rng, RoofKind kind, BuiltForm built_form) {
   const Body body = draw_body(rng);
   if (kind == RoofKind::hip) return {hip_wing(body.rect(), body.eave, body.slope, step(rng, body.slope, 2, 3))};
-  const Axis ridge = siting == Siting::terraced || happens(rng, 0.7) ? Axis::u : Axis::v;
+  const Axis ridge = built_form == BuiltForm::terraced || happens(rng, 0.7) ? Axis::u : Axis::v;
   return {gable_wing(body.rect(), ridge, body.eave, body.slope)};
 }
 
 // 60 x 60 cm, 1.2 m above the roof.
 void add_chimney(Rng& rng, std::vector<Wing>& wings) {
   const GridRect& body = wings[0].rect;
-  const Whole u = body.u0 + step(rng, 1250, 500, static_cast<std::uint64_t>((body.u1 - body.u0 - 3000) / 500 + 1));
-  const Whole v = (body.v0 + body.v1) / 2 + step(rng, -1300, 1700, 2);
+  const Integer u = body.u0 + step(rng, 1250, 500, static_cast<std::uint64_t>((body.u1 - body.u0 - 3000) / 500 + 1));
+  const Integer v = (body.v0 + body.v1) / 2 + step(rng, -1300, 1700, 2);
   const double roof = height_mm(wings[0], static_cast<double>(u + 300), static_cast<double>(v + 300));
-  wings.push_back(flat_wing({u, v, u + 600, v + 600}, static_cast<Whole>(roof) + 1200));
+  wings.push_back(flat_wing({u, v, u + 600, v + 600}, static_cast<Integer>(roof) + 1200));
 }
 
 }  // namespace
@@ -237,8 +237,9 @@ const char* name_of(RoofKind kind) {
   }
 }
 
-RoofDesign draw_roof(Rng& rng, RoofKind kind, Siting siting, double chimneys) {
-  RoofDesign design{kind, kind == RoofKind::complex ? draw_complex(rng, siting) : draw_simple(rng, kind, siting)};
+RoofDesign draw_roof(Rng& rng, RoofKind kind, BuiltForm built_form, double chimneys) {
+  RoofDesign design{kind,
+                    kind == RoofKind::complex ? draw_complex(rng, built_form) : draw_simple(rng, kind, built_form)};
   if (happens(rng, chimneys)) add_chimney(rng, design.wings);
   turn_at_random(rng, design.wings);
   return design;

@@ -11,7 +11,7 @@ namespace ilot::scan {
 enum class RoofKind : std::uint8_t { gable, hip, complex };
 const char* name_of(RoofKind kind);
 
-enum class Siting : std::uint8_t { detached, terraced };  // terraced: a rectangle with blind walls to either side
+enum class BuiltForm : std::uint8_t { detached, terraced };  // terraced: a rectangle with blind walls to either side
 
 struct RoofDesign {
   RoofKind kind = RoofKind::gable;
@@ -19,10 +19,10 @@ struct RoofDesign {
 };
 
 // Nothing of a roof is higher than this above the foot of its building.
-constexpr Whole kMaxRoofHeight = 17000;  // millimetres
+constexpr Integer kMaxRoofHeight = 17000;  // millimetres
 
 // chimneys: share of the houses that have one. Not every draw is a sound solid: see fault_of.
-RoofDesign draw_roof(Rng& rng, RoofKind kind, Siting siting, double chimneys);
+RoofDesign draw_roof(Rng& rng, RoofKind kind, BuiltForm built_form, double chimneys);
 
 // Around all wings.
 GridRect bounds_of(const std::vector<Wing>& wings);

@@ -8,22 +8,22 @@ namespace ilot::scan {
 enum class Axis : std::uint8_t { u, v };                        // of a ridge
 enum class Uphill : std::uint8_t { east, west, north, south };  // +u, -u, +v, -v
 
-Wing flat_wing(const GridRect& rect, Whole height);
-Wing shed_wing(const GridRect& rect, Whole eave, Whole slope, Uphill uphill);
-Wing gable_wing(const GridRect& rect, Axis ridge, Whole eave, Whole slope);
-Wing hip_wing(const GridRect& rect, Whole eave, Whole slope, Whole end_slope);
+Wing flat_wing(const GridRect& rect, Integer height);
+Wing shed_wing(const GridRect& rect, Integer eave, Integer slope, Uphill uphill);
+Wing gable_wing(const GridRect& rect, Axis ridge, Integer eave, Integer slope);
+Wing hip_wing(const GridRect& rect, Integer eave, Integer slope, Integer end_slope);
 // The hips begin `lift` above the eaves.
-Wing half_hip_wing(const GridRect& rect, Axis ridge, Whole eave, Whole slope, Whole lift);
+Wing half_hip_wing(const GridRect& rect, Axis ridge, Integer eave, Integer slope, Integer lift);
 // A hip whose slopes turn flatter where they are `knee` above the eaves; knee / steep whole.
-Wing mansard_wing(const GridRect& rect, Whole eave, Whole steep, Whole shallow, Whole knee);
+Wing mansard_wing(const GridRect& rect, Integer eave, Integer steep, Integer shallow, Integer knee);
 // The same between two gables.
-Wing gambrel_wing(const GridRect& rect, Axis ridge, Whole eave, Whole steep, Whole shallow, Whole knee);
+Wing gambrel_wing(const GridRect& rect, Axis ridge, Integer eave, Integer steep, Integer shallow, Integer knee);
 
 // Of the ridge above the eaves.
-Whole gable_rise(const GridRect& rect, Axis ridge, Whole slope);
+Integer gable_rise(const GridRect& rect, Axis ridge, Integer slope);
 
-Wing moved(Wing wing, Whole du, Whole dv, Whole dz);
-Wing mirrored_u(Wing wing, Whole length);  // u becomes length - u
-Wing mirrored_v(Wing wing, Whole depth);   // v becomes depth - v
+Wing moved(Wing wing, Integer du, Integer dv, Integer dz);
+Wing mirrored_u(Wing wing, Integer length);  // u becomes length - u
+Wing mirrored_v(Wing wing, Integer depth);   // v becomes depth - v
 
 }  // namespace ilot::scan

@@ -57,8 +57,8 @@ Box3<Vec3> bounds_of(const RoofBuilding& building, const Wing& wing) {
   const Vec3 first = building.frame.to_town(
       {kMetres * static_cast<double>(wing.rect.u0), kMetres * static_cast<double>(wing.rect.v0), 0});
   Box3<Vec3> box{{first.x, first.y, building.floor}, {first.x, first.y, building.ridge}};
-  for (Whole u : {wing.rect.u0, wing.rect.u1})
-    for (Whole v : {wing.rect.v0, wing.rect.v1}) {
+  for (Integer u : {wing.rect.u0, wing.rect.u1})
+    for (Integer v : {wing.rect.v0, wing.rect.v1}) {
       const Vec3 p = building.frame.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});
       box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), box.min.z};
       box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), box.max.z};
@@ -214,7 +214,7 @@ std::uint32_t face_met(const RoofTown& town, const RoofsScene::Target& target, V
   const RoofBuilding& building = town.buildings[target.building];
   const Vec3 local = building.frame.to_local(place);
   for (std::uint32_t f : target.faces)
-    if (face_holds(building.solid, building.solid.faces[f], local)) return f;
+    if (face_contains(building.solid, building.solid.faces[f], local)) return f;
   // On an edge: rounding may put the place beside its face.
   std::uint32_t nearest = 0;
   double least = 1e9;

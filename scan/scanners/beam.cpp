@@ -11,7 +11,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
-constexpr double kFaintest = 0.004;    // energy below which the receiver hears nothing
+constexpr double kMinEnergy = 0.004;   // energy below which the receiver hears nothing
 constexpr std::size_t kMaxEchoes = 5;  // of one pulse
 constexpr double kBehind = 1e-4;       // metres behind a pane where the ray goes on
 
@@ -35,7 +35,7 @@ Vec3 unit(Vec3 v) {
 
 }  // namespace
 
-Passage passage(Material material) {
+Transmission transmission(Material material) {
   switch (material) {
     case Material::glass:
       return {0.66, 0.13};
@@ -57,7 +57,7 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     const auto hit = scene_.nearest(ray, candidates_, from);
     if (!hit || hit->t > kMaxRange) return;
     const Material material = model_.surfaces[hit->surface].material;
-    const Passage way = passage(material);
+    const Transmission way = transmission(material);
     if (chance < way.lost) return;
     if (chance >= way.lost + way.through) {
       const double cosine = -dot(hit->normal, ray.direction);
@@ -99,7 +99,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       echo.surface = touches_[i].surface;
       echo.surface_range = own_moment / own;
     }
-    if (energy >= kFaintest && echoes.size() < kMaxEchoes) echoes.push_back(echo);
+    if (energy >= kMinEnergy && echoes.size() < kMaxEchoes) echoes.push_back(echo);
     first = end;
   }
 }
@@ -117,8 +117,8 @@ void BeamTracer::trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>&
   const bool thin = spread == 0 && beam_.diameter == 0;
   if (thin) touch({origin, axis}, 1, chance);
   for (const Spot& spot : std::span(kFootprint).first(thin ? 0 : kFootprint.size())) {
-    const Vec3 aside = spot.right * aim.right + spot.up * aim.up;
-    touch({origin + (beam_.diameter / 2) * aside, unit(axis + spread * aside)}, spot.share, chance);
+    const Vec3 offset = spot.right * aim.right + spot.up * aim.up;
+    touch({origin + (beam_.diameter / 2) * offset, unit(axis + spread * offset)}, spot.share, chance);
   }
   std::sort(touches_.begin(), touches_.end(), [](const Touch& a, const Touch& b) {
     return a.range != b.range ? a.range < b.range : a.surface < b.surface;

@@ -31,11 +31,11 @@ struct Echo {
 };
 
 // What the windows and the finish of a material do to a pulse.
-struct Passage {
+struct Transmission {
   double lost = 0;     // share of pulses that give no echo at all: mirrored away
   double through = 0;  // share that goes on behind
 };
-Passage passage(Material material);
+Transmission transmission(Material material);
 
 // Follows pulses through one scene. Keeps its own memory: one per thread.
 class BeamTracer {

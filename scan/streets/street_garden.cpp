@@ -12,9 +12,9 @@ namespace {
 constexpr double kSunk = 0.3;          // metres that walls and sheds reach below the ground
 constexpr double kHedgeSpacing = 0.6;  // of its bushes
 
-class Gardener {
+class VegetationBuilder {
  public:
-  Gardener(StreetStage& stage, std::uint64_t seed) : stage_(stage), rng_(seed, 0x67617264656eull) {}
+  VegetationBuilder(StreetStage& stage, std::uint64_t seed) : stage_(stage), rng_(seed, 0x67617264656eull) {}
 
   void plant(const StreetBlock& block, int side) {
     const double s = between(block.from, block.to), t = side * between(kGardenFrom, kGardenTo);
@@ -74,11 +74,11 @@ class Gardener {
 }  // namespace
 
 void add_gardens(StreetStage& stage, double per_side, std::uint64_t seed) {
-  Gardener gardener(stage, seed);
+  VegetationBuilder vegetation(stage, seed);
   double due = 0;
   for (const StreetBlock& block : stage.street.blocks)
     for (const int side : {1, -1})
-      for (due += per_side; due >= 1; --due) gardener.plant(block, side);
+      for (due += per_side; due >= 1; --due) vegetation.plant(block, side);
 }
 
 }  // namespace ilot::scan

@@ -89,11 +89,11 @@ std::vector<Group> group(const Street& street, Rng& rng) {
 }
 
 // Where a thing of its kind stands: distance from the axis, and where it looks to.
-struct Stand {
+struct Placement {
   double t = 0, heading_deg = 0;
 };
 
-Stand draw_stand(const Wanted& wanted, int side, double lane, Rng& rng) {
+Placement draw_placement(const Wanted& wanted, int side, double lane, Rng& rng) {
   const double to_road = side > 0 ? -90 : 90, along = rng.uniform() < 0.5 ? 0 : 180;
   const double wobble = 6 * (2 * rng.uniform() - 1);
   if (wanted.artefact_class == ArtefactClass::car) return {side * (kHalfRoad - 1.15), along + 0.2 * wobble};
@@ -105,8 +105,8 @@ Stand draw_stand(const Wanted& wanted, int side, double lane, Rng& rng) {
     return {t, 360 * rng.uniform() - 180};
   }
   if (wanted.variant == "motorbike")
-    return rng.uniform() < 0.5 ? Stand{side * (kHalfRoad - 1.2), to_road + 2 * wobble}
-                               : Stand{side * (kHalfRoad + 1.4), along + wobble};
+    return rng.uniform() < 0.5 ? Placement{side * (kHalfRoad - 1.2), to_road + 2 * wobble}
+                               : Placement{side * (kHalfRoad + 1.4), along + wobble};
   if (wanted.variant == "bicycle") return {side * (kHalfRoad + 0.8), along + wobble};
   if (wanted.variant == "bus_shelter") return {side * (kHalfRoad + 1.2), to_road};
   if (wanted.variant == "bench") return {side * (kHalfStreet - 0.8), to_road};
@@ -158,7 +158,7 @@ class Placer {
   bool place_in(const StreetBlock& block, const Group& group) {
     for (int attempt = 0; attempt < 60; ++attempt) {
       const int side = rng_.uniform() < 0.5 ? 1 : -1;
-      const Stand spot = draw_stand(group.members[0], side, street_.params.scanner.lane, rng_);
+      const Placement spot = draw_placement(group.members[0], side, street_.params.scanner.lane, rng_);
       const double s = block.from + 3 + (block.to - block.from - 6) * rng_.uniform();
       StreetObject first = make(group.members[0], s, spot.t, spot.heading_deg);
       if (!fits(first) || !all_seen(first)) continue;
@@ -194,11 +194,11 @@ class Placer {
     Artefact pitched;
     for (const Solid& solid : object.shape.solids) pitched.solids.push_back(placed(solid, upright));
     object.box = bounds_of(pitched);
-    stand(object, s, t);
+    place_object(object, s, t);
     return object;
   }
 
-  void stand(StreetObject& object, double s, double t) const {
+  void place_object(StreetObject& object, double s, double t) const {
     object.pose.base = {s, t, street_.ground_height(s, t)};
     const Vec3 middle = 0.5 * (object.box.min + object.box.max);
     const SinCos h = object.pose.heading;
@@ -211,8 +211,8 @@ class Placer {
     const Vec3 offset = side == Side::ahead ? Vec3{first.box.max.x - second.box.min.x, 0, 0}
                                             : Vec3{0, first.box.max.y - second.box.min.y, 0};
     const SinCos h = first.pose.heading;
-    stand(second, first.pose.base.x + offset.x * h.cos - offset.y * h.sin,
-          first.pose.base.y + offset.x * h.sin + offset.y * h.cos);
+    place_object(second, first.pose.base.x + offset.x * h.cos - offset.y * h.sin,
+                 first.pose.base.y + offset.x * h.sin + offset.y * h.cos);
   }
 
   // Within the street, off the cross streets, clear of the kerb's edge and of everything else.

@@ -135,7 +135,7 @@ bool is_right(const PolygonModel& m, const PolygonFace& face) {
   return true;
 }
 
-Ours judge_models(const std::string& file) {
+Ours evaluate_building_models(const std::string& file) {
   Ours ours;
   for (const PolygonModel& m : read_models(file).models) {
     const std::vector<bool> roof = roof_faces(m);
@@ -252,7 +252,7 @@ int main(int argc, char** argv) try {
     line["rows"].push_back(json_of(r));
   }
   if (!options.models.empty()) {
-    const Ours ours = judge_models(options.models);
+    const Ours ours = evaluate_building_models(options.models);
     fmt::print("| our models | | | {} | {:.1f} | {:.1f} | | | | | | |\n", ours.models,
                percent(ours.closed, ours.models), percent(ours.right, ours.models));
     line["models"] = {

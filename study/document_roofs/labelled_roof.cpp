@@ -25,7 +25,7 @@ bool crosses(Vec3 a, Vec3 b, Vec3 p) {
   return (a.y > p.y) != (b.y > p.y) && p.x < a.x + (b.x - a.x) * (p.y - a.y) / (b.y - a.y);
 }
 
-bool holds(const Ring3& ring, Vec3 p) {
+bool contains(const Ring3& ring, Vec3 p) {
   bool inside = false;
   for (std::size_t i = 0; i < ring.size(); ++i)
     if (crosses(ring[i], ring[(i + 1) % ring.size()], p)) inside = !inside;
@@ -46,7 +46,7 @@ std::size_t polygon_of(const TruePlane& plane, Vec3 p) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; plane.polygons.size() > 1 && i < plane.polygons.size(); ++i) {
-    const double d = holds(plane.polygons[i].ring, p) ? -1 : squared_to_ring(plane.polygons[i].ring, p);
+    const double d = contains(plane.polygons[i].ring, p) ? -1 : squared_to_ring(plane.polygons[i].ring, p);
     if (d < least) {
       least = d;
       best = i;

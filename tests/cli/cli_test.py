@@ -119,10 +119,10 @@ class Cli(unittest.TestCase):
         for key in ("version", "git_hash", "compiler", "isa", "libraries"):
             self.assertTrue(everything[key], key)
         for command in ("run", "info", "convert", "scan", "evaluate", "render", "replay", "validate"):
-            told = ilot(command, "--help")
-            self.assertEqual(told.returncode, 0)
-            self.assertIn(f"Example: ilot {command} ", told.stdout)
-            self.assertTrue(told.stdout.endswith("\n"))
+            completed = ilot(command, "--help")
+            self.assertEqual(completed.returncode, 0)
+            self.assertIn(f"Example: ilot {command} ", completed.stdout)
+            self.assertTrue(completed.stdout.endswith("\n"))
         for line in ilot("run", "--help").stdout.splitlines():
             if line.startswith("  -") and "--help" not in line:
                 self.assertRegex(line, r"\[.+\]$", "every option says its default")
@@ -159,9 +159,9 @@ class Cli(unittest.TestCase):
         self.assertEqual(both.returncode, 1)
         self.assertIn("shed.obj: invalid: 302: shed: 302 SHELL_NOT_CLOSED near (0.000, 0.000, 0.000)\n", both.stdout)
         self.assertIn("shed.obj: invalid: 1 of 1 objects (302: 1)\n", both.stdout)
-        told = ilot("validate", "--json", closed, shed)
-        self.assertEqual(told.returncode, 1)
-        report = json.loads(told.stdout)
+        completed = ilot("validate", "--json", closed, shed)
+        self.assertEqual(completed.returncode, 1)
+        report = json.loads(completed.stdout)
         self.assertFalse(report["valid"])
         self.assertEqual([f["codes"] for f in report["files"]], [{}, {"302": 1}])
         self.assertEqual(report["files"][1]["findings"][0]["faults"][0]["code"], 302)
@@ -177,9 +177,9 @@ class Cli(unittest.TestCase):
         self.assertIn("invalid: 901: 901 INVALID_INPUT_FILE ", broken.stdout)
 
     def test_info_measures(self):
-        told = ilot("info", self.cloud, "--json")
-        self.assertEqual(told.returncode, 0, told.stderr)
-        (one,) = json.loads(told.stdout)
+        completed = ilot("info", self.cloud, "--json")
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        (one,) = json.loads(completed.stdout)
         self.assertEqual(one["points"], {"declared": 2000, "read": 2000, "rejected": 0})
         self.assertEqual(one["classes"], {"2": 1200, "6": 800})
         self.assertEqual(one["bounds"]["max"], [49.0, 39.0, 0.0])
@@ -347,9 +347,9 @@ class Scan(unittest.TestCase):
     def test_evaluate_models(self):
         model = self.folder / "m.obj"
         model.write_text("o flat\nv 0 0 0\nv 49 0 0\nv 49 39 0\nv 0 39 0\nf 1 2 3 4\n")
-        told = ilot("evaluate", "--models", model, "--cloud", self.cloud, "--json")
-        self.assertEqual(told.returncode, 0, told.stderr)
-        figures = json.loads(told.stdout)
+        completed = ilot("evaluate", "--models", model, "--cloud", self.cloud, "--json")
+        self.assertEqual(completed.returncode, 0, completed.stderr)
+        figures = json.loads(completed.stdout)
         self.assertEqual(figures["points"], {"read": 2000, "judged": 2000, "unassigned": 0})
         self.assertEqual(figures["over_points"]["rmse_m"], 0)
         some = json.loads(ilot("evaluate", "--models", model, "--cloud", self.cloud, "--json", "--class", "6").stdout)

@@ -68,8 +68,8 @@ def run(*args):
     return subprocess.run([EXE, *map(str, args)], capture_output=True, text=True)
 
 
-def expect(holds, what):
-    if not holds:
+def expect(condition, what):
+    if not condition:
         sys.exit(f"drawing_test: {what}")
 
 
@@ -88,19 +88,19 @@ def draw(folder):
 
 
 def check_audits(python, drawings):
-    told = subprocess.run([python, "-c", AUDIT, *map(str, drawings)], capture_output=True, text=True)
-    expect(told.returncode == 0, "ezdxf: " + told.stderr)
-    for path, read in zip(drawings, json.loads(told.stdout)):
+    completed = subprocess.run([python, "-c", AUDIT, *map(str, drawings)], capture_output=True, text=True)
+    expect(completed.returncode == 0, "ezdxf: " + completed.stderr)
+    for path, read in zip(drawings, json.loads(completed.stdout)):
         expect(read["errors"] == 0 and read["fixes"] == 0, f"{path}: ezdxf has {read['errors']} errors, {read['fixes']} fixes")
         expect(read["units"] == 6, f"{path}: units {read['units']}")
         expect(read["frozen"] == ["FAC-ERROR"], f"{path}: frozen {read['frozen']}")
         expect(read["overridden"] == 0, f"{path}: {read['overridden']} entities do not take the colour of their layer")
-    first = json.loads(told.stdout)[0]
+    first = json.loads(completed.stdout)[0]
     expect(HOSTILE[0] in first["texts"], f"the title came back as {first['texts'][-15:]}")
     expect(len(first["closed"]) == 1, f"{len(first['closed'])} closed openings are drawn; only one is seen whole")
     expect(abs(first["closed"][0][2][2] - 1) < 1e-3, "the arch is no half circle")
     expect(any("1.20 x 2.00" in text for text in first["texts"]), "no size of a window")
-    sequences = json.loads(told.stdout)[4]["texts"]
+    sequences = json.loads(completed.stdout)[4]["texts"]
     expect("a^Ib^J" in sequences, f"a caret came back as {[t for t in sequences if t.startswith('a')]}")
 
 
@@ -108,17 +108,17 @@ def check_gdal(drawing):
     if not shutil.which("ogrinfo"):
         print("drawing_test: no ogrinfo, GDAL's reading is not checked")
         return
-    told = subprocess.run(["ogrinfo", "-al", "-so", drawing], capture_output=True, text=True)
-    expect(told.returncode == 0 and "Feature Count" in told.stdout, "ogrinfo: " + told.stderr)
+    completed = subprocess.run(["ogrinfo", "-al", "-so", drawing], capture_output=True, text=True)
+    expect(completed.returncode == 0 and "Feature Count" in completed.stdout, "ogrinfo: " + completed.stderr)
 
 
 def check_pdf(drawing):
     if not shutil.which("pdftotext"):
         print("drawing_test: no pdftotext, another program's reading of the PDF is not checked")
         return
-    told = subprocess.run(["pdftotext", drawing.with_suffix(".pdf"), "-"], capture_output=True, text=True)
-    expect(told.returncode == 0 and not told.stderr, "pdftotext: " + told.stderr)
-    expect(HOSTILE[0] in told.stdout and "1.20 x 2.00" in told.stdout, "the PDF's texts: " + told.stdout)
+    completed = subprocess.run(["pdftotext", drawing.with_suffix(".pdf"), "-"], capture_output=True, text=True)
+    expect(completed.returncode == 0 and not completed.stderr, "pdftotext: " + completed.stderr)
+    expect(HOSTILE[0] in completed.stdout and "1.20 x 2.00" in completed.stdout, "the PDF's texts: " + completed.stdout)
 
 
 def check_control(drawing, folder):

@@ -11,9 +11,9 @@ class ManyTiles(Limits):
         tiles = self.tiles(3000)
         arguments = ["--set", "planes.min_points=20"]
         _, expected = self.work(tiles, *arguments, preexec_fn=limits(NOFILE=20000), timeout=3600)
-        _, told = self.work(tiles, *arguments, "--memory", "96M", preexec_fn=limits(NOFILE=1024), timeout=3600)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
-        self.assertLessEqual(told["peak_rss_bytes"], 96 << 20)
+        _, run_json = self.work(tiles, *arguments, "--memory", "96M", preexec_fn=limits(NOFILE=1024), timeout=3600)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
+        self.assertLessEqual(run_json["peak_rss_bytes"], 96 << 20)
 
 
 if __name__ == "__main__":

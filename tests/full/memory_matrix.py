@@ -42,16 +42,16 @@ class Run:
                    memory, "--threads", str(threads), *map(str, inputs.options)]
         self.peak, self.timed_out = 0, False
         start = time.monotonic()
-        with tempfile.TemporaryFile("w+") as said:
-            child = subprocess.Popen(command, stdout=said, stderr=said, preexec_fn=lambda: self.limit(inputs.files))
+        with tempfile.TemporaryFile("w+") as output:
+            child = subprocess.Popen(command, stdout=output, stderr=output, preexec_fn=lambda: self.limit(inputs.files))
             watcher = threading.Thread(target=self.watch, args=(child.pid, timeout), daemon=True)
             watcher.start()
             _, status, usage = os.wait4(child.pid, 0)
             self.seconds = time.monotonic() - start
             child.returncode = os.waitstatus_to_exitcode(status)
             watcher.join()
-            said.seek(0)
-            self.said = said.read().strip()
+            output.seek(0)
+            self.output = output.read().strip()
         self.exit = child.returncode
         self.cpu = usage.ru_utime + usage.ru_stime
         record = out / "run.json"
@@ -116,8 +116,8 @@ class Matrix:
                     out = folder / "out"
                     run = Run(inputs, product, memory, threads, out, self.options.timeout)
                     shutil.rmtree(out, ignore_errors=True)
-                    wrong = self.judge(name, inputs, memory, run, hashes)
-                    self.tell(name, product, memory, threads, run, wrong)
+                    wrong = self.evaluate(name, inputs, memory, run, hashes)
+                    self.report(name, product, memory, threads, run, wrong)
             if len(hashes) > 1:
                 self.failures.append(f"{name} {product}: {len(hashes)} results: {hashes}")
 
@@ -127,8 +127,8 @@ class Matrix:
             return [",".join(p for p in products if p in wanted)]
         return [p for p in products if p in wanted]
 
-    def judge(self, name, inputs, memory, run, hashes):
-        if run.exit == 1 and name in MAY_REFUSE.get(memory, ()) and "--memory" in run.said:
+    def evaluate(self, name, inputs, memory, run, hashes):
+        if run.exit == 1 and name in MAY_REFUSE.get(memory, ()) and "--memory" in run.output:
             return [] if run.peak <= bytes_of(memory) else ["over the budget"]
         wrong = []
         if run.peak > bytes_of(memory):
@@ -136,14 +136,14 @@ class Matrix:
         if run.timed_out:
             wrong.append("takes too long")
         elif run.exit not in inputs.exits:
-            wrong.append(f"exit {run.exit}: {run.said.splitlines()[-1][:160] if run.said else ''}")
+            wrong.append(f"exit {run.exit}: {run.output.splitlines()[-1][:160] if run.output else ''}")
         if run.own and not 0 <= run.peak - run.own <= LATER:
             wrong.append(f"run.json says {run.own >> 20} MiB")
         if not wrong or run.record:
             hashes.setdefault(run.hash, f"{memory}/{self.options.threads}")
         return wrong
 
-    def tell(self, name, product, memory, threads, run, wrong):
+    def report(self, name, product, memory, threads, run, wrong):
         self.rows.append({"case": name, "products": product, "memory": memory, "threads": threads, "peak": run.peak,
                           "exit": run.exit, "cpu_seconds": round(run.cpu, 2), "hash": run.hash, "wrong": wrong})
         print(f"{name:34} {product:16} {memory:>6} {threads:>3} {run.peak / (1 << 20):7.1f} {run.exit:>4} "

@@ -61,10 +61,10 @@ def main():
                 records, _, _ = with_strays(las, kind)
                 stray = las.write(folder / "stray.las", records)
                 found, seconds = run(stray, product, folder / "out", asked.repeats)
-                holds = found == wanted and seconds <= MOST * clean
-                failed += not holds
+                passed = found == wanted and seconds <= MOST * clean
+                failed += not passed
                 print(f"{product:8} {kind:9} {seconds:8.2f} s {seconds / clean:6.3f} "
-                      f"{'same' if found == wanted else found} {'' if holds else 'FAILED'}", flush=True)
+                      f"{'same' if found == wanted else found} {'' if passed else 'FAILED'}", flush=True)
                 os.remove(stray)
     return 1 if failed else 0
 

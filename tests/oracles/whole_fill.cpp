@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "kernels/morphology/flat_zones.h"
-#include "kernels/morphology/settle.h"
+#include "kernels/morphology/reconstruct_in_place.h"
 
 namespace ilot::test {
 namespace {
@@ -54,7 +54,7 @@ Image fill_holes(const Image& image, Adjacency adjacency) {
   const PaddedFrame frame(image.width, image.height);
   const auto f = padded(image, kAboveAll);
   auto g = border_marker(frame, f);
-  settle_by_erosion(frame, adjacency, f, g);
+  reconstruct_in_place(frame, adjacency, f, g);
   return {image.width, image.height, unpadded<Height>(frame, g)};
 }
 

@@ -3,8 +3,8 @@
 
 #include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
+#include "kernels/morphology/outward_drops.h"
 #include "kernels/morphology/region_links.h"
-#include "kernels/morphology/zone_falls.h"
 #include "tests/oracles/whole_fill.h"
 #include "tests/oracles/whole_links.h"
 namespace ilot::test {
@@ -25,7 +25,7 @@ std::vector<std::uint8_t> on_border(const PixelLabels& labels) {
 // The zone that is the ground; 0 where there is none.
 std::uint32_t ground_zone(const Image& filled, const PixelLabels& zones, Height flat) {
   const std::vector<std::uint32_t> sizes = zone_sizes(zones);
-  const std::vector<std::int32_t> falls = zone_falls(filled, zones, flat);
+  const std::vector<std::int32_t> falls = outward_drops(filled, zones, flat);
   const std::uint32_t most = sizes[largest_zone(zones)];
   std::uint32_t best = 0;
   GroundRank rank;

@@ -67,19 +67,19 @@ class BadInput(RunTest):
     def test_one_bad_among_good(self):
         for name in self.bad_files():
             with self.subTest(name):
-                out, told = self.work([self.good, self.folder / name], code=3)
-                self.assertEqual([s["where"] for s in told["skipped"]], [str(self.folder / name)])
-                self.assertEqual(told["skipped"][0]["what"], "input")
-                self.assertIn(name, told["skipped"][0]["reason"])
-                self.assertEqual(told["exit_code"], 3)
-                self.assertEqual(told["counts"]["points"]["read"], len(GRID))
+                out, run_json = self.work([self.good, self.folder / name], code=3)
+                self.assertEqual([s["where"] for s in run_json["skipped"]], [str(self.folder / name)])
+                self.assertEqual(run_json["skipped"][0]["what"], "input")
+                self.assertIn(name, run_json["skipped"][0]["reason"])
+                self.assertEqual(run_json["exit_code"], 3)
+                self.assertEqual(run_json["counts"]["points"]["read"], len(GRID))
                 self.assertEqual([p.name for p in (out / "points").iterdir()], ["good.laz"])
 
     def test_strict(self):
         (self.folder / "empty.las").write_bytes(b"")
         self.refuse([self.good, self.folder / "empty.las"], "empty.las", arguments=["--strict"])
 
-    def test_truncated_and_lying_counts_are_salvaged(self):
+    def test_truncated_and_wrong_counts_are_repaired(self):
         data = self.good.read_bytes()
         cases = {"cut.las": (data[:227 + 20 * 900 + 7], 900)}
         lying = bytearray(data)
@@ -88,9 +88,9 @@ class BadInput(RunTest):
         for name, (content, points) in cases.items():
             with self.subTest(name):
                 (self.folder / name).write_bytes(content)
-                out, told = self.work(self.folder / name, code=3)
-                self.assertEqual(told["counts"]["points"]["read"], points)
-                self.assertIn(name, told["skipped"][0]["reason"])
+                out, run_json = self.work(self.folder / name, code=3)
+                self.assertEqual(run_json["counts"]["points"]["read"], points)
+                self.assertIn(name, run_json["skipped"][0]["reason"])
                 self.assertEqual(self.labelled(out, name[:-4]).count, points)
 
     def test_coordinates_that_are_no_numbers(self):
@@ -106,10 +106,10 @@ class BadInput(RunTest):
                            b"property float y\nproperty float z\nend_header\n" % len(rows) + values)
         for path in (ply, binary):
             with self.subTest(path.name):
-                out, told = self.work(path)
-                self.assertEqual(told["counts"]["points"]["read"], len(rows))
-                self.assertEqual(told["counts"]["points"]["rejected"], 3)
-                self.assertEqual(told["counts"]["planes"], 1)
+                out, run_json = self.work(path)
+                self.assertEqual(run_json["counts"]["points"]["read"], len(rows))
+                self.assertEqual(run_json["counts"]["points"]["rejected"], 3)
+                self.assertEqual(run_json["counts"]["planes"], 1)
         ply.write_text("ply\nformat ascii 1.0\nelement vertex 2\nproperty double x\nproperty double y\n"
                        "property double z\nend_header\nnan 0 0\n0 0 inf\n")
         self.refuse(ply, "rejected")
@@ -125,11 +125,11 @@ class BadInput(RunTest):
                 path = small_las(self.folder / f"{name}.las", points)
                 hashes = set()
                 for way in ([], ["--block-points", "256", "--threads", "3"]):
-                    _, told = self.work(path, *way, code=3)
-                    self.assertEqual(told["counts"]["points"]["read"], len(points))
-                    self.assertEqual(told["counts"]["points"]["labelled"], 0)
-                    self.assertEqual(told["skipped"][0]["what"], "product")
-                    hashes.add(told["result_hash"])
+                    _, run_json = self.work(path, *way, code=3)
+                    self.assertEqual(run_json["counts"]["points"]["read"], len(points))
+                    self.assertEqual(run_json["counts"]["points"]["labelled"], 0)
+                    self.assertEqual(run_json["skipped"][0]["what"], "product")
+                    hashes.add(run_json["result_hash"])
                 self.assertEqual(len(hashes), 1)
 
     def test_requests(self):
@@ -208,8 +208,8 @@ class BadInput(RunTest):
                 self.assertIn(str(out), lines[0])
                 for name in ("run.json", "planes.csv", "points"):
                     self.assertFalse((out / name).exists(), name)
-                _, told = self.work(path, "--resume", out=out)
-                self.assertEqual(told["result_hash"], whole["result_hash"])
+                _, run_json = self.work(path, "--resume", out=out)
+                self.assertEqual(run_json["result_hash"], whole["result_hash"])
 
 
 class BadBuildings(RunTest):
@@ -245,7 +245,7 @@ class BadBuildings(RunTest):
         path = self.folder / "footprints.geojson"
         path.write_text(json.dumps({"type": "FeatureCollection", "features": self.features, "crs": {
             "type": "name", "properties": {"name": f"urn:ogc:def:crs:EPSG::{epsg}"}}}))
-        out, told = self.work(cloud, "--products", "roofs", "--crs", "EPSG:28992", "--footprints", path, *arguments,
+        out, run_json = self.work(cloud, "--products", "roofs", "--crs", "EPSG:28992", "--footprints", path, *arguments,
                               code=code)
         written = out / "roofs" / "roofs.city.jsonl"
         found = {}
@@ -255,8 +255,8 @@ class BadBuildings(RunTest):
         for name, attributes in found.items():
             self.assertIn(attributes["status"], ("lod22", "lod12", "footprint_only"), name)
             self.assertEqual(attributes["status"] == "lod22", not attributes.get("reason"), f"{name}: {attributes}")
-        self.assertEqual(told["counts"]["roofs"]["buildings"], len(found))
-        self.assertEqual(told["counts"]["roofs"]["invalid"], 0)
+        self.assertEqual(run_json["counts"]["roofs"]["buildings"], len(found))
+        self.assertEqual(run_json["counts"]["roofs"]["invalid"], 0)
         checked = ilot("validate", "-q", written)
         self.assertEqual(checked.returncode, 0, checked.stdout)
         return found

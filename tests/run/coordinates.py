@@ -39,13 +39,13 @@ class CoordinatesTest(RunTest):
                          [(1024, 1), (3072, 2154), (4099, 9003)])
         self.assertIn("0.3048", ilot("info", feet).stdout)
         a, _ = self.work(metres)
-        b, told = self.work(feet)
+        b, run_json = self.work(feet)
         one, two = planes(a), planes(b)
         self.assertEqual((len(one), len(two)), (1, 1))
         for name in ("nx", "ny", "nz", "area_m2"):
             if name in one[0]:
                 self.assertAlmostEqual(float(one[0][name]), float(two[0][name]), delta=0.01 * max(1, float(one[0][name])))
-        self.assertTrue(any("heights are in units of" in w for w in told["warnings"]), told["warnings"])
+        self.assertTrue(any("heights are in units of" in w for w in run_json["warnings"]), run_json["warnings"])
         self.assertEqual(self.labelled(b, "f").raw(), Las.read(feet).raw(), "records stay as they are")
         self.assertAlmostEqual(self.labelled(b, "f").scale[2], 0.001)
         residuals = [abs(r) for plane, r, _ in self.labelled(b, "f").labels() if plane]
@@ -62,11 +62,11 @@ class CoordinatesTest(RunTest):
         self.assertIn("EPSG:32631", refused.stderr)
         self.assertNotIn("or give --crs", refused.stderr)
         for target in ("utm", "EPSG:32631", "EPSG:2154"):
-            out, told = self.work(path, "--crs", "EPSG:4326", "--to-crs", target)
-            self.assertEqual(told["counts"]["planes"], 1)
-            chosen = [c for c in told["chosen"] if c["key"] == "crs"]
+            out, run_json = self.work(path, "--crs", "EPSG:4326", "--to-crs", target)
+            self.assertEqual(run_json["counts"]["planes"], 1)
+            chosen = [c for c in run_json["chosen"] if c["key"] == "crs"]
             self.assertEqual(chosen[0]["value"], "EPSG:2154" if target == "EPSG:2154" else "EPSG:32631")
-            self.assertEqual(told["counts"]["points"]["labelled"], 4900)
+            self.assertEqual(run_json["counts"]["points"]["labelled"], 4900)
         wrong = ilot("run", path, "-o", self.folder / "no", "--crs", "EPSG:4326", "--to-crs", "EPSG:4979")
         self.assertEqual(wrong.returncode, 2)
         unknown = ilot("run", path, "-o", self.folder / "no", "--to-crs", "utm")
@@ -75,9 +75,9 @@ class CoordinatesTest(RunTest):
 
     def test_degrees_that_cannot_be_are_not_believed(self):
         path = with_keys(small_las(self.folder / "d.las", slope(), offset=(515393, 4918000, 0)), [(1024, 2), (2048, 4326)])
-        out, told = self.work(path)
-        self.assertEqual(told["counts"]["planes"], 1)
-        self.assertTrue(any("cannot be" in w for w in told["warnings"]))
+        out, run_json = self.work(path)
+        self.assertEqual(run_json["counts"]["planes"], 1)
+        self.assertTrue(any("cannot be" in w for w in run_json["warnings"]))
         shown = json.loads(ilot("info", "--json", path).stdout)[0]
         self.assertTrue(shown["suits"]["planes"]["yes"])
         self.assertTrue(any("cannot be" in w for w in shown["warnings"]))
@@ -113,10 +113,10 @@ class CoordinatesTest(RunTest):
 
     def test_the_crs_of_footprints_is_taken_where_they_fit(self):
         cloud = self.house()
-        out, told = self.work(cloud, "--products", "roofs", "--footprints", self.outlines("f.geojson", 85010, 447008))
-        self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
+        out, run_json = self.work(cloud, "--products", "roofs", "--footprints", self.outlines("f.geojson", 85010, 447008))
+        self.assertIn("EPSG:28992", [c["value"] for c in run_json["chosen"] if c["key"] == "crs"])
         self.assertIn("EPSG/0/28992", (out / "roofs" / "roofs.city.json").read_text())
-        self.assertEqual(told["footprints"]["outside"], [])
+        self.assertEqual(run_json["footprints"]["outside"], [])
         both = json.loads((self.folder / "f.geojson").read_text())
         both["features"] += [{**f, "properties": {"id": f"far {i}"}} for i in range(5) for f in
                              json.loads(self.outlines("h.geojson", 85510, 447008).read_text())["features"]]
@@ -144,9 +144,9 @@ class CoordinatesTest(RunTest):
         ring = [[2.33, 48.846], [2.34, 48.846], [2.34, 48.85], [2.33, 48.85], [2.33, 48.846]]
         area = self.folder / "area.geojson"
         area.write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
-        out, told = self.work(cloud, "--within", area)
-        self.assertEqual(told["counts"]["points"]["labelled"], 6400)
-        self.assertTrue(any("--within" in w for w in told["warnings"]))
+        out, run_json = self.work(cloud, "--within", area)
+        self.assertEqual(run_json["counts"]["points"]["labelled"], 6400)
+        self.assertTrue(any("--within" in w for w in run_json["warnings"]))
         nowhere = small_las(self.folder / "b.las", slope(), offset=(651000, 6861000, 0))
         done = ilot("run", nowhere, "-o", self.folder / "no", "--within", area)
         self.assertEqual(done.returncode, 2)
@@ -156,8 +156,8 @@ class CoordinatesTest(RunTest):
         stations = self.folder / "stations.csv"
         stations.write_text("name,x,y,z\nA,-5,10,2\nB,25,10,2\n")
         cloud = small_las(self.folder / "a.las", slope())
-        out, told = self.work(cloud, "--stations", stations)
-        step = [c for c in told["chosen"] if c["key"] == "boundaries.step"]
+        out, run_json = self.work(cloud, "--stations", stations)
+        step = [c for c in run_json["chosen"] if c["key"] == "boundaries.step"]
         self.assertEqual(step[0]["value"], "neighbours")
         stations.write_text("A;-5;10;2\nB;25;10;2\n")
         self.work(cloud, "--stations", stations, "--set", "boundaries.step=neighbours")
@@ -166,21 +166,21 @@ class CoordinatesTest(RunTest):
 
     def test_info_says_what_a_cloud_suits(self):
         far = small_las(self.folder / "far.las", [(60000 * i, 60000 * j, 0) for i in range(10) for j in range(10)])
-        said = ilot("info", far).stdout
+        output = ilot("info", far).stdout
         for product in ("planes", "roofs", "facades", "streets"):
-            self.assertRegex(said, rf"{product} +no: ")
-        self.assertIn("is the unit right?", said)
+            self.assertRegex(output, rf"{product} +no: ")
+        self.assertIn("is the unit right?", output)
         same = small_las(self.folder / "same.las", [(5, 5, 5)] * 50)
         self.assertIn("all points are at one place", ilot("info", same).stdout)
 
 
 class RealCoordinates(RunTest):
     def test_delft_takes_the_crs_and_its_obj_is_valid(self):
-        out, told = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds", "--footprints",
+        out, run_json = self.work(real("delft/ahn3_cropped_1.laz"), "--products", "roofs", "--no-clouds", "--footprints",
                               real("delft/footprints.geojson"))
-        self.assertIn("EPSG:28992", [c["value"] for c in told["chosen"] if c["key"] == "crs"])
-        self.assertEqual(len(told["footprints"]["outside"]), 21)
-        self.assertEqual(told["skipped"], [])
+        self.assertIn("EPSG:28992", [c["value"] for c in run_json["chosen"] if c["key"] == "crs"])
+        self.assertEqual(len(run_json["footprints"]["outside"]), 21)
+        self.assertEqual(run_json["skipped"], [])
         for name in ("roofs.obj", "roofs.city.json"):
             done = ilot("validate", out / "roofs" / name)
             self.assertEqual(done.returncode, 0, done.stdout[-500:])

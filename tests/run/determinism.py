@@ -33,15 +33,15 @@ def contacts(out):
 class Determinism(RunTest):
     def same_in_ways(self, inputs, ways, *arguments):
         """One result in all ways and over all instruction sets; returns the run.json of a run without either."""
-        told = {" ".join(way): self.work(inputs, *arguments, *way)[1] for way in ways}
-        told |= {isa: self.work(inputs, *arguments, env={"ILOT_FORCE_ISA": isa})[1] for isa in ISAS}
-        told["again"] = self.work(inputs, *arguments)[1]
-        hashes = {way: record["result_hash"] for way, record in told.items()}
+        run_json = {" ".join(way): self.work(inputs, *arguments, *way)[1] for way in ways}
+        run_json |= {isa: self.work(inputs, *arguments, env={"ILOT_FORCE_ISA": isa})[1] for isa in ISAS}
+        run_json["again"] = self.work(inputs, *arguments)[1]
+        hashes = {way: record["result_hash"] for way, record in run_json.items()}
         self.assertEqual(len(set(hashes.values())), 1, hashes)
-        self.assertGreater(max(record["blocks"] for record in told.values()), 20, "there were blocks to tell apart")
-        counts = told["again"]["counts"]["points"]
+        self.assertGreater(max(record["blocks"] for record in run_json.values()), 20, "there were blocks to tell apart")
+        counts = run_json["again"]["counts"]["points"]
         self.assertGreater(counts["labelled"], 0.5 * counts["read"])
-        return told["again"]
+        return run_json["again"]
 
     def same_all_ways(self, inputs):
         self.assertGreater(self.same_in_ways(inputs, WAYS)["counts"]["planes"], 20)
@@ -92,26 +92,26 @@ class Synthetic(Determinism):
         for method in self.methods():
             with self.subTest(method):
                 asked = ["--set", f"planes.method={method}"]
-                told = [self.work(cloud, *asked, "--threads", "1")[1],
+                run_json = [self.work(cloud, *asked, "--threads", "1")[1],
                         self.work(cloud, *asked, "--block-points", "4096", "--threads", "3")[1],
                         self.work(cloud, *asked, env={"ILOT_FORCE_ISA": "baseline"})[1]]
-                self.assertEqual(len({t["result_hash"] for t in told}), 1)
-                self.assertGreater(told[0]["counts"]["planes"], 3)
+                self.assertEqual(len({t["result_hash"] for t in run_json}), 1)
+                self.assertGreater(run_json[0]["counts"]["planes"], 3)
 
     def test_same_all_ways(self):
         self.same_all_ways(self.district(150000))
 
     def test_facades(self):
         cloud, asked = self.facade(60000)
-        told = self.same_in_ways(cloud, FEW_WAYS, *asked)
-        self.assertEqual(told["counts"]["facades"]["facades"], 1)
-        self.assertGreater(told["counts"]["facades"]["elements"], 20, "there was something to tell apart")
+        run_json = self.same_in_ways(cloud, FEW_WAYS, *asked)
+        self.assertEqual(run_json["counts"]["facades"]["facades"], 1)
+        self.assertGreater(run_json["counts"]["facades"]["elements"], 20, "there was something to tell apart")
 
     def test_streets(self):
         cloud, asked = self.street(150000)
-        told = self.same_in_ways(cloud, FEW_WAYS, *asked)
-        self.assertGreater(told["counts"]["streets"]["objects"], 20, "there was something to tell apart")
-        self.assertGreater(told["counts"]["streets"]["blocks"], 20)
+        run_json = self.same_in_ways(cloud, FEW_WAYS, *asked)
+        self.assertGreater(run_json["counts"]["streets"]["objects"], 20, "there was something to tell apart")
+        self.assertGreater(run_json["counts"]["streets"]["blocks"], 20)
 
     def test_any_files(self):
         self.same_in_any_files(self.district(100000))
@@ -123,12 +123,12 @@ class Synthetic(Determinism):
         asked = ["--stations", self.folder / "shapes.stations.csv"]
         hashes = set()
         for way in (["--threads", "1"], ["--threads", "3", "--block-points", "8192"], ["--memory", "96M"]):
-            out, told = self.work(path, *asked, *way)
-            hashes.add(told["result_hash"])
-            self.assertGreater(told["counts"]["shapes"], 5)
+            out, run_json = self.work(path, *asked, *way)
+            hashes.add(run_json["result_hash"])
+            self.assertGreater(run_json["counts"]["shapes"], 5)
             self.assertEqual(len(list((out / "density").glob("*.tif"))), 4)
-        _, told = self.work(path, *asked, env={"ILOT_FORCE_ISA": "baseline"})
-        self.assertEqual(hashes, {told["result_hash"]})
+        _, run_json = self.work(path, *asked, env={"ILOT_FORCE_ISA": "baseline"})
+        self.assertEqual(hashes, {run_json["result_hash"]})
 
     def test_each_point_twice(self):
         cloud = Las.read(self.district(60000))
@@ -145,7 +145,7 @@ class Synthetic(Determinism):
                 if ((x + shift[0] >> 15) + (y + shift[1] >> 15)) % 2 == 0 or i % 9 == 0]
         path = cloud.write(self.folder / "uneven.las", kept)
         ways = [self.work(path, "--keep-store", "--block-points", points) for points in (1500, 8192, 1048576)]
-        self.assertEqual(len({told["result_hash"] for _, told in ways}), 1)
+        self.assertEqual(len({run_json["result_hash"] for _, run_json in ways}), 1)
         first, *others = [contacts(out) for out, _ in ways]
         self.assertGreater(len(first), 50)
         for other in others:

@@ -63,15 +63,15 @@ class Disks(FaultTest):
                 while run.poll() is None and not (out / ".store" / sign).exists():
                     time.sleep(0.001)
                 self.fill(place)
-                _, said = run.communicate(timeout=120)
+                _, output = run.communicate(timeout=120)
                 (place / "filler").unlink()
-                self.assertIn(run.returncode, (0, 1), said)
+                self.assertIn(run.returncode, (0, 1), output)
                 if run.returncode == 1:
-                    self.assertEqual(len(said.splitlines()), 1, said)
-                    self.assertIn("No space left on device", said)
+                    self.assertEqual(len(output.splitlines()), 1, output)
+                    self.assertIn("No space left on device", output)
                     self.assertFalse((out / "run.json").exists())
-                _, told = self.work(path, "--resume", *SLOW, out=out)
-                self.assertEqual(told["result_hash"], expected["result_hash"])
+                _, run_json = self.work(path, "--resume", *SLOW, out=out)
+                self.assertEqual(run_json["result_hash"], expected["result_hash"])
                 shutil.rmtree(out)
 
     def test_a_disk_that_is_too_small(self):
@@ -83,12 +83,12 @@ class Disks(FaultTest):
     def test_a_disk_that_cannot_be_written(self):
         path = self.district(30000)
         with self.small_disk(40) as place:
-            out, told = self.work(path, out=place / "out")
+            out, run_json = self.work(path, out=place / "out")
             subprocess.run(["mount", "-o", "remount,ro", place], check=True)
             for arguments in (["--overwrite"], ["--resume", "--set", "planes.epsilon=0.03"]):
                 self.failed(ilot("run", path, "-o", out, "-q", *arguments), "Read-only file system", str(out))
             self.failed(ilot("run", path, "-o", place / "new", "-q"), "Read-only file system")
-            self.assertEqual(json.loads((out / "run.json").read_text()), told)
+            self.assertEqual(json.loads((out / "run.json").read_text()), run_json)
 
     def test_a_limit_of_the_size_of_files(self):
         path = self.district(60000)
@@ -98,8 +98,8 @@ class Disks(FaultTest):
             done = ilot("run", path, "-o", out, "-q", *SLOW, preexec_fn=limits(FSIZE=size))
             self.failed(done, "File too large", "ulimit -f")
             self.assertFalse((out / "run.json").exists())
-            _, told = self.work(path, "--resume", *SLOW, out=out)
-            self.assertEqual(told["result_hash"], expected["result_hash"])
+            _, run_json = self.work(path, "--resume", *SLOW, out=out)
+            self.assertEqual(run_json["result_hash"], expected["result_hash"])
         for extension in ("las", "laz", "ply", "csv"):
             target = self.folder / f"copy.{extension}"
             self.failed(ilot("convert", path, target, "-q", preexec_fn=limits(FSIZE=50_000)), "File too large")
@@ -121,27 +121,27 @@ class Limits(FaultTest):
         tiles = self.tiles(400)
         arguments = ["--set", "planes.min_points=20", "--threads", "2"]
         _, expected = self.work(tiles, *arguments)
-        _, told = self.work(tiles, *arguments, preexec_fn=limits(NOFILE=160))
-        self.assertEqual(told["result_hash"], expected["result_hash"])
-        self.assertEqual(len(told["inputs"]), 400)
-        self.assertGreater(told["counts"]["planes"], 0)
+        _, run_json = self.work(tiles, *arguments, preexec_fn=limits(NOFILE=160))
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
+        self.assertEqual(len(run_json["inputs"]), 400)
+        self.assertGreater(run_json["counts"]["planes"], 0)
 
     def test_the_usual_memory_is_half_of_what_there_is_at_most(self):
-        _, told = self.work(self.district(5000))
+        _, run_json = self.work(self.district(5000))
         total = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
-        self.assertLessEqual(told["memory_bytes"], max(96 << 20, total // 2))
-        self.assertLessEqual(told["memory_bytes"], 2 << 30)
+        self.assertLessEqual(run_json["memory_bytes"], max(96 << 20, total // 2))
+        self.assertLessEqual(run_json["memory_bytes"], 2 << 30)
 
     def test_what_a_dry_run_says_is_kept(self):
         path = self.district(100000)
         for products in ("planes", "roofs", "streets", "facades"):
             with self.subTest(products):
-                said = ilot("run", path, "-o", self.folder / "none", "--dry-run", "--products", products).stderr
+                output = ilot("run", path, "-o", self.folder / "none", "--dry-run", "--products", products).stderr
                 self.assertFalse((self.folder / "none").exists())
-                self.assertRegex(said, r"about [\d,]+ s of processor time")
-                self.assertRegex(said, r"at most \d+ MiB of memory")
-                store = int(said.split(" MiB of disk for the store")[0].split()[-1]) << 20
-                results = int(said.split(" MiB for the results")[0].split()[-1]) << 20
+                self.assertRegex(output, r"about [\d,]+ s of processor time")
+                self.assertRegex(output, r"at most \d+ MiB of memory")
+                store = int(output.split(" MiB of disk for the store")[0].split()[-1]) << 20
+                results = int(output.split(" MiB for the results")[0].split()[-1]) << 20
                 out = self.folder / products
                 run = self.start(path, out, "--products", products, *SLOW)
                 most = 0
@@ -150,8 +150,8 @@ class Limits(FaultTest):
                     time.sleep(0.01)
                 self.assertIn(run.returncode, (0, 3), run.communicate()[1])
                 self.assertLessEqual(most, store)
-                told = json.loads((out / "run.json").read_text())
-                self.assertLessEqual(sum(r["bytes"] for r in told["results"]), results)
+                run_json = json.loads((out / "run.json").read_text())
+                self.assertLessEqual(sum(r["bytes"] for r in run_json["results"]), results)
 
     def bytes_in(self, folder):
         total = 0
@@ -178,17 +178,17 @@ class Signals(FaultTest):
             run = self.start(path, out, *SLOW)
             self.wait_until_caught(run, how)
             run.send_signal(how)
-            _, said = run.communicate(timeout=60)
-            self.assertEqual(run.returncode, 130, said)
+            _, output = run.communicate(timeout=60)
+            self.assertEqual(run.returncode, 130, output)
             self.work(path, "--resume", *SLOW, out=out)
             for milliseconds in (5, 20, 60, 100):  # before it is loaded the system ends it, and nothing has begun
                 out = self.folder / f"out-{how}-{milliseconds}"
                 run = self.start(path, out, *SLOW)
                 time.sleep(milliseconds / 1000)
                 run.send_signal(how)
-                _, said = run.communicate(timeout=60)
+                _, output = run.communicate(timeout=60)
                 self.assertTrue(run.returncode == 130 or (run.returncode == -how and not out.exists()),
-                                f"{run.returncode} {how} after {milliseconds} ms: {said}")
+                                f"{run.returncode} {how} after {milliseconds} ms: {output}")
 
     def test_a_hangup_that_is_ignored_stays_ignored(self):
         path = self.district(60000)
@@ -196,8 +196,8 @@ class Signals(FaultTest):
         while run.poll() is None and not (self.folder / "out" / ".store" / "index").exists():
             time.sleep(0.001)
         run.send_signal(signal.SIGHUP)
-        _, said = run.communicate(timeout=60)
-        self.assertEqual(run.returncode, 0, said)
+        _, output = run.communicate(timeout=60)
+        self.assertEqual(run.returncode, 0, output)
 
 
 class Names(FaultTest):
@@ -210,9 +210,9 @@ class Names(FaultTest):
             done = subprocess.run([EXE, "run", path, "-o", out, "-q", "--log-json", log, "--products",
                                    "planes,roofs,facades,streets", *how], capture_output=True)
             self.assertIn(done.returncode, (0, 3), done.stderr)
-            told = json.loads((out / "run.json").read_bytes().decode("utf-8"))
-            self.assertTrue(told["inputs"][0]["path"].endswith("caf\\xE9.las"), told["inputs"])
-            self.assertEqual(told["inputs"][0]["output"], "points/caf\\xE9.laz")
+            run_json = json.loads((out / "run.json").read_bytes().decode("utf-8"))
+            self.assertTrue(run_json["inputs"][0]["path"].endswith("caf\\xE9.las"), run_json["inputs"])
+            self.assertEqual(run_json["inputs"][0]["output"], "points/caf\\xE9.laz")
             self.assertTrue((out / "points" / os.fsdecode(b"caf\xe9.laz")).exists())
             for line in log.read_bytes().decode("utf-8").splitlines():
                 json.loads(line)
@@ -228,12 +228,12 @@ class Names(FaultTest):
         for parent in ("e1/a", "e2/a"):
             (self.folder / parent).mkdir(parents=True)
             shutil.copy(self.district(5000 if parent == "e1/a" else 6000), self.folder / parent / "x.las")
-        _, told = self.work([self.folder / "e1", self.folder / "e2"])
-        self.assertEqual([(pathlib.Path(i["path"]).parent.parent.name, i["points"], i["output"]) for i in told["inputs"]],
-                         [("e1", told["inputs"][0]["points"], "points/a_x.laz"),
-                          ("e2", told["inputs"][1]["points"], "points/a_x_2.laz")])
-        _, told = self.work(self.folder / "e1", "--no-clouds")
-        self.assertNotIn("output", told["inputs"][0])
+        _, run_json = self.work([self.folder / "e1", self.folder / "e2"])
+        self.assertEqual([(pathlib.Path(i["path"]).parent.parent.name, i["points"], i["output"]) for i in run_json["inputs"]],
+                         [("e1", run_json["inputs"][0]["points"], "points/a_x.laz"),
+                          ("e2", run_json["inputs"][1]["points"], "points/a_x_2.laz")])
+        _, run_json = self.work(self.folder / "e1", "--no-clouds")
+        self.assertNotIn("output", run_json["inputs"][0])
 
     def test_files_that_no_product_reads_are_named(self):
         path = self.district(5000)
@@ -248,8 +248,8 @@ class Names(FaultTest):
         done = subprocess.run([EXE, "run", path, "-o", self.folder / "out", "-q", "--config", "/dev/stdin"],
                               input="[planes]\nepsilon = 0.03\n", capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stderr)
-        told = json.loads((self.folder / "out" / "run.json").read_text())
-        self.assertEqual(told["parameters"]["planes.epsilon"], 0.03)
+        run_json = json.loads((self.folder / "out" / "run.json").read_text())
+        self.assertEqual(run_json["parameters"]["planes.epsilon"], 0.03)
         self.assertEqual(ilot("run", "--config", "/dev/null", "--print-config").returncode, 0)
         self.failed(ilot("run", "--config", self.folder, "--print-config"), "is a folder", code=2)
 

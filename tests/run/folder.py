@@ -38,7 +38,7 @@ class FolderTest(RunTest):
 
 
 class Locks(FolderTest):
-    def test_a_second_run_is_told_who_works_there(self):
+    def test_a_second_run_is_given_the_holder(self):
         path, out = self.district(100000), self.folder / "out"
         _, expected = self.work(path, *SLOW)
         first = self.start(path, out, *SLOW)
@@ -46,8 +46,8 @@ class Locks(FolderTest):
         who = f"process {first.pid} on "
         for arguments in ([], ["--resume"], ["--overwrite"]):
             self.refused(ilot("run", path, "-o", out, "-q", *arguments), who, "has been working in this folder since 2")
-        _, said = first.communicate(timeout=120)
-        self.assertEqual(first.returncode, 0, said)
+        _, output = first.communicate(timeout=120)
+        self.assertEqual(first.returncode, 0, output)
         self.assertEqual(json.loads((out / "run.json").read_text())["result_hash"], expected["result_hash"])
         self.no_traces(out)
 
@@ -58,8 +58,8 @@ class Locks(FolderTest):
         self.refused(ilot("run", path, "-o", self.folder / "b", "-q", "--store", store), f"process {first.pid} on ",
                      "give another --store")
         self.assertFalse((self.folder / "b").exists())
-        _, said = first.communicate(timeout=120)
-        self.assertEqual(first.returncode, 0, said)
+        _, output = first.communicate(timeout=120)
+        self.assertEqual(first.returncode, 0, output)
         self.assertFalse(store.exists())
         for out in ("a", "new"):
             self.refused(ilot("run", path, "-o", self.folder / out, "-q", "--overwrite", "--store", self.folder / out),
@@ -83,11 +83,11 @@ class Locks(FolderTest):
     def check_race(self, results):
         """One works. The other says why it does not, or came when the first was done."""
         self.assertIn(0, [code for _, code in results], results)
-        for said, code in results:
+        for output, code in results:
             if code != 0:
-                self.assertEqual(code, 2, said)
-                self.assertRegex(said, r"^ilot: .*(process \d+ on .* since 2|has just begun|exists already)")
-                self.assertEqual(len(said.splitlines()), 1)
+                self.assertEqual(code, 2, output)
+                self.assertRegex(output, r"^ilot: .*(process \d+ on .* since 2|has just begun|exists already)")
+                self.assertEqual(len(output.splitlines()), 1)
 
     def races(self, count, points=5000):
         path = self.district(points)
@@ -105,13 +105,13 @@ class Locks(FolderTest):
                 a, b = [*a, "--resume", *SLOW], [*b, "--resume", *SLOW]
             results = self.race([a, b])
             self.check_race(results)
-            for said, code in results:
-                self.assertNotIn("internal error", said)
+            for output, code in results:
+                self.assertNotIn("internal error", output)
             finished = [p for p in (out, out / "a", out / "b") if (p / "run.json").exists()]
             self.assertTrue(finished)
             for folder in finished:
-                told = json.loads((folder / "run.json").read_text())
-                self.assertEqual(told["result_hash"], expected["result_hash"])
+                run_json = json.loads((folder / "run.json").read_text())
+                self.assertEqual(run_json["result_hash"], expected["result_hash"])
             self.no_traces(out)
             shutil.rmtree(out)
 
@@ -139,8 +139,8 @@ class Overwrite(FolderTest):
         self.assertEqual(self.snapshot(out), before)
         self.refused(ilot("run", path, "-o", out, "-q", "--resume", "--bounds", "0,0,1,1"), "different: area")
         _, expected = self.work(path, *self.OTHER)
-        _, told = self.work(path, "--resume", *self.OTHER, *SLOW, out=out)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
+        _, run_json = self.work(path, "--resume", *self.OTHER, *SLOW, out=out)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
         self.no_traces(out)
 
     def test_files_of_the_user_stay(self):
@@ -150,12 +150,12 @@ class Overwrite(FolderTest):
         for name, content in own.items():
             (out / name).write_bytes(content)
         _, expected = self.work(path)
-        _, told = self.work(path, "--overwrite", out=out)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
+        _, run_json = self.work(path, "--overwrite", out=out)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
         for name, content in own.items():
             self.assertEqual((out / name).read_bytes(), content)
         left = sorted(str(p.relative_to(out)) for p in out.rglob("*") if p.is_file())
-        self.assertEqual(left, sorted([*own, "run.json", *(r["path"] for r in told["results"])]))
+        self.assertEqual(left, sorted([*own, "run.json", *(r["path"] for r in run_json["results"])]))
         self.assertFalse((out / "roofs" / "roofs.obj").exists(), "files of the old result go")
 
     def test_a_file_of_the_user_in_the_way(self):
@@ -166,18 +166,18 @@ class Overwrite(FolderTest):
         self.refused(ilot("run", other, "-o", out, "-q", "--overwrite"), "district-20000.laz", "move it away")
         self.assertEqual(self.snapshot(out), before)
         (out / "points" / "district-20000.laz").rename(self.folder / "moved.laz")
-        _, told = self.work(other, "--resume", out=out)
-        self.assertEqual(told["result_hash"], self.work(other)[1]["result_hash"])
+        _, run_json = self.work(other, "--resume", out=out)
+        self.assertEqual(run_json["result_hash"], self.work(other)[1]["result_hash"])
 
     def test_a_result_that_does_not_list_its_files(self):
         path = self.district(30000)
-        out, told = self.work(path)
-        del told["results"]
-        (out / "run.json").write_text(json.dumps(told))
+        out, run_json = self.work(path)
+        del run_json["results"]
+        (out / "run.json").write_text(json.dumps(run_json))
         before = self.snapshot(out)
         self.refused(ilot("run", path, "-o", out, "-q", "--overwrite"), "does not list the files")
-        told["results"] = [{"path": "../district-30000.las", "bytes": 1}]
-        (out / "run.json").write_text(json.dumps(told))
+        run_json["results"] = [{"path": "../district-30000.las", "bytes": 1}]
+        (out / "run.json").write_text(json.dumps(run_json))
         self.refused(ilot("run", path, "-o", out, "-q", "--overwrite"), "does not list the files")
         self.assertTrue(path.exists())
         self.assertEqual(self.snapshot(out).keys(), before.keys())
@@ -220,13 +220,13 @@ class Overwrite(FolderTest):
             if at == 1:
                 self.assertEqual(now, old, "before the first step the old result is whole")
             elif "run.json" in now:  # it stands for a whole result, the old or the new one
-                told = json.loads((out / "run.json").read_text())
-                self.assertIn(told["result_hash"], (before["result_hash"], expected["result_hash"]))
-                self.assertEqual(now.keys() - {"run.json"}, {r["path"] for r in told["results"]})
-            _, told = self.work(path, "--resume", *self.OTHER, out=out)
-            self.assertEqual(told["result_hash"], expected["result_hash"])
+                run_json = json.loads((out / "run.json").read_text())
+                self.assertIn(run_json["result_hash"], (before["result_hash"], expected["result_hash"]))
+                self.assertEqual(now.keys() - {"run.json"}, {r["path"] for r in run_json["results"]})
+            _, run_json = self.work(path, "--resume", *self.OTHER, out=out)
+            self.assertEqual(run_json["result_hash"], expected["result_hash"])
             left = {str(p.relative_to(out)) for p in out.rglob("*") if p.is_file()}
-            self.assertEqual(left, {"mine.txt", "run.json", *(r["path"] for r in told["results"])})
+            self.assertEqual(left, {"mine.txt", "run.json", *(r["path"] for r in run_json["results"])})
             shutil.rmtree(out)
         return reached
 
@@ -239,7 +239,7 @@ class Resumed(FolderTest):
         path = self.district(30000)
         stations = self.folder / "stations.csv"
         stations.write_text("x,y,z,azimuth_step_deg,elevation_step_deg\n651000,6861000,50,0.05,0.05\n")
-        out, told = self.work(path)
+        out, run_json = self.work(path)
         before = self.snapshot(out)
         again = ilot("run", path, "-o", out, "--resume")
         self.assertEqual(again.returncode, 0, again.stderr)
@@ -254,7 +254,7 @@ class Resumed(FolderTest):
                 self.refused(ilot("run", path, "-o", out, "-q", "--resume", *arguments), f"different: {name}",
                              lines=1 + unused)
         self.assertEqual(self.snapshot(out), before)
-        self.assertEqual(told["request"]["products"], ["planes"])
+        self.assertEqual(run_json["request"]["products"], ["planes"])
 
     def test_of_a_finished_run_a_changed_input_is_named(self):
         path = self.district(30000)
@@ -275,15 +275,15 @@ class Resumed(FolderTest):
 
     def test_of_a_finished_run_that_was_changed(self):
         path = self.district(30000)
-        out, told = self.work(path)
+        out, run_json = self.work(path)
         planes = (out / "planes.csv").read_bytes()
         (out / "planes.csv").write_bytes(planes + b"\n")
         self.refused(ilot("run", path, "-o", out, "-q", "--resume"), "planes.csv", "--overwrite")
         (out / "planes.csv").unlink()
         self.refused(ilot("run", path, "-o", out, "-q", "--resume"), "planes.csv: is missing", "--overwrite")
         (out / "planes.csv").write_bytes(planes)
-        del told["request"]
-        (out / "run.json").write_text(json.dumps(told))
+        del run_json["request"]
+        (out / "run.json").write_text(json.dumps(run_json))
         self.refused(ilot("run", path, "-o", out, "-q", "--resume"), "does not record what was asked")
         for text in ("[]", "1", "{\"request\": 5, \"results\": 7, \"inputs\": {}}", "{\"products\": {}"):
             (out / "run.json").write_text(text)

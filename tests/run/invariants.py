@@ -12,7 +12,7 @@ LATTICE_SHIFT = 1000 * 2**22  # units
 
 
 class Invariants(RunTest):
-    def check_run(self, path, told, out):
+    def check_run(self, path, run_json, out):
         """Epsilon means epsilon, nothing is lost, and the input's bytes come back in their order."""
         before, after = Las.read(path), self.labelled(out, path.stem)
         planes = {p["plane_id"]: p for p in planes_of(out)}
@@ -32,12 +32,12 @@ class Invariants(RunTest):
             if abs(distance) > p["epsilon_m"] or abs(distance - residual) > 1e-6:
                 self.fail(f"({x}, {y}, {z}) lies {distance} m from plane {plane_id} with epsilon {p['epsilon_m']}, "
                           f"residual {residual}")
-        counts = told["counts"]["points"]
+        counts = run_json["counts"]["points"]
         self.assertEqual(counts["read"], before.count)
         self.assertEqual(counts["read"], counts["labelled"] + counts["unlabelled"] + counts["rejected"])
         self.assertEqual(counts["labelled"], before.count - carried[0])
         self.assertEqual({i: p["points"] for i, p in planes.items()}, {i: n for i, n in carried.items() if i})
-        self.assertEqual(told["counts"]["planes"], len(planes))
+        self.assertEqual(run_json["counts"]["planes"], len(planes))
 
     def check_shift(self, path):
         cloud = Las.read(path)
@@ -80,7 +80,7 @@ class Invariants(RunTest):
         middle, half = [(a + b) / 2 for a, b in zip(low, high)], [(b - a) * share / 2 for a, b in zip(low, high)]
         box = [middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1]]
         box = [(round(b / cloud.scale[0]) + 0.5) * cloud.scale[0] for b in box]  # no point lies on its border
-        out, told = self.work(path, "--bounds", ",".join(map(repr, box)))
+        out, run_json = self.work(path, "--bounds", ",".join(map(repr, box)))
         found = {p["content_id"]: p for p in planes_of(out)}
         inside = [p for p in every if p["min_x"] > box[0] + margin and p["max_x"] < box[2] - margin and
                   p["min_y"] > box[1] + margin and p["max_y"] < box[3] - margin]
@@ -89,22 +89,22 @@ class Invariants(RunTest):
             self.assertIn(p["content_id"], found, p)
             for key in ("points", "nx", "ny", "nz", "d", "epsilon_m", "rms_m"):
                 self.assertEqual(p[key], found[p["content_id"]][key], key)
-        return box, out, told
+        return box, out, run_json
 
 
 class Synthetic(Invariants):
     def test_run(self):
         path = self.district(200000)
-        out, told = self.work(path)
-        self.check_run(path, told, out)
+        out, run_json = self.work(path)
+        self.check_run(path, run_json, out)
 
     def test_offset_beside_the_lattice(self):
         cloud = Las.read(self.district(60000))
         for i, part in enumerate((0.25, 0.5, 0.999)):
             offset = [o + part * s for o, s in zip(cloud.offset, cloud.scale)]
             path = cloud.write(self.folder / f"beside-{i}.las", offset=offset)
-            out, told = self.work(path)
-            self.check_run(path, told, out)
+            out, run_json = self.work(path)
+            self.check_run(path, run_json, out)
 
     def test_files_of_different_lattices(self):
         cloud = Las.read(self.district(60000))
@@ -112,8 +112,8 @@ class Synthetic(Invariants):
         offset = [o + 0.5 * s for o, s in zip(cloud.offset, cloud.scale)]
         paths = [cloud.write(self.folder / "even.las", records[0::2]),
                  cloud.write(self.folder / "odd.las", records[1::2], offset=offset)]
-        out, told = self.work(paths)
-        self.assertEqual(told["counts"]["points"]["read"], cloud.count)
+        out, run_json = self.work(paths)
+        self.assertEqual(run_json["counts"]["points"]["read"], cloud.count)
         planes = {p["plane_id"]: p for p in planes_of(out)}
         for path in paths:
             labelled = self.labelled(out, path.stem)
@@ -130,8 +130,8 @@ class Synthetic(Invariants):
         records = [struct.pack("<iii", *(p - a for p, a in zip(raw, low))) + record[12:]
                    for record, raw in zip(cloud.records(), cloud.raw())]
         path = cloud.write(self.folder / "fine.las", records, scale=(1e-6, 1e-6, 1e-6), offset=(0, 0, 0))
-        out, told = self.work(path)
-        self.check_run(path, told, out)
+        out, run_json = self.work(path)
+        self.check_run(path, run_json, out)
 
     def test_shift(self):
         self.check_shift(self.district(200000))
@@ -144,7 +144,7 @@ class Synthetic(Invariants):
 
     def test_bounds_label_nothing_outside(self):
         path = self.district(300000)
-        box, out, told = self.check_bounds(path, 0.6, 4)
+        box, out, run_json = self.check_bounds(path, 0.6, 4)
         outside = sum(1 for (x, y, _), (plane, *_) in zip(Las.read(path).points(), self.labelled(out, path.stem).labels())
                       if plane and not (box[0] - 1e-6 <= x <= box[2] + 1e-6 and box[1] - 1e-6 <= y <= box[3] + 1e-6))
         self.assertEqual(outside, 0, "labelled points outside the area")
@@ -154,9 +154,9 @@ class WithoutClouds(RunTest):
     def check(self, scene, points, product):
         path = self.folder / f"{scene}.las"
         self.assertEqual(ilot("scan", scene, "-o", path, "--points", points, "-q").returncode, 0)
-        whole, told = self.work(path, "--products", product)
+        whole, run_json = self.work(path, "--products", product)
         out, bare = self.work(path, "--products", product, "--no-clouds")
-        self.assertEqual(bare["counts"], told["counts"])
+        self.assertEqual(bare["counts"], run_json["counts"])
         files = [f.relative_to(whole) for f in whole.rglob("*") if f.is_file()]
         others = [f for f in files if f.parts[0] != "points" and f.name != "run.json"]
         self.assertEqual(len(others) + 2, len(files))
@@ -164,35 +164,35 @@ class WithoutClouds(RunTest):
                          sorted([*others, pathlib.Path("run.json")]))
         for file in others:
             self.assertEqual((out / file).read_bytes(), (whole / file).read_bytes(), file)
-        return path, out, told
+        return path, out, run_json
 
     def test_all_else_is_the_same(self):
         self.check("roofs", 150000, "roofs")
         self.check("street", 150000, "streets")
-        path, out, told = self.check("district", 20000, "planes")
+        path, out, run_json = self.check("district", 20000, "planes")
         _, again = self.work(path, "--overwrite", out=out)
-        self.assertEqual(again["result_hash"], told["result_hash"], "a run with clouds over one without")
+        self.assertEqual(again["result_hash"], run_json["result_hash"], "a run with clouds over one without")
 
 
 class Real(Invariants):
     def test_urban_tile(self):
         path = real("ign/77050_627755_pf6.las")
-        out, told = self.work(path)
-        self.check_run(path, told, out)
+        out, run_json = self.work(path)
+        self.check_run(path, run_json, out)
         self.check_shift(path)
 
     def test_coloured_tile(self):
         path = real("ign/870000_6618000.las")
-        out, told = self.work(path)
-        self.check_run(path, told, out)
+        out, run_json = self.work(path)
+        self.check_run(path, run_json, out)
         self.check_rotations(path, 0.15, 0.03)
 
     def test_feet(self):
         path = real("autzen/autzen_north_buildings.las")
         cloud = Las.read(path)
         part = cloud.write(self.folder / "part.las", cloud.records()[:150000])
-        out, told = self.work(part)
-        self.assertGreater(told["counts"]["planes"], 20)
+        out, run_json = self.work(part)
+        self.assertGreater(run_json["counts"]["planes"], 20)
 
 
 if __name__ == "__main__":

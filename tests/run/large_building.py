@@ -20,9 +20,9 @@ class LargeBuilding(RunTest):
         return cloud
 
     def check(self, cloud, *arguments):
-        told = self.within_budgets(BUDGETS, cloud, "--products", "roofs", *arguments, code=self.code, timeout=SECONDS)
-        self.assertEqual(told[0]["counts"]["roofs"]["thinned"], 1)
-        self.assertEqual(told[0]["counts"]["roofs"]["lod22"], 1)
+        run_json = self.within_budgets(BUDGETS, cloud, "--products", "roofs", *arguments, code=self.code, timeout=SECONDS)
+        self.assertEqual(run_json[0]["counts"]["roofs"]["thinned"], 1)
+        self.assertEqual(run_json[0]["counts"]["roofs"]["lod22"], 1)
 
     def test_outline_found_and_given(self):
         cloud = self.scanned()

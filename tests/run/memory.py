@@ -13,9 +13,9 @@ from support import SANITIZED, SKIPPED, RunTest, ilot, main, small_las
 class Memory(RunTest):
     def peak(self, points, *arguments):
         path = self.district(points)
-        _, told = self.work(path, "--memory", "96M", "--threads", "2", *arguments, timeout=300)
-        self.assertEqual(told["counts"]["points"]["read"], points)
-        return told["peak_rss_bytes"]
+        _, run_json = self.work(path, "--memory", "96M", "--threads", "2", *arguments, timeout=300)
+        self.assertEqual(run_json["counts"]["points"]["read"], points)
+        return run_json["peak_rss_bytes"]
 
     def test_ten_times_the_points(self):
         """From 400,000 points on all fixed buffers are full. Which tasks meet moves the peak by some MiB; three bytes for
@@ -33,8 +33,8 @@ class Memory(RunTest):
         struct.pack_into("<H", data, 105, 60000)
         path.write_bytes(bytes(data[:227]) + b"".join(rows))
         for memory, *more in ((96, "--no-clouds"), (128,)):
-            _, told = self.work(path, "--memory", f"{memory}M", "--threads", "2", *more)
-            self.assertLessEqual(told["peak_rss_bytes"], memory << 20)
+            _, run_json = self.work(path, "--memory", f"{memory}M", "--threads", "2", *more)
+            self.assertLessEqual(run_json["peak_rss_bytes"], memory << 20)
         refused = ilot("run", path, "-o", self.folder / "out96", "--memory", "96M")
         self.assertEqual(refused.returncode, 1)
         self.assertIn("long.las: its rows of 60000 bytes take", refused.stderr)
@@ -51,18 +51,18 @@ class Memory(RunTest):
         path = self.folder / "dense.las"
         small_las(path, rows)
         for memory in ("96M", "2G"):
-            _, told = self.work(path, "--memory", memory, "--threads", "2", "--no-clouds", timeout=300)
-            warned = [w for w in told["warnings"] if "the peak of memory was" in w]
-            self.assertEqual(len(warned), 1 if told["peak_rss_bytes"] > told["memory_bytes"] else 0, told["warnings"])
+            _, run_json = self.work(path, "--memory", memory, "--threads", "2", "--no-clouds", timeout=300)
+            warned = [w for w in run_json["warnings"] if "the peak of memory was" in w]
+            self.assertEqual(len(warned), 1 if run_json["peak_rss_bytes"] > run_json["memory_bytes"] else 0, run_json["warnings"])
 
     def test_threads_share_the_budget(self):
         """Sixteen threads and their pools of memory have no more than one has, and find the same."""
         path, hashes = self.district(1000000), set()
         for memory, threads in (("96M", 16), ("96M", 1), ("2G", 2)):
-            _, told = self.work(path, "--memory", memory, "--threads", threads, timeout=300)
-            hashes.add(told["result_hash"])
+            _, run_json = self.work(path, "--memory", memory, "--threads", threads, timeout=300)
+            hashes.add(run_json["result_hash"])
             if memory == "96M":
-                self.assertLessEqual(told["peak_rss_bytes"], 96 << 20, f"{threads} threads")
+                self.assertLessEqual(run_json["peak_rss_bytes"], 96 << 20, f"{threads} threads")
         self.assertEqual(len(hashes), 1)
 
 
@@ -86,13 +86,13 @@ class Products(RunTest):
 
     def test_a_facade(self):
         cloud, asked = self.facade(1000000)
-        told = self.within_budgets(self.BUDGETS, cloud, *asked, timeout=300)
-        self.assertEqual(told[0]["counts"]["facades"]["facades"], 1)
+        run_json = self.within_budgets(self.BUDGETS, cloud, *asked, timeout=300)
+        self.assertEqual(run_json[0]["counts"]["facades"]["facades"], 1)
 
     def test_a_street(self):
         cloud, asked = self.street(1000000)
-        told = self.within_budgets(self.BUDGETS, cloud, *asked, timeout=300)
-        self.assertGreater(told[0]["counts"]["streets"]["objects"], 20)
+        run_json = self.within_budgets(self.BUDGETS, cloud, *asked, timeout=300)
+        self.assertGreater(run_json[0]["counts"]["streets"]["objects"], 20)
 
 
 if __name__ == "__main__":

@@ -18,11 +18,11 @@ class Resume(RunTest):
         """Starts a run and sends the signal; returns its exit code and what it said."""
         run = self.start(inputs, out, *arguments)
         try:
-            _, said = run.communicate(timeout=seconds)
+            _, output = run.communicate(timeout=seconds)
         except subprocess.TimeoutExpired:
             run.send_signal(how)
-            _, said = run.communicate(timeout=60)
-        return run.returncode, said
+            _, output = run.communicate(timeout=60)
+        return run.returncode, output
 
     def stop_in_stage(self, stage, how, inputs, out, *arguments):
         """Sends the signal as soon as a file of that stage stands in the store."""
@@ -34,13 +34,13 @@ class Resume(RunTest):
             time.sleep(0.001)
         if run.poll() is None:
             run.send_signal(how)
-        _, said = run.communicate(timeout=60)
-        return run.returncode, said
+        _, output = run.communicate(timeout=60)
+        return run.returncode, output
 
     def seconds_of(self, inputs, *arguments):
         began = time.monotonic()
-        out, told = self.work(inputs, *arguments)
-        return time.monotonic() - began, told["result_hash"], sorted(p.name for p in out.iterdir())
+        out, run_json = self.work(inputs, *arguments)
+        return time.monotonic() - began, run_json["result_hash"], sorted(p.name for p in out.iterdir())
 
     def check_kills(self, inputs, moments, seed, *arguments):
         whole, expected, names = self.seconds_of(inputs, *arguments)
@@ -56,8 +56,8 @@ class Resume(RunTest):
             self.assertEqual(code, -signal.SIGKILL, "every run ended before it was killed")
             if out.exists() and i % 2 == 1:  # a second time, in the middle of going on
                 self.stop_after(whole * rng.uniform(0.02, 0.5), signal.SIGKILL, inputs, out, "--resume", *arguments)
-            _, told = self.work(inputs, "--resume", *arguments, out=out)
-            self.assertEqual(told["result_hash"], expected)
+            _, run_json = self.work(inputs, "--resume", *arguments, out=out)
+            self.assertEqual(run_json["result_hash"], expected)
             self.assertEqual(sorted(p.name for p in out.iterdir()), names)
         return expected
 
@@ -80,8 +80,8 @@ class Synthetic(Resume):
         out = self.folder / "killed-in-stage"
         code, _ = self.stop_in_stage(product, signal.SIGKILL, path, out, *SLOW, *asked)
         self.assertEqual(code, -signal.SIGKILL)
-        _, told = self.work(path, "--resume", *SLOW, *asked, out=out)
-        self.assertEqual(told["result_hash"], expected)
+        _, run_json = self.work(path, "--resume", *SLOW, *asked, out=out)
+        self.assertEqual(run_json["result_hash"], expected)
 
     def test_killed_while_making_facades(self):
         self.check_kills_of("facades", *self.facade(60000))
@@ -102,8 +102,8 @@ class Synthetic(Resume):
                 out = self.folder / stage
                 code, _ = self.stop_in_stage(stage, signal.SIGKILL, path, out, *SLOW)
                 self.assertEqual(code, -signal.SIGKILL)
-                _, told = self.work(path, "--resume", *SLOW, out=out)
-                self.assertEqual(told["result_hash"], expected["result_hash"])
+                _, run_json = self.work(path, "--resume", *SLOW, out=out)
+                self.assertEqual(run_json["result_hash"], expected["result_hash"])
 
     def test_only_unfinished_work_is_redone(self):
         path = self.district(150000)
@@ -114,9 +114,9 @@ class Synthetic(Resume):
         finished = self.times(out, "blocks/*.codes", "blocks/*.order", "blocks/*.block", "blocks/*.normals", "cells/*.cell",
                               "index", "manifest.json")
         self.assertGreater(len(finished), 60)
-        _, told = self.work(path, "--resume", "--keep-store", "--threads", "3", "--block-points", "65536", out=out)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
-        self.assertEqual(told["blocks"], expected["blocks"], "the first run's partition counts")
+        _, run_json = self.work(path, "--resume", "--keep-store", "--threads", "3", "--block-points", "65536", out=out)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
+        self.assertEqual(run_json["blocks"], expected["blocks"], "the first run's partition counts")
         for file, written in finished.items():
             self.assertEqual(file.stat().st_mtime_ns, written, f"{file.name} was written again")
         everything = self.times(out, "blocks/*", "cells/*", "index")
@@ -134,8 +134,8 @@ class Synthetic(Resume):
         run.communicate()
         runs = len(list((out / ".store").glob("runs/*.table")))
         self.assertGreaterEqual(runs, 5)
-        _, told = self.work(path, "--resume", *SLOW, out=out)
-        self.assertEqual(told["result_hash"], self.work(path)[1]["result_hash"])
+        _, run_json = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(run_json["result_hash"], self.work(path)[1]["result_hash"])
 
     def test_interrupted(self):
         path = self.district(80000)
@@ -144,14 +144,14 @@ class Synthetic(Resume):
             for how in (signal.SIGINT, signal.SIGTERM):
                 with self.subTest(stage=stage, how=how.name):
                     out = self.folder / f"{stage}-{how.name}"
-                    code, said = self.stop_in_stage(stage, how, path, out, *SLOW)
-                    self.assertEqual(code, 130, said)
-                    lines = [line for line in said.splitlines() if "unit" not in line]
-                    self.assertEqual(len(lines), 1, said)
+                    code, output = self.stop_in_stage(stage, how, path, out, *SLOW)
+                    self.assertEqual(code, 130, output)
+                    lines = [line for line in output.splitlines() if "unit" not in line]
+                    self.assertEqual(len(lines), 1, output)
                     self.assertIn("--resume", lines[0])
                     self.assertFalse((out / "run.json").exists())
-                    _, told = self.work(path, "--resume", *SLOW, out=out)
-                    self.assertEqual(told["result_hash"], expected["result_hash"])
+                    _, run_json = self.work(path, "--resume", *SLOW, out=out)
+                    self.assertEqual(run_json["result_hash"], expected["result_hash"])
 
     def test_another_request_is_refused(self):
         path, other = self.district(100000), self.district(30000)
@@ -168,18 +168,18 @@ class Synthetic(Resume):
         os.utime(path)
         done = ilot("run", path, "-o", out, "-q", "--resume", *SLOW)
         self.assertEqual(done.returncode, 2, "the input was touched")
-        _, told = self.work(path, "--overwrite", *SLOW, out=out)
-        self.assertEqual(told["result_hash"], self.work(path)[1]["result_hash"])
+        _, run_json = self.work(path, "--overwrite", *SLOW, out=out)
+        self.assertEqual(run_json["result_hash"], self.work(path)[1]["result_hash"])
 
-    def test_leftovers_do_no_harm(self):
+    def test_remaining_files_do_no_harm(self):
         path = self.district(60000)
         out, expected = self.work(path, "--keep-store", *SLOW)
         store = out / ".store"
         for file in list(store.glob("blocks/*"))[::3]:  # a removal of the store that was cut short
             file.unlink()
         (store / "manifest.json").rename(store / "manifest.json.removed")
-        _, told = self.work(path, "--resume", *SLOW, out=out)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
+        _, run_json = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
         for name in ("manifest.json.77.tmp", "index.77.tmp", "flushed.77.tmp", "scratch-aB3xY7", "blocks/x.codes.part",
                      "runs/y.table.part"):
             (store / name).parent.mkdir(parents=True, exist_ok=True)
@@ -188,8 +188,8 @@ class Synthetic(Resume):
         (out / ".new" / "points" / "half.laz").write_bytes(b"half")
         (out / "run.json.77.tmp").write_bytes(b"half")
         (out / "run.json").unlink()
-        _, told = self.work(path, "--resume", *SLOW, out=out)
-        self.assertEqual(told["result_hash"], expected["result_hash"])
+        _, run_json = self.work(path, "--resume", *SLOW, out=out)
+        self.assertEqual(run_json["result_hash"], expected["result_hash"])
         self.assertEqual(sorted(p.name for p in out.iterdir()),
                          ["planes.csv", "planes.gpkg", "planes_neighbours.csv", "points", "run.json"])
 

@@ -46,26 +46,26 @@ class Strays(RunTest):
     def compare(self, scene, points, kinds, *arguments, code=0):
         clean_path = self.scan(scene, points)
         clean = Las.read(clean_path)
-        out, told = self.work(clean_path, *arguments, code=code)
+        out, run_json = self.work(clean_path, *arguments, code=code)
         wanted, rows = self.products(out), self.labelled(out, scene).records()
-        self.assertEqual(told["counts"]["points"]["rejected"], 0)
+        self.assertEqual(run_json["counts"]["points"]["rejected"], 0)
         for kind in kinds:
             with self.subTest(scene=scene, kind=kind):
                 records, before, behind = with_strays(clean, kind)
                 path = clean.write(self.folder_of(f"{scene} {kind}") / clean_path.name, records)
-                with_them, said = self.work(path, *arguments, "--memory", "128M", code=code)
+                with_them, other_json = self.work(path, *arguments, "--memory", "128M", code=code)
                 self.assertEqual(self.products(with_them), wanted)
                 labelled = self.labelled(with_them, scene).records()
                 self.assertEqual(labelled[before:len(labelled) - behind], rows)
                 for row in labelled[:before] + labelled[len(labelled) - behind:]:
                     self.assertEqual(bytes(row[clean.length:]), bytes(len(row) - clean.length), "it has no label")
-                counts = dict(said["counts"]["points"])
+                counts = dict(other_json["counts"]["points"])
                 self.assertEqual(counts.pop("rejected"), before + behind)
                 self.assertEqual(counts.pop("read"), clean.count + before + behind)
                 self.assertEqual(sum(counts.values()), clean.count)
-                self.assertTrue(any("index.keep_strays" in text for text in said["warnings"]), said["warnings"])
-                told_of = json.loads(ilot("info", path, "--json", "-q").stdout)[0]
-                self.assertEqual(told_of["strays"]["points"], before + behind)
+                self.assertTrue(any("index.keep_strays" in text for text in other_json["warnings"]), other_json["warnings"])
+                info = json.loads(ilot("info", path, "--json", "-q").stdout)[0]
+                self.assertEqual(info["strays"]["points"], before + behind)
 
     def test_planes_and_roofs(self):
         self.compare("district", 40000, KINDS, "--products", "planes,roofs")
@@ -88,28 +88,28 @@ class Strays(RunTest):
     def test_a_setting_keeps_them(self):
         clean = Las.read(self.district(20000))
         path = clean.write(self.folder / "stray.las", with_strays(clean, "200 km")[0])
-        _, told = self.work(path, "--set", "index.keep_strays=true", "--no-clouds")
-        self.assertEqual(told["counts"]["points"]["rejected"], 0)
+        _, run_json = self.work(path, "--set", "index.keep_strays=true", "--no-clouds")
+        self.assertEqual(run_json["counts"]["points"]["rejected"], 0)
 
     def test_two_real_parts_both_stay(self):
         clean = Las.read(self.district(20000))
         east = [struct.pack("<i", x + 50000000) + r[4:] for (x, _, _), r in zip(clean.raw(), clean.records())]
         path = clean.write(self.folder / "two.las", clean.records() + east)
         _, one = self.work(self.folder / "district-20000.las", "--no-clouds")
-        _, told = self.work(path, "--no-clouds")
-        self.assertEqual(told["counts"]["points"]["rejected"], 0)
-        self.assertGreaterEqual(told["counts"]["planes"], 2 * one["counts"]["planes"] - 4)
+        _, run_json = self.work(path, "--no-clouds")
+        self.assertEqual(run_json["counts"]["points"]["rejected"], 0)
+        self.assertGreaterEqual(run_json["counts"]["planes"], 2 * one["counts"]["planes"] - 4)
 
-    def test_an_area_makes_nobody_stray(self):
+    def test_an_area_makes_no_point_a_stray(self):
         """What stands alone is judged with the points outside the area."""
         clean = Las.read(self.district(40000))
         x, y, _ = clean.points()[0]
         path = clean.write(self.folder / "stray.las", with_strays(clean, "above")[0])
         area = ("--bounds", f"{x - 3},{y - 3},{x + 3},{y + 3}", "--no-clouds")
         a, _ = self.work(self.folder / "district-40000.las", *area)
-        b, told = self.work(path, *area)
+        b, run_json = self.work(path, *area)
         self.assertEqual(self.products(b), self.products(a))
-        self.assertEqual(told["counts"]["points"]["rejected"] > 0, True)
+        self.assertEqual(run_json["counts"]["points"]["rejected"] > 0, True)
 
     def test_a_first_point_decides_no_scale(self):
         clean = Las.read(self.district(20000))
@@ -118,8 +118,8 @@ class Strays(RunTest):
         for name, strays in (("clean", []), ("far", [(1e9, 1e9, 1e9)]), ("zeros", [(0, 0, 0)] * 3000)):
             path = self.folder_of(name) / "cloud.ply"
             write_ply(path, strays + points)
-            out, told = self.work(path, "--crs", "EPSG:2154", "--products", "planes,roofs", code=3)
-            self.assertEqual(told["counts"]["points"]["rejected"], len(strays))
+            out, run_json = self.work(path, "--crs", "EPSG:2154", "--products", "planes,roofs", code=3)
+            self.assertEqual(run_json["counts"]["points"]["rejected"], len(strays))
             outs.append(self.products(out))
         self.assertEqual(outs[1], outs[0])
         self.assertEqual(outs[2], outs[0])
@@ -133,9 +133,9 @@ class Strays(RunTest):
         other = clean.write(self.folder_of("fine") / path.name, fine, scale=steps)
         products = ("--products", "planes,roofs")
         a, plain = self.work(path, *products)
-        b, told = self.work(other, *products)
+        b, run_json = self.work(other, *products)
         self.assertEqual(self.products(b), self.products(a))
-        self.assertEqual(told["blocks"], plain["blocks"])
+        self.assertEqual(run_json["blocks"], plain["blocks"])
         tail = clean.length
         self.assertEqual([r[tail:] for r in self.labelled(b, path.stem).records()],
                          [r[tail:] for r in self.labelled(a, path.stem).records()])

@@ -147,19 +147,19 @@ class RunTest(unittest.TestCase):
         inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
         done = ilot("run", *inputs, "-o", out, "-q", *arguments, env={**os.environ, **(env or {})}, **options)
         self.assertEqual(done.returncode, code, done.stderr)
-        told = json.loads((out / "run.json").read_text())
-        for skipped in told["skipped"]:
+        run_json = json.loads((out / "run.json").read_text())
+        for skipped in run_json["skipped"]:
             self.assertIn(skipped["where"], done.stderr, "what is skipped is told")
-        return out, told
+        return out, run_json
 
     def within_budgets(self, budgets, inputs, *arguments, **options):
         """One result for all budgets (MiB, threads), none of which is exceeded; returns the run.json of each."""
-        told = [self.work(inputs, "--memory", f"{memory}M", "--threads", threads, *arguments, **options)[1]
+        run_json = [self.work(inputs, "--memory", f"{memory}M", "--threads", threads, *arguments, **options)[1]
                 for memory, threads in budgets]
-        for (memory, threads), record in zip(budgets, told):
+        for (memory, threads), record in zip(budgets, run_json):
             self.assertLessEqual(record["peak_rss_bytes"], memory << 20, f"{memory}M, {threads} threads")
-        self.assertEqual(len({record["result_hash"] for record in told}), 1)
-        return told
+        self.assertEqual(len({record["result_hash"] for record in run_json}), 1)
+        return run_json
 
     def start(self, inputs, out, *arguments, **options):
         """A run that goes on while the test does something else."""

@@ -28,11 +28,11 @@ class TextTest(RunTest):
     def test_decimal_commas(self):
         for form in FORMS:
             for suffix in ("txt", "csv", "xyz", "pts"):
-                rows, said = self.converted(self.written(f"a.{suffix}", form))
+                rows, output = self.converted(self.written(f"a.{suffix}", form))
                 self.assertEqual(rows, [[651000.123, 6861000.456, 55.1], [651001.5, 6861000.456, 55.25]], form)
-                self.assertIn("decimal comma", said)
-                told = json.loads(ilot("info", "--json", self.folder / f"a.{suffix}").stdout)[0]
-                self.assertIn("decimal comma", told["dialect"])
+                self.assertIn("decimal comma", output)
+                run_json = json.loads(ilot("info", "--json", self.folder / f"a.{suffix}").stdout)[0]
+                self.assertIn("decimal comma", run_json["dialect"])
 
     def test_two_readings_are_refused_and_chosen(self):
         path = self.written("a.txt", "1,234;5,678;9,012\n2,345;5,678;9,012\n")

@@ -107,7 +107,7 @@ TEST(FeatureSelection, NoiseIsNotSelected) {
   EXPECT_LE(picked, 10);  // one in a hundred by design: 3 expected, 10 has probability below 0.001
 }
 
-TEST(FeatureSelection, NothingToTellApart) {
+TEST(FeatureSelection, NothingToSeparate) {
   const std::vector<double> values{1, 2, 3};
   EXPECT_TRUE(select_features(values, std::vector<std::uint32_t>{1, 1, 1}, 1).empty());
   EXPECT_TRUE(select_features(values, std::vector<std::uint32_t>{1, 2, 3}, 1).empty());

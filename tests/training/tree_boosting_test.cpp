@@ -39,12 +39,12 @@ std::vector<std::int32_t> scores_of(const BoostedTrees& m, const Set& s) {
 }
 
 // What training lowers: the mean over the rows of -ln of the share of their class.
-double tree_loss(const BoostedTrees& machine, const Set& s) {
-  const std::vector<std::int32_t> scores = scores_of(machine, s);
-  std::vector<double> share(machine.classes);
+double tree_loss(const BoostedTrees& model, const Set& s) {
+  const std::vector<std::int32_t> scores = scores_of(model, s);
+  std::vector<double> share(model.classes);
   double sum = 0;
   for (std::size_t r = 0; r < s.of_class.size(); ++r) {
-    tree_shares(std::span(scores).subspan(r * machine.classes, machine.classes), share);
+    tree_shares(std::span(scores).subspan(r * model.classes, model.classes), share);
     sum -= std::log(share[s.of_class[r]]);
   }
   return sum / static_cast<double>(s.of_class.size());
@@ -146,7 +146,7 @@ TEST(TreeBoosting, LimitsThatNoTreeAsksForAreLeftOut) {
 }
 
 // What cannot be told apart is as common as it was; and one value has no limits.
-TEST(TreeBoosting, NothingToTellBy) {
+TEST(TreeBoosting, WithoutInformativeFeatures) {
   Set s{2, 2, std::vector<double>(80, 3), {}};
   for (std::size_t r = 0; r < 40; ++r) s.of_class.push_back(r % 4 == 0);
   const BoostedTrees m = boost_trees(s.samples());

@@ -38,7 +38,7 @@ int evaluate_models(const EvaluateArguments& given) {
   ModelEvaluation evaluation{given.models, given.cloud, read_model_points(given.cloud, file.models, wanted), {}, {}};
   evaluation.params = given.residuals;
   evaluation.params.metres_per_unit = evaluation.points.metres_per_unit;
-  evaluation.residuals = judge_models(file.models, evaluation.points.buildings, evaluation.params);
+  evaluation.residuals = evaluate_building_models(file.models, evaluation.points.buildings, evaluation.params);
   if (evaluation.residuals.buildings.empty())
     throw Error(given.cloud + ": no point of it belongs to a model of " + given.models +
                 "; are both in the same coordinate system?");
@@ -98,7 +98,7 @@ void add_model_options(CLI::App& command, EvaluateArguments& given) {
   command.add_option("--margin", given.points.margin_m, "metres that points may lie outside a model's plan [0.5]")
       ->option_text("M")
       ->check(CLI::Range(0.0, 1000.0));
-  const std::map<std::string, JudgedFaces> faces{{"all", JudgedFaces::all}, {"roofs", JudgedFaces::roofs}};
+  const std::map<std::string, EvaluatedFaces> faces{{"all", EvaluatedFaces::all}, {"roofs", EvaluatedFaces::roofs}};
   command.add_option("--faces", given.residuals.faces, "of models: all or roofs [all]")
       ->option_text("WHICH")
       ->transform(one_of(faces));

@@ -12,7 +12,7 @@
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/render/plot.h"
-#include "training/thing_training.h"
+#include "training/object_model_training.h"
 
 namespace ilot {
 namespace {
@@ -57,7 +57,7 @@ int replay_command(const ReplayArguments& given) {
   ConsoleProgress progress(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   KeptRunPlaces places{given.out, given.store, given.stations, {}, {}};
   if (!given.within.empty()) places.within = read_area(given.within);
-  places.learn = [](std::span<const ThingSample> samples) { return train_things(samples); };
+  places.learn = [](std::span<const TrainingSample> samples) { return train_object_model(samples); };
   return given.list ? list_units(places, given.all) : replay_unit(given, places, progress.get());
 }
 

@@ -16,7 +16,7 @@
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 #include "tools/ilot/units.h"
-#include "training/thing_training.h"
+#include "training/object_model_training.h"
 
 namespace ilot {
 namespace {
@@ -128,7 +128,8 @@ int run_command(const RunArguments& given) {
   const Verbosity verbosity = given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
   ConsoleProgress progress(verbosity, given.log);
   let_allocator_keep(options.memory_bytes, options.threads > 0 ? options.threads : hardware_threads());
-  return run(options, progress.get(), [](std::span<const ThingSample> samples) { return train_things(samples); });
+  return run(options, progress.get(),
+             [](std::span<const TrainingSample> samples) { return train_object_model(samples); });
 }
 
 void add_work_options(CLI::App& command, RunArguments& given) {

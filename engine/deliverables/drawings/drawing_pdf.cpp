@@ -68,9 +68,9 @@ void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PaperPlace& at, s
     add_stretch(top, q, half, at, path);
     return;
   }
-  const double along = (1 - bulge * bulge) / 3, aside = 2 * bulge / 3;
-  path += at({p.x + along * d.x + aside * d.y, p.y + along * d.y - aside * d.x}) + " " +
-          at({q.x - along * d.x + aside * d.y, q.y - along * d.y - aside * d.x}) + " " + at(q) + " c\n";
+  const double along = (1 - bulge * bulge) / 3, across = 2 * bulge / 3;
+  path += at({p.x + along * d.x + across * d.y, p.y + along * d.y - across * d.x}) + " " +
+          at({q.x - along * d.x + across * d.y, q.y - along * d.y - across * d.x}) + " " + at(q) + " c\n";
 }
 
 std::string path_of(const DrawingLine& line, const PaperPlace& at) {

@@ -153,7 +153,7 @@ void write_view(Tags& tags, const Drawing& drawing) {
 // Lengths in millimetres of paper, $LTSCALE makes metres of them; negative is a gap.
 void write_patterns(Tags& tags) {
   struct Pattern {
-    const char *name, *told;
+    const char *name, *description;
     unsigned handle;
     std::vector<double> dashes;
   };
@@ -165,7 +165,7 @@ void write_patterns(Tags& tags) {
     begin_record(tags, "LTYPE", p.handle, 0x5, "AcDbLinetypeTableRecord");
     tags.add(2, p.name);
     tags.add(70, 0);
-    tags.add(3, p.told);
+    tags.add(3, p.description);
     tags.add(72, 65);
     tags.add(73, static_cast<int>(p.dashes.size()));
     double sum = 0;

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kMuch = 0.5;  // of an edge
 constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
-constexpr std::array<const char*, 3> kBelief{"good", "weak", "none"};
+constexpr std::array<const char*, 3> kGradeText{"good", "weak", "none"};
 
 std::string millimetres(double metres) {
   return decimal(1000 * metres, 1);
@@ -35,11 +35,11 @@ std::string row_of(const FacadeElement& e, const std::string& which, const char*
 
 }  // namespace
 
-Belief belief_in(const FacadeEdge& edge) {
-  if (edge.points == 0) return Belief::none;
+EvidenceGrade evidence_grade(const FacadeEdge& edge) {
+  if (edge.points == 0) return EvidenceGrade::none;
   return edge.status != DrawnStatus::seen || edge.covered_share < kMuch || edge.occluded_share.value_or(0) >= kMuch
-             ? Belief::weak
-             : Belief::good;
+             ? EvidenceGrade::weak
+             : EvidenceGrade::good;
 }
 
 const char* side_of(const DrawingCorner& from, const DrawingCorner& to) {
@@ -64,9 +64,9 @@ std::vector<SvgNote> edge_notes(const FacadeElement& element, const FlatElement&
   if (element.edges.empty()) return notes;
   for (std::size_t i = 0; i < flat.corners.size(); ++i) {
     const DrawingCorner &a = flat.corners[i], &b = flat.corners[(i + 1) % flat.corners.size()];
-    const auto belief = static_cast<std::size_t>(belief_in(flat.edges[i]));
+    const auto grade = static_cast<std::size_t>(evidence_grade(flat.edges[i]));
     notes.push_back(
-        {a, b, kBelief[belief], words_of(element, side_of(a, b), flat.edges[i]), -static_cast<int>(belief)});
+        {a, b, kGradeText[grade], words_of(element, side_of(a, b), flat.edges[i]), -static_cast<int>(grade)});
   }
   return notes;
 }

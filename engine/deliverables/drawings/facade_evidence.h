@@ -12,12 +12,12 @@
 namespace ilot {
 
 // How much speaks for a line: points alone, not what regularisation says.
-enum class Belief : std::uint8_t {
+enum class EvidenceGrade : std::uint8_t {
   good,  // seen, by points
   weak,  // completed, or half of it without points, or seen by no station
   none,  // no point supports it
 };
-Belief belief_in(const FacadeEdge& edge);
+EvidenceGrade evidence_grade(const FacadeEdge& edge);
 
 // Where an edge of a ring lies: "bottom", "right", "top" or "left", by the way that it looks.
 const char* side_of(const DrawingCorner& from, const DrawingCorner& to);

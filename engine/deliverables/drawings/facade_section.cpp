@@ -98,11 +98,11 @@ void SectionPoints::add(std::span<const Vec3> points) {
     const double x = metres_ * dot(away, plane_.u) / cell_, y = metres_ * dot(away, plane_.v) / cell_;
     if (!(std::abs(x) < 1e9 && std::abs(y) < 1e9)) continue;
     cells_.emplace_back(static_cast<std::int64_t>(std::floor(y)), static_cast<std::int64_t>(std::floor(x)));
-    if (cells_.size() - sorted_ > std::max(kUnsorted, sorted_)) settle();
+    if (cells_.size() - sorted_ > std::max(kUnsorted, sorted_)) sort_unique();
   }
 }
 
-void SectionPoints::settle() {
+void SectionPoints::sort_unique() {
   std::sort(cells_.begin(), cells_.end());
   cells_.erase(std::unique(cells_.begin(), cells_.end()), cells_.end());
   sorted_ = cells_.size();
@@ -110,7 +110,7 @@ void SectionPoints::settle() {
 
 std::vector<FlatPoint> SectionPoints::places() const {
   SectionPoints whole = *this;
-  whole.settle();
+  whole.sort_unique();
   std::vector<FlatPoint> places;
   for (const auto& [row, column] : whole.cells_)
     places.push_back({(static_cast<double>(column) + 0.5) * cell_, (static_cast<double>(row) + 0.5) * cell_});

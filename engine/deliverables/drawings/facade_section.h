@@ -36,7 +36,7 @@ class SectionPoints {
   double half_, cell_, metres_;
   std::vector<std::pair<std::int64_t, std::int64_t>> cells_;  // sorted up to sorted_, later ones as they came
   std::size_t sorted_ = 0;
-  void settle();
+  void sort_unique();
 };
 
 // A sheet with the cut (joined within a tenth of a millimetre) and the points, in the axes of the section's plane.

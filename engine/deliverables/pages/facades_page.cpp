@@ -80,7 +80,7 @@ std::string doubtful_edges(const Facade& facade) {
   bool held = false;
   for (const FacadeElement& e : facade.elements)
     for (const FacadeEdge& edge : e.edges) {
-      doubtful += belief_in(edge) != Belief::good;
+      doubtful += evidence_grade(edge) != EvidenceGrade::good;
       held |= edge.points > 0 && edge.covered_share > 0;
     }
   return held && doubtful > 0

@@ -42,19 +42,19 @@ std::optional<T> attribute(const Building& b, const char* name) {
 }
 
 // Equal for equal ids wherever they stand.
-std::uint64_t lot_of(const std::string& id) {
-  std::uint64_t lot = id.size();
-  for (const char c : id) lot = mix64(lot ^ static_cast<unsigned char>(c));
-  return lot;
+std::uint64_t random_rank(const std::string& id) {
+  std::uint64_t hash = id.size();
+  for (const char c : id) hash = mix64(hash ^ static_cast<unsigned char>(c));
+  return hash;
 }
 
-std::string told_of(const Building& first, const std::string& status, double share_off) {
-  std::string told = status;
-  if (const auto faces = attribute<std::int64_t>(first, "roof_faces")) told += fmt::format(", {} faces", *faces);
-  if (const auto rmse = attribute<double>(first, "rmse_m")) told += fmt::format(", RMSE {:.2f} m", *rmse);
-  if (const auto points = attribute<std::int64_t>(first, "points")) told += fmt::format(", {} points", *points);
-  if (share_off > 0) told += fmt::format(", {:.1f} % of them off", 100 * share_off);
-  return told;
+std::string caption_of(const Building& first, const std::string& status, double share_off) {
+  std::string caption = status;
+  if (const auto faces = attribute<std::int64_t>(first, "roof_faces")) caption += fmt::format(", {} faces", *faces);
+  if (const auto rmse = attribute<double>(first, "rmse_m")) caption += fmt::format(", RMSE {:.2f} m", *rmse);
+  if (const auto points = attribute<std::int64_t>(first, "points")) caption += fmt::format(", {} points", *points);
+  if (share_off > 0) caption += fmt::format(", {:.1f} % of them off", 100 * share_off);
+  return caption;
 }
 
 }  // namespace
@@ -63,21 +63,21 @@ void RoofsPage::add(std::span<const Building> levels, std::span<const Vec3> poin
   const Building& first = levels.front();
   const Building& finest = levels.back();
   const std::string status = attribute<std::string>(first, "status").value_or("");
-  const std::string told = told_of(first, status, share_off);
+  const std::string caption = caption_of(first, status, share_off);
   ++buildings_;
   ++by_status_[status];
   if (status != "lod22" && fallen_.size() < kMostFallen)
     fallen_.push_back({first.id, status, attribute<std::string>(first, "reason").value_or("")});
   if (finest.vertices.empty()) return;
-  if (faces_drawn_ < kMostFacesDrawn) draw_in_plan(finest, fmt::format("{}: {}", first.id, told));
+  if (faces_drawn_ < kMostFacesDrawn) draw_in_plan(finest, fmt::format("{}: {}", first.id, caption));
   if (status == "footprint_only") return;
-  const Sample sample{first.id, told, finest, {points.begin(), points.end()}};
+  const Sample sample{first.id, caption, finest, {points.begin(), points.end()}};
   keep(choices_[0], -share_off, sample);
   keep(choices_[1], -static_cast<double>(finest.surfaces.size()), sample);
-  keep(choices_[2], static_cast<double>(lot_of(first.id) >> 11), sample);
+  keep(choices_[2], static_cast<double>(random_rank(first.id) >> 11), sample);
 }
 
-void RoofsPage::draw_in_plan(const Building& building, const std::string& told) {
+void RoofsPage::draw_in_plan(const Building& building, const std::string& caption) {
   if (drawn_ == 0) origin_ = building.vertices[0];
   for (const Vec3& v : building.vertices) {
     const double x = v.x - origin_.x, y = origin_.y - v.y;
@@ -86,7 +86,7 @@ void RoofsPage::draw_in_plan(const Building& building, const std::string& told) 
   ++drawn_;
   for (const BuildingSurface& s : building.surfaces) faces_drawn_ += s.kind == SurfaceKind::roof;
   const std::string shape = building.lod == "1.2" ? "lod12" : building.lod == "2.2" ? "lod22" : "footprint_only";
-  plan_ += fmt::format("<g class=\"{}\"><title>{}</title>{}</g>\n", shape, escaped_markup(told),
+  plan_ += fmt::format("<g class=\"{}\"><title>{}</title>{}</g>\n", shape, escaped_markup(caption),
                        plan_paths(building, origin_));
 }
 
@@ -116,7 +116,7 @@ void RoofsPage::finish() {
     for (const auto& [rank, s] : choice.samples)
       html += fmt::format("<figure>{}<figcaption>{}: {}</figcaption></figure>\n",
                           oblique_drawing(s.building, s.points, kWidth, kHeight), escaped_markup(s.id),
-                          escaped_markup(s.told));
+                          escaped_markup(s.caption));
     html += "</div>\n";
   }
   if (!fallen_.empty()) {

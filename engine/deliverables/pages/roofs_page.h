@@ -30,7 +30,7 @@ class RoofsPage {
 
  private:
   struct Sample {
-    std::string id, told;
+    std::string id, caption;
     Building building;  // its finest level
     std::vector<Vec3> points;
   };
@@ -39,7 +39,7 @@ class RoofsPage {
     std::multimap<double, Sample> samples;  // by rank, the last ones go when there are too many
   };
 
-  void draw_in_plan(const Building& building, const std::string& told);
+  void draw_in_plan(const Building& building, const std::string& caption);
   void keep(Choice& choice, double rank, const Sample& sample);
 
   std::filesystem::path path_;

@@ -64,7 +64,7 @@ constexpr GeometryShape kShapes[] = {{"MultiPoint", 1},       {"MultiLineString"
                                      {"CompositeSolid", 5}};
 
 template <class List>
-bool holds(const List& list, std::string_view value) {
+bool is_listed(const List& list, std::string_view value) {
   return std::find(std::begin(list), std::end(list), value) != std::end(list);
 }
 
@@ -156,7 +156,7 @@ std::string check_surfaces(const Json& surfaces) {
   for (const Json& surface : surfaces) {
     const std::string_view type = text_of(json_field(surface, "type"));
     if (type.empty()) return "a semantic surface has no type";
-    if (type[0] != '+' && !holds(kSurfaces, type)) return fmt::format("'{}' is no type of surface", type);
+    if (type[0] != '+' && !is_listed(kSurfaces, type)) return fmt::format("'{}' is no type of surface", type);
   }
   return "";
 }
@@ -194,9 +194,9 @@ std::string check_instance(const Json& geometry, std::size_t vertices, const Cit
 
 std::string check_type(const std::string_view type, const CityJsonHead& head) {
   if (type.empty()) return "type is missing";
-  if (type[0] == '+' || holds(kFirstLevel, type) || holds(kSecondLevel, type)) return "";
+  if (type[0] == '+' || is_listed(kFirstLevel, type) || is_listed(kSecondLevel, type)) return "";
   constexpr std::string_view kOld[] = {"IntBuildingInstallation", "IntBridgeInstallation", "IntTunnelInstallation"};
-  return head.version != "2.0" && holds(kOld, type) ? "" : fmt::format("'{}' is no type of city object", type);
+  return head.version != "2.0" && is_listed(kOld, type) ? "" : fmt::format("'{}' is no type of city object", type);
 }
 
 // The object names others in a list; they exist and name it in theirs.
@@ -221,7 +221,7 @@ std::string check_parts(const Json& object, const CityJsonHead& head) {
   if (!extent.is_null() && !has_numbers(extent, 6)) return "geographicalExtent is not six numbers";
   const Json& parents = json_field(object, "parents");
   const std::string_view type = text_of(json_field(object, "type"));
-  if (head.version != "1.0" && holds(kSecondLevel, type) && (!parents.is_array() || parents.empty()))
+  if (head.version != "1.0" && is_listed(kSecondLevel, type) && (!parents.is_array() || parents.empty()))
     return fmt::format("a {} has no parents", type);
   const Json& geometry = json_field(object, "geometry");
   return geometry.is_null() || geometry.is_array() ? "" : "geometry is no list";
@@ -261,7 +261,7 @@ std::vector<FormatFault> check_city_json_head(const Json& root, CityJsonHead& he
   std::vector<FormatFault> faults;
   const std::string_view version = text_of(json_field(root, "version"));
   constexpr std::string_view kVersions[] = {"1.0", "1.1", "2.0"};
-  if (holds(kVersions, version))
+  if (is_listed(kVersions, version))
     head.version = version;
   else
     note(faults, "", fmt::format("version '{}' is none of 1.0, 1.1, 2.0", version));

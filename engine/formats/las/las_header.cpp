@@ -26,7 +26,7 @@ struct HeaderView {
   T at(std::size_t offset) const {
     return load<T>(bytes.data() + offset);
   }
-  bool holds(std::size_t end) const { return bytes.size() >= end; }
+  bool has_bytes(std::size_t end) const { return bytes.size() >= end; }
 };
 
 std::string text_at(const std::byte* p, std::size_t length) {
@@ -59,7 +59,7 @@ void read_version(const InputFile& file, const HeaderView& header, CloudInfo& in
   const std::string version = std::to_string(info.version_major) + "." + std::to_string(info.version_minor);
   if (info.version_major != 1 || info.version_minor > 5)
     refuse(file, "LAS version " + version + " is not known; versions 1.0 to 1.4 are read");
-  if (!header.holds(las::header_size(info.version_minor)))
+  if (!header.has_bytes(las::header_size(info.version_minor)))
     info.warnings.push_back("the header is shorter than version " + version + " requires; its late fields are ignored");
 }
 
@@ -108,7 +108,7 @@ void read_point_format(const InputFile& file, const HeaderView& header, LasConta
 
 std::uint64_t declared_count(const HeaderView& header, const CloudInfo& info) {
   const std::uint64_t legacy = header.at<std::uint32_t>(las::kLegacyCount);
-  if (info.version_minor < 4 || !header.holds(las::header_size(4))) return legacy;
+  if (info.version_minor < 4 || !header.has_bytes(las::header_size(4))) return legacy;
   const auto count = header.at<std::uint64_t>(las::kCount);
   return count == 0 ? legacy : count;
 }
@@ -156,10 +156,10 @@ void read_vlrs(const InputFile& file, const HeaderView& header, LasContainer& ou
 // LAS 1.3 has one EVLR at most, the waveforms, which only the waveform field of the header finds.
 void read_evlrs(const InputFile& file, const HeaderView& header, LasContainer& out) {
   std::uint64_t offset = 0, count = 0;
-  if (out.info.version_minor >= 4 && header.holds(las::header_size(4))) {
+  if (out.info.version_minor >= 4 && header.has_bytes(las::header_size(4))) {
     offset = header.at<std::uint64_t>(las::kEvlrOffset);
     count = header.at<std::uint32_t>(las::kEvlrCount);
-  } else if (out.info.version_minor == 3 && header.holds(las::header_size(3)) &&
+  } else if (out.info.version_minor == 3 && header.has_bytes(las::header_size(3)) &&
              (header.at<std::uint16_t>(las::kGlobalEncoding) & las::kWaveformInternalBit)) {
     offset = header.at<std::uint64_t>(las::kWaveform);
     count = offset == 0 ? 0 : 1;

@@ -55,25 +55,25 @@ void LatticeSurvey::add(Vec3 place, int decimals) {
   ++rows_;
   if (p.x == 0 && p.y == 0 && p.z == 0) {
     ++zeros_;
-  } else if (settled_) {
+  } else if (has_offset_) {
     count(p);
   } else {
     sample_.push_back(p);
-    if (sample_.size() == kSample) settle();
+    if (sample_.size() == kSample) choose_offset();
   }
 }
 
-std::optional<std::size_t> LatticeSurvey::first_that_is_not_alone() const {
+std::optional<std::size_t> LatticeSurvey::first_not_isolated() const {
   const Vec3 centre{median(sample_, &Vec3::x), median(sample_, &Vec3::y), median(sample_, &Vec3::z)};
   for (std::size_t i = 0; i < sample_.size(); ++i)
     if (reach_of(sample_[i], {centre.x, centre.y, centre.z}) < kNear) return i;
   return std::nullopt;
 }
 
-void LatticeSurvey::settle() {
-  settled_ = true;
+void LatticeSurvey::choose_offset() {
+  has_offset_ = true;
   if (sample_.empty()) return;
-  const auto first = first_that_is_not_alone();
+  const auto first = first_not_isolated();
   const Vec3 begin = first ? sample_[*first] : sample_.front();
   offset_ = raster_below(begin);
   // A first row at the origin begins the cloud when it is not far from it.
@@ -87,7 +87,7 @@ void LatticeSurvey::count(Vec3 place) {
 }
 
 TableLattice LatticeSurvey::choose() {
-  if (!settled_) settle();
+  if (!has_offset_) choose_offset();
   const int more = factor_ > 1 ? kDegreeDecimals : 0;
   const auto band_with = [](int decimals) { return kFinest - decimals; };
   const auto rows_beyond = [&](int band) {

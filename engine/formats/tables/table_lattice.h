@@ -42,9 +42,9 @@ class LatticeSurvey {
  private:
   static constexpr int kBands = 6;  // 2e3, 2e4 ... 2e7 from the offset, and beyond
 
-  void settle();
+  void choose_offset();
   void count(Vec3 place);
-  std::optional<std::size_t> first_that_is_not_alone() const;
+  std::optional<std::size_t> first_not_isolated() const;
 
   double factor_;
   std::vector<Vec3> sample_;  // the first rows that are not at the origin
@@ -53,7 +53,7 @@ class LatticeSurvey {
   std::array<std::uint64_t, kBands> bands_{};
   std::uint64_t zeros_ = 0, rows_ = 0;
   int decimals_ = TableLattice::kUnknown;
-  bool settled_ = false;
+  bool has_offset_ = false;
 };
 
 }  // namespace ilot

@@ -73,15 +73,15 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
     points.clear(), from.clear();
     const auto planes = s.read(work.store, columns::kPlane);
     std::vector<StationNumber> stations;
-    if (work.told) stations = s.read(work.store, columns::kStation);
+    if (work.recorded) stations = s.read(work.store, columns::kStation);
     for (std::size_t i = 0; i < planes.size(); ++i) {
       const Vec3 p = into.of(s.position(i));
       if (p.x < -work.beside || p.x > wall.width + work.beside || p.y < -work.beside ||
           p.y > wall.height + work.beside || p.z < -work.behind || p.z > work.before)
         continue;
-      if (work.told) {
+      if (work.recorded) {
         const SiteStation number = number_of[stations[i]];
-        if (number == kStationAside && p.z < -epsilon) continue;  // not seen through the wall
+        if (number == kStationNotInFront && p.z < -epsilon) continue;  // not seen through the wall
         from.push_back(number);
       }
       points.push_back(
@@ -113,14 +113,14 @@ void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) 
 
 // Returns the numbers that the run's stations have in the site.
 std::vector<SiteStation> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
-  std::vector<SiteStation> number_of(work.stations.size() + 1, kStationAside);
+  std::vector<SiteStation> number_of(work.stations.size() + 1, kStationNotInFront);
   number_of[0] = kStationUnknown;
   for (std::size_t i = 0; i < work.stations.size(); ++i) {
     FacadeStation station = work.steps[i];
     station.position = LatticeAxes(work, wall).of_place(work.stations[i]);
     if (!(station.position.z > work.before)) continue;
     site.stations.push_back(station);
-    const bool numbered = site.stations.size() < kStationAside;
+    const bool numbered = site.stations.size() < kStationNotInFront;
     number_of[i + 1] = numbered ? static_cast<SiteStation>(site.stations.size()) : kStationUnknown;
   }
   return number_of;

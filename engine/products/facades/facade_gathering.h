@@ -31,7 +31,7 @@ struct FacadeWork {
   std::span<const FacadeStation> steps;             // of these, their positions left out
   std::span<const Outline> outlines = {};           // of planes
   std::vector<OutlineNumber> outline_numbers = {};  // of these, ascending: numbers_of()
-  bool told = false;                                // the store has the column "station" of these
+  bool recorded = false;                            // the store has the column "station" of these
   double beside = 2.5, before = 2.5, behind = 4;    // metres around the wall that points are taken from: a thing goes
                                                     // as far beyond the wall's ends as it may stand out
   double metres_per_unit = 1;

@@ -37,8 +37,8 @@ struct Part {
   double depth = 0, margin = 0;                 // of its front; beside it
   double arc_u = 0, arc_v = 0, arc_radius = 0;  // of a round top; radius 0: none
 
-  bool holds(Place2 p) const {
-    if (!box.grown(margin).holds(p)) return false;
+  bool contains(Place2 p) const {
+    if (!box.grown(margin).contains(p)) return false;
     if (arc_radius == 0 || p.v <= arc_v || std::abs(p.u - arc_u) > arc_radius) return true;
     const double u = p.u - arc_u, v = p.v - arc_v;
     return u * u + v * v <= (arc_radius + margin) * (arc_radius + margin);
@@ -83,7 +83,7 @@ class LabelledFacade {
     if (p.z < -epsilon_) return behind(p, station);
     for (const std::uint32_t i : bin({p.x, p.y})) {
       const Part& part = parts_[i];
-      if (part.opening || !part.holds({p.x, p.y}) || p.z > std::max(part.depth, 0.0) + epsilon_) continue;
+      if (part.opening || !part.contains({p.x, p.y}) || p.z > std::max(part.depth, 0.0) + epsilon_) continue;
       if (p.z > epsilon_ || part.depth <= epsilon_) return label(part);
     }
     return p.z <= epsilon_ ? wall(p) : FacadeLabel{};
@@ -140,7 +140,7 @@ class LabelledFacade {
       crossing = {eye.x + (p.x - eye.x) * along, eye.y + (p.y - eye.y) * along};
     }
     for (const std::uint32_t i : bin(crossing))
-      if (parts_[i].opening && parts_[i].holds(crossing)) return label(parts_[i]);
+      if (parts_[i].opening && parts_[i].contains(crossing)) return label(parts_[i]);
     return p.z > -kJoint ? wall(p) : FacadeLabel{};
   }
   FacadeLabel wall(const Vec3& p) const {
@@ -168,13 +168,13 @@ void label_block(const FacadeWork& work, std::uint32_t block, const Numbers& num
   for (const std::uint32_t f : numbers) facades.emplace_back(work, walls[f], found[f].facade);
   const auto codes = work.store.read(block, columns::kCodes);
   std::vector<StationNumber> stations;
-  if (work.told) stations = work.store.read(block, columns::kStation);
+  if (work.recorded) stations = work.store.read(block, columns::kStation);
   const std::uint32_t only = work.stations.size() == 1 ? 0 : kNoStation;
   std::vector<FacadeLabel> labels(codes.size());
   for (std::size_t i = 0; i < codes.size(); ++i) {
     const Index3 at = index_of({work.store.blocks()[block].node.tile, codes[i]});
     if (context.wanted && !context.wanted(at)) continue;
-    const std::uint32_t station = work.told && stations[i] != 0 ? stations[i] - 1u : only;
+    const std::uint32_t station = work.recorded && stations[i] != 0 ? stations[i] - 1u : only;
     for (const LabelledFacade& facade : facades) {
       labels[i] = facade.of(at, station);
       if (labels[i].facade != 0) break;

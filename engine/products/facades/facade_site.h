@@ -42,7 +42,7 @@ using OutlineRing = std::vector<Place2>;  // the last corner leads to the first
 // Numbers of stations, from 1 on, and what else may stand there.
 using SiteStation = std::uint16_t;
 constexpr SiteStation kStationUnknown = 0;
-constexpr SiteStation kStationAside = 65535;  // one that is not in front of the wall: its rays do not cross it
+constexpr SiteStation kStationNotInFront = 65535;  // one that is not in front of the wall: its rays do not cross it
 
 struct FacadeSite {
   FacadeAxes axes;

@@ -25,7 +25,8 @@ namespace {
 constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
-constexpr const char* kUntold = "facades: {} of {} points do not say which station they are from; theirs are guessed";
+constexpr const char* kStationsUnrecorded =
+    "facades: {} of {} points do not say which station they are from; theirs are guessed";
 constexpr const char* kOutlinesDropped =
     "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
@@ -64,7 +65,7 @@ FacadeParams facade_params(const FacadesSettings& s) {
 }
 
 // Steps of one facade that may run at once.
-std::size_t lanes_of(std::uint64_t budget_bytes) {
+std::size_t concurrency_of(std::uint64_t budget_bytes) {
   constexpr std::uint64_t kOneFor = 64 << 20;
   return static_cast<std::size_t>(std::clamp<std::uint64_t>(budget_bytes / kOneFor, 1, 16));
 }
@@ -132,8 +133,8 @@ FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs
 }
 
 // The column "station", where it matters and some input tells it.
-bool tell_stations(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
-                   RunRecord& record) {
+bool write_station_column(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
+                          RunRecord& record) {
   const bool any = std::any_of(inputs.row_stations.begin(), inputs.row_stations.end(), [](const InputStations& input) {
     return input.of_all != 0 || !input.of_source.empty();
   });
@@ -142,12 +143,13 @@ bool tell_stations(const Store& store, const RunInputs& inputs, const PassContex
     return false;
   }
   const StationTally tally = stations_pass(store, inputs.readers, inputs.row_stations, context);
-  if (tally.untold > 0) {
-    const std::string warning = fmt::format(kUntold, grouped(tally.untold), grouped(tally.told + tally.untold));
+  if (tally.unrecorded > 0) {
+    const std::string warning =
+        fmt::format(kStationsUnrecorded, grouped(tally.unrecorded), grouped(tally.recorded + tally.unrecorded));
     progress.warn(warning);
     record.warnings.push_back(warning);
   }
-  return tally.told > 0;
+  return tally.recorded > 0;
 }
 
 // The column "colour", which images are painted with; false where no input has colours.
@@ -197,7 +199,7 @@ struct FacadeSearch {
   const Settings& settings;
   const RunInputs& inputs;
   const PassContext& context;
-  std::size_t lanes;
+  std::size_t concurrency;
   const FacadeObserver* observer;
 };
 
@@ -206,7 +208,7 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
   const FacadeWork& work = run.work;
   const RunInputs& inputs = search.inputs;
   FacadeParams params = facade_params(search.settings.facades);
-  params.lanes = search.lanes;
+  params.concurrency = search.concurrency;
   const DormerParams of_dormers = dormer_params(search.settings.facades);
   run_pass(tasks, search.context.budget_bytes, [&](std::size_t i) {
     GatheredFacade gathered = gather_facade(work, run.walls[i]);
@@ -246,19 +248,19 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   if (run->stations.empty()) record.warnings.push_back(kNoStations);
   run->walls = find_walls(planes.segments, run->stations, middle, params);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
-  work.told = run->stations.size() > 1 && tell_stations(store, inputs, context, progress, record);
+  work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
   const std::vector<std::vector<WallGroup>> dormers = dormers_of(run->walls, planes.segments, params);
-  const std::size_t lanes = lanes_of(context.budget_bytes);
+  const std::size_t concurrency = concurrency_of(context.budget_bytes);
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;
   for (const WallGroup& wall : run->walls) {
     const std::uint64_t count = points_to_read(work, wall);
-    tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, lanes), count});
+    tasks.push_back({facade_bytes(gather_facade(work, wall).site, count, concurrency), count});
     points += count;
   }
   progress.begin_stage("facades", points);
   run->found.resize(run->walls.size());
-  find_each({settings, inputs, context, lanes, observer}, dormers, tasks, *run);
+  find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
   join_facades(run->found, small_walls(run->walls, planes.segments, run->stations, middle, params),
                context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);

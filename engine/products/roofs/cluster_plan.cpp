@@ -180,14 +180,14 @@ std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& 
   const ClusterParams params{PointRole::building, std::max<std::int64_t>(1, std::llround(distance / unit))};
   const std::vector<CloudCluster> clusters = clusters_pass(store, params, context);
   const Outliner outliner(store, clusters, context.metres_per_unit, distance);
-  ClustersRecord& told = record.clusters.emplace();
+  ClustersRecord& summary = record.clusters.emplace();
   std::vector<std::uint32_t> large;
   std::vector<PassTask> tasks;
   for (std::uint32_t c = 0; c < clusters.size(); ++c) {
-    ++told.clusters;
+    ++summary.clusters;
     if (clusters[c].points < fewest) {
-      ++told.too_small;
-      told.points_of_too_small += clusters[c].points;
+      ++summary.too_small;
+      summary.points_of_too_small += clusters[c].points;
       continue;
     }
     large.push_back(c);

@@ -35,8 +35,8 @@ std::string first_names(const std::vector<std::string>& names) {
 
 }  // namespace
 
-void settle_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                               Progress& progress, RunRecord& record) {
+void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
+                                Progress& progress, RunRecord& record) {
   if (!record.footprints) return;
   const GridBox extent = extent_of(store, context);
   std::set<std::string> all, beyond;

@@ -14,8 +14,8 @@ namespace ilot {
 
 // Says which footprints were skipped. Those wholly outside of the cloud's extent are no fault, as footprints of a whole
 // town are usual: they move from record.skipped to record.footprints->outside and become one line.
-void settle_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
-                               Progress& progress, RunRecord& record);
+void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
+                                Progress& progress, RunRecord& record);
 
 // Why roofs found nothing to build: half a sentence. `sites` are those of the footprints, `given`: there is a file of
 // them, `area`: products are asked for in a part only.

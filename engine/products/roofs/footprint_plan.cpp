@@ -16,14 +16,14 @@ std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, cons
                                          RunRecord& record) {
   const FootprintFile file = read_footprints(path, crs);
   std::vector<PlannedSite> sites = plan_sites(file.footprints, crs.metres_per_unit);
-  FootprintsRecord& told = record.footprints.emplace();
-  told.path = path.string();
-  told.footprints = file.footprints.size();
-  told.id_attribute = file.id_attribute;
-  told.transformed = file.transformed;
+  FootprintsRecord& summary = record.footprints.emplace();
+  summary.path = path.string();
+  summary.footprints = file.footprints.size();
+  summary.id_attribute = file.id_attribute;
+  summary.transformed = file.transformed;
   for (const PlannedSite& site : sites) {
-    told.mended += !site.repair.empty();
-    told.without_outline += site.outline.polygon.empty();
+    summary.mended += !site.repair.empty();
+    summary.without_outline += site.outline.polygon.empty();
   }
   for (const std::string& warning : file.warnings) {
     progress.warn(warning);

@@ -17,7 +17,7 @@ RoofLabels::RoofLabels(const Store& store)
   file_ = std::make_unique<ColumnWriter<SitePointLabel>>(path_);
 }
 
-LabelRun RoofLabels::put_aside(std::uint32_t block, std::span<const SitePointLabel> labels) {
+LabelRun RoofLabels::store_labels(std::uint32_t block, std::span<const SitePointLabel> labels) {
   const std::lock_guard lock(writing_);
   file_->append(labels);
   const LabelRun run{block, static_cast<std::uint32_t>(labels.size()), written_};

@@ -42,7 +42,7 @@ class RoofLabels {
   explicit RoofLabels(const Store& store);
 
   // Puts labels of a building for points of one block aside. From any thread.
-  LabelRun put_aside(std::uint32_t block, std::span<const SitePointLabel> labels);
+  LabelRun store_labels(std::uint32_t block, std::span<const SitePointLabel> labels);
 
   // A building's runs, units in ascending order; its plane 1 is first_plane. Of two labels of a point the smaller
   // unit's counts.

@@ -76,8 +76,8 @@ UnitSample SiteReader::sample(GatheredSite& gathered) {
   UnitCollector building(work_.most_points), unclassified(work_.most_points);
   for_each_around([&](const AroundPoint& p, Index3 position) {
     ++gathered.points_around;
-    measure.add(p.at, p.role, p.belonging);
-    if (p.belonging != Belonging::held) return;
+    measure.add(p.at, p.role, p.membership);
+    if (p.membership != PointMembership::held) return;
     if (p.role == PointRole::building) building.add({p.place, position});
     if (p.role == PointRole::unclassified) unclassified.add({p.place, position});
   });

@@ -46,7 +46,7 @@ struct AroundPoint {
   StorePlace place;
   Vec3 at;  // metres from the site's anchor; heights from 0 of the CRS
   PointRole role{};
-  Belonging belonging{};
+  PointMembership membership{};
 };
 
 // Points that are around the site: what reading it costs. 0 without an outline.
@@ -91,7 +91,7 @@ class SiteReader {
       return [this, roles = s.read(work_.store, columns::kRole)](const StretchPoint& p) {
         const Vec3 at = metres(p.position);
         const PointRole role = roles[p.number];
-        return rule_.takes(role, at.z) && filter_.of(at, role) == Belonging::held;
+        return rule_.takes(role, at.z) && filter_.of(at, role) == PointMembership::held;
       };
     };
   }

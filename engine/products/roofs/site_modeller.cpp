@@ -109,7 +109,7 @@ void SiteModeller::label_sample(const GatheredSite& gathered, const RoofModel& m
     labels.push_back({places[i].point, face, labeller.label(p, face)});
     const bool last = i + 1 == places.size() || places[i + 1].block != places[i].block;
     if (!last && labels.size() < kStretchPoints) continue;
-    result.labels.push_back(labels_.put_aside(places[i].block, labels));
+    result.labels.push_back(labels_.store_labels(places[i].block, labels));
     labels.clear();
   }
 }
@@ -125,7 +125,7 @@ void SiteModeller::label_all(const SiteReader& reader, const RoofSite& site, con
       measures.add(at[i], faces[i]);
       labels.push_back({points[i], faces[i], labeller.label(at[i], faces[i])});
     }
-    result.labels.push_back(labels_.put_aside(block, labels));
+    result.labels.push_back(labels_.store_labels(block, labels));
   });
 }
 

@@ -9,7 +9,7 @@
 #include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
-#include "engine/products/streets/objects/whole_things.h"
+#include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_rasters.h"
 #include "engine/products/streets/street_training.h"
@@ -21,15 +21,15 @@ namespace {
 
 constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
 constexpr std::uint64_t kLeastPoints = 3;  // of an object [Hernandez and Marcotegui 2008, 5.3]
-constexpr double kPixelsOfThing = 4;       // of a thing at least
+constexpr double kCandidatePixels = 4;     // of a thing at least
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
   return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
 }
 
-ThingsParams things_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
-  ThingsParams params;
-  params.separation.least_area = std::max(s.least_area, kPixelsOfThing * scale.pixel * scale.pixel);
+ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
+  ObjectCandidateParams params;
+  params.separation.least_area = std::max(s.least_area, kCandidatePixels * scale.pixel * scale.pixel);
   params.separation.rise = s.rise;
   params.mean_accumulation = mean_accumulation;
   return params;
@@ -39,21 +39,21 @@ Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
   return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
 }
 
-StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const Thing& thing,
-                       const ThingClass& what) {
+StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const ObjectCandidate& candidate,
+                       const CandidateClass& what) {
   const TileRaster& raster = street.tiles->raster();
   StreetObject o;
   o.label = what.label;
   o.probability = what.probability;
-  o.base = place_of(raster, thing.x, thing.y, thing.ground);
-  o.middle = place_of(raster, thing.middle_x, thing.middle_y, thing.ground);
-  o.height_m = thing.features[static_cast<std::size_t>(ComponentFeature::max_height)];
-  o.length_m = thing.length;
-  o.width_m = thing.width;
-  o.heading_deg = thing.heading_deg;
-  o.area_m2 = thing.features[static_cast<std::size_t>(ComponentFeature::area)];
-  o.points = thing.points;
-  const BlockAddress address = blocks.address(thing.x, thing.y);
+  o.base = place_of(raster, candidate.x, candidate.y, candidate.ground);
+  o.middle = place_of(raster, candidate.middle_x, candidate.middle_y, candidate.ground);
+  o.height_m = candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)];
+  o.length_m = candidate.length;
+  o.width_m = candidate.width;
+  o.heading_deg = candidate.heading_deg;
+  o.area_m2 = candidate.features[static_cast<std::size_t>(ComponentFeature::area)];
+  o.points = candidate.points;
+  const BlockAddress address = blocks.address(candidate.x, candidate.y);
   o.stretch = address.stretch;
   o.block = address.block;
   return o;
@@ -97,12 +97,12 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
     record.chosen.push_back(
         {"streets.view", std::string(kStreetViews[static_cast<std::size_t>(street.view)]),
          fmt::format("{:.1f} % of the points lie in square metres with more than four times as many as most have: {}",
-                     100 * street.density.crowded,
+                     100 * street.density.dense_share,
                      air ? "what is upright was hardly seen" : "what is upright or near was seen best")});
 }
 
 // Says that ground may have been left out, as behind a bridge.
-void tell_of_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
+void report_left_out_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
   if (ground.left_out.empty()) return;
   double area = 0;
   for (const double a : ground.left_out) area += a;
@@ -140,9 +140,9 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   street.ground = find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   tiles.spread_level(artefacts.ring_reach);
-  const ThingsParams params = things_params(settings, scale, tiles.mean_accumulation());
+  const ObjectCandidateParams params = candidate_params(settings, scale, tiles.mean_accumulation());
   tiles.count_above(settings.least_height, params.low_height, street.view);
-  street.things = find_things(tiles.layers(), scale, params);
+  street.candidates = find_object_candidates(tiles.layers(), scale, params);
   street.stretches = find_city_blocks(tiles.layers(), scale);
   return street;
 }
@@ -154,35 +154,36 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   std::filesystem::create_directories(folder);
   const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
   record_choices(settings.streets, street, record);
-  tell_of_ground(street.ground, progress, record);
+  report_left_out_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
-  if (model.trained) write_whole_file(folder / "things.model", thing_model_text(*model.trained));
-  const std::vector<ThingClass> classes = model.of(street.things);
-  const std::vector<std::uint8_t> taken = whole_things(street.things, classes);
-  const std::vector<std::uint32_t> thing_of = thing_of_part(street.things, taken);
+  if (model.trained) write_whole_file(folder / "objects.model", object_model_text(*model.trained));
+  const std::vector<CandidateClass> classes = model.of(street.candidates);
+  const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
+  const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
   StreetPlan plan;
-  std::vector<std::uint32_t> object_of_thing(street.things.size() + 1, 0);
+  std::vector<std::uint32_t> object_of_candidate(street.candidates.size() + 1, 0);
   const StretchIndex blocks(street.stretches, street.tiles->raster().scale);
   const double unit = store.unit();
-  for (std::size_t i = 0; i < street.things.size(); ++i) {
-    if (taken[i] == 0 || !is_object(classes[i].label) || street.things[i].points < kLeastPoints) continue;
-    StreetObject object = object_of(street, blocks, street.things[i], classes[i]);
+  for (std::size_t i = 0; i < street.candidates.size(); ++i) {
+    if (taken[i] == 0 || !is_object(classes[i].label) || street.candidates[i].points < kLeastPoints) continue;
+    StreetObject object = object_of(street, blocks, street.candidates[i], classes[i]);
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);
-    object_of_thing[i + 1] = object.id;
+    object_of_candidate[i + 1] = object.id;
     plan.objects.push_back(object);
   }
   if (steps != nullptr) {
     const SeeTile see = std::move(steps->see);
-    *steps = {see, street.tiles->raster(), street.things, classes, taken, thing_of, object_of_thing, plan.objects};
+    *steps = {see,   street.tiles->raster(), street.candidates,   classes,
+              taken, candidate_of,           object_of_candidate, plan.objects};
   }
-  ThingLabels labels{{0}, {PointLabel::none}};
-  for (std::size_t part = 1; part < thing_of.size(); ++part) {
-    const std::uint32_t thing = thing_of[part];
-    const PointLabel label = classes[thing - 1].label;
-    labels.object.push_back(object_of_thing[thing]);
-    labels.label.push_back(is_object(label) && object_of_thing[thing] == 0 ? PointLabel::none : label);
+  ObjectLabels labels{{0}, {PointLabel::none}};
+  for (std::size_t part = 1; part < candidate_of.size(); ++part) {
+    const std::uint32_t candidate = candidate_of[part];
+    const PointLabel label = classes[candidate - 1].label;
+    labels.object.push_back(object_of_candidate[candidate]);
+    labels.label.push_back(is_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
   write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);

@@ -8,8 +8,8 @@
 #include "engine/cloud/cloud_info.h"
 #include "engine/model/street.h"
 #include "engine/products/streets/blocks/city_blocks.h"
-#include "engine/products/streets/classes/thing_model.h"
-#include "engine/products/streets/classes/thing_sample.h"
+#include "engine/products/streets/classes/object_model.h"
+#include "engine/products/streets/classes/training_sample.h"
 #include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/street_tiles.h"
 #include "engine/report/progress.h"
@@ -20,8 +20,8 @@ namespace ilot {
 
 // A street taken apart, before anything is called by its name.
 struct FoundStreet {
-  std::unique_ptr<StreetTiles> tiles;  // all layers
-  std::vector<Thing> things;           // by number in the layer "things", from 1
+  std::unique_ptr<StreetTiles> tiles;       // all layers
+  std::vector<ObjectCandidate> candidates;  // by number in the layer "candidates", from 1
   std::vector<StreetStretch> stretches;
   GroundZones ground;
   PointDensity density;
@@ -44,18 +44,19 @@ StreetPixel street_pixel(const Store& store, const StreetsSettings& settings, co
 // What things on streets are, to learn from.
 struct StreetTraining {
   std::filesystem::path places;  // or a model that a run wrote; empty = none
-  TrainThings learn;             // how places become a model; empty: only models are read
+  TrainObjectModel learn;        // how places become a model; empty: only models are read
 };
 
 // What was found on the way to a StreetPlan, for whoever looks for the step that went wrong.
 struct StreetSteps {
   SeeTile see;  // given; the images as they are written
   std::optional<TileRaster> raster;
-  std::vector<Thing> things;  // parts, then what joins them (find_things)
-  std::vector<ThingClass> classes;
-  std::vector<std::uint8_t> taken;           // per thing: it is whole
-  std::vector<std::uint32_t> thing_of_part;  // per number in the layer "things" the thing that was taken; [0] = 0
-  std::vector<std::uint32_t> object_of;      // per thing + 1: the object that it is, 0 for none
+  std::vector<ObjectCandidate> candidates;  // parts, then what joins them (find_object_candidates)
+  std::vector<CandidateClass> classes;
+  std::vector<std::uint8_t> taken;  // per thing: it is whole
+  std::vector<std::uint32_t>
+      candidate_of_part;                 // per number in the layer "candidates" the thing that was taken; [0] = 0
+  std::vector<std::uint32_t> object_of;  // per thing + 1: the object that it is, 0 for none
   std::vector<StreetObject> objects;
 };
 

@@ -9,79 +9,79 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
-constexpr std::size_t kTilesAtHand = 4;  // points come in Morton order: around a corner of tiles, in turn from these
-constexpr std::uint64_t kBytesOfTiles = (kTilesAtHand * 2 + 1) << 20;
+constexpr std::size_t kCachedTiles = 4;  // points come in Morton order: around a corner of tiles, in turn from these
+constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 2 + 1) << 20;
 constexpr std::uint32_t kFacade = 0xffffffffu;
 
 class Verdict {
  public:
-  Verdict(const StreetTiles& tiles, const ThingLabels& things, double least_height)
+  Verdict(const StreetTiles& tiles, const ObjectLabels& candidates, double least_height)
       : tiles_(tiles),
-        things_(things),
+        candidates_(candidates),
         least_(tiles.raster().scale.units(least_height)),
         side_(tiles.raster().grid.side),
         units_(tiles.raster().tile_units()),
         pixel_of_(tiles.raster().pixel) {}
 
   StreetLabel of(Index3 p) {
-    const TileAtHand& tile = tile_over(p);
+    const CachedTile& tile = tile_over(p);
     const std::size_t pixel = std::size_t{pixel_of_(p.y - tile.y)} * side_ + pixel_of_(p.x - tile.x);
     const Height level = tile.level.values[pixel];
     if (level == kNoHeight) return {};
     if (height_of(p.z) - level < least_) return {0, PointLabel::ground};
-    const auto thing = static_cast<std::uint32_t>(tile.things.values[pixel]);
-    if (thing == kFacade) return {0, PointLabel::facade};
-    return {things_.object[thing], things_.label[thing]};
+    const auto candidate = static_cast<std::uint32_t>(tile.candidates.values[pixel]);
+    if (candidate == kFacade) return {0, PointLabel::facade};
+    return {candidates_.object[candidate], candidates_.label[candidate]};
   }
 
  private:
-  struct TileAtHand {
-    std::int64_t x = 0, y = 0;      // of its first pixel, lattice units
-    Image level = {}, things = {};  // kFacade in things: where nothing stands and the mask has ended
-    bool holds(Index3 p, std::int64_t units) const {
+  struct CachedTile {
+    std::int64_t x = 0, y = 0;          // of its first pixel, lattice units
+    Image level = {}, candidates = {};  // kFacade in things: where nothing stands and the mask has ended
+    bool contains(Index3 p, std::int64_t units) const {
       return level.size() > 0 && p.x >= x && p.y >= y && p.x - x < units && p.y - y < units;
     }
   };
 
   // The one used last comes first.
-  const TileAtHand& tile_over(Index3 p) {
-    if (at_hand_[0].holds(p, units_)) return at_hand_[0];
+  const CachedTile& tile_over(Index3 p) {
+    if (cached_[0].contains(p, units_)) return cached_[0];
     std::size_t i = 1;
-    while (i + 1 < kTilesAtHand && !at_hand_[i].holds(p, units_)) ++i;
-    if (!at_hand_[i].holds(p, units_)) at_hand_[i] = loaded(tiles_.raster().tile_over(p));
-    std::rotate(at_hand_, at_hand_ + i, at_hand_ + i + 1);
-    return at_hand_[0];
+    while (i + 1 < kCachedTiles && !cached_[i].contains(p, units_)) ++i;
+    if (!cached_[i].contains(p, units_)) cached_[i] = loaded(tiles_.raster().tile_over(p));
+    std::rotate(cached_, cached_ + i, cached_ + i + 1);
+    return cached_[0];
   }
 
-  TileAtHand loaded(std::size_t tile) const {
+  CachedTile loaded(std::size_t tile) const {
     const Index3 corner = tiles_.raster().corner(tile);
-    TileAtHand out{corner.x, corner.y, layer_tile(tiles_.layers(), "level", tile),
-                   layer_tile(tiles_.layers(), "things", tile)};
+    CachedTile out{corner.x, corner.y, layer_tile(tiles_.layers(), "level", tile),
+                   layer_tile(tiles_.layers(), "candidates", tile)};
     const Image mask = layer_tile(tiles_.layers(), "mask", tile);
     for (std::size_t i = 0; i < mask.size(); ++i)
-      if (out.things.values[i] == 0 && mask.values[i] != 1) out.things.values[i] = static_cast<Height>(kFacade);
+      if (out.candidates.values[i] == 0 && mask.values[i] != 1) out.candidates.values[i] = static_cast<Height>(kFacade);
     return out;
   }
 
   const StreetTiles& tiles_;
-  const ThingLabels& things_;
+  const ObjectLabels& candidates_;
   Height least_;
   std::uint32_t side_;
   std::int64_t units_;  // of a tile's side
   LatticeCells pixel_of_;
-  TileAtHand at_hand_[kTilesAtHand];
+  CachedTile cached_[kCachedTiles];
 };
 
 }  // namespace
 
-void write_street_labels(const Store& store, const StreetTiles& tiles, const ThingLabels& things, double least_height,
-                         const PassContext& context) {
+void write_street_labels(const Store& store, const StreetTiles& tiles, const ObjectLabels& candidates,
+                         double least_height, const PassContext& context) {
   std::vector<std::uint64_t> bytes;
   for (const Block& b : store.blocks()) bytes.push_back(b.points * kBytesPerPoint + kBytesOfTiles);
   run_tasks(tiles.raster().grid, bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     const auto codes = store.read(block, columns::kCodes);
-    Verdict verdict(tiles, things, least_height);
+    Verdict verdict(tiles, candidates, least_height);
     std::vector<StreetLabel> labels(codes.size());
     for (std::size_t p = 0; p < codes.size(); ++p) {
       const Index3 at = index_of({store.blocks()[block].node.tile, codes[p]});

@@ -24,8 +24,8 @@ constexpr double kFinestPixel = 0.05;                // metres
 constexpr int kCoarsest = 20;                        // times that
 constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is empty then, e to the power of minus this
 constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
-constexpr std::uint32_t kCrowded = 4;        // times the median
-constexpr double kMostCrowded = 1.0 / 3;     // of the points seen from the air
+constexpr std::uint32_t kDenseFactor = 4;    // times the median
+constexpr double kMaxDenseShare = 1.0 / 3;   // of the points seen from the air
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>
@@ -57,15 +57,15 @@ Image spread(const Image& around, std::uint32_t reach) {
 
 // Cells by their number of points, of so many square metres each.
 PointDensity density_of(const std::map<std::uint32_t, std::uint64_t>& cells, double area) {
-  std::uint64_t all = 0, below = 0, points = 0, crowded = 0;
+  std::uint64_t all = 0, below = 0, points = 0, dense_share = 0;
   for (const auto& [n, count] : cells) all += count, points += n * count;
   std::uint32_t median = 0;
   for (const auto& [n, count] : cells) {
     below += count;
     if (median == 0 && 2 * below >= all) median = n;
-    if (median != 0 && n > kCrowded * median) crowded += n * count;
+    if (median != 0 && n > kDenseFactor * median) dense_share += n * count;
   }
-  return {median / area, points == 0 ? 0 : static_cast<double>(crowded) / static_cast<double>(points)};
+  return {median / area, points == 0 ? 0 : static_cast<double>(dense_share) / static_cast<double>(points)};
 }
 
 }  // namespace
@@ -93,7 +93,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
 }
 
 StreetView view_of(const PointDensity& density) {
-  return density.crowded < kMostCrowded ? StreetView::air : StreetView::street;
+  return density.dense_share < kMaxDenseShare ? StreetView::air : StreetView::street;
 }
 
 double pixel_for(double density, StreetView view) {

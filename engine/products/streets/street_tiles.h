@@ -19,8 +19,8 @@ inline Height height_of(std::int64_t z) {
 
 // How many points cells of a square metre hold that hold any.
 struct PointDensity {
-  double median = 0;   // points a square metre
-  double crowded = 0;  // share of all points that lie in cells with more than four times the median
+  double median = 0;       // points a square metre
+  double dense_share = 0;  // share of all points that lie in cells with more than four times the median
 };
 PointDensity point_density(const Store& store, const PassContext& context);
 

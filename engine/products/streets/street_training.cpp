@@ -14,8 +14,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kNear = 0.5;        // metres from a place to its thing
-constexpr double kGroupMetres = 25;  // things of one such square are never parted by a fold
+constexpr std::string_view kOldModel = "ilot things 2";  // the first words of a model of version 2
+constexpr double kNear = 0.5;                            // metres from a place to its thing
+constexpr double kGroupMetres = 25;                      // things of one such square are never parted by a fold
 
 std::string name_of(PointLabel label) {
   return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
@@ -30,31 +31,31 @@ std::uint32_t part_at(const FoundStreet& street, Vec3 place) {
   const std::int64_t x = raster.column(pixel_of(place.x) * raster.pixel),
                      y = raster.row(pixel_of(place.y) * raster.pixel);
   const auto reach = std::int64_t{raster.scale.pixels(kNear)};
-  if (!raster.grid.holds(x, y)) return 0;
+  if (!raster.grid.contains(x, y)) return 0;
   const auto side = static_cast<std::uint32_t>(2 * reach + 1);
-  const Image things = layer_window(street.tiles->layers(), "things", x - reach, y - reach, side, side);
+  const Image candidates = layer_window(street.tiles->layers(), "candidates", x - reach, y - reach, side, side);
   std::uint32_t best = 0;
   std::int64_t nearest = reach * reach + 1;
   for (std::int64_t v = 0; v < side; ++v)
     for (std::int64_t u = 0; u < side; ++u) {
-      const Height thing = things.values[static_cast<std::size_t>(v * side + u)];
+      const Height candidate = candidates.values[static_cast<std::size_t>(v * side + u)];
       const std::int64_t d = (u - reach) * (u - reach) + (v - reach) * (v - reach);
-      if (thing > 0 && d < nearest) nearest = d, best = static_cast<std::uint32_t>(thing);
+      if (candidate > 0 && d < nearest) nearest = d, best = static_cast<std::uint32_t>(candidate);
     }
   return best;
 }
 
 struct Learnt {
-  std::vector<ThingSample> samples;
+  std::vector<TrainingSample> samples;
   std::size_t places = 0, outside = 0;
   Vec3 first_outside;
 };
 
 Learnt samples_of(const FoundStreet& street, const std::vector<TrainingPlace>& places) {
-  const std::vector<Thing>& things = street.things;
+  const std::vector<ObjectCandidate>& candidates = street.candidates;
   Learnt learnt;
   learnt.places = places.size();
-  std::vector<std::uint32_t> held(things.size() + 1, 0), place_of(things.size() + 1, 0);
+  std::vector<std::uint32_t> held(candidates.size() + 1, 0), place_of(candidates.size() + 1, 0);
   for (std::size_t p = 0; p < places.size(); ++p) {
     const std::uint32_t part = part_at(street, places[p].at);
     if (part == 0) {
@@ -64,9 +65,9 @@ Learnt samples_of(const FoundStreet& street, const std::vector<TrainingPlace>& p
     ++held[part];
     place_of[part] = static_cast<std::uint32_t>(p + 1);
   }
-  std::vector<std::uint32_t> joined_by(things.size() + 1, 0);
-  for (std::uint32_t i = 1; i <= things.size(); ++i) {
-    for (const std::uint32_t part : things[i - 1].parts) {
+  std::vector<std::uint32_t> joined_by(candidates.size() + 1, 0);
+  for (std::uint32_t i = 1; i <= candidates.size(); ++i) {
+    for (const std::uint32_t part : candidates[i - 1].parts) {
       if (part == 0) continue;
       held[i] += held[part];
       joined_by[part] = i;
@@ -75,40 +76,41 @@ Learnt samples_of(const FoundStreet& street, const std::vector<TrainingPlace>& p
   }
   const TileRaster& raster = street.tiles->raster();
   std::map<std::pair<std::int64_t, std::int64_t>, std::uint32_t> groups;
-  for (std::uint32_t i = 1; i <= things.size(); ++i) {
+  for (std::uint32_t i = 1; i <= candidates.size(); ++i) {
     if (held[i] == 0) continue;
     const bool largest = held[i] == 1 && (joined_by[i] == 0 || held[joined_by[i]] > 1);
     const double pixels = kGroupMetres / raster.scale.pixel;
     const auto cell = [&](double v) { return static_cast<std::int64_t>(std::floor(v / pixels)); };
-    const std::pair key{cell(things[i - 1].y), cell(things[i - 1].x)};
+    const std::pair key{cell(candidates[i - 1].y), cell(candidates[i - 1].x)};
     const std::uint32_t group = groups.try_emplace(key, static_cast<std::uint32_t>(groups.size())).first->second;
-    if (largest) learnt.samples.push_back({things[i - 1].features, places[place_of[i] - 1].label, group});
+    if (largest) learnt.samples.push_back({candidates[i - 1].features, places[place_of[i] - 1].label, group});
   }
   return learnt;
 }
 
-ThingModel learn(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
-                 RunRecord& record) {
+ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
+                  RunRecord& record) {
   const Learnt learnt = samples_of(street, read_training_places(train.places, crs));
   if (learnt.samples.empty())
     throw Error(fmt::format("{}: none of its {} places is on anything that stands on the ground of this cloud",
                             train.places.string(), learnt.places),
                 ExitCode::usage);
-  const auto tell = [&](const std::string& sentence) {
+  const auto add_warning = [&](const std::string& sentence) {
     progress.warn(sentence);
     record.warnings.push_back(sentence);
   };
   if (learnt.outside > 0)
-    tell(fmt::format(
+    add_warning(fmt::format(
         "{}: {} of its {} places are on nothing that stands on the ground of this cloud, the first at "
         "{:.2f}, {:.2f}",
         train.places.string(), learnt.outside, learnt.places, learnt.first_outside.x, learnt.first_outside.y));
   std::map<PointLabel, std::size_t> counts;
-  for (const ThingSample& s : learnt.samples) ++counts[s.label];
+  for (const TrainingSample& s : learnt.samples) ++counts[s.label];
   for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
     if (counts.count(label) == 0)
-      tell(fmt::format("{}: holds no {}, so nothing will be called that", train.places.string(), name_of(label)));
-  ThingModel model = train.learn(learnt.samples);
+      add_warning(
+          fmt::format("{}: holds no {}, so nothing will be called that", train.places.string(), name_of(label)));
+  ObjectModel model = train.learn(learnt.samples);
   model.recipe = fmt::format("trained by ilot run --train on {} things\n", learnt.samples.size());
   for (const auto& [label, count] : counts) model.recipe += fmt::format("{}: {}\n", name_of(label), count);
   return model;
@@ -118,28 +120,50 @@ bool is_model(const std::filesystem::path& path) {
   std::ifstream file(path);
   std::string first;
   std::getline(file, first);
-  return first.starts_with("ilot things");
+  return first.starts_with("ilot objects") || first.starts_with(kOldModel);
+}
+
+// A model as version 2 wrote it, in the words of version 3.
+std::string in_new_words(std::string text) {
+  text.replace(0, kOldModel.size(), "ilot objects 3");
+  constexpr std::string_view kOldWord = ": several";
+  for (std::size_t at = text.find(kOldWord); at != std::string::npos; at = text.find(kOldWord, at))
+    text.replace(at, kOldWord.size(), ": merged");
+  return text;
+}
+
+ObjectModel read_model(const std::filesystem::path& path, Progress& progress, RunRecord& record) {
+  std::stringstream file;
+  file << std::ifstream(path).rdbuf();
+  std::string text = file.str();
+  if (text.starts_with(kOldModel)) {
+    text = in_new_words(std::move(text));
+    record.warnings.push_back(path.string() +
+                              ": a model of version 2, which the next version of ilot will not read; train it anew");
+    progress.warn(record.warnings.back());
+  }
+  return parse_object_model(text, path.string());
 }
 
 }  // namespace
 
-std::vector<ThingClass> StreetClasses::of(const std::vector<Thing>& things) const {
-  std::vector<ThingFeatures> features;
-  std::vector<ThingParts> parts;
-  for (const Thing& t : things) features.push_back(t.features), parts.push_back({t.parts[0], t.parts[1]});
-  std::vector<ThingClass> said = classify_things(*base, features, parts);
-  if (!trained) return said;
-  const std::vector<ThingClass> learnt = classify_things(*trained, features);
-  for (std::size_t i = 0; i < said.size(); ++i) {
-    if (said[i].label < PointLabel::car) continue;
-    said[i].label = learnt[i].label;
-    said[i].probability *= learnt[i].probability;
+std::vector<CandidateClass> StreetClasses::of(const std::vector<ObjectCandidate>& candidates) const {
+  std::vector<CandidateFeatures> features;
+  std::vector<CandidateParts> parts;
+  for (const ObjectCandidate& t : candidates) features.push_back(t.features), parts.push_back({t.parts[0], t.parts[1]});
+  std::vector<CandidateClass> predicted = classify_candidates(*base, features, parts);
+  if (!trained) return predicted;
+  const std::vector<CandidateClass> learnt = classify_candidates(*trained, features);
+  for (std::size_t i = 0; i < predicted.size(); ++i) {
+    if (predicted[i].label < PointLabel::car) continue;
+    predicted[i].label = learnt[i].label;
+    predicted[i].probability *= learnt[i].probability;
   }
-  return said;
+  return predicted;
 }
 
-const ThingModel& library_model(StreetView view) {
-  return view == StreetView::air ? air_thing_model() : default_thing_model();
+const ObjectModel& library_model(StreetView view) {
+  return view == StreetView::air ? air_object_model() : default_object_model();
 }
 
 StreetClasses street_classes(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
@@ -147,12 +171,10 @@ StreetClasses street_classes(const FoundStreet& street, const StreetTraining& tr
   StreetClasses classes{&library_model(street.view)};
   if (train.places.empty()) return classes;
   if (is_model(train.places)) {
-    std::stringstream text;
-    text << std::ifstream(train.places).rdbuf();
-    classes.trained = parse_thing_model(text.str(), train.places.string());
+    classes.trained = read_model(train.places, progress, record);
   } else {
     if (!train.learn)
-      throw Error(train.places.string() + ": this program reads models of things, and learns none", ExitCode::usage);
+      throw Error(train.places.string() + ": this program reads models of objects, and learns none", ExitCode::usage);
     classes.trained = learn(street, train, crs, progress, record);
   }
   return classes;

@@ -82,13 +82,13 @@ INSTANTIATE_TEST_SUITE_P(AnyBlocks, NormalsPassOf, testing::Values(64, 500, 1000
 
 TEST(NormalsPass, KeepsWhatAnEarlierRunWroteAndCountsEveryPoint) {
   const CloudStore cloud(clustered_cloud(2), {500, 1u << 20, 1});
-  std::atomic<std::uint64_t> told{0};
+  std::atomic<std::uint64_t> reported{0};
   PassContext context;
-  context.advance = [&](std::uint64_t n) { told += n; };
+  context.advance = [&](std::uint64_t n) { reported += n; };
   const std::vector<PackedNormal> mark(cloud.store().blocks()[1].points, PackedNormal{1, 2, 3, 4});
   cloud.store().write(1, columns::kNormals, mark);
   normals_pass(cloud.store(), {}, context);
-  EXPECT_EQ(told, cloud.store().points());
+  EXPECT_EQ(reported, cloud.store().points());
   EXPECT_EQ(cloud.store().read(1, columns::kNormals), mark);
 }
 

@@ -65,22 +65,22 @@ TEST(StationsPass, EveryPointGetsItsStation) {
   const auto where = test::positions(s.cloud());
   const auto order = test::whole_column(s.cloud(), columns::kOrder);
   const auto station = test::whole_column(s.cloud(), columns::kStation);
-  std::uint64_t told = 0;
+  std::uint64_t recorded = 0;
   for (std::size_t i = 0; i < where.size(); ++i) {
     const std::uint64_t file = file_of(order[i]);
     const StationNumber of_source = source_at(where[i]) == 1 ? 2 : source_at(where[i]) == 700 ? 0 : 9;
     ASSERT_EQ(station[i], file == 3 ? 4 : file == 2 ? 0 : of_source) << i;
-    told += station[i] != 0;
+    recorded += station[i] != 0;
   }
-  EXPECT_EQ(tally.told, told);
-  EXPECT_EQ(tally.untold, where.size() - told);
+  EXPECT_EQ(tally.recorded, recorded);
+  EXPECT_EQ(tally.unrecorded, where.size() - recorded);
 }
 
 TEST(StationsPass, BlocksAreInvisible) {
   const Scanned small(500), large(1 << 20);
-  const std::vector<InputStations> told(4, InputStations{0, {{1, 1}, {700, 2}}});
-  stations_pass(small.cloud(), small.files->inputs, told, {});
-  stations_pass(large.cloud(), large.files->inputs, told, {});
+  const std::vector<InputStations> recorded(4, InputStations{0, {{1, 1}, {700, 2}}});
+  stations_pass(small.cloud(), small.files->inputs, recorded, {});
+  stations_pass(large.cloud(), large.files->inputs, recorded, {});
   EXPECT_EQ(test::whole_column(small.cloud(), columns::kStation), test::whole_column(large.cloud(), columns::kStation));
 }
 
@@ -93,8 +93,8 @@ TEST(StationsPass, TheFileTellsWhatAllItsSourcesTell) {
     of_sources.push_back({0, {{0, n}, {1, n}, {700, n}, {65535, n}}});
   }
   const StationTally tally = stations_pass(by_file.cloud(), by_file.files->inputs, of_file, {});
-  EXPECT_EQ(tally.told, 6002u);
-  EXPECT_EQ(tally.untold, 0u);
+  EXPECT_EQ(tally.recorded, 6002u);
+  EXPECT_EQ(tally.unrecorded, 0u);
   stations_pass(by_source.cloud(), by_source.files->inputs, of_sources, {});
   const auto station = test::whole_column(by_file.cloud(), columns::kStation);
   EXPECT_EQ(station, test::whole_column(by_source.cloud(), columns::kStation));
@@ -107,7 +107,7 @@ TEST(StationsPass, RowsThatTellNothingAreNotRead) {
   for (const char* name : {"a.laz", "b.laz", "c.las"}) std::filesystem::resize_file(s.folder.path() / name, 400);
   const std::vector<InputStations> by_file{{1, {}}, {2, {{700, 1}}}, {0, {}}, {0, {{0, 4}}}};
   const StationTally tally = stations_pass(s.cloud(), s.files->inputs, by_file, {});
-  EXPECT_EQ(tally.untold, 2000u);
+  EXPECT_EQ(tally.unrecorded, 2000u);
   std::vector<InputStations> by_source = by_file;
   by_source[2].of_source[1] = 3;
   EXPECT_THROW(stations_pass(s.cloud(), s.files->inputs, by_source, {}), Error);

@@ -18,7 +18,7 @@ TEST(ControlPoints, MeasureHomologousVertices) {
       {"window_bottom", 2, {5, 0, 1}}, {"window_bottom", 2, {6, 0, 1}}, {"sill_top", 1, {1, 0, 1}}};
   const Facade facade = facade_of({drawn("window", wall_rectangle(1, 1, 2, 3)),
                                    drawn("window", wall_rectangle(5.03, 1.04, 6.03, 3.04), DrawnStatus::completed)});
-  const std::vector<ControlGroup> groups = judge_control_points(truth, std::span(&facade, 1));
+  const std::vector<ControlGroup> groups = evaluate_control_points(truth, std::span(&facade, 1));
   ASSERT_EQ(groups.size(), 3u);
   EXPECT_EQ(groups[0].name, "window_top");
   EXPECT_EQ(groups[0].count, 4u);
@@ -38,25 +38,25 @@ TEST(ControlPoints, OneVertexServesOnePointAndTheLimitIsClosed) {
   const std::vector<TrueControlPoint> truth{{"door_top", 1, {0, 0, 0}}, {"door_top", 1, {0.2, 0, 0}}};
   const Facade facade = facade_of({drawn("door", {{0.25, 0, 0}, {9, 0, 0}, {9, 0, 9}})});
   const auto missed = [&](double limit) {
-    return judge_control_points(truth, std::span(&facade, 1), {limit, 0.5, 1})[0].missed;
+    return evaluate_control_points(truth, std::span(&facade, 1), {limit, 0.5, 1})[0].missed;
   };
   EXPECT_EQ(missed(0.3), 1u);  // the nearer control point has it
   EXPECT_EQ(missed(0.01), 2u);
   const Facade exact = facade_of({drawn("door", {{0, 0, 0.25}, {9, 0, 0}, {9, 0, 9}})});
-  EXPECT_EQ(judge_control_points(truth, std::span(&exact, 1), {0.25, 0.5, 1})[0].missed, 1u);
+  EXPECT_EQ(evaluate_control_points(truth, std::span(&exact, 1), {0.25, 0.5, 1})[0].missed, 1u);
 }
 
 TEST(ControlPoints, WhatIsHiddenFarBehindOrOfAnotherKindIsMissed) {
   const std::vector<TrueControlPoint> truth{{"window_top", 1, {1, 0, 3}}};
   const auto missed = [&](const Facade& facade) {
-    return judge_control_points(truth, std::span(&facade, 1))[0].missed;
+    return evaluate_control_points(truth, std::span(&facade, 1))[0].missed;
   };
   EXPECT_EQ(missed(facade_of({drawn("window", wall_rectangle(1, 1, 2, 3), DrawnStatus::occluded)})), 1u);
   EXPECT_EQ(missed(facade_of({drawn("window", wall_rectangle(1, 1, 2, 3, 0.6))})), 1u);
   EXPECT_EQ(missed(facade_of({drawn("sill", wall_rectangle(1, 1, 2, 3))})), 1u);
   EXPECT_EQ(missed(facade_of({drawn("opening", wall_rectangle(1, 1, 2, 3))})), 0u);
   EXPECT_EQ(missed(facade_of({})), 1u);
-  EXPECT_TRUE(judge_control_points({}, {}).empty());
+  EXPECT_TRUE(evaluate_control_points({}, {}).empty());
 }
 
 TEST(ControlPoints, VerticesOfCompletedEdgesAreCompleted) {
@@ -65,7 +65,7 @@ TEST(ControlPoints, VerticesOfCompletedEdgesAreCompleted) {
   window.edges[0].status = DrawnStatus::completed;  // the bottom
   const Facade facade = facade_of({window});
   const std::vector<TrueControlPoint> truth{{"window_top", 1, {1, 0, 3}}, {"window_bottom", 1, {1, 0, 1}}};
-  const auto groups = judge_control_points(truth, std::span(&facade, 1));
+  const auto groups = evaluate_control_points(truth, std::span(&facade, 1));
   EXPECT_EQ(groups[0].completed, 0u);
   EXPECT_EQ(groups[1].completed, 1u);
 }

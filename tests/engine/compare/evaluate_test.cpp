@@ -181,7 +181,7 @@ TEST(Evaluate, WorksFromExtraBytesAlone) {
   EXPECT_EQ(evaluate(out.path() / "a.las", {}, params).planes->matching.true_planes, 0u);
 }
 
-TEST(Evaluate, RefusesWhatHoldsNothing) {
+TEST(Evaluate, RefusesEmptyInput) {
   const TemporaryFolder out;
   EXPECT_THROW(evaluate(out.path(), wall_truth()), Error);
   EXPECT_THROW(evaluate(out.path() / "none", wall_truth()), Error);

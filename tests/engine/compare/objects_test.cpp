@@ -18,7 +18,7 @@ TEST(Objects, CountsAHandMadeStreet) {
                                      {5, 54, 30}};
   const std::vector<LabelPair> labels{{50, 10, 60}, {50, 12, 30}, {51, 10, 40}, {52, 0, 20},
                                       {52, 11, 18}, {53, 12, 2},  {54, 0, 30},  {70, 10, 40}};
-  const ObjectResult r = judge_objects(truth, pairs, labels, kLabels);
+  const ObjectResult r = evaluate_objects(truth, pairs, labels, kLabels);
   EXPECT_EQ(r.truth, 5u);
   EXPECT_EQ(r.unseen, 1u);
   EXPECT_EQ(r.found, 6u);
@@ -34,7 +34,7 @@ TEST(Objects, CountsAHandMadeStreet) {
 TEST(Objects, HalfOfBothTogetherIsEnough) {
   const std::vector<TrueObject> truth{{1, "car", 10}};
   const auto detected = [&](std::uint64_t common) {
-    return judge_objects(truth, std::vector<LabelPair>{{0, 5, 10 - common}, {1, 0, 10}, {1, 5, common}}, {}, kLabels)
+    return evaluate_objects(truth, std::vector<LabelPair>{{0, 5, 10 - common}, {1, 0, 10}, {1, 5, common}}, {}, kLabels)
         .detected;
   };
   EXPECT_EQ(detected(9), 0u);   // 9 of 20
@@ -42,10 +42,10 @@ TEST(Objects, HalfOfBothTogetherIsEnough) {
 }
 
 TEST(Objects, NothingOnEitherSide) {
-  const ObjectResult none = judge_objects({}, {}, {}, kLabels);
+  const ObjectResult none = evaluate_objects({}, {}, {}, kLabels);
   EXPECT_EQ(none.truth + none.found + none.detected + none.false_found, 0u);
   const std::vector<TrueObject> truth{{1, "car", 10}};
-  const ObjectResult missed = judge_objects(truth, std::vector<LabelPair>{{1, 0, 10}}, {}, kLabels);
+  const ObjectResult missed = evaluate_objects(truth, std::vector<LabelPair>{{1, 0, 10}}, {}, kLabels);
   EXPECT_EQ(missed.truth, 1u);
   EXPECT_EQ(missed.detected, 0u);
   EXPECT_EQ(missed.confusion.counts.at(0).back(), 1u);

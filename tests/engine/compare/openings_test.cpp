@@ -18,7 +18,7 @@ TEST(Openings, MatchOneToOneByOverlap) {
                                    drawn("window", wall_rectangle(15, 5, 16, 6)),    // invented
                                    drawn("sill", wall_rectangle(8, 0, 10, 2)),       // no opening
                                    drawn("window", wall_rectangle(8, 0, 10, 2), DrawnStatus::occluded)});
-  const OpeningResult r = judge_openings(truth, std::span(&facade, 1));
+  const OpeningResult r = evaluate_openings(truth, std::span(&facade, 1));
   EXPECT_EQ(r.truth, 3u);
   EXPECT_EQ(r.found, 5u);
   EXPECT_EQ(r.matched, 2u);
@@ -34,7 +34,7 @@ TEST(Openings, ElsewhereInDepthIsElsewhere) {
   const std::vector<TrueOpening> truth{{1, 1, wall_rectangle(0, 0, 2, 2)}};
   const auto matched = [&](double depth) {
     const Facade facade = facade_of({drawn("window", wall_rectangle(0, 0, 2, 2, depth))});
-    return judge_openings(truth, std::span(&facade, 1)).matched;
+    return evaluate_openings(truth, std::span(&facade, 1)).matched;
   };
   EXPECT_EQ(matched(0.49), 1u);
   EXPECT_EQ(matched(-0.51), 0u);
@@ -42,13 +42,13 @@ TEST(Openings, ElsewhereInDepthIsElsewhere) {
 
 TEST(Openings, NothingOnEitherSide) {
   const Facade facade = facade_of({drawn("window", wall_rectangle(0, 0, 2, 2))});
-  EXPECT_EQ(judge_openings({}, std::span(&facade, 1)).invented, 1u);
+  EXPECT_EQ(evaluate_openings({}, std::span(&facade, 1)).invented, 1u);
   const std::vector<TrueOpening> truth{{1, 1, wall_rectangle(0, 0, 2, 2)}, {2, 1, {{1, 0, 1}, {1, 0, 1}, {1, 0, 1}}}};
-  const OpeningResult r = judge_openings(truth, {});
+  const OpeningResult r = evaluate_openings(truth, {});
   EXPECT_EQ(r.truth, 2u);
   EXPECT_EQ(r.matched, 0u);
   EXPECT_EQ(r.iou_mean, 0);
-  EXPECT_EQ(judge_openings(truth, std::span(&facade, 1)).matched, 1u);
+  EXPECT_EQ(evaluate_openings(truth, std::span(&facade, 1)).matched, 1u);
 }
 
 }  // namespace

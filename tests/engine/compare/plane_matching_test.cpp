@@ -62,7 +62,7 @@ TEST(PlaneMatching, JudgesOnlyThePlanesAskedForButWithAllTheirPoints) {
   EXPECT_DOUBLE_EQ(m.share(), 1.0);
 }
 
-TEST(PlaneMatching, APairThatHoldsHalfOfTheFoundPlaneOrLessDoesNotQualify) {
+TEST(PlaneMatching, APairWithHalfOfTheFoundPlaneOrLessDoesNotQualify) {
   std::vector<std::uint32_t> truth, found;
   put(truth, found, 1, 3, 10);
   put(truth, found, 2, 3, 10);

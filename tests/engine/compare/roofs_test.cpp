@@ -57,7 +57,7 @@ TEST(Roofs, TheSameRoofIsRight) {
   ASSERT_EQ(truth.size(), 4u);
   EXPECT_NEAR(truth[0].area(), 10 * std::sqrt(18.0), 1e-9);
   EXPECT_NEAR(truth[0].height({1.5, 4}), 6.5, 1e-9);
-  const RoofResult r = judge_roofs(truth, found_roofs({model_of(gable(0)), model_of(gable(20))}));
+  const RoofResult r = evaluate_roofs(truth, found_roofs({model_of(gable(0)), model_of(gable(20))}));
   EXPECT_EQ(r.true_buildings, 2u);
   EXPECT_EQ(r.found_buildings, 2u);
   EXPECT_EQ(r.matched_faces, 4u);
@@ -70,7 +70,7 @@ TEST(Roofs, TheSameRoofIsRight) {
 }
 
 TEST(Roofs, MeasuresALiftAndAMissingBuilding) {
-  const RoofResult r = judge_roofs(two_gables(), found_roofs({model_of(gable(0, 0.1))}));
+  const RoofResult r = evaluate_roofs(two_gables(), found_roofs({model_of(gable(0, 0.1))}));
   EXPECT_EQ(r.found_faces, 2u);
   EXPECT_EQ(r.matched_faces, 2u);
   EXPECT_NEAR(r.rms_m, 0.1, 1e-9);
@@ -80,7 +80,7 @@ TEST(Roofs, MeasuresALiftAndAMissingBuilding) {
 
 TEST(Roofs, OnePlaneInsteadOfTwoFacesMatchesNeither) {
   const Ring3 flat{at(0, 0, 6.5), at(6, 0, 6.5), at(6, 10, 6.5), at(0, 10, 6.5)};
-  const RoofResult r = judge_roofs(two_gables(), found_roofs({model_of({flat}), model_of(gable(20))}));
+  const RoofResult r = evaluate_roofs(two_gables(), found_roofs({model_of({flat}), model_of(gable(20))}));
   EXPECT_EQ(r.matched_faces, 2u);
   EXPECT_EQ(r.classes[0].right_neighbours, 2u);
   EXPECT_EQ(r.found_faces, 3u);
@@ -89,7 +89,7 @@ TEST(Roofs, OnePlaneInsteadOfTwoFacesMatchesNeither) {
 TEST(Roofs, FacesTornApartAreNoNeighbours) {
   std::vector<Ring3> torn = gable(0);
   for (Vec3& p : torn[1]) p.x += 0.3;
-  const RoofResult r = judge_roofs(two_gables(), found_roofs({model_of(torn), model_of(gable(20))}));
+  const RoofResult r = evaluate_roofs(two_gables(), found_roofs({model_of(torn), model_of(gable(20))}));
   EXPECT_EQ(r.matched_faces, 4u);
   EXPECT_EQ(r.classes[0].matched, 4u);
   EXPECT_EQ(r.classes[0].right_neighbours, 2u);
@@ -102,7 +102,7 @@ TEST(Roofs, SortsFacesBySize) {
     const double x = 10.0 * id;
     planes.push_back(roof_plane(id, id, {at(x, 0, 3), at(x + side, 0, 3), at(x + side, side, 3), at(x, side, 3)}));
   }
-  const RoofResult r = judge_roofs(true_roofs(planes, kOrigin), {});
+  const RoofResult r = evaluate_roofs(true_roofs(planes, kOrigin), {});
   for (const RoofSizeClass& size : r.classes) EXPECT_EQ(size.truth, 1u) << size.from_m2;
   EXPECT_EQ(r.matched_faces, 0u);
   EXPECT_TRUE(std::isinf(r.hausdorff_m));
@@ -126,9 +126,9 @@ TEST(Roofs, PolygonsOfOnePlaneAndBuildingAreOneFaceWithItsHoles) {
 }
 
 TEST(Roofs, NothingOnEitherSide) {
-  const RoofResult r = judge_roofs({}, {});
+  const RoofResult r = evaluate_roofs({}, {});
   EXPECT_EQ(r.true_faces + r.found_faces + r.matched_faces, 0u);
-  EXPECT_EQ(judge_roofs({}, found_roofs({model_of(gable(0))})).found_faces, 2u);
+  EXPECT_EQ(evaluate_roofs({}, found_roofs({model_of(gable(0))})).found_faces, 2u);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ Vlr keys(std::vector<std::array<int, 2>> entries) {
   return vlr;
 }
 
-TEST(Crs, EpsgCodesTellUnits) {
+TEST(Crs, EpsgCodesGiveUnits) {
   EXPECT_EQ(crs_from_epsg(2154).metres_per_unit, 1);
   EXPECT_FALSE(crs_from_epsg(2154).unit_assumed);
   EXPECT_EQ(crs_from_epsg(2154).epsg, 2154);
@@ -66,7 +66,7 @@ TEST(Crs, WktIsTakenFromAnyHomeAndKeptVerbatim) {
   }
 }
 
-TEST(Crs, GeoTiffKeysTellCodesAndUnits) {
+TEST(Crs, GeoTiffKeysGiveCodesAndUnits) {
   std::vector<std::string> warnings;
   EXPECT_EQ(crs_from_vlrs({keys({{3072, 28992}})}, false, warnings).epsg, 28992);
   const Crs compound = crs_from_vlrs({keys({{1024, 1}, {3072, 28992}, {4096, 5709}})}, false, warnings);

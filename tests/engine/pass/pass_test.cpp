@@ -29,13 +29,13 @@ struct Watch {
   std::mutex mutex;
   std::uint64_t bytes = 0, most_bytes = 0;
   int running = 0, most_running = 0;
-  bool crowded = false;  // a task above the budget had company
+  bool overlapped = false;  // a task above the budget had company
 
   void enter(std::uint64_t b, std::uint64_t budget) {
     const std::lock_guard lock(mutex);
     bytes += b;
     ++running;
-    crowded = crowded || (bytes > budget && running > 1);
+    overlapped = overlapped || (bytes > budget && running > 1);
     most_bytes = std::max(most_bytes, bytes);
     most_running = std::max(most_running, running);
   }
@@ -87,7 +87,7 @@ TEST(Pass, ATaskAboveTheBudgetRunsAlone) {
       });
     });
     EXPECT_EQ(done, 50);
-    EXPECT_FALSE(watch.crowded) << budget;
+    EXPECT_FALSE(watch.overlapped) << budget;
   }
 }
 

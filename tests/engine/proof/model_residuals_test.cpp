@@ -31,7 +31,7 @@ TEST(ModelResiduals, MeasuresByHand) {
   BuildingPoints building{"a", 0, {}};
   for (int i = 0; i < 9; ++i) building.points.push_back({1.0 + i, 5, 5.1});
   building.points.push_back({5, 5, 6});
-  const ModelResiduals r = judge_models(models, std::span(&building, 1));
+  const ModelResiduals r = evaluate_building_models(models, std::span(&building, 1));
   ASSERT_EQ(r.buildings.size(), 1u);
   EXPECT_EQ(r.buildings[0].points, 10u);
   EXPECT_EQ(r.buildings[0].faces, 2u);
@@ -49,7 +49,7 @@ TEST(ModelResiduals, MissingModelsAreFailuresInThePercentiles) {
                                               {"empty", 2, {{90, 1, 5}}},
                                               {"stranger", kNoModel, {{99, 9, 9}}},
                                               {"without points", 0, {}}};
-  const ModelResiduals r = judge_models(models, buildings);
+  const ModelResiduals r = evaluate_building_models(models, buildings);
   EXPECT_EQ(r.buildings.size(), 4u);
   EXPECT_EQ(r.missing, 2u);
   EXPECT_EQ(r.points, 2u);
@@ -63,12 +63,12 @@ TEST(ModelResiduals, MissingModelsAreFailuresInThePercentiles) {
 TEST(ModelResiduals, RoofsAlone) {
   const std::vector<PolygonModel> models{slab("a", 0)};
   const BuildingPoints low{"a", 0, {{5, 5, 1}}};
-  EXPECT_NEAR(judge_models(models, std::span(&low, 1)).rmse_m, 1, 1e-12);
+  EXPECT_NEAR(evaluate_building_models(models, std::span(&low, 1)).rmse_m, 1, 1e-12);
   ModelResidualParams params;
-  params.faces = JudgedFaces::roofs;
-  EXPECT_NEAR(judge_models(models, std::span(&low, 1), params).rmse_m, 4, 1e-12);
+  params.faces = EvaluatedFaces::roofs;
+  EXPECT_NEAR(evaluate_building_models(models, std::span(&low, 1), params).rmse_m, 4, 1e-12);
   params.metres_per_unit = 0.5;
-  EXPECT_NEAR(judge_models(models, std::span(&low, 1), params).rmse_m, 2, 1e-12);
+  EXPECT_NEAR(evaluate_building_models(models, std::span(&low, 1), params).rmse_m, 2, 1e-12);
 }
 
 TEST(ModelResiduals, AssignsByPlanWithinTheMargin) {
@@ -90,9 +90,9 @@ TEST(ModelResiduals, DoesNotDependOnOrderOrThreads) {
     buildings[static_cast<std::size_t>(i % 2)].points.push_back({20.0 * (i % 2) + 10 * x, 10 * y, 4 + 2 * z});
   }
   ModelResiduals one, three;
-  with_threads(1, [&] { one = judge_models(models, buildings); });
+  with_threads(1, [&] { one = evaluate_building_models(models, buildings); });
   for (BuildingPoints& b : buildings) std::reverse(b.points.begin(), b.points.end());
-  with_threads(3, [&] { three = judge_models(models, buildings); });
+  with_threads(3, [&] { three = evaluate_building_models(models, buildings); });
   EXPECT_EQ(one.rmse_m, three.rmse_m);
   EXPECT_EQ(one.trimmed_rmse_m, three.trimmed_rmse_m);
   EXPECT_EQ(one.near_share, three.near_share);

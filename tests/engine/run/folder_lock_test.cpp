@@ -52,7 +52,7 @@ TEST_F(FolderLockTest, AFolderWithContentStaysAndSoDoesOneThatWasThere) {
   EXPECT_FALSE(fs::exists(folder()));
 }
 
-TEST_F(FolderLockTest, TheSecondIsToldWhoWorksThere) {
+TEST_F(FolderLockTest, TheSecondIsGivenTheHolder) {
   const FolderLock first(folder(), "");
   try {
     const FolderLock second(folder(), "or give another -o");

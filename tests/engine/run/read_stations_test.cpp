@@ -75,9 +75,9 @@ TEST_F(ReadStations, NumbersOfTheirPoints) {
   const auto named = read("name,x,y,z\n3,1,2,3\n3.5,1,2,3\n0,1,2,3\n65536,1,2,3\nsix,1,2,3\n65535,1,2,3\n");
   const std::vector<std::uint16_t> expected{3, 0, 0, 0, 0, 65535};
   for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_EQ(named.at(i).source_id, expected[i]) << named[i].name;
-  const auto told = read("name,x,y,z,point_source_id\n3,1,2,3,12\ncourt,1,2,3,7\n");
-  EXPECT_EQ(told.at(0).source_id, 12) << "the column comes before the name";
-  EXPECT_EQ(told.at(1).source_id, 7);
+  const auto stations = read("name,x,y,z,point_source_id\n3,1,2,3,12\ncourt,1,2,3,7\n");
+  EXPECT_EQ(stations.at(0).source_id, 12) << "the column comes before the name";
+  EXPECT_EQ(stations.at(1).source_id, 7);
   EXPECT_EQ(read("1 2 3\n").at(0).source_id, 0) << "station 1 is a name of ours";
 }
 

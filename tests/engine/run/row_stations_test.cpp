@@ -37,10 +37,10 @@ TEST(RowStations, OfAStationsFileByTheNumberOfTheirSource) {
   Readers readers;
   readers.push_back(std::make_unique<NamedReader>("/scans/all.laz", std::vector<ScanPart>{}, std::vector<Station>{}));
   const std::vector<Station> stations{station("1", 1), station("court", 7), station("street", 0)};
-  const auto told = row_stations(readers, stations, StationsFrom::file);
-  ASSERT_EQ(told.size(), 1u);
-  EXPECT_EQ(told[0].of_all, 0);
-  EXPECT_EQ(told[0].of_source, (Sources{{1, 1}, {7, 2}}));
+  const auto recorded = row_stations(readers, stations, StationsFrom::file);
+  ASSERT_EQ(recorded.size(), 1u);
+  EXPECT_EQ(recorded[0].of_all, 0);
+  EXPECT_EQ(recorded[0].of_source, (Sources{{1, 1}, {7, 2}}));
 }
 
 TEST(RowStations, ANumberThatTwoHaveSaysNothing) {
@@ -56,10 +56,10 @@ TEST(RowStations, ACloudCalledAsAStationIsAllItsOwn) {
     readers.push_back(
         std::make_unique<NamedReader>(path, std::vector<ScanPart>{{"s1", 5}, {"s2", 5}}, std::vector<Station>{}));
   const std::vector<Station> stations{station("s2", 9), station("court", 2)};
-  const auto told = row_stations(readers, stations, StationsFrom::file);
-  EXPECT_EQ(told[0].of_all, 2);
-  EXPECT_EQ(told[1].of_all, 0);
-  EXPECT_EQ(told[1].of_source, (Sources{{2, 1}})) << "the second scan, whatever the station's number";
+  const auto recorded = row_stations(readers, stations, StationsFrom::file);
+  EXPECT_EQ(recorded[0].of_all, 2);
+  EXPECT_EQ(recorded[1].of_all, 0);
+  EXPECT_EQ(recorded[1].of_source, (Sources{{2, 1}})) << "the second scan, whatever the station's number";
 }
 
 // Scans of each input are numbered from 1, stations of the run over all inputs.
@@ -72,10 +72,10 @@ TEST(RowStations, OfTheInputsThemselves) {
                                                   std::vector<Station>{station("s", 1), station("t", 2)}));
   std::vector<Station> stations;
   for (const auto& r : readers) stations.insert(stations.end(), r->info().stations.begin(), r->info().stations.end());
-  const auto told = row_stations(readers, stations, StationsFrom::inputs);
-  EXPECT_EQ(told[0].of_source, (Sources{{2, 1}}));
-  EXPECT_TRUE(told[1].of_source.empty());
-  EXPECT_EQ(told[2].of_source, (Sources{{1, 2}, {2, 3}}));
+  const auto recorded = row_stations(readers, stations, StationsFrom::inputs);
+  EXPECT_EQ(recorded[0].of_source, (Sources{{2, 1}}));
+  EXPECT_TRUE(recorded[1].of_source.empty());
+  EXPECT_EQ(recorded[2].of_source, (Sources{{1, 2}, {2, 3}}));
 }
 
 }  // namespace

@@ -48,12 +48,12 @@ TEST(Suitability, StepsThatCannotBeAreNoAndDoubted) {
     CloudMeasure m = airborne();
     m.sampling_step = step;
     EXPECT_EQ(verdict(info, m), "nnnn") << step;
-    EXPECT_TRUE(doubt_about_step(m)) << step;
+    EXPECT_TRUE(step_warning(m)) << step;
   }
   CloudMeasure m = airborne();
-  EXPECT_FALSE(doubt_about_step(m));
+  EXPECT_FALSE(step_warning(m));
   m.sampling_step = 5e-5;
-  EXPECT_TRUE(doubt_about_step(m));
+  EXPECT_TRUE(step_warning(m));
 }
 
 TEST(Suitability, DegreesAreNoUnlessTheyAreNotBelieved) {
@@ -64,7 +64,7 @@ TEST(Suitability, DegreesAreNoUnlessTheyAreNotBelieved) {
   EXPECT_EQ(verdict(info, m), "nnnn");
   m.min = m.max = {515393, 4918000, 30};
   EXPECT_EQ(verdict(info, m), "yyny");
-  EXPECT_FALSE(believed_crs(info, m).geographic);
+  EXPECT_FALSE(assumed_crs(info, m).geographic);
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ TEST(Lattice, AShiftByWholeTilesKeepsTheCode) {
   }
 }
 
-TEST(Lattice, NodesHoldWhatTheirBoxHolds) {
+TEST(Lattice, NodesContainWhatTheirBoxContains) {
   Rng rng(2);
   for (int level = 0; level <= kTileBits; ++level) {
     const Index3 p{-5 - static_cast<std::int64_t>(rng.below(1u << 21)), static_cast<std::int64_t>(rng.below(1u << 21)),

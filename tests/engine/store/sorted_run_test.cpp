@@ -20,15 +20,15 @@ SortedRun sort_cloud(const TemporaryFolder& folder, const std::vector<Index3>& p
                      std::uint64_t first, std::uint64_t count) {
   test::write_cloud(folder.path() / "c.las", points);
   const auto reader = open_cloud(folder.path() / "c.las");
-  std::uint64_t told = 0;
+  std::uint64_t reported = 0;
   const SortedRun run = make_sorted_run({*reader, 3, first, count}, kUnit, filter, folder.path() / "run",
-                                        [&](std::uint64_t n) { told += n; });
-  EXPECT_EQ(told, count);
+                                        [&](std::uint64_t n) { reported += n; });
+  EXPECT_EQ(reported, count);
   return run;
 }
 
 // Oracle: a stable sort of keys.
-TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
+TEST(SortedRun, ContainsItsRowsSortedByKeyThenRow) {
   const TemporaryFolder folder;
   const auto points = test::points_over_tiles(40000, 1);
   const std::uint64_t first = 1000, count = 38000;
@@ -54,7 +54,7 @@ TEST(SortedRun, HoldsItsRowsSortedByKeyThenRow) {
   for (std::size_t s = 0; s < run.samples.size(); ++s) EXPECT_EQ(run.samples[s], stored[s * kRunSample].key);
 }
 
-TEST(SortedRun, AValueHoldsOrderClassAndEchoes) {
+TEST(SortedRun, AValueContainsOrderClassAndEchoes) {
   const InputOrder order = input_order((1u << 20) - 1, kMostRowsOfInput - 1);
   const RunValue value = run_value(order, 255, 3);
   EXPECT_EQ(order_of(value), order);

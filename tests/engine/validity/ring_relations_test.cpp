@@ -9,7 +9,7 @@ namespace {
 using Rings = std::vector<std::vector<Point2>>;
 const std::vector<Point2> kOuter{{0, 0}, {100, 0}, {100, 100}, {0, 100}}, kHole{{20, 20}, {20, 40}, {40, 40}, {40, 20}};
 
-TEST(RingRelations, TellsRightFromWrong) {
+TEST(RingRelations, SeparatesValidFromInvalid) {
   EXPECT_EQ(ring_relation_fault(Rings{kOuter, kHole}), 0);
   EXPECT_EQ(ring_relation_fault(Rings{kOuter, {{0, 0}, {20, 40}, {40, 20}}}), 0) << "touching in a point";
   EXPECT_EQ(ring_relation_fault(Rings{kOuter, {{80, 20}, {80, 40}, {120, 40}, {120, 20}}}), 201);

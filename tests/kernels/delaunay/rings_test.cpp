@@ -156,7 +156,7 @@ TEST(OuterRings, LeaveOutHolesAndWhatLiesInThem) {
   EXPECT_EQ(outer.rings[1].polygon, 1u);
 }
 
-bool ring_holds(const Polygons& polygons, const Ring& r, std::span<const Point2> points, double x, double y) {
+bool ring_contains(const Polygons& polygons, const Ring& r, std::span<const Point2> points, double x, double y) {
   bool inside = false;
   for (std::uint32_t i = 0; i < r.count; ++i) {
     const Point2 a = points[polygons.vertices[r.first + i]], b = points[polygons.vertices[r.first + (i + 1) % r.count]];
@@ -180,7 +180,7 @@ TEST(OuterRings, HoldEveryTriangleOnceAndOnlyWholeOnes) {
       const Point2 a = points[t.corner[3 * i]], b = points[t.corner[3 * i + 1]], c = points[t.corner[3 * i + 2]];
       const double x = (a.x + b.x + c.x) / 3.0, y = (a.y + b.y + c.y) / 3.0;
       const auto holders = std::count_if(outer.rings.begin(), outer.rings.end(),
-                                         [&](const Ring& r) { return ring_holds(outer, r, points, x, y); });
+                                         [&](const Ring& r) { return ring_contains(outer, r, points, x, y); });
       EXPECT_LE(holders, 1);
       EXPECT_TRUE(!keep[i] || holders == 1);
       if (holders > 0) held += orient2d(a, b, c);

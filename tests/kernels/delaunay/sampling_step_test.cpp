@@ -79,7 +79,7 @@ TEST(PredictedStep, TheDocumentsFormulaIsAQuarterShortAt45Degrees) {
   EXPECT_NEAR(documented_step(station, wall, p) / predicted_step(station, wall, p), 0.74, 0.01);
 }
 
-TEST(PredictedStep, TheSmallestOfSeveralAndNothingBehind) {
+TEST(PredictedStep, TheSmallestOfManyAndNothingBehind) {
   const Plane wall{{-1, 0, 0}, 10};
   const Scanner near{{5, 0, 0}, {0, 0, 1}, kStep, kStep}, far{{0, 0, 0}, {0, 0, 1}, kStep, kStep};
   const std::vector<Scanner> both{far, near};

@@ -18,17 +18,17 @@ TEST(Manifold, TakesAClosedSurface) {
   EXPECT_EQ(count_pieces(kTetrahedron, 4), 1u);
 }
 
-TEST(Manifold, TellsATriangleTheWrongWayRound) {
+TEST(Manifold, FindsAFlippedTriangle) {
   Triangles t = kTetrahedron;
   std::swap(t[2][0], t[2][1]);
   EXPECT_EQ(fit_triangles(t, 4), (Fits{kFits, kFits, kReversed, kFits}));
 }
 
-TEST(Manifold, TellsAThirdTriangleAtAnEdge) {
+TEST(Manifold, FindsAThirdTriangleAtAnEdge) {
   EXPECT_EQ(fit_triangles(Triangles{{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}, 5), (Fits{kFits, kFits, kNone}));
 }
 
-TEST(Manifold, TellsASecondUmbrellaAtACorner) {
+TEST(Manifold, FindsASecondUmbrellaAtACorner) {
   Triangles t = kTetrahedron;  // corner 3 is closed
   t.push_back({3, 4, 5});
   EXPECT_EQ(fit_triangles(t, 6).back(), kNone);
@@ -56,7 +56,7 @@ TEST(Manifold, FindsBordersAndPieces) {
   EXPECT_EQ(count_pieces(Triangles{}, 9), 0u);
 }
 
-TEST(Manifold, TellsInsideFromOutside) {
+TEST(Manifold, SeparatesInsideFromOutside) {
   const std::vector<Index3> v{{0, 0, 0}, {5, 0, 0}, {0, 5, 0}, {0, 0, 5}};
   EXPECT_EQ(volume_sign(kTetrahedron, v), 1);
   Triangles turned = kTetrahedron;

@@ -11,7 +11,7 @@ namespace {
 constexpr Index3 kOrigin{0, 0, 0}, kX{4, 0, 0}, kY{0, 4, 0};
 constexpr IndexTriangle kFlat{kOrigin, kX, kY};
 
-TEST(Predicates3, TellSides) {
+TEST(Predicates3, GiveTheSide) {
   EXPECT_EQ(orient3d_sign(kOrigin, kX, kY, {1, 1, 1}), 1);
   EXPECT_EQ(orient3d_sign(kOrigin, kX, kY, {1, 1, -1}), -1);
   EXPECT_EQ(orient3d_sign(kOrigin, kX, kY, {9, -7, 0}), 0);

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "kernels/morphology/zone_falls.h"
+#include "kernels/morphology/outward_drops.h"
 #include "tests/support/flooded_zones.h"
 #include "tests/support/image_tiles.h"
 
@@ -17,7 +17,7 @@ using test::kAdjacencies;
 // An image without what lies in tiles that are absent.
 Image only_present(Image image, const TileGrid& grid) {
   for (std::size_t p = 0; p < image.size(); ++p)
-    if (!grid.holds(static_cast<std::int64_t>(p % image.width), static_cast<std::int64_t>(p / image.width)))
+    if (!grid.contains(static_cast<std::int64_t>(p % image.width), static_cast<std::int64_t>(p / image.width)))
       image.values[p] = kNoHeight;
   return image;
 }
@@ -25,7 +25,7 @@ Image only_present(Image image, const TileGrid& grid) {
 // Of every pixel, its zone's number among the joined ones plus 1; 0 = of no zone on a border.
 struct JoinedZones {
   std::vector<std::uint32_t> of;
-  std::vector<std::int32_t> falls;
+  std::vector<std::int32_t> drops;
   std::uint32_t count = 0;
 };
 
@@ -36,11 +36,11 @@ JoinedZones joined_zones(const Image& image, const TileGrid& grid, Height lambda
   for (std::size_t t = grid.count(); t-- > 0;) {  // the order in which tiles are told must not show
     const Image tile = test::tiles_of(image, grid)(t);
     runs[t] = zone_runs(tile, lambda, adjacency);
-    on_border[t] = borders.tell(t, runs[t], tile);
+    on_border[t] = borders.record(t, runs[t], tile);
   }
   borders.join(lambda, adjacency);
   JoinedZones out{std::vector<std::uint32_t>(image.size(), 0), {}, borders.count()};
-  for (std::uint32_t n = 0; n < out.count; ++n) out.falls.push_back(borders.falls(n));
+  for (std::uint32_t n = 0; n < out.count; ++n) out.drops.push_back(borders.drops(n));
   for (std::size_t t = 0; t < grid.count(); ++t) {
     const TileFrame frame = tile_frame(grid, t);
     for_each_run(runs[t], [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
@@ -62,7 +62,7 @@ void expect_joined(const Image& image, const TileGrid& grid, Height lambda, Adja
   const PixelLabels whole = test::flooded_zones(image, lambda, adjacency);
   const JoinedZones got = joined_zones(image, grid, lambda, adjacency);
   std::map<std::uint32_t, std::uint32_t> number_of, zone_of;
-  std::vector<std::int32_t> falls(got.count, 0);
+  std::vector<std::int32_t> drops(got.count, 0);
   for (std::size_t p = 0; p < image.size(); ++p) {
     if (tile_at(grid, p) == kNoTile) continue;
     const TileFrame frame = tile_frame(grid, tile_at(grid, p));
@@ -76,10 +76,11 @@ void expect_joined(const Image& image, const TileGrid& grid, Height lambda, Adja
     EXPECT_EQ(number_of.try_emplace(whole.of[p], got.of[p]).first->second, got.of[p]) << name;
     EXPECT_EQ(zone_of.try_emplace(got.of[p], whole.of[p]).first->second, whole.of[p]) << name;
     for (const std::size_t q : test::neighbours_of(image.width, image.height, p, adjacency))
-      if (tile_at(grid, q) != tile_at(grid, p)) falls[got.of[p] - 1] += fall(image.values[p], image.values[q], lambda);
+      if (tile_at(grid, q) != tile_at(grid, p))
+        drops[got.of[p] - 1] += outward_drop(image.values[p], image.values[q], lambda);
   }
   EXPECT_EQ(zone_of.size(), got.count) << name;
-  EXPECT_EQ(got.falls, falls) << name;
+  EXPECT_EQ(got.drops, drops) << name;
 }
 
 TEST(BorderZones, TwoTilesByHand) {
@@ -91,7 +92,7 @@ TEST(BorderZones, TwoTilesByHand) {
   TileGrid grid{4, 2, 2};
   const JoinedZones got = joined_zones(image, grid, 1, Adjacency::four);
   EXPECT_EQ(got.of, (std::vector<std::uint32_t>{1, 1, 1, 4, 2, 3, 1, 4}));
-  EXPECT_EQ(got.falls, (std::vector<std::int32_t>{-1, 0, 1, 0}));
+  EXPECT_EQ(got.drops, (std::vector<std::int32_t>{-1, 0, 1, 0}));
 }
 
 TEST(BorderZones, EqualTheFloodOfTheWhole) {

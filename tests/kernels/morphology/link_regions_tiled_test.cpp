@@ -62,7 +62,7 @@ TEST(LinkRegionsTiled, WaysGoAroundAbsentTiles) {
     for (int i = 0; i < 60; ++i) image.values[rng.below(33 * 33)] = static_cast<Height>(rng.below(30));
     LinkWindow whole{image, {}, {}};
     for (std::uint32_t i = 0; i < image.size(); ++i) {
-      const bool inside = grid.holds(i % 33, i / 33);
+      const bool inside = grid.contains(i % 33, i / 33);
       if (!inside) image.values[i] = kNoHeight;
       whole.inside.push_back(inside);
     }

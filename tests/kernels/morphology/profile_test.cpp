@@ -25,7 +25,7 @@ TEST(LineProfile, AlongARow) {
 }
 
 // Oracle: every pixel's own place along the line.
-TEST(LineProfile, HoldsTheHighestPixelOfEachStep) {
+TEST(LineProfile, ContainsTheHighestPixelOfEachStep) {
   for (const auto& [name, image] : test::small_images()) {
     for (const double degrees : {0.0, 20.0, 45.0, 90.0, 130.0}) {
       const double a = degrees * M_PI / 180;

@@ -40,7 +40,7 @@ class InTiles {
       const Image mark = tile_of(marker, t);
       if (mark.values == tile_of(filled, t).values) return;
       const Image tile = reconstruct_by_erosion(mark, tile_of(image_, t), adjacency_);
-      filling_.tell_drained(t, tile);
+      filling_.record_drained(t, tile);
       test::into(out, grid_)(t, tile);
     });
     filling_.join_drained();

@@ -57,8 +57,8 @@ TEST(ZoneRuns, EqualTheFlood) {
   for (const auto& [name, image] : test::small_images())
     for (const Adjacency adjacency : kAdjacencies)
       for (const Height lambda : {0, 1, 40}) {
-        const std::string told = name + " lambda " + std::to_string(lambda);
-        expect_painted(zone_runs(image, lambda, adjacency), test::flooded_zones(image, lambda, adjacency), told);
+        const std::string message = name + " lambda " + std::to_string(lambda);
+        expect_painted(zone_runs(image, lambda, adjacency), test::flooded_zones(image, lambda, adjacency), message);
       }
 }
 

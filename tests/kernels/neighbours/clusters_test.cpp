@@ -45,7 +45,7 @@ TEST(EuclideanClusters, RadiusIsClosed) {
 }
 
 // Two crowded bins, of which one pair of points at most is in reach.
-TEST(EuclideanClusters, CrowdedBinsOneUnitOutOfReach) {
+TEST(EuclideanClusters, DenseBinsOneUnitOutOfReach) {
   constexpr std::int64_t kRadius = 900;
   for (const std::uint32_t gap : {900u, 901u}) {
     std::vector<Cell3> points{{101, 500, 100}, {101 + gap, 500, 100}};

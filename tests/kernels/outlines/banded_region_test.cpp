@@ -16,19 +16,19 @@ BandedRegion region_of(const std::vector<std::vector<FlatPoint>>& rings) {
   return BandedRegion(edges);
 }
 
-TEST(BandedRegion, HoldsWhatIsInsideButForHoles) {
+TEST(BandedRegion, ContainsWhatIsInsideButForHoles) {
   const BandedRegion region = region_of({{{0, 0}, {4, 0}, {4, 3}, {0, 3}}, {{1, 1}, {2, 1}, {2, 2}, {1, 2}}});
-  EXPECT_TRUE(region.holds({0.5, 0.5}));
-  EXPECT_TRUE(region.holds({3, 2.5}));
-  EXPECT_FALSE(region.holds({1.5, 1.5})) << "the hole";
+  EXPECT_TRUE(region.contains({0.5, 0.5}));
+  EXPECT_TRUE(region.contains({3, 2.5}));
+  EXPECT_FALSE(region.contains({1.5, 1.5})) << "the hole";
   for (const FlatPoint p : {FlatPoint{-1, 1}, {5, 1}, {1, -1}, {1, 4}, {1e9, 1}, {1, -1e9}})
-    EXPECT_FALSE(region.holds(p)) << p.x << " " << p.y;
+    EXPECT_FALSE(region.contains(p)) << p.x << " " << p.y;
 }
 
-TEST(BandedRegion, OfNothingHoldsNothing) {
-  EXPECT_FALSE(BandedRegion().holds({0, 0}));
-  EXPECT_FALSE(BandedRegion(std::vector<FlatEdge>{}).holds({0, 0}));
-  EXPECT_FALSE(region_of({{{0, 0}, {1, 0}, {2, 0}}}).holds({0.5, 0}));
+TEST(BandedRegion, OfNothingContainsNothing) {
+  EXPECT_FALSE(BandedRegion().contains({0, 0}));
+  EXPECT_FALSE(BandedRegion(std::vector<FlatEdge>{}).contains({0, 0}));
+  EXPECT_FALSE(region_of({{{0, 0}, {1, 0}, {2, 0}}}).contains({0.5, 0}));
 }
 
 // A star of many corners, against the sum of the angles that its edges span.
@@ -51,7 +51,7 @@ TEST(BandedRegion, AgreesWithTheWindingOfManyCorners) {
           std::atan2((a.x - x) * (b.y - y) - (a.y - y) * (b.x - x), (a.x - x) * (b.x - x) + (a.y - y) * (b.y - y));
     }
     const bool wound = std::abs(turned) > M_PI;
-    ASSERT_EQ(region.holds({x, y}), wound) << x << " " << y;
+    ASSERT_EQ(region.contains({x, y}), wound) << x << " " << y;
     inside += wound;
   }
   EXPECT_GT(inside, 300);
@@ -62,7 +62,7 @@ TEST(BandedRegion, NeighboursShareNoPlaceAndLoseNone) {
                      right = region_of({{{1, 0}, {3, 0}, {3, 2}, {2, 2}}});
   for (int i = 0; i < 8; ++i) {
     const FlatPoint on_border{1 + i / 8.0, i / 4.0};
-    EXPECT_NE(left.holds(on_border), right.holds(on_border)) << i;
+    EXPECT_NE(left.contains(on_border), right.contains(on_border)) << i;
   }
 }
 

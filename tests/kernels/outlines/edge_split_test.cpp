@@ -35,7 +35,7 @@ TEST(EdgeSplit, MiddleOfTheGap) {
   EXPECT_EQ(split.wrong, 0u);
 }
 
-TEST(EdgeSplit, OneSideAloneTellsNothing) {
+TEST(EdgeSplit, OneSideAloneGivesNoEdge) {
   const std::vector<double> some{1, 2}, none;
   EXPECT_FALSE(split_edge(some, none).found);
   EXPECT_FALSE(split_edge(none, some).found);

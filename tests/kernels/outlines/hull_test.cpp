@@ -73,7 +73,7 @@ TEST(RightAngledOutline, OfALeaningStone) {
   }
 }
 
-TEST(RightAngledOutline, HoldsAllPointsInTheLeastArea) {
+TEST(RightAngledOutline, ContainsAllPointsInTheLeastArea) {
   for (std::uint64_t key = 0; key < 20; ++key)
     for (const auto& set : test::plane_sets(30, key)) {
       SCOPED_TRACE(set.name);

@@ -22,7 +22,7 @@ void expect_simple(Ring ring, bool simple, const char* why) {
   }
 }
 
-TEST(SimpleRing, TellsSimpleFromOthers) {
+TEST(SimpleRing, SeparatesSimpleRingsFromOthers) {
   expect_simple({{0, 0}, {4, 0}, {4, 4}, {0, 4}}, true, "a square");
   expect_simple({{0, 0}, {2, 0}, {4, 0}, {4, 4}, {0, 4}}, true, "a corner on an edge");
   expect_simple({{0, 0}, {4, 0}, {4, 4}, {2, 1}, {0, 4}}, true, "a dent");

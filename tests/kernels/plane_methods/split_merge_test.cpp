@@ -30,7 +30,7 @@ TEST(SplitMerge, OneFlatCellIsOneSegment) {
   EXPECT_TRUE(split_merge(set.view(), params).planes.empty());
 }
 
-TEST(SplitMerge, TheFacesOfABoxAreParted) {
+TEST(SplitMerge, TheFacesOfABoxAreSplit) {
   for (const std::uint64_t key : {1, 2, 3}) {
     const auto set = test::box_corner(key, 3, 200);
     const auto s = split_merge(set.view().points, split_params(12));

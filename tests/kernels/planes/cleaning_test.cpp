@@ -66,10 +66,10 @@ Scan scan(std::uint64_t key) {
       const bool edge = std::abs(i) == 30;
       if (std::abs(i) <= 30) range = 2500;
       if (d.z < 0 && -1200 / d.z < range) range = -1200 / d.z;
-      const bool hanging = edge && range == 2500 && (i + j) % 3 != 0;
-      if (hanging) range = 2700 + 1100 * rng.uniform();
+      const bool is_mixed = edge && range == 2500 && (i + j) % 3 != 0;
+      if (is_mixed) range = 2700 + 1100 * rng.uniform();
       s.points.push_back((range + test::bell(rng)) * d);
-      s.mixed.push_back(hanging);
+      s.mixed.push_back(is_mixed);
     }
   return s;
 }
@@ -109,7 +109,7 @@ TEST(Cleaning, MixedPixelsAreDroppedSlantingFloorsAreNot) {
   EXPECT_LT(static_cast<double>(wrong), 0.001 * static_cast<double>(kept.size()));
 }
 
-TEST(Cleaning, IsolationDropsWhatHangsBetweenSurfaces) {
+TEST(Cleaning, IsolationDropsMixedPixels) {
   const Lattice l = lattice(scan(2));
   const auto near = test::neighbours_of(l.points(), 8);
   const Kept kept = isolation_filter(near.lists(), reaches(l.points(), 8));

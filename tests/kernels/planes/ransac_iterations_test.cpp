@@ -13,7 +13,7 @@ TEST(RansacIterations, KnownValues) {
   EXPECT_EQ(ransac_iterations(0.5, 2, 0.99), 17u);  // 16.01
   EXPECT_EQ(ransac_iterations(0.0, 3, 0.99), 1u);
   EXPECT_EQ(ransac_iterations(1.0, 3, 0.99), kMaxDraws);
-  EXPECT_EQ(draws_for_chance(1e-30, 0.5), kMaxDraws);
+  EXPECT_EQ(draws_for_probability(1e-30, 0.5), kMaxDraws);
 }
 
 TEST(RansacIterations, EqualsTheFormulaInTheMathsLibrary) {
@@ -28,7 +28,7 @@ TEST(RansacIterations, EqualsTheFormulaInTheMathsLibrary) {
   // Small chances keep their digits: relative error 1e-12 of the count.
   for (const double q : {1e-4, 1e-8, 1e-12}) {
     const double exact = std::log(0.01) / std::log1p(-q);
-    EXPECT_NEAR(static_cast<double>(draws_for_chance(q, 0.99)), exact, 1 + 1e-12 * exact);
+    EXPECT_NEAR(static_cast<double>(draws_for_probability(q, 0.99)), exact, 1 + 1e-12 * exact);
   }
 }
 

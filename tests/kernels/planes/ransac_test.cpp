@@ -134,7 +134,7 @@ TEST(Ransac, OnePlaneInTwoPlacesIsTwoPlanes) {
 
 // Stones of one facade: parts of one plane whose boxes come nearer than the connectivity, since it tilts against the
 // axes, while their points do not.
-TEST(Ransac, PartsOfOnePlaneAreNoFringes) {
+TEST(Ransac, PartsOfOnePlaneAreNoEdgeStrips) {
   const Vec3 u{0.8, 0.6, 0}, v{-0.6, 0.8, 0};
   OrientedSetBuilder b(4);
   b.add(Patch{{1000, 1000, 100}, u, v, 40, 40, 10, 0});
@@ -152,7 +152,7 @@ TEST(Ransac, MinPointsIsClosed) {
   EXPECT_EQ(ransac_planes(set.view(), params_of(2, 30, 31)).planes.size(), 0u);
 }
 
-TEST(Ransac, AFringeAlongAnEdgeIsNoPlane) {
+TEST(Ransac, AnEdgeStripIsNoPlane) {
   const Vec3 mixed = (1 / std::sqrt(2.0)) * Vec3{1, 0, 1};
   OrientedSetBuilder b(6);
   std::size_t strip = 0;

@@ -10,7 +10,7 @@ TEST(Refine, TinyExactCase) {
   const auto set = test::make_set("tiny", {{0, 0, 0}, {10, 0, 0}, {0, 10, 0}, {10, 10, 0}, {5, 5, 3}, {5, 5, 9}});
   const auto r = refine_plane({set.view()}, test::all_of(6), {{0, 0, 1}, -0.4}, {1, 0, 3});
   EXPECT_EQ(r.members.size(), 4u);
-  EXPECT_EQ(r.end, RefinedPlane::End::kSettled);
+  EXPECT_EQ(r.end, RefinedPlane::End::kConverged);
   EXPECT_NEAR(r.plane.d, 0, 1e-12);
   EXPECT_NEAR(r.plane.n.z, 1, 1e-12);
 }
@@ -36,7 +36,7 @@ TEST(Refine, ConvergesOnTheFaceFromATiltedStart) {
   const Vec3 n{0.02, 0.02, 1};
   const Plane start{(1 / norm(n)) * n, -(1 / norm(n)) * dot(n, Vec3{2500, 2500, 2000})};
   const auto r = refine_plane(set.view(), test::all_of(set.size), start, {12, 0.95, 3, 30});
-  EXPECT_EQ(r.end, RefinedPlane::End::kSettled);
+  EXPECT_EQ(r.end, RefinedPlane::End::kConverged);
   EXPECT_GE(r.members.size(), 2990u);  // 3,000 points with noise of a quarter of epsilon
   EXPECT_GT(r.plane.n.z, 0.99999);
 }

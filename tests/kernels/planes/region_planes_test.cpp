@@ -26,7 +26,7 @@ TEST(RegionPlanes, AFlatRegionIsItsLeastSquaresPlane) {
 }
 
 // A region that leaked round an edge: two faces of a box in one region.
-TEST(RegionPlanes, ALeakIsPartedIntoItsPlanes) {
+TEST(RegionPlanes, ALeakIsSplitIntoItsPlanes) {
   for (const std::uint64_t key : {1, 2, 3}) {
     test::OrientedSetBuilder b(key);
     b.add(test::Patch{{500, 500, 500}, kX, kY, 40, 30, 20, 2});

@@ -24,8 +24,8 @@ TEST(Relabel, StraysSpreadFromLabelledPointsRoundByRound) {
   PlaneSegments s{std::vector<std::uint32_t>(set.size, 0), {{{0, 0, 1}, -100}}};
   for (std::size_t i = 0; i < set.size; ++i) s.label[i] = set.x[i] <= 10;  // two columns of twenty
   PlaneSegments one = s;
-  EXPECT_EQ(adopt_strays(set.view().points, near.lists(), {1, 20, 2, 1}, one), 20u);
-  EXPECT_EQ(adopt_strays(set.view().points, near.lists(), {1, 20, 2, 100}, s), 360u);
+  EXPECT_EQ(assign_unlabelled(set.view().points, near.lists(), {1, 20, 2, 1}, one), 20u);
+  EXPECT_EQ(assign_unlabelled(set.view().points, near.lists(), {1, 20, 2, 100}, s), 360u);
   EXPECT_EQ(test::label_sizes(s), (std::vector<std::size_t>{0, 400}));
 }
 
@@ -35,13 +35,13 @@ TEST(Relabel, APointGoesToTheNearerPlaneWithinEpsilonOnly) {
   PlaneSegments start{std::vector<std::uint32_t>(6, 0), {{{0, 0, 1}, -10.4}, {{0, 0, 1}, -12}}};
   for (std::size_t i = 0; i < 6; ++i) start.label[i] = set.z[i] == 10 ? 1 : set.z[i] == 12 ? 2 : 0;
   PlaneSegments wide = start, narrow = start, lonely = start;
-  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {2, 100, 2, 5}, wide), 1u);
+  EXPECT_EQ(assign_unlabelled(set.view(), near.lists(), {2, 100, 2, 5}, wide), 1u);
   for (std::size_t i = 0; i < 6; ++i)
     if (set.z[i] == 11) {
       EXPECT_EQ(wide.label[i], 1u);  // 0.6 from the first, 1 from the second
     }
-  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {0.5, 100, 2, 5}, narrow), 0u);
-  EXPECT_EQ(adopt_strays(set.view(), near.lists(), {2, 100, 3, 5}, lonely), 0u);
+  EXPECT_EQ(assign_unlabelled(set.view(), near.lists(), {0.5, 100, 2, 5}, narrow), 0u);
+  EXPECT_EQ(assign_unlabelled(set.view(), near.lists(), {2, 100, 3, 5}, lonely), 0u);
 }
 
 TEST(Relabel, IslandsGoToTheMajorityUnlessTheyLieElsewhere) {
@@ -65,7 +65,7 @@ TEST(Relabel, BordersCanFollowTheNearestPlane) {
   for (std::size_t i = 0; i < 6; ++i) s.label[i] = set.z[i] == 14 ? 2 : 1;
   RelabelParams params{3, 100, 2, 4};
   params.border = RelabelParams::Border::nearest;
-  EXPECT_EQ(part_borders(set.view(), near.lists(), params, s), 1u);
+  EXPECT_EQ(split_borders(set.view(), near.lists(), params, s), 1u);
   for (std::size_t i = 0; i < 6; ++i) EXPECT_EQ(s.label[i], set.z[i] >= 13 ? 2u : 1u) << "a tie keeps its own";
 }
 
@@ -86,7 +86,7 @@ TEST(Relabel, BordersFollowTheBisector) {
     band += stolen;
   }
   EXPECT_GE(band, 60u);
-  EXPECT_GE(part_borders(set.view().points, near.lists(), {9, 40}, s), band - 5);
+  EXPECT_GE(split_borders(set.view().points, near.lists(), {9, 40}, s), band - 5);
   test::expect_sound(set, s, 12, 1);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < set.size; ++i) wrong += s.label[i] != (on_top(i) ? 1u : 2u);
@@ -105,11 +105,11 @@ TEST(Relabel, SettlingUndoesATilt) {
     s.label[i] = std::abs(signed_distance(s.planes[1], set.position(i))) <= 5   ? 2
                  : std::abs(signed_distance(s.planes[0], set.position(i))) <= 5 ? 1
                                                                                 : 0;
-  settle_planes(set.view().points, near.lists(), {5, 20}, 100, s);
+  relabel_until_stable(set.view().points, near.lists(), {5, 20}, 100, s);
   test::expect_sound(set, s, 5, 100);
   ASSERT_EQ(s.planes.size(), 2u);
   EXPECT_GT(std::abs(s.planes[1].n.x), 0.9986);  // 3 degrees; it started with 5.7
-  settle_planes(set.view().points, near.lists(), {5, 20}, 5000, s);
+  relabel_until_stable(set.view().points, near.lists(), {5, 20}, 5000, s);
   EXPECT_TRUE(s.planes.empty());
 }
 
@@ -122,7 +122,7 @@ TEST(Relabel, OrderDoesNotMatter) {
     for (std::size_t i = 0; i < s.size; ++i)
       if (static_cast<int>(s.x[i] + s.y[i] + s.z[i]) % 3 == 0)
         segments.label[i] = s.nz[i] > 0.9F ? 1 : s.nx[i] > 0.9F ? 2 : 0;
-    adopt_strays(s.view().points, near.lists(), {12, 60, 2, 8}, segments);
+    assign_unlabelled(s.view().points, near.lists(), {12, 60, 2, 8}, segments);
     relabel_islands(s.view().points, near.lists(), {12, 60}, segments);
     return segments;
   };
@@ -131,9 +131,9 @@ TEST(Relabel, OrderDoesNotMatter) {
 
 TEST(Relabel, NothingToDo) {
   PlaneSegments none;
-  EXPECT_EQ(adopt_strays({}, {{}, 8}, {}, none), 0u);
+  EXPECT_EQ(assign_unlabelled({}, {{}, 8}, {}, none), 0u);
   EXPECT_EQ(relabel_islands({}, {{}, 8}, {}, none), 0u);
-  EXPECT_EQ(part_borders({}, {{}, 8}, {}, none), 0u);
+  EXPECT_EQ(split_borders({}, {{}, 8}, {}, none), 0u);
 }
 
 // Runs of consecutive points are passed over where nothing can happen; mixed up, hardly any run is. Two walls meet a
@@ -164,9 +164,9 @@ TEST(Relabel, TheOrderOfPointsDoesNotShow) {
     }
   }
   const RelabelParams params{6, 100, 2, 8};
-  const std::size_t moves = part_borders(set.view().points, near.lists(), params, s);
+  const std::size_t moves = split_borders(set.view().points, near.lists(), params, s);
   EXPECT_GT(moves, 100u);
-  EXPECT_EQ(part_borders({x.data(), y.data(), z.data(), set.size}, {lists, 16}, params, mixed), moves);
+  EXPECT_EQ(split_borders({x.data(), y.data(), z.data(), set.size}, {lists, 16}, params, mixed), moves);
   for (std::size_t i = 0; i < set.size; ++i) ASSERT_EQ(mixed.label[place[i]], s.label[i]) << i;
 }
 

@@ -42,8 +42,8 @@ TEST(RunNeighbours, OnePointDisturbsItsSurroundings) {
   const RunNeighbours runs(set.size, near.lists());
   std::vector<std::uint32_t> label(set.size, 3);
   const std::vector<std::uint8_t> all(runs.count(), 1);
-  EXPECT_EQ(quiet_runs(runs, label), all);
-  EXPECT_EQ(untouched_runs(runs, {}), all);
+  EXPECT_EQ(uniform_runs(runs, label), all);
+  EXPECT_EQ(unaffected_runs(runs, {}), all);
   const std::vector<std::uint32_t> odd{700};
   label[700] = 0;
   std::vector<std::uint8_t> wanted = all;
@@ -52,8 +52,8 @@ TEST(RunNeighbours, OnePointDisturbsItsSurroundings) {
       if (other == 700 / kRun) wanted[r] = 0;
   wanted[700 / kRun] = 0;
   ASSERT_GT(std::count(wanted.begin(), wanted.end(), 1), 10);
-  EXPECT_EQ(quiet_runs(runs, label), wanted);
-  EXPECT_EQ(untouched_runs(runs, odd), wanted);
+  EXPECT_EQ(uniform_runs(runs, label), wanted);
+  EXPECT_EQ(unaffected_runs(runs, odd), wanted);
 }
 
 }  // namespace

@@ -16,14 +16,14 @@ struct DenseTiles {
   std::vector<std::uint8_t> present;
 
   std::int64_t columns() const { return (width + side - 1) / side; }
-  bool holds(std::int64_t x, std::int64_t y) const {
+  bool contains(std::int64_t x, std::int64_t y) const {
     return x >= 0 && y >= 0 && x < width && y < height &&
            present[static_cast<std::size_t>(y / side * columns() + x / side)] != 0;
   }
   bool ends_at(std::int64_t x, std::int64_t y) const {
     for (std::int64_t v = y - 1; v <= y + 1; ++v)
       for (std::int64_t u = x - 1; u <= x + 1; ++u)
-        if (!holds(u, v)) return true;
+        if (!contains(u, v)) return true;
     return false;
   }
 };
@@ -38,8 +38,8 @@ TEST(TileGrid, EqualsAFlagForEveryPlace) {
     const TileGrid grid = test::with_tiles(all, dense.present);
     for (std::int64_t y = -2; y < 20; ++y)
       for (std::int64_t x = -2; x < 26; ++x) {
-        ASSERT_EQ(grid.holds(x, y), dense.holds(x, y)) << seed << " " << x << " " << y;
-        if (dense.holds(x, y)) {
+        ASSERT_EQ(grid.contains(x, y), dense.contains(x, y)) << seed << " " << x << " " << y;
+        if (dense.contains(x, y)) {
           ASSERT_EQ(grid.ends_at(x, y), dense.ends_at(x, y)) << seed << " " << x << " " << y;
         }
       }

@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-TEST(Where, AllForWhichItHoldsInOrder) {
+TEST(Where, AllThatMatchInOrder) {
   Rng rng(4, 1);
   for (const std::size_t size : {0, 1, 15, 16, 17, 32, 100})
     for (const std::uint32_t one_in : {1u, 2u, 20u, 1000u}) {

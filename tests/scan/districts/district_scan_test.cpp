@@ -146,7 +146,7 @@ TEST(DistrictScan, PlaneIdsAreDenseAndRisingOverCells) {
 }
 
 TEST(DistrictScan, EchoesOfAPulseAreCountedInOrder) {
-  std::uint64_t several = 0;
+  std::uint64_t multiple_returns = 0;
   scan_district(plan_district({"scene.area_km2=0.05", "scene.trees=60"}), [&](const ScannedCell& item) {
     for (std::size_t at = 0; at < item.records.size();) {
       const PointFields first = decode_fields({&item.records[at], 30}, 6);
@@ -160,10 +160,10 @@ TEST(DistrictScan, EchoesOfAPulseAreCountedInOrder) {
         ASSERT_LT(f.z * 0.001, height);
         height = f.z * 0.001;
       }
-      several += first.return_count > 1;
+      multiple_returns += first.return_count > 1;
     }
   });
-  EXPECT_GT(several, 5000u);
+  EXPECT_GT(multiple_returns, 5000u);
 }
 
 std::string message_of(std::initializer_list<const char*> settings, std::optional<std::uint64_t> points = {}) {

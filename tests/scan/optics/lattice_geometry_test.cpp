@@ -45,8 +45,8 @@ TEST(LatticeGeometry, SubtractionCutsThePieceWithoutOverlap) {
   for (int round = 0; round < 300; ++round) {
     std::vector<GridLine> hole;
     for (int i = 0; i < 5; ++i) {
-      const auto draw = [&](Whole reach) {
-        return static_cast<Whole>(rng.below(2 * static_cast<std::uint64_t>(reach) + 1)) - reach;
+      const auto draw = [&](Integer reach) {
+        return static_cast<Integer>(rng.below(2 * static_cast<std::uint64_t>(reach) + 1)) - reach;
       };
       const GridLine line{draw(20), draw(20), draw(1200)};
       if (line.a != 0 || line.b != 0) hole.push_back(line);

@@ -76,8 +76,8 @@ TEST(PartScene, CandidatesOfTheAxisServeTheWholeBeam) {
     ASSERT_TRUE(std::is_sorted(candidates.begin(), candidates.end(),
                                [](const Candidate& a, const Candidate& b) { return a.enters < b.enters; }));
     // Diverges by at most reach within 150 m.
-    const Vec3 aside = place_about(rng, axis.direction, 0.7 * reach / 150);
-    const Ray ray{from, (1 / norm(aside)) * aside};
+    const Vec3 target = place_about(rng, axis.direction, 0.7 * reach / 150);
+    const Ray ray{from, (1 / norm(target)) * target};
     const auto shared = wide.nearest(ray, candidates), own = exact.cast(ray);
     ASSERT_EQ(shared.has_value(), own.has_value());
     if (!own) continue;

@@ -39,14 +39,15 @@ TEST(RoofPartition, EqualPlanesAreSeenOnce) {
 TEST(RoofPartition, PiecesAreWhatIsSeenFromAbove) {
   Rng rng(7);
   for (int round = 0; round < 200; ++round) {
-    const RoofDesign design = draw_roof(rng, RoofKind::complex, round % 2 ? Siting::detached : Siting::terraced, 0.5);
+    const RoofDesign design =
+        draw_roof(rng, RoofKind::complex, round % 2 ? BuiltForm::detached : BuiltForm::terraced, 0.5);
     const std::vector<RoofPiece> pieces = partition_roof(design.wings);
     const GridRect bounds = bounds_of(design.wings);
     for (int probe = 0; probe < 60; ++probe) {
       // Numerators that no border of the lattice meets.
       const Spot spot{
-          (bounds.u0 + static_cast<Whole>(rng.below(static_cast<std::uint64_t>(bounds.u1 - bounds.u0)))) * 1009 + 17,
-          (bounds.v0 + static_cast<Whole>(rng.below(static_cast<std::uint64_t>(bounds.v1 - bounds.v0)))) * 1009 + 401,
+          (bounds.u0 + static_cast<Integer>(rng.below(static_cast<std::uint64_t>(bounds.u1 - bounds.u0)))) * 1009 + 17,
+          (bounds.v0 + static_cast<Integer>(rng.below(static_cast<std::uint64_t>(bounds.v1 - bounds.v0)))) * 1009 + 401,
           1009};
       const double u = static_cast<double>(spot.u) / 1009, v = static_cast<double>(spot.v) / 1009;
       double highest = -1;

@@ -73,8 +73,8 @@ TEST(RoofSolid, ALowerWingMakesAStepAndAChimneyAHole) {
   EXPECT_NEAR(volume(solid), 36 * 5 + 12 * 3 + 0.36, 1e-9);
   const auto top =
       std::find_if(solid.faces.begin(), solid.faces.end(), [](const RoofFace& f) { return f.rings.size() == 2; });
-  EXPECT_FALSE(face_holds(solid, *top, {2.3, 2.3, 5}));
-  EXPECT_TRUE(face_holds(solid, *top, {1.3, 2.3, 5}));
+  EXPECT_FALSE(face_contains(solid, *top, {2.3, 2.3, 5}));
+  EXPECT_TRUE(face_contains(solid, *top, {1.3, 2.3, 5}));
 }
 
 TEST(RoofSolid, FaultsAreFound) {
@@ -92,7 +92,8 @@ TEST(RoofSolid, DrawnRoofsAreClosedFlatAndHoldTheirVolume) {
   Rng rng(11);
   int sound = 0;
   for (int round = 0; round < 400; ++round) {
-    const RoofDesign design = draw_roof(rng, RoofKind::complex, round % 3 ? Siting::detached : Siting::terraced, 0.2);
+    const RoofDesign design =
+        draw_roof(rng, RoofKind::complex, round % 3 ? BuiltForm::detached : BuiltForm::terraced, 0.2);
     const std::vector<RoofPiece> pieces = partition_roof(design.wings);
     const RoofSolid solid = build_solid(pieces, -500);
     if (fault_of(solid, 0.1, 0.3)) continue;

@@ -14,7 +14,7 @@ TEST(RoofStyles, SimpleRoofsHaveTheirFaces) {
   Rng rng(3);
   for (int round = 0; round < 100; ++round)
     for (RoofKind kind : {RoofKind::gable, RoofKind::hip}) {
-      const RoofDesign design = draw_roof(rng, kind, Siting::detached, 0);
+      const RoofDesign design = draw_roof(rng, kind, BuiltForm::detached, 0);
       const RoofSolid solid = build_solid(partition_roof(design.wings), 0);
       EXPECT_FALSE(fault_of(solid, 0.1, 0.3));
       int roofs = 0;
@@ -29,7 +29,8 @@ TEST(RoofStyles, ComplexRoofsAreVariedAndMostlySound) {
   int unsound = 0, many = 0;
   const int rounds = 1000;
   for (int round = 0; round < rounds; ++round) {
-    const RoofDesign design = draw_roof(rng, RoofKind::complex, round % 4 ? Siting::detached : Siting::terraced, 0);
+    const RoofDesign design =
+        draw_roof(rng, RoofKind::complex, round % 4 ? BuiltForm::detached : BuiltForm::terraced, 0);
     const RoofSolid solid = build_solid(partition_roof(design.wings), 0);
     if (fault_of(solid, 0.1, 0.3)) {
       ++unsound;

@@ -77,8 +77,8 @@ TEST(RoofTown, BuildingsDoNotOverlap) {
     for (const RoofBuilding& b : all) {
       if (&a == &b || std::abs(a.frame.x - b.frame.x) + std::abs(a.frame.y - b.frame.y) > 150) continue;
       for (const Wing& wing : a.wings)
-        for (Whole u : {wing.rect.u0, wing.rect.u1})
-          for (Whole v : {wing.rect.v0, wing.rect.v1}) {
+        for (Integer u : {wing.rect.u0, wing.rect.u1})
+          for (Integer v : {wing.rect.v0, wing.rect.v1}) {
             const Vec3 p =
                 b.frame.to_local(a.frame.to_town({0.001 * static_cast<double>(u), 0.001 * static_cast<double>(v), 0}));
             for (const Wing& other : b.wings)

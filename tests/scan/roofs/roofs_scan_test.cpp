@@ -67,7 +67,7 @@ double nearest_face(const Ray& ray, const RoofTown& town) {
       const double rate = dot(face.plane.n, direction);
       if (rate >= 0) continue;
       const double t = -signed_distance(face.plane, origin) / rate;
-      if (t > 0 && t < nearest && face_holds(building.solid, face, origin + t * direction)) nearest = t;
+      if (t > 0 && t < nearest && face_contains(building.solid, face, origin + t * direction)) nearest = t;
     }
   }
   return nearest;

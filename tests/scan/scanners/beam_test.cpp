@@ -123,7 +123,7 @@ TEST(Beam, GlassSendsBackLittleAndLetsSomeThrough) {
     if (echoes.empty()) continue;
     (echoes[0].range < 11 ? pane : behind) += 1;
   }
-  const Passage glass = passage(Material::glass);
+  const Transmission glass = transmission(Material::glass);
   EXPECT_NEAR(none, pulses * glass.lost, 5 * std::sqrt(pulses * 0.25));
   EXPECT_NEAR(behind, pulses * glass.through, 5 * std::sqrt(pulses * 0.25));
   EXPECT_GT(pane, 0);

@@ -42,7 +42,7 @@ TEST(Station, AnglesAreWholeStepsWhateverTheWindow) {
   EXPECT_NE(a.key(0, 1), a.key(1, 0));
 }
 
-TEST(Station, TheWindowHoldsTheWholeTarget) {
+TEST(Station, TheWindowContainsTheWholeTarget) {
   const Box3<Vec3> box{{-2, 5, -1}, {9, 8, 12}};
   for (Vec3 eye : {Vec3{0, 0, 1.6}, Vec3{-15, 3, 1.6}, Vec3{4, 30, 20}, Vec3{4, 4.5, 5}}) {
     const StationParams station = station_towards(1, eye, box, 0.1);

@@ -202,11 +202,11 @@ TEST(Terrestrial, NoRayPassesThroughAWall) {
       for (const Part& part : scan.scene.model.parts) {
         // The direction is known to the grid only: keep off the edges by asking a little to all sides.
         int blocked = 0;
-        for (const Vec3 aside : {Vec3{1, 1, 0}, Vec3{-1, -1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
-          const Vec3 way = ray.direction + (2e-4 / range) * aside;
+        for (const Vec3 off_axis : {Vec3{1, 1, 0}, Vec3{-1, -1, 0}, Vec3{0, 0, 1}, Vec3{0, 0, -1}}) {
+          const Vec3 way = ray.direction + (2e-4 / range) * off_axis;
           const auto hit = meet({eye, (1 / norm(way)) * way}, part, 0);
           if (!hit || hit->t > range - 0.002) break;
-          blocked += passage(scan.scene.model.surfaces[hit->surface].material).through == 0;
+          blocked += transmission(scan.scene.model.surfaces[hit->surface].material).through == 0;
         }
         ASSERT_LT(blocked, 4) << p.place.x << " " << p.place.y << " " << p.place.z;
       }

@@ -63,7 +63,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
   const test::RangeImage image = test::range_image(cloud.points(), 50);
   const test::Ground ground = test::find_ground(image.range, {});
   const test::Artefacts artefacts = test::find_artefacts(ground, {});
-  const PixelLabels things = separate_artefacts(artefacts.height, {});
+  const PixelLabels objects = separate_artefacts(artefacts.height, {});
 
   const std::vector<std::uint32_t>& pixels = image.pixel_of;
   std::size_t ground_points = 0, found_ground = 0, facade_points = 0, facade_off_ground = 0;
@@ -79,7 +79,7 @@ TEST(StreetSteps, GroundAndObjectsOfOneBlock) {
     facade_off_ground += on_facade && ground.mask[pixels[i]] == 0;
     if (!is_object(truth.true_class)) continue;
     ++points_of[truth.true_element];
-    if (const std::uint32_t label = things.of[pixels[i]]; label != 0) {
+    if (const std::uint32_t label = objects.of[pixels[i]]; label != 0) {
       ++labels_of[truth.true_element][label];
       ++objects_of[label][truth.true_element];
     }

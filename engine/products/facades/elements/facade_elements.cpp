@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "engine/products/facades/elements/thing_kinds.h"
+#include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/walls/side_faces.h"
 #include "kernels/core/portable_math.h"
 
@@ -82,14 +82,14 @@ double both(double a, double b) {
 
 }  // namespace
 
-FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
-  const FoundRectangle& r = thing.shape;
+FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candidate) {
+  const FoundRectangle& r = candidate.shape;
   FacadeElement e;
-  e.kind = kNames[static_cast<std::size_t>(thing.kind)];
-  e.opening = is_opening(thing.kind);
-  e.family = thing.family;
-  e.row = thing.row;
-  e.column = thing.column;
+  e.kind = kNames[static_cast<std::size_t>(candidate.kind)];
+  e.opening = is_opening(candidate.kind);
+  e.family = candidate.family;
+  e.row = candidate.row;
+  e.column = candidate.column;
   std::vector<Side> sides(kSides.begin(), kSides.end());
   if (r.arc) {
     ArchedRing arched = arched_ring(site, r);
@@ -99,7 +99,7 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   } else if (r.leans()) {
     e.ring = leaning_ring(site, r);
   } else {
-    const bool in_wall = e.opening || thing.kind >= FacadeThingKind::protrusion;
+    const bool in_wall = e.opening || candidate.kind >= ElementKind::protrusion;
     e.ring = ring_of(site, r.box(), in_wall ? 0 : r.depth);
   }
   for (const Side side : sides) {
@@ -108,7 +108,7 @@ FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing) {
   }
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
-  e.reason = thing.reason;
+  e.reason = candidate.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();
   e.height_m = r.box().height();

@@ -10,7 +10,7 @@ namespace ilot {
 
 // An opening, or what stands out or lies back: its ring with an edge a side (under an arc with one a chord of 5 degrees
 // at most), its sizes and their errors, its body where its end is known.
-FacadeElement element_of(const FacadeSite& site, const FacadeThing& thing);
+FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candidate);
 
 // The wall itself within its outline.
 FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);

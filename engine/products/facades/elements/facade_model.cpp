@@ -7,20 +7,20 @@
 #include <functional>
 
 #include "engine/products/facades/elements/depth_image.h"
+#include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/slices.h"
-#include "engine/products/facades/elements/thing_kinds.h"
 #include "engine/products/facades/rays/cell_bands.h"
-#include "engine/products/facades/rays/lanes.h"
+#include "engine/products/facades/rays/limited_parallel.h"
 #include "engine/products/facades/walls/side_faces.h"
 
 namespace ilot {
 namespace {
 
-constexpr double kSameThing = 0.8;  // of an area, that what is found twice has in common
-constexpr double kStraight = 0.02;  // metres: a side's ends before and behind, of one that leans not
-constexpr double kMostOf = 0.5;     // of a thing: what is no more than a part lends it no sides
-constexpr double kSamePatch = 0.5;  // of a patch, that lies within an irregularity
+constexpr double kSameElement = 0.8;  // of an area, that what is found twice has in common
+constexpr double kStraight = 0.02;    // metres: a side's ends before and behind, of one that leans not
+constexpr double kMostOf = 0.5;       // of a thing: what is no more than a part lends it no sides
+constexpr double kSamePatch = 0.5;    // of a patch, that lies within an irregularity
 
 double common_area(const Box2& a, const Box2& b) {
   return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
@@ -28,18 +28,17 @@ double common_area(const Box2& a, const Box2& b) {
 }
 
 // What is not a part of an irregularity: its patches of plane are no things of their own, and nothing else is in it.
-std::vector<Box2> boxes_of_elements(const std::vector<FacadeThing>& things) {
+std::vector<Box2> boxes_of_elements(const std::vector<ElementCandidate>& candidates) {
   std::vector<Box2> boxes;
-  for (const FacadeThing& t : things)
-    if (t.kind != FacadeThingKind::bulge) boxes.push_back(t.shape.box());
+  for (const ElementCandidate& t : candidates)
+    if (t.kind != ElementKind::bulge) boxes.push_back(t.shape.box());
   return boxes;
 }
 
-void drop_patches(std::vector<FacadeThing>& things, const std::vector<Irregularity>& irregular) {
-  std::erase_if(things, [&](const FacadeThing& t) {
+void drop_patches(std::vector<ElementCandidate>& candidates, const std::vector<Irregularity>& irregular) {
+  std::erase_if(candidates, [&](const ElementCandidate& t) {
     const Box2 own = t.shape.box();
-    return t.kind == FacadeThingKind::bulge &&
-           std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
+    return t.kind == ElementKind::bulge && std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
              Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
              for (const Place2& p : i.ring)
                box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
@@ -49,7 +48,7 @@ void drop_patches(std::vector<FacadeThing>& things, const std::vector<Irregulari
 }
 
 // The order in which elements are numbered.
-bool comes_before(const FacadeThing& a, const FacadeThing& b) {
+bool comes_before(const ElementCandidate& a, const ElementCandidate& b) {
   const Box2 p = a.shape.box(), q = b.shape.box();
   if (a.kind != b.kind) return a.kind < b.kind;
   if (a.row != b.row) return a.row < b.row;
@@ -58,28 +57,28 @@ bool comes_before(const FacadeThing& a, const FacadeThing& b) {
 }
 
 // Bulges that overlap are patches of one.
-void merge_bulges(std::vector<FacadeThing>& things) {
-  const auto overlap = [](const FacadeThing& a, const FacadeThing& b) {
+void merge_bulges(std::vector<ElementCandidate>& candidates) {
+  const auto overlap = [](const ElementCandidate& a, const ElementCandidate& b) {
     const Box2 p = a.shape.box(), q = b.shape.box();
-    return a.kind == FacadeThingKind::bulge && b.kind == FacadeThingKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 &&
-           p.v0 < q.v1 && q.v0 < p.v1;
+    return a.kind == ElementKind::bulge && b.kind == ElementKind::bulge && p.u0 < q.u1 && q.u0 < p.u1 && p.v0 < q.v1 &&
+           q.v0 < p.v1;
   };
   for (bool more = true; more;) {
     more = false;
-    for (std::size_t a = 0; a < things.size(); ++a)
-      for (std::size_t b = a + 1; b < things.size();) {
-        if (!overlap(things[a], things[b])) {
+    for (std::size_t a = 0; a < candidates.size(); ++a)
+      for (std::size_t b = a + 1; b < candidates.size();) {
+        if (!overlap(candidates[a], candidates[b])) {
           ++b;
           continue;
         }
-        FoundRectangle &p = things[a].shape, &q = things[b].shape;
+        FoundRectangle &p = candidates[a].shape, &q = candidates[b].shape;
         const auto outer = [&](Side side, bool low) {
           if (low ? q.at(side) < p.at(side) : q.at(side) > p.at(side)) p.side(side) = q.side(side);
         };
         outer(Side::left, true), outer(Side::bottom, true), outer(Side::right, false), outer(Side::top, false);
         if (q.depth > p.depth) p.depth = q.depth, p.depth_error = q.depth_error;
         p.points += q.points;
-        things.erase(things.begin() + static_cast<std::ptrdiff_t>(b));
+        candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(b));
         more = true;
       }
   }
@@ -95,36 +94,37 @@ void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
 }
 
 // What is large and not found yet, in place of what is only a part of it: the front of a bay.
-void add_large_relief(std::vector<FacadeThing>& things, const std::vector<FoundRectangle>& large, double wall_height) {
+void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vector<FoundRectangle>& large,
+                      double wall_height) {
   for (const FoundRectangle& r : large) {
     const Box2 box = r.box();
-    const auto same_side = [&](const FacadeThing& t) {
-      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != FacadeThingKind::stone;
+    const auto same_side = [&](const ElementCandidate& t) {
+      return (t.shape.depth > 0) == (r.depth > 0) && t.kind != ElementKind::stone;
     };
-    const auto known = std::find_if(things.begin(), things.end(), [&](const FacadeThing& t) {
-      return same_side(t) && common_area(box, t.shape.box()) >= kSameThing * box.width() * box.height();
+    const auto known = std::find_if(candidates.begin(), candidates.end(), [&](const ElementCandidate& t) {
+      return same_side(t) && common_area(box, t.shape.box()) >= kSameElement * box.width() * box.height();
     });
-    if (known != things.end()) {
+    if (known != candidates.end()) {
       const Box2 own = known->shape.box();
       if (common_area(box, own) >= kMostOf * own.width() * own.height()) take_better_sides(known->shape, r);
       continue;
     }
     // Openings within a recess stay: they go on from its back.
-    std::erase_if(things, [&](const FacadeThing& t) {
+    std::erase_if(candidates, [&](const ElementCandidate& t) {
       const Box2 own = t.shape.box();
-      return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameThing * own.width() * own.height();
+      return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameElement * own.width() * own.height();
     });
-    things.push_back({r, kind_of_large(r, wall_height), 0, 0, 0, {}});
+    candidates.push_back({r, kind_of_large(r, wall_height), 0, 0, 0, {}});
   }
 }
 
-std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
+std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
   const std::array<std::function<void()>, 4> searches{
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
       [&] { stones = find_stones(samples); },
       [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells); }};
-  in_lanes(params.lanes, searches.size(), [&](std::size_t i) { searches[i](); });
+  parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   if (steps != nullptr) {
     steps->openings = openings;
     steps->relief = relief;
@@ -132,16 +132,16 @@ std::vector<FacadeThing> things_of(const RaySamples& samples, const FacadeParams
     steps->large = large;
   }
   drop_pierced_stones(openings, stones);
-  std::vector<FacadeThing> things;
-  for (const FoundRectangle& o : openings) things.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
+  std::vector<ElementCandidate> candidates;
+  for (const FoundRectangle& o : openings) candidates.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
   for (const FoundRectangle& r : relief)
-    things.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
-  for (const FoundRectangle& s : stones) things.push_back({s, FacadeThingKind::stone, 0, 0, 0, {}});
-  keep_nearest_sills(things);
-  merge_bulges(things);
-  std::erase_if(things, is_rail);
-  add_large_relief(things, large, samples.site().height);
-  return things;
+    candidates.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
+  for (const FoundRectangle& s : stones) candidates.push_back({s, ElementKind::stone, 0, 0, 0, {}});
+  keep_nearest_sills(candidates);
+  merge_bulges(candidates);
+  std::erase_if(candidates, is_rail);
+  add_large_relief(candidates, large, samples.site().height);
+  return candidates;
 }
 
 // Sides that do not lean end where the outline is drawn.
@@ -152,13 +152,13 @@ Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
 }
 
 // What a thing comes down to at its depth [Lorraine thesis, 4.2.1], where its sides are seen to lean.
-void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples, std::size_t lanes) {
+void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samples, std::size_t concurrency) {
   constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
-  in_lanes(lanes, things.size(), [&](std::size_t i) {
-    FoundRectangle& r = things[i].shape;
+  parallel_for_limited(concurrency, candidates.size(), [&](std::size_t i) {
+    FoundRectangle& r = candidates[i].shape;
     const Box2 box = r.box();
     if (r.end) r.end = straightened(*r.end, box, box);
-    if (r.end || r.arc || r.leans() || things[i].kind == FacadeThingKind::stone || r.depth == 0) return;
+    if (r.end || r.arc || r.leans() || candidates[i].kind == ElementKind::stone || r.depth == 0) return;
     const double about = 1.5 * SliceParams{}.spacing;
     const SliceRange range{box.grown(kMargin), r.depth - about, r.depth + about};
     const std::optional<FacadeSlice> end = end_slice(slices_of(samples, range));
@@ -171,31 +171,32 @@ void find_ends(std::vector<FacadeThing>& things, const RaySamples& samples, std:
 
 }  // namespace
 
-std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes) {
+std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency) {
   constexpr double kCells = 30, kLeastCell = 0.02;  // bytes a cell of all images together; metres
   constexpr std::uint64_t kBands = 8 << 20;         // while these are counted
-  constexpr std::uint64_t kSorting = 5 << 20, kLane = 12 << 20,
+  constexpr std::uint64_t kSorting = 5 << 20, kPerWorker = 12 << 20,
                           kPoint = 200;  // a step has samples of 2^16 or 2^17 points
   const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
   const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
   return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +
-         std::min(kBands + kSorting, kPoint * points) + lanes * std::min(kLane, kPoint * points);
+         std::min(kBands + kSorting, kPoint * points) + concurrency * std::min(kPerWorker, kPoint * points);
 }
 
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
   const FacadeSite& site = samples.site();
-  std::vector<FacadeThing> things = things_of(samples, params, steps);
-  const std::vector<Irregularity> irregular = find_irregularities(samples, boxes_of_elements(things), params.irregular);
-  drop_patches(things, irregular);
-  group_things(things, params.regular);
-  if (steps != nullptr) steps->found = things;
+  std::vector<ElementCandidate> candidates = candidates_of(samples, params, steps);
+  const std::vector<Irregularity> irregular =
+      find_irregularities(samples, boxes_of_elements(candidates), params.irregular);
+  drop_patches(candidates, irregular);
+  group_elements(candidates, params.regular);
+  if (steps != nullptr) steps->found = candidates;
   if (params.regularise) {
-    regularise_things(things, params.regular);
-    complete_things(things, params.regular);
-    group_things(things, params.regular);
+    regularise_elements(candidates, params.regular);
+    complete_elements(candidates, params.regular);
+    group_elements(candidates, params.regular);
   }
-  find_ends(things, samples, params.lanes);
-  std::sort(things.begin(), things.end(), comes_before);
+  find_ends(candidates, samples, params.concurrency);
+  std::sort(candidates.begin(), candidates.end(), comes_before);
 
   FoundFacade found;
   Facade& f = found.facade;
@@ -206,7 +207,7 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   f.out = site.axes.out;
   const WallOutline outline = wall_outline(samples, params.outline);
   if (steps != nullptr) {
-    steps->drawn = things;
+    steps->drawn = candidates;
     steps->irregular = irregular;
     steps->outline = outline;
   }
@@ -214,9 +215,9 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   f.width_m = f.elements[0].width_m;
   f.height_m = f.elements[0].height_m;
   for (const FacadeEdge& edge : f.elements[0].edges) found.occluded_edges += edge.status != DrawnStatus::seen;
-  for (const FacadeThing& thing : things) {
-    f.elements.push_back(element_of(site, thing));
-    for (const LocatedEdge& edge : thing.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
+  for (const ElementCandidate& candidate : candidates) {
+    f.elements.push_back(element_of(site, candidate));
+    for (const LocatedEdge& edge : candidate.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
   }
   for (const Irregularity& i : irregular) f.elements.push_back(irregularity_of(site, i));
   for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;

@@ -20,7 +20,7 @@ struct FacadeParams {
   RegularParams regular;
   WallOutlineParams outline;
   bool regularise = true;
-  std::size_t lanes = 4;  // steps that run at once: the same result, less memory for fewer
+  std::size_t concurrency = 4;  // steps that run at once: the same result, less memory for fewer
 };
 
 struct FoundFacade {
@@ -32,7 +32,7 @@ struct FoundFacade {
 struct FacadeSteps {
   OpeningSteps cells;
   std::vector<FoundRectangle> openings, relief, stones, large;  // as the four searches found them
-  std::vector<FacadeThing> found, drawn;                        // before and after regularisation
+  std::vector<ElementCandidate> found, drawn;                   // before and after regularisation
   std::vector<Irregularity> irregular;
   WallOutline outline;
 };
@@ -42,7 +42,7 @@ struct FacadeSteps {
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr);
 
 // Memory of the rays and of find_facade() at most, for a site of so many points.
-std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t lanes);
+std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency);
 
 inline FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params = {}) {
   return find_facade(RaySamples(site), params);

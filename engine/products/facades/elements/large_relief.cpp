@@ -14,12 +14,12 @@
 namespace ilot {
 namespace {
 
-constexpr double kBounded = 0.5;                     // share of a region's rows or columns that the wall goes on beyond
-constexpr double kLeastFill = 0.4;                   // share of its box
-constexpr double kInWall = 0.5;                      // share of its box that lies within the wall's
-constexpr double kHangsFrom = 0.05, kHangsTo = 0.4;  // of its depth: there its side faces have points
-constexpr double kHangs = 0.25;                      // share of the cells on its rim
-constexpr double kFlatEnd = 0.2;                     // share of its points that lie on its end
+constexpr double kBounded = 0.5;    // share of a region's rows or columns that the wall goes on beyond
+constexpr double kLeastFill = 0.4;  // share of its box
+constexpr double kInWall = 0.5;     // share of its box that lies within the wall's
+constexpr double kConnectionFrom = 0.05, kConnectionTo = 0.4;  // of its depth: there its side faces have points
+constexpr double kConnectedShare = 0.25;                       // share of the cells on its rim
+constexpr double kFlatEnd = 0.2;                               // share of its points that lie on its end
 constexpr double kReaches = 0.9;     // of the way to the wall's end: the rest is noise of its deepest points
 constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
 constexpr std::uint64_t kMostSamples = 1 << 17;  // beside one side: more tell no more
@@ -43,7 +43,7 @@ struct CellFrame {
 
   std::int64_t columns() const { return c1 - c0 + 1; }
   std::int64_t rows() const { return r1 - r0 + 1; }
-  bool holds(std::int64_t c, std::int64_t r) const { return c >= c0 && c <= c1 && r >= r0 && r <= r1; }
+  bool contains(std::int64_t c, std::int64_t r) const { return c >= c0 && c <= c1 && r >= r0 && r <= r1; }
   std::size_t at(std::int64_t c, std::int64_t r) const {
     return static_cast<std::size_t>((r - r0) * columns() + c - c0);
   }
@@ -62,7 +62,7 @@ CellFrame frame_of(const DepthImage& image, const DepthRegion& region) {
 
 // Whether points of side faces lead from the wall to it, along its rim: it is built on. A face lies in a cell of the
 // rim or in the one of the wall beside it, as the cells happen to fall.
-bool hangs_on_wall(const RaySamples& samples, const DepthImage& image, const DepthRegion& region, double depth) {
+bool is_connected_to_wall(const RaySamples& samples, const DepthImage& image, const DepthRegion& region, double depth) {
   // Of the cells around the region the number of the rim's cell whose face may lie there.
   const CellFrame frame = frame_of(image, region);
   std::vector<std::uint32_t> owner(static_cast<std::size_t>(frame.columns() * frame.rows()), 0);
@@ -82,12 +82,12 @@ bool hangs_on_wall(const RaySamples& samples, const DepthImage& image, const Dep
   const Box2 around{image.u(frame.c0), image.u(frame.c1 + 1), image.u(frame.r0), image.u(frame.r1 + 1)};
   for (const Ray& ray : samples.at_places(around.grown(image.cell))) {
     const double part = static_cast<double>(ray.at.w) / depth;
-    if (part < kHangsFrom || part > kHangsTo || samples.on_wall(ray)) continue;
+    if (part < kConnectionFrom || part > kConnectionTo || samples.on_wall(ray)) continue;
     const std::int64_t i = image.at(ray.at), c = i % image.columns, r = i / image.columns;
-    if (i >= 0 && frame.holds(c, r)) reached[owner[frame.at(c, r)]] = 1;
+    if (i >= 0 && frame.contains(c, r)) reached[owner[frame.at(c, r)]] = 1;
   }
-  const auto hanging = std::count(reached.begin() + 1, reached.end(), 1);
-  return count > 0 && static_cast<double>(hanging) >= kHangs * count;
+  const auto connected = std::count(reached.begin() + 1, reached.end(), 1);
+  return count > 0 && static_cast<double>(connected) >= kConnectedShare * count;
 }
 
 // Of its width, where it stands on cells of the wall: eaves lie above all of it.
@@ -117,27 +117,28 @@ struct InsideRays {
   Box2 outline;
   double sign = 1, least = 0, most = 0;  // of w towards the depth
 
-  bool holds(const Ray& ray) const {
+  bool contains(const Ray& ray) const {
     const double w = sign * static_cast<double>(ray.at.w);
-    return outline.holds({ray.at.u, ray.at.v}) && w > least && w < most;
+    return outline.contains({ray.at.u, ray.at.v}) && w > least && w < most;
   }
 };
 
-double mean_depth(const FacadeSite& site, InsideRays& inside, double at, double within, FoundRectangle& thing) {
+double mean_depth(const FacadeSite& site, InsideRays& inside, double at, double within, FoundRectangle& rectangle) {
   double sum = 0, squares = 0, count = 0;
   for (const Ray& ray : inside.rays) {
     const double off = static_cast<double>(ray.at.w) - at;
-    if (!inside.holds(ray) || std::abs(off) > within) continue;
+    if (!inside.contains(ray) || std::abs(off) > within) continue;
     sum += off, squares += off * off, count += 1;
   }
   if (count == 0) return at;
   const double mean = sum / count, rms = std::sqrt(std::max(0.0, squares / count - mean * mean));
-  thing.depth_error = site.noise / 2 + 3 * rms / std::sqrt(count);
+  rectangle.depth_error = site.noise / 2 + 3 * rms / std::sqrt(count);
   return at + mean;
 }
 
 // The depth of its end: that of the sheet that fills it, else of its farthest points.
-Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, std::int8_t what, FoundRectangle& thing) {
+Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, std::int8_t what,
+              FoundRectangle& rectangle) {
   const FacadeSite& site = samples.site();
   const double sign = what == kBefore ? 1 : -1, least = std::max(0.02, 3 * site.epsilon);
   const double near = sign * least, far = sign * (deepest + 0.05);
@@ -145,8 +146,8 @@ Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, st
                     sign, least, deepest + 0.05};
   Box2 end{INFINITY, -INFINITY, INFINITY, -INFINITY};  // of its farthest points
   for (const Ray& ray : inside.rays) {
-    if (!inside.holds(ray)) continue;
-    ++thing.points;
+    if (!inside.contains(ray)) continue;
+    ++rectangle.points;
     const FacadePoint& p = ray.at;
     if (sign * static_cast<double>(p.w) < deepest - 2 * site.step - 0.02) continue;
     end = {std::min<double>(end.u0, p.u), std::max<double>(end.u1, p.u), std::min<double>(end.v0, p.v),
@@ -156,13 +157,13 @@ Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, st
   std::optional<FacadeSlice> best;
   for (const FacadeSlice& s : slices_of(samples, range))
     if (!best || s.ratio() > best->ratio()) best = s;
-  if (best && static_cast<double>(best->points) >= kFlatEnd * static_cast<double>(thing.points)) {
-    thing.depth = mean_depth(site, inside, best->w, 0.02, thing);
-    thing.depth = mean_depth(site, inside, thing.depth, std::max(0.01, 3 * site.noise), thing);
+  if (best && static_cast<double>(best->points) >= kFlatEnd * static_cast<double>(rectangle.points)) {
+    rectangle.depth = mean_depth(site, inside, best->w, 0.02, rectangle);
+    rectangle.depth = mean_depth(site, inside, rectangle.depth, std::max(0.01, 3 * site.noise), rectangle);
     return whole_extent(samples, range, *best).grown(site.step / 2);
   }
-  thing.depth = sign * deepest;
-  thing.depth_error = site.noise + site.step;
+  rectangle.depth = sign * deepest;
+  rectangle.depth_error = site.noise + site.step;
   return end.u1 < end.u0 ? outline : end;
 }
 
@@ -212,14 +213,14 @@ void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
 
 // The sides from their faces, and where those end at the thing's depth.
 Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, double least_depth,
-                FoundRectangle& thing) {
-  const double seen_at = std::copysign(std::min(least_depth, std::abs(thing.depth) / 2), thing.depth);
-  const SideFaces faces = side_faces(samples, thing.box(), end, thing.depth, seen_at);
+                FoundRectangle& rectangle) {
+  const double seen_at = std::copysign(std::min(least_depth, std::abs(rectangle.depth) / 2), rectangle.depth);
+  const SideFaces faces = side_faces(samples, rectangle.box(), end, rectangle.depth, seen_at);
   Box2 at_end = faces.end;
   const std::array<double, 4> at{faces.outline.v0, faces.outline.u1, faces.outline.v1, faces.outline.u0};
   const std::array<double*, 4> ends{&at_end.v0, &at_end.u1, &at_end.v1, &at_end.u0};
   for (std::size_t k = 0; k < kSides.size(); ++k) {
-    LocatedEdge& edge = thing.side(kSides[k]);
+    LocatedEdge& edge = rectangle.side(kSides[k]);
     if (faces.points[k] > 0) {
       edge = {at[k], faces.error[k]};
       edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
@@ -232,15 +233,15 @@ Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, dou
 }
 
 // A cut corner goes as deep as its face has come at the wall's end.
-void reach_end(FoundRectangle& thing, Box2& end) {
+void reach_end(FoundRectangle& rectangle, Box2& end) {
   const auto reach = [&](Side leaning, Side open, double& end_of_leaning, double& end_of_open) {
-    if (!thing.side(leaning).by_face || thing.side(open).by_face) return;
-    const double way = end_of_leaning - thing.at(leaning), whole = thing.at(open) - thing.at(leaning);
+    if (!rectangle.side(leaning).by_face || rectangle.side(open).by_face) return;
+    const double way = end_of_leaning - rectangle.at(leaning), whole = rectangle.at(open) - rectangle.at(leaning);
     if (std::abs(way) < kReaches * std::abs(whole) || way * whole <= 0) return;
     const double far = whole / way;
     if (std::abs(far - 1) > 1 - kReaches) return;
-    thing.depth *= far;
-    end_of_leaning = end_of_open = thing.at(open);
+    rectangle.depth *= far;
+    end_of_leaning = end_of_open = rectangle.at(open);
   };
   reach(Side::left, Side::right, end.u0, end.u1);
   reach(Side::right, Side::left, end.u1, end.u0);
@@ -255,21 +256,21 @@ std::optional<FoundRectangle> relief_of(const RaySamples& samples, const DepthIm
   if (share_within(box, site) < kInWall && (region.what == kBehind || stands_on_wall(image, region) < kInWall))
     return std::nullopt;
   if (region.what == kBefore && goes_on(image, region)) return std::nullopt;
-  FoundRectangle thing;
-  thing.fill = static_cast<double>(region.cells.size()) /
-               static_cast<double>((region.c1 - region.c0 + 1) * (region.r1 - region.r0 + 1));
+  FoundRectangle rectangle;
+  rectangle.fill = static_cast<double>(region.cells.size()) /
+                   static_cast<double>((region.c1 - region.c0 + 1) * (region.r1 - region.r0 + 1));
   const double deepest = deepest_of(image, region);
-  if (thing.fill < kLeastFill) return std::nullopt;
-  if (region.what == kBehind ? !is_recess(image, region) : !hangs_on_wall(samples, image, region, deepest))
+  if (rectangle.fill < kLeastFill) return std::nullopt;
+  if (region.what == kBehind ? !is_recess(image, region) : !is_connected_to_wall(samples, image, region, deepest))
     return std::nullopt;
-  const Box2 end = find_end(samples, box, deepest, region.what, thing);
-  if (std::abs(thing.depth) < params.least_depth) return std::nullopt;
+  const Box2 end = find_end(samples, box, deepest, region.what, rectangle);
+  if (std::abs(rectangle.depth) < params.least_depth) return std::nullopt;
   for (const Side side : kSides)
-    thing.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
-  Box2 body_end = take_faces(samples, end, region.what == kBefore, params.least_depth, thing);
-  reach_end(thing, body_end);
-  thing.end = body_end;
-  return thing;
+    rectangle.side(side) = split_side(samples, box, side, std::max(0.02, 2 * site.epsilon), 2 * image.cell);
+  Box2 body_end = take_faces(samples, end, region.what == kBefore, params.least_depth, rectangle);
+  reach_end(rectangle, body_end);
+  rectangle.end = body_end;
+  return rectangle;
 }
 
 }  // namespace
@@ -278,7 +279,8 @@ std::vector<FoundRectangle> find_large_relief(const RaySamples& samples, const L
   const DepthImage image = depth_image(samples, params.least_depth, params.most_depth);
   std::vector<FoundRectangle> found;
   for_each_depth_region(image, [&](const DepthRegion& region) {
-    if (const std::optional<FoundRectangle> thing = relief_of(samples, image, region, params)) found.push_back(*thing);
+    if (const std::optional<FoundRectangle> rectangle = relief_of(samples, image, region, params))
+      found.push_back(*rectangle);
   });
   return found;
 }

@@ -14,28 +14,28 @@ constexpr double kBesideShadow = 0.03;  // metres beyond a gap that a sill's top
 constexpr double kHighestShadow = 0.6;  // metres that a sill hides above its top
 constexpr double kUnder = 0.7;          // share of an opening's width that its sill spans
 
-using Members = std::vector<FacadeThing*>;
+using Members = std::vector<ElementCandidate*>;
 
-double width_of(const FacadeThing& t) {
+double width_of(const ElementCandidate& t) {
   return t.shape.at(Side::right) - t.shape.at(Side::left);
 }
-double height_of(const FacadeThing& t) {
+double height_of(const ElementCandidate& t) {
   return t.shape.at(Side::top) - t.shape.at(Side::bottom);
 }
-bool is_opening(const FacadeThing& t) {
-  return t.kind == FacadeThingKind::window || t.kind == FacadeThingKind::door;
+bool is_opening(const ElementCandidate& t) {
+  return t.kind == ElementKind::window || t.kind == ElementKind::door;
 }
 // And told to others and by them: what leans stays as it is.
-bool seen(const FacadeThing& t, Side side) {
+bool seen(const ElementCandidate& t, Side side) {
   return t.shape.side(side).status == DrawnStatus::seen && t.shape.lean_of(side) == 0;
 }
-bool seen_across(const FacadeThing& t, Side low, Side high) {
+bool seen_across(const ElementCandidate& t, Side low, Side high) {
   return seen(t, low) && seen(t, high);
 }
 
-std::vector<Members> by_kind(std::vector<FacadeThing>& things) {
+std::vector<Members> by_kind(std::vector<ElementCandidate>& candidates) {
   std::vector<Members> kinds;
-  for (FacadeThing& t : things) {
+  for (ElementCandidate& t : candidates) {
     const auto of_kind =
         std::find_if(kinds.begin(), kinds.end(), [&](const Members& m) { return m[0]->kind == t.kind; });
     (of_kind == kinds.end() ? *kinds.insert(kinds.end(), Members{}) : *of_kind).push_back(&t);
@@ -43,10 +43,10 @@ std::vector<Members> by_kind(std::vector<FacadeThing>& things) {
   return kinds;
 }
 
-std::vector<Members> grouped(const Members& members, const std::function<double(const FacadeThing&)>& value,
+std::vector<Members> grouped(const Members& members, const std::function<double(const ElementCandidate&)>& value,
                              double tolerance) {
   std::vector<double> values;
-  for (const FacadeThing* t : members) values.push_back(value(*t));
+  for (const ElementCandidate* t : members) values.push_back(value(*t));
   const std::vector<std::size_t> group = groups_of_equals(values, tolerance);
   std::vector<Members> groups(members.size());
   for (std::size_t i = 0; i < members.size(); ++i) groups[group[i]].push_back(members[i]);
@@ -62,11 +62,11 @@ void move_to(LocatedEdge& edge, double at) {
 // One side of all members on one line.
 void align(const Members& members, Side side) {
   std::vector<Bounded> bounds;
-  for (const FacadeThing* t : members)
+  for (const ElementCandidate* t : members)
     if (seen(*t, side)) bounds.push_back({t->shape.at(side), t->shape.error(side)});
   if (bounds.size() < 2) return;
   const Bounded common = agreement(bounds);
-  for (FacadeThing* t : members) {
+  for (ElementCandidate* t : members) {
     LocatedEdge& edge = t->shape.side(side);
     if (!seen(*t, side) || std::abs(edge.at - common.value) > edge.error) continue;
     move_to(edge, common.value);
@@ -78,7 +78,7 @@ void align(const Members& members, Side side) {
 // explain.
 double family_error(const Members& members, Side low, Side high, const Bounded& common) {
   double best = INFINITY, squares = 0, explained = 0, count = 0;
-  for (const FacadeThing* t : members) {
+  for (const ElementCandidate* t : members) {
     if (!seen_across(*t, low, high)) continue;
     const double ea = t->shape.error(low), eb = t->shape.error(high);
     const double off = t->shape.at(high) - t->shape.at(low) - common.value;
@@ -92,13 +92,13 @@ double family_error(const Members& members, Side low, Side high, const Bounded& 
 // The same distance between two sides of all members; each side gives way by its share of their errors.
 void equalise(const Members& members, Side low, Side high) {
   std::vector<Bounded> bounds;
-  for (const FacadeThing* t : members)
+  for (const ElementCandidate* t : members)
     if (seen_across(*t, low, high))
       bounds.push_back({t->shape.at(high) - t->shape.at(low), t->shape.error(high) + t->shape.error(low)});
   if (bounds.size() < 2) return;
   const Bounded common = agreement(bounds);
   const double size_error = family_error(members, low, high, common);
-  for (FacadeThing* t : members) {
+  for (ElementCandidate* t : members) {
     LocatedEdge &a = t->shape.side(low), &b = t->shape.side(high);
     const double missing = common.value - (b.at - a.at), both = a.error + b.error;
     if (!seen_across(*t, low, high) || std::abs(missing) > both) continue;
@@ -113,11 +113,11 @@ void equalise(const Members& members, Side low, Side high) {
 }
 
 // Where a sill's top lies in the gap that the bottom is known to, and is known better: nobody sees behind it.
-bool complete_from_sill(FacadeThing& t, const std::vector<FacadeThing>& things) {
+bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>& candidates) {
   LocatedEdge& bottom = t.shape.side(Side::bottom);
   if (bottom.by_face) return false;
-  for (const FacadeThing& sill : things) {
-    if ((sill.kind != FacadeThingKind::sill && sill.kind != FacadeThingKind::band) || !seen(sill, Side::top)) continue;
+  for (const ElementCandidate& sill : candidates) {
+    if ((sill.kind != ElementKind::sill && sill.kind != ElementKind::band) || !seen(sill, Side::top)) continue;
     const double common = std::min(t.shape.at(Side::right), sill.shape.at(Side::right)) -
                           std::max(t.shape.at(Side::left), sill.shape.at(Side::left));
     const double top = sill.shape.at(Side::top), below = bottom.inner - top;
@@ -141,10 +141,11 @@ bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams&
 }
 
 // From members of the row whose side is seen.
-bool complete_from_row(FacadeThing& t, const std::vector<FacadeThing>& things, Side side, const RegularParams& params) {
+bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
+                       const RegularParams& params) {
   std::vector<Bounded> bounds;
   LocatedEdge& edge = t.shape.side(side);
-  for (const FacadeThing& other : things)
+  for (const ElementCandidate& other : candidates)
     if (other.kind == t.kind && other.row == t.row && &other != &t && seen(other, side) &&
         std::abs(other.shape.at(side) - edge.at) <= edge.error + params.alike &&
         allowed(edge, side, other.shape.at(side), params))
@@ -159,7 +160,7 @@ bool complete_from_row(FacadeThing& t, const std::vector<FacadeThing>& things, S
 }
 
 // The size of others, of its row before those of the rest, from the side that is seen.
-bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, Side side,
+bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
                         const RegularParams& params) {
   const bool across = side == Side::left || side == Side::right;
   const Side low = across ? Side::left : Side::bottom, high = across ? Side::right : Side::top;
@@ -167,7 +168,7 @@ bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, 
   if (!seen(t, other_side)) return false;
   LocatedEdge& edge = t.shape.side(side);
   std::vector<Bounded> sizes, of_row;
-  for (const FacadeThing& other : things) {
+  for (const ElementCandidate& other : candidates) {
     if (other.kind != t.kind || !seen_across(other, low, high)) continue;
     const double size = other.shape.at(high) - other.shape.at(low);
     const double at = t.shape.at(other_side) + (side == high ? size : -size);
@@ -186,46 +187,46 @@ bool complete_from_size(FacadeThing& t, const std::vector<FacadeThing>& things, 
 
 }  // namespace
 
-void group_things(std::vector<FacadeThing>& things, const RegularParams& params) {
+void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
   std::uint32_t families = 0;
-  const auto top = [](const FacadeThing& t) { return t.shape.at(Side::top); };
-  const auto middle = [](const FacadeThing& t) { return (t.shape.at(Side::left) + t.shape.at(Side::right)) / 2; };
-  for (const Members& kind : by_kind(things)) {
+  const auto top = [](const ElementCandidate& t) { return t.shape.at(Side::top); };
+  const auto middle = [](const ElementCandidate& t) { return (t.shape.at(Side::left) + t.shape.at(Side::right)) / 2; };
+  for (const Members& kind : by_kind(candidates)) {
     std::uint32_t row = 0, column = 0;
     for (const Members& m : grouped(kind, top, params.line_up)) {
       ++row;
-      for (FacadeThing* t : m) t->row = row;
+      for (ElementCandidate* t : m) t->row = row;
     }
     for (const Members& m : grouped(kind, middle, params.line_up)) {
       ++column;
-      for (FacadeThing* t : m) t->column = column;
+      for (ElementCandidate* t : m) t->column = column;
     }
     for (const Members& wide : grouped(kind, width_of, params.alike))
       for (const Members& m : grouped(wide, height_of, params.alike)) {
         if (m.size() > 1) ++families;
-        for (FacadeThing* t : m) t->family = m.size() > 1 ? families : 0;
+        for (ElementCandidate* t : m) t->family = m.size() > 1 ? families : 0;
       }
   }
 }
 
-void regularise_things(std::vector<FacadeThing>& things, const RegularParams& params) {
-  for (const Members& kind : by_kind(things)) {
+void regularise_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
+  for (const Members& kind : by_kind(candidates)) {
     for (const Side side : {Side::bottom, Side::top})
       for (const Members& m : grouped(
-               kind, [&](const FacadeThing& t) { return t.shape.at(side); }, params.alike))
+               kind, [&](const ElementCandidate& t) { return t.shape.at(side); }, params.alike))
         align(m, side);
     for (const Side side : {Side::left, Side::right})
       for (const Members& m : grouped(
-               kind, [&](const FacadeThing& t) { return t.shape.at(side); }, params.alike))
+               kind, [&](const ElementCandidate& t) { return t.shape.at(side); }, params.alike))
         align(m, side);
     for (const Members& m : grouped(kind, width_of, params.alike)) equalise(m, Side::left, Side::right);
     for (const Members& m : grouped(kind, height_of, params.alike)) equalise(m, Side::bottom, Side::top);
   }
 }
 
-void complete_things(std::vector<FacadeThing>& things, const RegularParams& params) {
-  const std::vector<FacadeThing> before = things;
-  for (FacadeThing& t : things) {
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
+  const std::vector<ElementCandidate> before = candidates;
+  for (ElementCandidate& t : candidates) {
     if (!is_opening(t)) continue;
     for (const Side side : kSides) {
       LocatedEdge& edge = t.shape.side(side);

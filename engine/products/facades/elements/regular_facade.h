@@ -10,7 +10,7 @@
 
 namespace ilot {
 
-enum class FacadeThingKind : std::uint8_t {
+enum class ElementKind : std::uint8_t {
   window,
   door,
   sill,
@@ -25,9 +25,9 @@ enum class FacadeThingKind : std::uint8_t {
   eaves,       // what stands out above the wall's top
 };
 
-struct FacadeThing {
+struct ElementCandidate {
   FoundRectangle shape;
-  FacadeThingKind kind = FacadeThingKind::window;
+  ElementKind kind = ElementKind::window;
   std::uint32_t family = 0, row = 0, column = 0;  // as FacadeElement
   std::string reason;                             // of what was not seen
 };
@@ -38,15 +38,15 @@ struct RegularParams {
 };
 
 // Numbers families (of equal width and height, two members or more), rows by their tops and columns by their middles.
-void group_things(std::vector<FacadeThing>& things, const RegularParams& params = {});
+void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 // Moves edges onto the line of their row or column and sizes to those of their family: to the value that most of the
 // members' bounds hold (agreement), never farther than an edge's own error. `moved` of the edges says how far. The
 // order of the things does not matter.
-void regularise_things(std::vector<FacadeThing>& things, const RegularParams& params = {});
+void regularise_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 // Edges that nothing was seen of: the bottom of an opening behind a sill is the sill's top; other edges come from the
 // row or the family, or stay occluded. `reason` says which. Completed edges keep within the gap that hid them.
-void complete_things(std::vector<FacadeThing>& things, const RegularParams& params = {});
+void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 }  // namespace ilot

@@ -114,7 +114,7 @@ std::optional<Joint> empty_strip(const ValueStream& places, double low, double h
 bool seen_behind(const RaySamples& samples, const Box2& strip) {
   double behind = 0, all = 0;
   for (const Ray& ray : samples.near(strip)) {
-    if (!strip.holds(samples.crossing(ray, 0))) continue;
+    if (!strip.contains(samples.crossing(ray, 0))) continue;
     ++all;
     behind += static_cast<double>(ray.at.w) < -samples.site().epsilon;
   }
@@ -172,7 +172,7 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
 }
 
 // Whether rays go through between two pieces that lie in line: then they end there.
-bool parted(const RaySamples& samples, const Piece& a, const Piece& b) {
+bool are_separated(const RaySamples& samples, const Piece& a, const Piece& b) {
   constexpr double kSeenThrough = 0.2;  // of the rays that cross there
   const bool across = a.box.u1 < b.box.u0 || b.box.u1 < a.box.u0;
   Box2 gap{std::min(a.box.u1, b.box.u1), std::max(a.box.u0, b.box.u0), std::min(a.box.v1, b.box.v1),
@@ -182,7 +182,8 @@ bool parted(const RaySamples& samples, const Piece& a, const Piece& b) {
   if (gap.width() <= 0 || gap.height() <= 0) return false;
   double through = 0;
   for (const Ray& ray : samples.near(gap.grown(1.5 * a.w)))
-    through += samples.met(ray, a.w, samples.site().epsilon) == Met::through && gap.holds(samples.crossing(ray, a.w));
+    through += samples.met(ray, a.w, samples.site().epsilon) == RayOutcome::through &&
+               gap.contains(samples.crossing(ray, a.w));
   const Place2 steps = samples.step_at({(gap.u0 + gap.u1) / 2, (gap.v0 + gap.v1) / 2});
   return through > kSeenThrough * gap.width() * gap.height() / (steps.u * steps.v);
 }
@@ -192,7 +193,7 @@ void join_pieces(const RaySamples& samples, std::vector<Piece>& pieces) {
     more = false;
     for (std::size_t a = 0; a < pieces.size(); ++a)
       for (std::size_t b = a + 1; b < pieces.size();) {
-        if (!in_line(pieces[a], pieces[b]) || parted(samples, pieces[a], pieces[b])) {
+        if (!in_line(pieces[a], pieces[b]) || are_separated(samples, pieces[a], pieces[b])) {
           ++b;
           continue;
         }
@@ -217,7 +218,7 @@ double fill_of(const RaySamples& samples, const Piece& piece) {
   std::size_t count = 0;
   for (const Ray& ray : rays_of(samples, piece)) {
     const Place2 p = samples.crossing(ray, piece.w);
-    if (!piece.box.holds(p)) continue;
+    if (!piece.box.contains(p)) continue;
     const auto c = std::min(columns - 1, static_cast<std::int64_t>((p.u - piece.box.u0) / cu));
     const auto r = std::min(rows - 1, static_cast<std::int64_t>((p.v - piece.box.v0) / cv));
     const auto cell = static_cast<std::size_t>(r * columns + c);
@@ -228,17 +229,17 @@ double fill_of(const RaySamples& samples, const Piece& piece) {
 }
 
 FoundRectangle rectangle_of(const RaySamples& samples, const Piece& piece, double face_from, double face_to) {
-  FoundRectangle thing;
-  thing.depth = piece.w;
-  thing.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points));
-  thing.points = piece.points;
-  thing.plane = piece.ids[0];
+  FoundRectangle rectangle;
+  rectangle.depth = piece.w;
+  rectangle.depth_error = samples.site().noise / 2 + 2 * piece.rms / std::sqrt(static_cast<double>(piece.points));
+  rectangle.points = piece.points;
+  rectangle.plane = piece.ids[0];
   const double epsilon = std::max(samples.site().epsilon, 3 * piece.rms);
   const double reach =
       std::min({0.12, std::max(0.04, std::min(piece.box.width(), piece.box.height()) / 2), piece.alone});
   const SideSearch search{piece.box, piece.w, epsilon, false, face_from, face_to, reach, piece.ids};
-  for (const Side side : kSides) thing.side(side) = locate_edge(samples, search, side);
-  return thing;
+  for (const Side side : kSides) rectangle.side(side) = locate_edge(samples, search, side);
+  return rectangle;
 }
 
 bool is_large(const Box2& box, double least) {
@@ -260,9 +261,9 @@ std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefP
     if (!is_large(piece.box, params.least_size)) continue;
     const double fill = fill_of(samples, piece);
     if (fill < params.least_fill) continue;
-    FoundRectangle thing = rectangle_of(samples, piece, kLeastFace, piece.w - kLeastFace);
-    thing.fill = fill;
-    if (is_large(thing.box(), params.least_size)) found.push_back(thing);
+    FoundRectangle rectangle = rectangle_of(samples, piece, kLeastFace, piece.w - kLeastFace);
+    rectangle.fill = fill;
+    if (is_large(rectangle.box(), params.least_size)) found.push_back(rectangle);
   }
   return found;
 }

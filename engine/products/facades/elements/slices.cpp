@@ -53,7 +53,7 @@ class Cuts {
   double w(std::int64_t cut) const { return range_.from + static_cast<double>(cut) * params_.spacing; }
   template <class Visit>
   void of(const Ray& ray, const Visit& visit) const {
-    if (!range_.box.holds({ray.at.u, ray.at.v})) return;
+    if (!range_.box.contains({ray.at.u, ray.at.v})) return;
     const double at = (static_cast<double>(ray.at.w) - range_.from) / params_.spacing;
     const auto first = static_cast<std::int64_t>(std::ceil(at - params_.within));
     for (std::int64_t cut = std::max<std::int64_t>(0, first);

@@ -17,7 +17,7 @@ constexpr std::size_t kSlices = 24, kLeastSlices = 8;
 constexpr double kJamb = 0.04;       // share of the width at either jamb that is left out
 constexpr double kHighest = 0.65;    // of the width: no arch is higher
 constexpr double kAbove = 0.2;       // metres above the top that was found that are searched
-constexpr double kAside = 0.2;       // of the width, that an arch may stand beside the middle of its opening
+constexpr double kOffCentre = 0.2;   // of the width, that an arch may stand beside the middle of its opening
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
 constexpr double kMostGap = 0.06;    // metres; slices that know their top less well are left out
 constexpr double kRounder = 0.35;    // a circle must leave less than this share of what a level line leaves
@@ -35,12 +35,12 @@ struct Slice {
 // above it.
 bool is_above(const RaySamples& samples, const Ray& ray) {
   if (samples.in_joint(ray)) return true;
-  const Met met = samples.met(ray, 0, samples.site().epsilon);
-  return met == Met::solid || (met == Met::before && static_cast<double>(ray.at.w) < kSurround);
+  const RayOutcome met = samples.met(ray, 0, samples.site().epsilon);
+  return met == RayOutcome::solid || (met == RayOutcome::before && static_cast<double>(ray.at.w) < kSurround);
 }
 
 bool is_below(const RaySamples& samples, const Ray& ray) {
-  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == RayOutcome::through;
 }
 
 // Of a circle's upper half; NaN beside it.
@@ -171,7 +171,7 @@ std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRect
   CircleFit fit = fit_circle(tops);
   if (!fit.found || fit.rms > kRounder * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
     return std::nullopt;
-  if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kAside * width) return std::nullopt;
+  if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kOffCentre * width) return std::nullopt;
   for (int round = 0; round < 2; ++round) {
     const std::vector<PlanePoint> across = tops_of_sectors(samples, search, fit);
     const CircleFit next = across.size() < kLeastSlices ? CircleFit{} : fit_circle(across);

@@ -29,10 +29,10 @@ struct Place {
 
 // The wall, or something on it that hides nothing of the opening: see arched_top.
 bool is_solid(const RaySamples& samples, const Ray& ray) {
-  return samples.in_joint(ray) || samples.met(ray, 0, samples.site().epsilon) == Met::solid;
+  return samples.in_joint(ray) || samples.met(ray, 0, samples.site().epsilon) == RayOutcome::solid;
 }
 bool is_open(const RaySamples& samples, const Ray& ray) {
-  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == Met::through;
+  return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == RayOutcome::through;
 }
 
 std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle& opening, Side side) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "engine/products/facades/openings/face_crowd.h"
+#include "engine/products/facades/openings/face_cluster.h"
 #include "kernels/core/quantile.h"
 #include "kernels/outlines/edge_split.h"
 
@@ -79,7 +79,7 @@ double innermost(const RaySamples& rays, const Ray& ray, const SideSearch& q, Si
 
 // Whether a point behind a thing's plane is no surface: on no segment, and beyond a side that its station sees nothing
 // of. A beam that the edge parts comes back from between the thing and what is behind it.
-bool hangs(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, double at_plane) {
+bool is_mixed_echo(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, double at_plane) {
   if (q.hole || !rays.oblique() || ray.at.plane != 0) return false;
   return !turns_to(rays.eye_of(ray), side, at_plane, true);
 }
@@ -130,14 +130,14 @@ SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side
   if (hit.s < span.s0 || hit.s > span.s1) return hit;
   hit.t = q.hole ? hit.at_plane : innermost(rays, ray, q, side, span);
   if (std::abs(hit.t - span.t) > reach) return hit;
-  hit.rim = at_face && hangs(rays, ray, q, side, hit.at_plane);
-  const Met met = rays.met(ray, q.depth, q.epsilon);
+  hit.rim = at_face && is_mixed_echo(rays, ray, q, side, hit.at_plane);
+  const RayOutcome met = rays.met(ray, q.depth, q.epsilon);
   const bool foreign = ray.at.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), ray.at.plane);
-  if (!q.hole && met == Met::solid && foreign) return hit;
-  hit.solid = met == Met::solid;
-  hit.through = met == Met::through;
-  hit.hidden = met == Met::before && hit.t > span.t;
-  hit.deep = !q.hole && met == Met::through && w < -q.face_from;
+  if (!q.hole && met == RayOutcome::solid && foreign) return hit;
+  hit.solid = met == RayOutcome::solid;
+  hit.through = met == RayOutcome::through;
+  hit.hidden = met == RayOutcome::before && hit.t > span.t;
+  hit.deep = !q.hole && met == RayOutcome::through && w < -q.face_from;
   return hit;
 }
 
@@ -189,7 +189,7 @@ void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
 
 void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.at = face.at;
-  edge.error = noise / 2 + 2 * face.rms * face.shaky;
+  edge.error = noise / 2 + 2 * face.rms * face.error_factor;
   edge.rms = face.rms;
   edge.points = face.points;
   edge.status = DrawnStatus::seen;
@@ -200,7 +200,7 @@ void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
 void use_corner(const std::vector<FacePoint>& corner, double about, double beside, const SideSearch& q,
                 const SideSpan& span, double noise, LocatedEdge& edge) {
   const FaceSearch f{about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0};
-  const FaceLine face = find_face(crowd_of(corner, f), f, q.depth);
+  const FaceLine face = find_face(densest_cluster(corner, f), f, q.depth);
   if (face.points > 0) use_face(face, noise, edge);
 }
 
@@ -269,13 +269,13 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const double beside = split.half_gap + kBesideGap;
   const FaceSearch f{split.at - beside, split.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
                      span.s1 - span.s0};
-  FaceLine face = find_face(crowd_of(around.face, f), f, q.depth);
+  FaceLine face = find_face(densest_cluster(around.face, f), f, q.depth);
   if (face.points == 0 && !q.hole && samples.oblique()) {
     // Before a hole a parted beam's echo hangs anywhere; before the wall as far on this side of the edge as on that.
     if (2 * around.deep < around.through)
       for (const FacePoint& p : around.rim)
         if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);
-    face = find_touches(crowd_of(std::move(around.face), f), f, noise);
+    face = find_touches(densest_cluster(std::move(around.face), f), f, noise);
   }
   edge.at = t;
   if (face.points > 0)

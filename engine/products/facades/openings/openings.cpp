@@ -191,7 +191,7 @@ class FillingDepth {
       return std::min(kAcross - 1, static_cast<std::size_t>(std::max(0.0, (v - low) / size * kAcross)));
     };
     const double depth = -static_cast<double>(at.w);
-    if (depth >= kSheetDepth || !box_.holds({at.u, at.v})) return;
+    if (depth >= kSheetDepth || !box_.contains({at.u, at.v})) return;
     const std::size_t cell = part(at.v, box_.v0, box_.height()) * kAcross + part(at.u, box_.u0, box_.width());
     touched_[static_cast<std::size_t>(depth / kDepthBin) * kAcross * kAcross + cell] = 1;
   }
@@ -232,7 +232,7 @@ class FillingDepth {
 
 void set_depth(const RaySamples& samples, const Box2& box, double least_depth, FoundRectangle& opening) {
   const auto is_inside = [&](const Ray& ray) {
-    return -static_cast<double>(ray.at.w) >= least_depth && box.holds(samples.crossing(ray, 0));
+    return -static_cast<double>(ray.at.w) >= least_depth && box.contains(samples.crossing(ray, 0));
   };
   Rays near = samples.near(box);
   FillingDepth filling(box);

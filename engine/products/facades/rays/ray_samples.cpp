@@ -63,7 +63,7 @@ class SolidCells {
 SiteStation guessed_station(const FacadeSite& site, const SolidCells& solid, const Ray& ray, bool on_wall) {
   const FacadePoint& p = ray.at;
   const Vec3 place{p.u, p.v, p.w};
-  const std::size_t stations = std::min<std::size_t>(site.stations.size(), kStationAside - 1);
+  const std::size_t stations = std::min<std::size_t>(site.stations.size(), kStationNotInFront - 1);
   SiteStation best = 0;
   double nearest = INFINITY;
   for (std::size_t s = 0; s < stations; ++s) {
@@ -123,7 +123,7 @@ std::uint8_t RaySamples::part_of(const FacadePoint& p) const {
 
 // All points as rays, in the order of the source.
 RayColumn RaySamples::taken(const FacadePointSource& source) {
-  constexpr SiteStation kNobodyKnows = kStationAside;  // no index of a station
+  constexpr SiteStation kStationUndecided = kStationNotInFront;  // no index of a station
   const bool one_of_many = site_.stations.size() >= 2;
   std::optional<SolidCells> solid;
   if (one_of_many) solid.emplace(site_);
@@ -133,7 +133,7 @@ RayColumn RaySamples::taken(const FacadePointSource& source) {
       Ray ray{points[i], 0, part_of(points[i])};
       const bool known = !from.empty() && from[i] != kStationUnknown;
       if (known) ray.station = static_cast<SiteStation>(from[i] - 1);
-      if (!known && one_of_many) ray.station = kNobodyKnows, guessed_ = true;
+      if (!known && one_of_many) ray.station = kStationUndecided, guessed_ = true;
       if (solid) solid->add(ray.at);
       points_on_wall_ += std::abs(static_cast<double>(ray.at.w)) <= site_.epsilon;
       rays.add(ray);
@@ -146,14 +146,14 @@ RayColumn RaySamples::taken(const FacadePointSource& source) {
     piece.resize(std::min<std::uint64_t>(1024, rays.size() - first));
     rays.read(first, piece);
     for (Ray& ray : piece)
-      if (ray.station == kNobodyKnows) ray.station = guessed_station(site_, *solid, ray, ray.part != kNot);
+      if (ray.station == kStationUndecided) ray.station = guessed_station(site_, *solid, ray, ray.part != kNot);
     rays.write(first, piece);
   }
   return rays;
 }
 
 const Vec3* RaySamples::eye_of(const Ray& ray) const {
-  if (site_.stations.empty() || ray.station == kStationAside - 1) return nullptr;
+  if (site_.stations.empty() || ray.station == kStationNotInFront - 1) return nullptr;
   return &site_.stations[ray.station].position;
 }
 
@@ -163,11 +163,11 @@ Place2 RaySamples::crossing(const Ray& ray, double depth) const {
                                                                   : Place2{ray.at.u, ray.at.v};
 }
 
-Met RaySamples::met(const Ray& ray, double depth, double epsilon) const {
-  if (depth == 0 && ray.part == kWall) return Met::solid;
+RayOutcome RaySamples::met(const Ray& ray, double depth, double epsilon) const {
+  if (depth == 0 && ray.part == kWall) return RayOutcome::solid;
   const double off = static_cast<double>(ray.at.w) - depth;
-  if (std::abs(off) <= epsilon) return Met::solid;
-  return off < 0 ? Met::through : Met::before;
+  if (std::abs(off) <= epsilon) return RayOutcome::solid;
+  return off < 0 ? RayOutcome::through : RayOutcome::before;
 }
 
 std::size_t RaySamples::bin_of(Place2 place) const {

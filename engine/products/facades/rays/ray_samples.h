@@ -19,11 +19,11 @@ struct Box2 {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0;
   double width() const { return u1 - u0; }
   double height() const { return v1 - v0; }
-  bool holds(Place2 p) const { return p.u >= u0 && p.u <= u1 && p.v >= v0 && p.v <= v1; }
+  bool contains(Place2 p) const { return p.u >= u0 && p.u <= u1 && p.v >= v0 && p.v <= v1; }
   Box2 grown(double by) const { return {u0 - by, u1 + by, v0 - by, v1 + by}; }
 };
 
-enum class Met : std::uint8_t {
+enum class RayOutcome : std::uint8_t {
   solid,    // ends on the plane
   through,  // ends behind it: there is a hole
   before,   // ends in front of it: what is there is not known
@@ -58,7 +58,7 @@ class RaySamples {
   Place2 crossing(const Ray& ray, double depth) const;
   // Where it was seen from; nothing where its ray is taken to be square to the wall.
   const Vec3* eye_of(const Ray& ray) const;
-  Met met(const Ray& ray, double depth, double epsilon) const;
+  RayOutcome met(const Ray& ray, double depth, double epsilon) const;
   // Within epsilon of the wall, or on a segment of it: real walls are not quite flat.
   bool on_wall(const Ray& ray) const { return ray.part == kWall; }
   // On a segment along the wall and little behind it, as the backs of joints between stones are.

@@ -17,7 +17,7 @@ namespace ilot {
 // What a ray came from and met.
 struct Ray {
   FacadePoint at;
-  SiteStation station = 0;  // index of the site's, kStationAside - 1: none that is in front of the wall
+  SiteStation station = 0;  // index of the site's, kStationNotInFront - 1: none that is in front of the wall
   std::uint8_t part = 0;    // RaySamples::Part
   std::uint8_t unused = 0;  // written to disk
 };

@@ -63,31 +63,31 @@ struct DormerOpening {
 };
 
 // Rows, columns and families are those of all fronts together, in the axes of the facade, behind the facade's own.
-std::vector<FacadeThing> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
-  std::vector<FacadeThing> things;
+std::vector<ElementCandidate> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
+  std::vector<ElementCandidate> candidates;
   for (const DormerOpening& o : openings) {
-    things.push_back({o.shape, FacadeThingKind::window, 0, 0, 0, {}});
-    shift(things.back().shape, o.at.x, o.at.y);
+    candidates.push_back({o.shape, ElementKind::window, 0, 0, 0, {}});
+    shift(candidates.back().shape, o.at.x, o.at.y);
   }
-  group_things(things, params.regular);
-  if (!params.regularise) return things;
-  regularise_things(things, params.regular);
-  complete_things(things, params.regular);
-  group_things(things, params.regular);
-  return things;
+  group_elements(candidates, params.regular);
+  if (!params.regularise) return candidates;
+  regularise_elements(candidates, params.regular);
+  complete_elements(candidates, params.regular);
+  group_elements(candidates, params.regular);
+  return candidates;
 }
 
 std::vector<FacadeElement> elements_of(const std::vector<DormerOpening>& openings, const Facade& facade,
                                        const DormerParams& params) {
   std::uint32_t rows = 0, families = 0;
   for (const FacadeElement& e : facade.elements) rows = std::max(rows, e.row), families = std::max(families, e.family);
-  std::vector<FacadeThing> things = grouped(openings, params);
+  std::vector<ElementCandidate> candidates = grouped(openings, params);
   std::vector<FacadeElement> elements;
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    shift(things[i].shape, -openings[i].at.x, -openings[i].at.y);
-    things[i].row += rows;
-    if (things[i].family != 0) things[i].family += families;
-    elements.push_back(element_of(*openings[i].front, things[i]));
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    shift(candidates[i].shape, -openings[i].at.x, -openings[i].at.y);
+    candidates[i].row += rows;
+    if (candidates[i].family != 0) candidates[i].family += families;
+    elements.push_back(element_of(*openings[i].front, candidates[i]));
   }
   return elements;
 }

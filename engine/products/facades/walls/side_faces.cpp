@@ -13,7 +13,7 @@ constexpr double kCorner = 0.1;             // of a side, left out at its ends
 constexpr double kBeside = 0.02;            // metres beside a face that its points are looked for
 constexpr double kLeans = 0.03;             // metres; ends nearer than that below each other are not inclined
 constexpr double kLeastSpread = 0.35;       // of the depth
-constexpr double kCrowded = 3;              // times as many points as if they were spread evenly
+constexpr double kDense = 3;                // times as many points as if they were spread evenly
 constexpr double kUpright = 0.05;           // slopes below this are none
 constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of something else lie on any line
 constexpr double kExact = 0.001;                              // metres: clouds without noise are rounded all the same
@@ -81,7 +81,7 @@ double spread_of(const std::vector<FacePoint>& points) {
 
 // The line, moved to where most points lie beside it, without points where there is no such crowd: other faces of the
 // element end near by, and a face that crosses has points everywhere.
-FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double search, double width) {
+FaceLine moved_to_densest(const std::vector<FacePoint>& points, FaceLine line, double search, double width) {
   std::vector<double> offs;
   for (const FacePoint& p : points)
     if (const double off = p.t - line.at - line.slope * p.w; std::abs(off) <= search) offs.push_back(off);
@@ -92,7 +92,7 @@ FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double sea
     if (end - i > most) best = i, most = end - i;
   }
   const double even = static_cast<double>(offs.size()) * std::min(1.0, width / (2 * search));
-  if (static_cast<double>(most) < std::max(static_cast<double>(kLeastPoints), kCrowded * even)) return {};
+  if (static_cast<double>(most) < std::max(static_cast<double>(kLeastPoints), kDense * even)) return {};
   line.at += offs[best + most / 2];
   line.points = most;
   return line;
@@ -101,7 +101,7 @@ FaceLine crowded(const std::vector<FacePoint>& points, FaceLine line, double sea
 // The face through the points beside the line, looked for again beside what was found.
 FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double depth, double search, double noise) {
   const double width = std::max(kBeside, 4 * noise);
-  line = crowded(points, line, search, width);
+  line = moved_to_densest(points, line, search, width);
   if (line.points == 0) return {};
   double beside = width;
   for (int round = 0; round < 4; ++round) {

@@ -84,8 +84,9 @@ PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& 
   const double surface = std::max(kNoiseFactor * sampling.noise, kLeastSteps * sampling.step);
   p.epsilon = settings.epsilon ? *settings.epsilon / unit_metres
                                : std::max(kLeastUnits, std::min(surface, kMostMetres / unit_metres));
-  const double crowded = from == SeenFrom::air ? kLeastSteps * sampling.step / p.epsilon : 1;
-  p.normal_angle = settings.normal_angle.value_or(std::clamp(crowded * crowded * kMostAngle, kLeastAngle, kMostAngle));
+  const double step_ratio = from == SeenFrom::air ? kLeastSteps * sampling.step / p.epsilon : 1;
+  p.normal_angle =
+      settings.normal_angle.value_or(std::clamp(step_ratio * step_ratio * kMostAngle, kLeastAngle, kMostAngle));
   const double connectivity = settings.connectivity ? *settings.connectivity / unit_metres
                                                     : std::min(rule.steps * sampling.step, static_cast<double>(reach));
   p.connectivity = static_cast<std::int64_t>(std::clamp(std::ceil(connectivity), kLeastReach, kMostReach));

@@ -29,7 +29,7 @@ constexpr std::uint32_t kFewNeighbours = 8;  // of settling from the air, where 
 // Epsilons within which points count for a plane where noise is wide: 2.3 of 3.5 standard deviations hold 98% of its
 // own points, and far fewer of those of its neighbours', for which a plane would lean towards them.
 constexpr double kCore = 0.65;
-constexpr int kSettlings = 4;
+constexpr int kRelabelRounds = 4;
 constexpr double kLean = 0.2;  // epsilons by which borders lean towards the larger plane, seen from the ground
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
 
@@ -128,10 +128,10 @@ ShapeRansacParams shape_params(const PlaneSearch& s, std::uint32_t min_points, u
 // As thin as the fringe where two planes meet: within four epsilons about a plane for the most part. Along such edges
 // normals are mixtures and turn evenly from one plane to the other, as those of a thin cylinder or a steep cone do.
 bool is_flat(Points points, std::span<const std::uint32_t> members, double epsilon) {
-  constexpr double kFringe = 2;  // root mean square, in epsilons
+  constexpr double kEdgeStrip = 2;  // root mean square, in epsilons
   const Moments m = moments_of(points, members);
   const PlaneFit fit = fit_plane(m);
-  return !fit.unique || rms_to_plane(m, fit.plane) <= kFringe * epsilon;
+  return !fit.unique || rms_to_plane(m, fit.plane) <= kEdgeStrip * epsilon;
 }
 
 // The points of two planes that meet, as a cone of 45 degrees touches a wall and the underside of its band: the two
@@ -217,10 +217,10 @@ PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
   if (noisy) narrow.params.epsilon *= kCore;
   PlaneSegments found = by_method(method, narrow, {lists, k});
   if (lists.empty()) lists = neighbours_of_all(search, k);
-  RelabelParams relabel{search.params.epsilon, search.params.connectivity, 2, kSettlings};
+  RelabelParams relabel{search.params.epsilon, search.params.connectivity, 2, kRelabelRounds};
   if (!from_the_air) relabel.lean = kLean * search.params.epsilon;
   if (noisy) relabel.border = RelabelParams::Border::nearest;
-  settle_planes(search.points.points, {lists, k}, relabel, search.params.min_points, found);
+  relabel_until_stable(search.points.points, {lists, k}, relabel, search.params.min_points, found);
   return found;
 }
 

@@ -81,7 +81,7 @@ class BlockLabels {
           strays.push_back(own_.begin + i);
         }
       }
-      settle(strays, index, cell_planes_.cells[range.cell].connectivity);
+      label_strays(strays, index, cell_planes_.cells[range.cell].connectivity);
     }
   }
 
@@ -123,7 +123,7 @@ class BlockLabels {
 
  private:
   // Points (of the view, ascending) without a plane of their own.
-  void settle(std::span<const std::uint32_t> strays, const NeighbourIndex& index, std::int64_t reach) {
+  void label_strays(std::span<const std::uint32_t> strays, const NeighbourIndex& index, std::int64_t reach) {
     constexpr std::size_t kBatch = 256;
     std::vector<std::uint32_t> neighbours(kBatch * kVoters);
     std::vector<std::int64_t> reach2(kBatch);

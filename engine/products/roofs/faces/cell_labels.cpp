@@ -87,7 +87,7 @@ class Labelling {
     for (int round = 0; round < kRounds && changed; ++round) {
       changed = false;
       for (std::uint32_t plane = 0; plane < planes_.planes.size(); ++plane)
-        if (anything_new(reaches_[plane])) changed |= expand(plane);
+        if (has_changed(reaches_[plane])) changed |= expand(plane);
     }
     std::vector<std::uint32_t> labels;
     for (const std::uint32_t plane : label_) labels.push_back(plane + 1);
@@ -201,7 +201,7 @@ class Labelling {
   }
 
   // Whether a cell that an expansion looks at has changed since the last one, which left nothing to gain.
-  bool anything_new(const Reach& reach) const {
+  bool has_changed(const Reach& reach) const {
     return std::any_of(reach.cells.begin(), reach.cells.end(),
                        [&](std::uint32_t r) { return changed_at_[r] > reach.done_at; }) ||
            std::any_of(reach.borders.begin(), reach.borders.end(), [&](std::uint32_t b) {

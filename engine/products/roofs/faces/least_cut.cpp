@@ -116,7 +116,7 @@ class Core {
  public:
   Core(std::span<const std::int64_t> gain, std::span<const CutArc> arcs)
       : gain_(gain.begin(), gain.end()), arcs_(arcs.begin(), arcs.end()), open_(gain.size(), 1) {
-    while (settle()) {
+    while (remove_decided()) {
     }
   }
 
@@ -139,12 +139,12 @@ class Core {
 
  private:
   // One sweep over nodes and arcs; true when a node was found to stay.
-  bool settle() {
-    at_stake_.assign(gain_.size(), 0);
-    for (const CutArc& a : arcs_) at_stake_[a.from] += a.capacity;
+  bool remove_decided() {
+    outgoing_capacity_.assign(gain_.size(), 0);
+    for (const CutArc& a : arcs_) outgoing_capacity_[a.from] += a.capacity;
     bool any = false;
     for (std::size_t v = 0; v < gain_.size(); ++v)
-      if (open_[v] != 0 && gain_[v] >= at_stake_[v]) {
+      if (open_[v] != 0 && gain_[v] >= outgoing_capacity_[v]) {
         open_[v] = 0;
         any = true;
       }
@@ -161,7 +161,7 @@ class Core {
     return true;
   }
 
-  std::vector<std::int64_t> gain_, at_stake_;
+  std::vector<std::int64_t> gain_, outgoing_capacity_;
   std::vector<CutArc> arcs_;
   std::vector<std::uint8_t> open_;
 };

@@ -113,7 +113,7 @@ class TopFinder {
       for (const double steps : kReachSteps) {
         reach_ = steps * planes_.step;
         top = grown_from(seed, mean_height(grown_from(seed, site_.points[seed].z)));
-        if (top.size() < kFewest || is_large(top) || !is_surface(top) || !takes_most(top)) continue;
+        if (top.size() < kFewest || is_large(top) || !is_surface(top) || !takes_majority(top)) continue;
         add(top);
         top.clear();
         break;
@@ -278,21 +278,21 @@ class TopFinder {
     return taken;
   }
 
-  bool is_most(std::uint32_t plane, std::uint32_t points) const {
+  bool is_majority(std::uint32_t plane, std::uint32_t points) const {
     return points >= kMostOf * planes_.planes[plane - 1].points;
   }
 
-  bool takes_most(const Indices& top) const {
+  bool takes_majority(const Indices& top) const {
     const auto taken = taken_by(top);
     return std::all_of(taken.begin(), taken.end(), [&](const auto& entry) {
-      return no_surface_.contains(entry.first) || is_most(entry.first, entry.second);
+      return no_surface_.contains(entry.first) || is_majority(entry.first, entry.second);
     });
   }
 
   // A plane that lost most of its points to it loses the others too.
   void add(const Indices& top) {
     for (const auto& [plane, points] : taken_by(top)) {
-      if (is_most(plane, points)) std::replace(planes_.of_point.begin(), planes_.of_point.end(), plane, 0u);
+      if (is_majority(plane, points)) std::replace(planes_.of_point.begin(), planes_.of_point.end(), plane, 0u);
       planes_.planes[plane - 1].points -= points;
     }
     RoofPlane plane;

@@ -28,14 +28,14 @@ constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
 
 // A place on the border of two planes.
-struct Sighting {
+struct BorderSample {
   FlatPoint at;
   std::uint32_t a = 0, b = 0;  // planes, a < b
   FlatPoint upper, lower;      // the points between which it was seen
 };
 
 struct Borders {
-  std::vector<Sighting> creases, steps;
+  std::vector<BorderSample> creases, steps;
 };
 
 class BorderFinder {
@@ -110,9 +110,10 @@ Line crossing(const RoofPlane& a, const RoofPlane& b, FlatPoint near) {
 }
 
 // A crease for every pair of planes that were seen to cross, as far as that was seen.
-void add_creases(std::vector<Sighting> seen, const RoofPlanes& planes, std::vector<FlatEdge>& lines) {
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Sighting& s, const Sighting& t) { return std::tie(s.a, s.b) < std::tie(t.a, t.b); });
+void add_creases(std::vector<BorderSample> seen, const RoofPlanes& planes, std::vector<FlatEdge>& lines) {
+  std::stable_sort(seen.begin(), seen.end(), [](const BorderSample& s, const BorderSample& t) {
+    return std::tie(s.a, s.b) < std::tie(t.a, t.b);
+  });
   for (std::size_t first = 0; first < seen.size();) {
     std::size_t last = first;
     while (last < seen.size() && seen[last].a == seen[first].a && seen[last].b == seen[first].b) ++last;
@@ -198,7 +199,7 @@ FlatPoint on(const Run& run, double t) {
 // sightings are taken, so a window is looked at again only when it comes to the top.
 class StepFinder {
  public:
-  StepFinder(std::vector<Sighting> seen, std::vector<FlatPoint> directions, double step)
+  StepFinder(std::vector<BorderSample> seen, std::vector<FlatPoint> directions, double step)
       : seen_(std::move(seen)), directions_(std::move(directions)), step_(step), used_(seen_.size(), 0) {
     for (std::uint32_t d = 0; d < directions_.size(); ++d) add_strips(d);
   }
@@ -226,7 +227,7 @@ class StepFinder {
   struct Place {
     std::int64_t strip;
     double along, offset;
-    std::uint32_t sighting;
+    std::uint32_t border_sample;
   };
   struct Window {
     std::size_t size;
@@ -245,7 +246,8 @@ class StepFinder {
           {static_cast<std::int64_t>(std::floor(2 * offset / step_)), dot(directions_[d], seen_[i].at), offset, i});
     }
     std::sort(places.begin(), places.end(), [](const Place& p, const Place& q) {
-      return std::tie(p.strip, p.along, p.offset, p.sighting) < std::tie(q.strip, q.along, q.offset, q.sighting);
+      return std::tie(p.strip, p.along, p.offset, p.border_sample) <
+             std::tie(q.strip, q.along, q.offset, q.border_sample);
     });
     std::vector<std::size_t> starts;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -271,9 +273,9 @@ class StepFinder {
     const auto place = [&](std::size_t i) { return places.begin() + static_cast<std::ptrdiff_t>(i); };
     std::merge(place(first), place(middle), place(middle), place(last), std::back_inserter(merged),
                [](const Place& p, const Place& q) {
-                 return std::tie(p.along, p.offset, p.sighting) < std::tie(q.along, q.offset, q.sighting);
+                 return std::tie(p.along, p.offset, p.border_sample) < std::tie(q.along, q.offset, q.border_sample);
                });
-    std::erase_if(merged, [&](const Place& p) { return used_[p.sighting] != 0; });
+    std::erase_if(merged, [&](const Place& p) { return used_[p.border_sample] != 0; });
     return merged;
   }
 
@@ -290,7 +292,7 @@ class StepFinder {
     }
     Run run;
     if (best_last - best_first < kFewestOnStep) return run;
-    for (std::size_t i = best_first; i < best_last; ++i) run.members.push_back(places[i].sighting);
+    for (std::size_t i = best_first; i < best_last; ++i) run.members.push_back(places[i].border_sample);
     run.along = directions_[window.direction];
     run.low = places[best_first].along;
     run.high = places[best_last - 1].along;
@@ -305,7 +307,7 @@ class StepFinder {
     run.offset = step_offset(gaps, step_ * step_ / (run.high - run.low));
   }
 
-  std::vector<Sighting> seen_;
+  std::vector<BorderSample> seen_;
   std::vector<FlatPoint> directions_;
   double step_;
   std::vector<std::uint8_t> used_;

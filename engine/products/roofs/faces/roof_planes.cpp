@@ -30,11 +30,11 @@ constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half th
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
 constexpr double kLeastFaceArea = 0.5;  // m2 that the points of the smallest face cover
 constexpr int kFewestPoints = 6;
-constexpr double kGapSteps = 3, kLeastGap = 0.6;    // metres
-constexpr int kFirstRounds = 1, kSettleRounds = 3;  // before and after planes that are alike become one
-constexpr double kSteepest = 0.25881904510252074;   // cosine of 75 degrees
-constexpr double kSameAngle = 3.5;                  // degrees
-constexpr double kNormalAngle = 25;                 // degrees
+constexpr double kGapSteps = 3, kLeastGap = 0.6;     // metres
+constexpr int kFirstRounds = 1, kRelabelRounds = 3;  // before and after planes that are alike become one
+constexpr double kSteepest = 0.25881904510252074;    // cosine of 75 degrees
+constexpr double kSameAngle = 3.5;                   // degrees
+constexpr double kNormalAngle = 25;                  // degrees
 
 // A site's points as the kernels want them: whole millimetres from their lowest corner, padded.
 struct Cloud : PaddedOrientedPoints {
@@ -246,10 +246,10 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kGapSteps * r.step, kLeastGap) / kUnit));
   PlaneSegments s =
       ransac_planes(c.oriented(), {epsilon, cos_degrees(kNormalAngle), gap, min_points, 0.99, content_key(c)});
-  const RelabelParams relabel{epsilon, gap, 2, kSettleRounds};
-  settle_planes(c.points(), neighbours, {epsilon, gap, 2, kFirstRounds}, min_points, s);
+  const RelabelParams relabel{epsilon, gap, 2, kRelabelRounds};
+  relabel_until_stable(c.points(), neighbours, {epsilon, gap, 2, kFirstRounds}, min_points, s);
   join_alike(c, neighbours, epsilon, s);
-  settle_planes(c.points(), neighbours, relabel, min_points, s);
+  relabel_until_stable(c.points(), neighbours, relabel, min_points, s);
   if (!params.superstructures) drop_superstructures(r.step * r.step, c, s);
   sort_out(site, c, s, r);
   if (params.superstructures) add_level_tops(site, r);

@@ -18,7 +18,7 @@ class Raster {
     inside_.resize(static_cast<std::size_t>(width_ * height_));
     for (const SitePolygon& outline : outlines) fill(outline);
   }
-  bool holds(std::int64_t column, std::int64_t row) const {
+  bool contains(std::int64_t column, std::int64_t row) const {
     column -= x_;
     row -= y_;
     if (column < 0 || column >= width_ || row < 0 || row >= height_) return false;
@@ -75,7 +75,7 @@ void count_shifts(std::span<const Vec3> points, std::span<const SitePolygon> out
     for (int dy = -kShiftReach; dy <= kShiftReach; ++dy)
       for (int dx = -kShiftReach; dx <= kShiftReach; ++dx)
         counts.inside[static_cast<std::size_t>((dy + kShiftReach) * kShifts + dx + kShiftReach)] +=
-            raster.holds(column - dx, row - dy);
+            raster.contains(column - dx, row - dy);
   }
 }
 

@@ -97,7 +97,7 @@ class HeightRows {
     for (std::size_t c = 0; c + 1 < columns_; ++c) {
       for (std::size_t r = 0; r < rows_;) {
         std::size_t end = r;
-        while (end < rows_ && holds(end, c)) ++end;
+        while (end < rows_ && is_split_between(end, c)) ++end;
         if (end > r) {
           const std::optional<Wall> wall = wall_at(c, r, end, step, params);
           if (wall) walls.push_back(*wall);
@@ -127,7 +127,7 @@ class HeightRows {
   }
 
   // Whether both sides of a column's right border lie inside, for a cell at least.
-  bool holds(std::size_t r, std::size_t c) const {
+  bool is_split_between(std::size_t r, std::size_t c) const {
     const std::vector<double>& ends = inside_[r];
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
       if (ends[i] <= border(c) - cell_ && ends[i + 1] >= border(c) + cell_) return true;

@@ -30,7 +30,7 @@ bool SiteFilter::EdgeSet::near(Vec3 p, double reach) const {
   return box.grown(reach).contains(FlatPoint{p.x, p.y});
 }
 
-bool SiteFilter::EdgeSet::holds(Vec3 p) const {
+bool SiteFilter::EdgeSet::contains(Vec3 p) const {
   if (!near(p, 0)) return false;
   bool inside = false;
   for (const FlatEdge& e : edges) inside ^= ray_crosses({p.x, p.y}, e.a, e.b);
@@ -50,16 +50,16 @@ SiteFilter::SiteFilter(std::span<const SitePolygon> outlines, std::size_t own, c
   for (const SitePolygon& outline : outlines) sets_.emplace_back(outline);
 }
 
-Belonging SiteFilter::of(Vec3 p, PointRole role) const {
-  if (sets_[own_].holds(p)) return Belonging::held;
+PointMembership SiteFilter::of(Vec3 p, PointRole role) const {
+  if (sets_[own_].contains(p)) return PointMembership::held;
   const bool ground = role == PointRole::ground;
   const double reach = ground ? params_.ground_reach : params_.margin;
   const double d2 = sets_[own_].distance2(p, reach);
-  if (d2 > reach * reach) return Belonging::none;
+  if (d2 > reach * reach) return PointMembership::none;
   for (const EdgeSet& set : sets_)
-    if (set.holds(p)) return Belonging::none;
-  if (ground) return Belonging::ground;
-  return is_nearest(p, d2) ? Belonging::held : Belonging::none;
+    if (set.contains(p)) return PointMembership::none;
+  if (ground) return PointMembership::ground;
+  return is_nearest(p, d2) ? PointMembership::held : PointMembership::none;
 }
 
 bool SiteFilter::at_edge(Vec3 p) const {
@@ -74,9 +74,9 @@ bool SiteFilter::is_nearest(Vec3 p, double d2) const {
   return true;
 }
 
-void SiteMeasure::add(Vec3 p, PointRole role, Belonging belonging) {
-  if (belonging == Belonging::ground) return ground_.add(p.z);
-  if (belonging == Belonging::none) return;
+void SiteMeasure::add(Vec3 p, PointRole role, PointMembership membership) {
+  if (membership == PointMembership::ground) return ground_.add(p.z);
+  if (membership == PointMembership::none) return;
   any_building_ |= role == PointRole::building;
   lowest_ = std::min(lowest_, p.z);
   if (p.z < lowest_at_edge_ && filter_.at_edge(p)) lowest_at_edge_ = p.z;
@@ -103,9 +103,9 @@ SitePoints choose_points(const Surroundings& around, std::span<const SitePolygon
   SiteMeasure measure(filter);
   std::vector<std::uint32_t> held;
   for (std::uint32_t i = 0; i < around.points.size(); ++i) {
-    const Belonging belonging = filter.of(around.points[i], around.roles[i]);
-    measure.add(around.points[i], around.roles[i], belonging);
-    if (belonging == Belonging::held) held.push_back(i);
+    const PointMembership membership = filter.of(around.points[i], around.roles[i]);
+    measure.add(around.points[i], around.roles[i], membership);
+    if (membership == PointMembership::held) held.push_back(i);
   }
   SitePoints site{{}, measure.rule()};
   for (const std::uint32_t i : held)

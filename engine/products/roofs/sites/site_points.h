@@ -34,7 +34,7 @@ inline double reach_of(const SitePointsParams& params) {
 }
 
 // Where a point belongs, by its place alone.
-enum class Belonging : std::uint8_t {
+enum class PointMembership : std::uint8_t {
   none,
   held,    // in the site's outline, or outside of all within the margin and nearest to it
   ground,  // classified as ground, outside of all outlines and within the ground's reach of the site's
@@ -48,7 +48,7 @@ class SiteFilter {
   SiteFilter(std::span<const SitePolygon> outlines, std::size_t own, const SitePointsParams& params = {});
 
   // O(corners of the outlines near the point).
-  Belonging of(Vec3 p, PointRole role) const;
+  PointMembership of(Vec3 p, PointRole role) const;
 
   // Whether a point is within the margin of the site's own edges.
   bool at_edge(Vec3 p) const;
@@ -63,7 +63,7 @@ class SiteFilter {
 
     explicit EdgeSet(const SitePolygon& polygon);
     bool near(Vec3 p, double reach) const;
-    bool holds(Vec3 p) const;
+    bool contains(Vec3 p) const;
     double distance2(Vec3 p, double reach) const;
   };
   bool is_nearest(Vec3 p, double d2) const;
@@ -92,7 +92,7 @@ struct SiteRule {
 class SiteMeasure {
  public:
   explicit SiteMeasure(const SiteFilter& filter) : filter_(filter) {}
-  void add(Vec3 p, PointRole role, Belonging belonging);
+  void add(Vec3 p, PointRole role, PointMembership membership);
   SiteRule rule();
 
  private:

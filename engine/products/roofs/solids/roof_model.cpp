@@ -82,7 +82,7 @@ std::optional<Building> raised(const RoofSite& site, const Partition& faces, std
   for (const Sharing& sharing : kSharing) {
     Partition closed = faces;
     close_short_edges(closed, site.outline, sharing.shortest);
-    Building b = building_of(site, raise_roof(std::move(closed), planes, site.ground, sharing.same_height), lod,
+    Building b = building_of(site, extrude_roof(std::move(closed), planes, site.ground, sharing.same_height), lod,
                              metres_per_unit);
     std::string fault = check(b);
     if (fault.empty()) {

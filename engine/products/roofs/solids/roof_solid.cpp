@@ -284,7 +284,7 @@ class Solid {
 
 }  // namespace
 
-RoofSolid raise_roof(Partition faces, std::span<const RoofPlane> planes, double ground, double same_height) {
+RoofSolid extrude_roof(Partition faces, std::span<const RoofPlane> planes, double ground, double same_height) {
   return Solid(std::move(faces), planes, ground, same_height).raise();
 }
 

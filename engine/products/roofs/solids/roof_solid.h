@@ -23,7 +23,7 @@ struct RoofSolid {
 // its plane by less than that; where they do not, walls stand between them, each over one edge. Edges along which
 // two faces change places get a vertex there. Where high and low faces meet crosswise in a vertex, which would pinch
 // the solid, the lower ones are joined by a corner of 2 cm. O(edges log edges).
-RoofSolid raise_roof(Partition faces, std::span<const RoofPlane> planes, double ground,
-                     double same_height = kSameHeight);
+RoofSolid extrude_roof(Partition faces, std::span<const RoofPlane> planes, double ground,
+                       double same_height = kSameHeight);
 
 }  // namespace ilot

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/products/streets/classes/thing_decisions.h"
+#include "engine/products/streets/classes/object_model_functions.h"
 
 namespace ilot {
 namespace {

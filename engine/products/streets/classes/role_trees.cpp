@@ -13,78 +13,80 @@ namespace {
 
 constexpr std::size_t kGrain = 512;   // things
 constexpr double kLeastShare = 1e-6;  // nothing is less probable
-constexpr double kNobody = -1e6;      // below all logarithms of shares
-constexpr const char* kNatures[] = {"nothing", "vegetation", "part", "several", "object"};
+constexpr double kNoRelation = -1e6;  // below all logarithms of shares
+constexpr const char* kKindNames[] = {"nothing", "vegetation", "part", "merged", "object"};
 constexpr const char* kRelations[] = {"itself", "joined", "beside", "larger part", "lesser part"};
 
-double area_of(const ThingFeatures& f) {
+double area_of(const CandidateFeatures& f) {
   return f[static_cast<std::size_t>(ComponentFeature::area)];
 }
 
 }  // namespace
 
 std::string role_column_name(std::size_t column) {
-  if (column < kThingFeatures) return thing_feature_name(column);
-  const std::size_t asked = column - kThingFeatures;
-  return std::string(kRelations[asked / kThingNatures]) + ": " + kNatures[asked % kThingNatures];
+  if (column < kCandidateFeatures) return candidate_feature_name(column);
+  const std::size_t asked = column - kCandidateFeatures;
+  return std::string(kRelations[asked / kCandidateKinds]) + ": " + kKindNames[asked % kCandidateKinds];
 }
 
-std::vector<ThingRelations> thing_relations(std::span<const ThingFeatures> things, std::span<const ThingParts> parts) {
-  assert(parts.size() == things.size());
-  std::vector<ThingRelations> out(things.size());
-  const auto set = [&](std::uint32_t thing, ThingRelation relation, std::uint32_t to) {
-    out[thing - 1][static_cast<std::size_t>(relation)] = to;
+std::vector<CandidateRelations> candidate_relations(std::span<const CandidateFeatures> candidates,
+                                                    std::span<const CandidateParts> parts) {
+  assert(parts.size() == candidates.size());
+  std::vector<CandidateRelations> out(candidates.size());
+  const auto set = [&](std::uint32_t candidate, CandidateRelation relation, std::uint32_t to) {
+    out[candidate - 1][static_cast<std::size_t>(relation)] = to;
   };
-  for (std::uint32_t i = 1; i <= things.size(); ++i) {
-    set(i, ThingRelation::itself, i);
+  for (std::uint32_t i = 1; i <= candidates.size(); ++i) {
+    set(i, CandidateRelation::itself, i);
     const auto [a, b] = parts[i - 1];
     if (a == 0) continue;
-    const bool first = area_of(things[a - 1]) >= area_of(things[b - 1]);
-    set(i, ThingRelation::larger_part, first ? a : b);
-    set(i, ThingRelation::lesser_part, first ? b : a);
-    set(a, ThingRelation::beside, b), set(b, ThingRelation::beside, a);
-    for (const std::uint32_t part : {a, b}) set(part, ThingRelation::joined, i);
+    const bool first = area_of(candidates[a - 1]) >= area_of(candidates[b - 1]);
+    set(i, CandidateRelation::larger_part, first ? a : b);
+    set(i, CandidateRelation::lesser_part, first ? b : a);
+    set(a, CandidateRelation::beside, b), set(b, CandidateRelation::beside, a);
+    for (const std::uint32_t part : {a, b}) set(part, CandidateRelation::joined, i);
   }
   return out;
 }
 
-std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleQuestions& about, std::size_t first,
+std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleInputs& about, std::size_t first,
                               std::size_t count) {
   std::vector<double> rows;
   rows.reserve(columns.size() * count);
   for (std::size_t i = first; i < first + count; ++i)
     for (const std::size_t c : columns) {
-      if (c < kThingFeatures) {
-        rows.push_back(about.things[i][c]);
+      if (c < kCandidateFeatures) {
+        rows.push_back(about.candidates[i][c]);
         continue;
       }
-      const std::size_t asked = c - kThingFeatures;
-      const std::uint32_t whom = about.relations[i][asked / kThingNatures];
-      rows.push_back(whom == 0 ? kNobody
-                               : natural_log(std::max(kLeastShare, about.said[whom - 1][asked % kThingNatures])));
+      const std::size_t asked = c - kCandidateFeatures;
+      const std::uint32_t whom = about.relations[i][asked / kCandidateKinds];
+      rows.push_back(whom == 0
+                         ? kNoRelation
+                         : natural_log(std::max(kLeastShare, about.predicted[whom - 1][asked % kCandidateKinds])));
     }
   return rows;
 }
 
-std::vector<NatureShares> stage_shares(const RoleStage& stage, std::span<const ThingFeatures> things,
-                                       std::span<const ThingParts> parts, std::span<const NatureShares> said) {
-  const std::vector<ThingRelations> relations = thing_relations(things, parts);
-  std::vector<NatureShares> out(things.size());
-  parallel_for((things.size() + kGrain - 1) / kGrain, [&](std::size_t chunk) {
-    const std::size_t first = chunk * kGrain, count = std::min(kGrain, things.size() - first);
-    std::vector<std::int32_t> scores(count * kThingNatures);
-    tree_scores(stage.trees, role_rows(stage.columns, {things, relations, said}, first, count), scores);
+std::vector<KindShares> stage_shares(const RoleStage& stage, std::span<const CandidateFeatures> candidates,
+                                     std::span<const CandidateParts> parts, std::span<const KindShares> predicted) {
+  const std::vector<CandidateRelations> relations = candidate_relations(candidates, parts);
+  std::vector<KindShares> out(candidates.size());
+  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kGrain, count = std::min(kGrain, candidates.size() - first);
+    std::vector<std::int32_t> scores(count * kCandidateKinds);
+    tree_scores(stage.trees, role_rows(stage.columns, {candidates, relations, predicted}, first, count), scores);
     for (std::size_t i = 0; i < count; ++i)
-      tree_shares(std::span(scores).subspan(i * kThingNatures, kThingNatures), out[first + i]);
+      tree_shares(std::span(scores).subspan(i * kCandidateKinds, kCandidateKinds), out[first + i]);
   });
   return out;
 }
 
-std::vector<NatureShares> nature_shares(const RoleTrees& machine, std::span<const ThingFeatures> things,
-                                        std::span<const ThingParts> parts) {
-  std::vector<NatureShares> said;
-  for (const RoleStage& stage : machine.stages) said = stage_shares(stage, things, parts, said);
-  return said;
+std::vector<KindShares> kind_shares(const RoleTrees& model, std::span<const CandidateFeatures> candidates,
+                                    std::span<const CandidateParts> parts) {
+  std::vector<KindShares> predicted;
+  for (const RoleStage& stage : model.stages) predicted = stage_shares(stage, candidates, parts, predicted);
+  return predicted;
 }
 
 }  // namespace ilot

@@ -37,10 +37,10 @@ bool split_of(const std::string& word, const RoleStage& stage, TreeSplit& split)
 
 }  // namespace
 
-std::string role_trees_text(const RoleTrees& machine) {
+std::string role_trees_text(const RoleTrees& model) {
   std::string text;
-  if (machine.empty()) return text;
-  for (const RoleStage& stage : machine.stages) {
+  if (model.empty()) return text;
+  for (const RoleStage& stage : model.stages) {
     const BoostedTrees& trees = stage.trees;
     text += fmt::format("stage {} {}\n", trees.depth, fmt::join(trees.first, " "));
     for (std::size_t c = 0; c < stage.columns.size(); ++c) {
@@ -73,11 +73,11 @@ std::string RoleTreesReader::take(const std::string& line) {
 std::string RoleTreesReader::take_stage(std::istringstream& words) {
   if (++stages_ > kRoleStages) return "there are too many stages";
   BoostedTrees& trees = stage().trees;
-  trees.classes = kThingNatures;
-  trees.first.resize(kThingNatures);
+  trees.classes = kCandidateKinds;
+  trees.first.resize(kCandidateKinds);
   if (!next_number(words, trees.depth) || trees.depth == 0 || trees.depth > kMostDepth) return "there is no such depth";
   for (std::int32_t& first : trees.first)
-    if (!next_number(words, first)) return fmt::format("fewer than {} numbers", kThingNatures);
+    if (!next_number(words, first)) return fmt::format("fewer than {} numbers", kCandidateKinds);
   return {};
 }
 
@@ -91,7 +91,7 @@ std::string RoleTreesReader::take_column(std::istringstream& words) {
   }
   std::string name;
   std::getline(words >> std::ws, name);
-  for (std::size_t c = 0; c < (stages_ == 1 ? kThingFeatures : kRoleColumns); ++c) {
+  for (std::size_t c = 0; c < (stages_ == 1 ? kCandidateFeatures : kRoleColumns); ++c) {
     if (role_column_name(c) != name) continue;
     stage().columns.push_back(c);
     stage().trees.limits.push_back(limits);
@@ -115,13 +115,13 @@ std::string RoleTreesReader::take_tree(std::istringstream& words) {
   return {};
 }
 
-std::string RoleTreesReader::finish(RoleTrees& machine) {
+std::string RoleTreesReader::finish(RoleTrees& model) {
   if (stages_ != 0 && stages_ != kRoleStages) return "ends before its last stage";
   for (std::size_t s = 0; s < stages_; ++s) {
-    const BoostedTrees& trees = machine_.stages[s].trees;
-    if (trees.trees() == 0 || trees.trees() % kThingNatures != 0) return "ends before its last tree";
+    const BoostedTrees& trees = model_.stages[s].trees;
+    if (trees.trees() == 0 || trees.trees() % kCandidateKinds != 0) return "ends before its last tree";
   }
-  machine = std::move(machine_);
+  model = std::move(model_);
   return {};
 }
 

@@ -11,21 +11,21 @@ namespace ilot {
 // For each stage a line "stage", its depth and where the sums of all natures begin; a line "column" with the limits and
 // the name of each; and a line "tree" for each tree: its nodes as column:limit, or "-", then its leaves. Nothing for no
 // trees.
-std::string role_trees_text(const RoleTrees& machine);
+std::string role_trees_text(const RoleTrees& model);
 
 // Reads these lines one by one. What is wrong with them, or nothing.
 class RoleTreesReader {
  public:
   std::string take(const std::string& line);
-  std::string finish(RoleTrees& machine);
+  std::string finish(RoleTrees& model);
 
  private:
   std::string take_stage(std::istringstream& words);
   std::string take_column(std::istringstream& words);
   std::string take_tree(std::istringstream& words);
-  RoleStage& stage() { return machine_.stages[stages_ - 1]; }
+  RoleStage& stage() { return model_.stages[stages_ - 1]; }
 
-  RoleTrees machine_;
+  RoleTrees model_;
   std::size_t stages_ = 0;
 };
 

@@ -24,7 +24,7 @@ class Enclosing {
     for (std::size_t i = 0; i < outside.size(); ++i)
       outside[i] = is_outside[static_cast<std::size_t>(labels.values[i])];
     const ZoneRuns parts = flagged_runs(labels.width, labels.height, outside, Adjacency::four);
-    const std::vector<std::uint32_t> on_border = borders_.tell(tile, parts);
+    const std::vector<std::uint32_t> on_border = borders_.record(tile, parts);
     open_[tile].assign(*std::max_element(on_border.begin(), on_border.end()) + std::size_t{1}, 0);
     open_at_ends(tile, parts, on_border);
     const Image filled = layer_tile(layers_, "filled", tile);

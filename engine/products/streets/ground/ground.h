@@ -19,11 +19,11 @@ struct GroundParams {
 // A zone so many times smaller than the largest is not the ground.
 constexpr std::uint64_t kComparableZones = 10;
 
-// How much speaks for a zone: first that it does not stand above what is around it (zone_falls) and is comparable with
-// the largest, then its pixels. A roof may be larger than any piece of ground, but its border falls all around.
+// How much speaks for a zone: first that it does not stand above what is around it (outward_drops) and is comparable
+// with the largest, then its pixels. A roof may be larger than any piece of ground, but its border falls all around.
 using GroundRank = std::pair<bool, std::uint64_t>;
-inline GroundRank ground_rank(std::uint64_t pixels, std::int32_t falls, std::uint64_t largest) {
-  return {falls <= 0 && pixels * kComparableZones >= largest, pixels};
+inline GroundRank ground_rank(std::uint64_t pixels, std::int32_t drops, std::uint64_t largest) {
+  return {drops <= 0 && pixels * kComparableZones >= largest, pixels};
 }
 
 }  // namespace ilot

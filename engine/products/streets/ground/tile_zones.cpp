@@ -4,17 +4,17 @@
 #include <algorithm>
 
 #include "engine/products/streets/ground/ground.h"
-#include "kernels/morphology/zone_falls.h"
+#include "kernels/morphology/outward_drops.h"
 
 namespace ilot {
 
 TileZones::TileZones(const TileLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}
 
-void TileZones::find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted) {
+void TileZones::find(std::size_t tile, const Image& image, Height lambda, OutwardDrops drops_wanted) {
   const TileFrame frame = tile_frame(layers_.grid, tile);
   const ZoneRuns runs = zone_runs(image, lambda, Adjacency::eight);
-  const std::vector<std::uint32_t> on_border = borders_.tell(tile, runs, image);
+  const std::vector<std::uint32_t> on_border = borders_.record(tile, runs, image);
   std::vector<Zone> zones(on_border.size());
   for_each_run(runs, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
     Zone& z = zones[zone];
@@ -23,9 +23,9 @@ void TileZones::find(std::size_t tile, const Image& image, Height lambda, ZoneFa
     z.on_border = on_border[zone];
   });
   const PixelLabels labels = painted(runs);
-  if (falls_wanted == ZoneFalls::counted) {
-    const std::vector<std::int32_t> falls = zone_falls(image, labels, lambda);
-    for (std::size_t z = 1; z < zones.size(); ++z) zones[z].falls = falls[z];
+  if (drops_wanted == OutwardDrops::counted) {
+    const std::vector<std::int32_t> drops = outward_drops(image, labels, lambda);
+    for (std::size_t z = 1; z < zones.size(); ++z) zones[z].drops = drops[z];
   }
   zones_[tile] = std::move(zones);
   layers_.write(layer_, tile, {labels.width, labels.height, std::vector<Height>(labels.of.begin(), labels.of.end())});
@@ -56,8 +56,8 @@ std::vector<std::uint32_t> TileZones::numbers_at(std::int64_t row, std::int64_t 
 }
 
 // Whether some tiles hold two zones or more.
-bool TileZones::several(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
-                        std::int64_t to_row) const {
+bool TileZones::has_two_zones(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
+                              std::int64_t to_row) const {
   std::uint32_t seen = 0;
   for (std::int64_t row = from_row; row <= to_row; ++row)
     for (std::int64_t column = from_column; column <= to_column; ++column)
@@ -76,7 +76,7 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
   const std::int64_t from_column = std::max<std::int64_t>(x, 0) / side, from_row = std::max<std::int64_t>(y, 0) / side;
   const std::int64_t to_column = (std::min<std::int64_t>(frame.x + frame.width + halo, grid.width) - 1) / side;
   const std::int64_t to_row = (std::min<std::int64_t>(frame.y + frame.height + halo, grid.height) - 1) / side;
-  if (!several(from_column, to_column, from_row, to_row)) return {};
+  if (!has_two_zones(from_column, to_column, from_row, to_row)) return {};
   Image image = layer_around(layers_, layer_, tile, halo);
   for (std::int64_t row = from_row; row <= to_row; ++row)
     for (std::int64_t column = from_column; column <= to_column; ++column) {
@@ -98,7 +98,7 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
 // All zones on borders, joined; of the others those that are not far smaller than something else in their tile.
 std::vector<TileZones::Candidate> TileZones::candidates(const TileGroups& groups) const {
   std::vector<Candidate> all;
-  for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.falls(n), 0, 0});
+  for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.drops(n), 0, 0});
   for (std::size_t t = 0; t < zones_.size(); ++t) {
     std::uint64_t most = 0;
     for (const Zone& z : zones_[t]) most = std::max<std::uint64_t>(most, z.pixels);
@@ -106,11 +106,11 @@ std::vector<TileZones::Candidate> TileZones::candidates(const TileGroups& groups
       const Zone& z = zones_[t][i];
       if (z.on_border == 0) {
         if (z.pixels * kComparableZones >= most)
-          all.push_back({z.first, z.pixels, z.falls, groups.of[t], number(t, i)});
+          all.push_back({z.first, z.pixels, z.drops, groups.of[t], number(t, i)});
         continue;
       }
       Candidate& joined = all[borders_.number(t, z.on_border)];
-      joined = {std::min(joined.first, z.first), joined.pixels + z.pixels, joined.falls + z.falls, groups.of[t],
+      joined = {std::min(joined.first, z.first), joined.pixels + z.pixels, joined.drops + z.drops, groups.of[t],
                 number(t, i)};
     }
   }
@@ -125,7 +125,7 @@ GroundOfGroups TileZones::ground(const TileGroups& groups) const {
   GroundOfGroups found{std::vector<std::uint32_t>(groups.count + 1, 0), {}, {}};
   std::vector<GroundRank> best(groups.count + 1);
   for (const Candidate& c : all) {
-    const GroundRank rank = ground_rank(c.pixels, c.falls, most[c.group]);
+    const GroundRank rank = ground_rank(c.pixels, c.drops, most[c.group]);
     if (rank <= best[c.group]) continue;
     best[c.group] = rank;
     found.of_group[c.group] = c.number;

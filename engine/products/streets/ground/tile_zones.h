@@ -14,8 +14,8 @@ struct GroundOfGroups {
   std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least a tenth of the largest, the largest first
 };
 
-// Whether zone_falls are counted, which ground() asks for.
-enum class ZoneFalls : std::uint8_t { left_out, counted };
+// Whether outward_drops are counted, which ground() asks for.
+enum class OutwardDrops : std::uint8_t { left_out, counted };
 
 // Flat zones of tiles, joined where they touch. In order: find of all tiles, join, then the rest. Different tiles from
 // several threads at once. Memory: 24 bytes a zone of a tile, 8 a pixel of their borders.
@@ -24,7 +24,7 @@ class TileZones {
   // Labels of tiles are kept in `layer`.
   TileZones(const TileLayers& layers, const char* layer);
 
-  void find(std::size_t tile, const Image& image, Height lambda, ZoneFalls falls_wanted);
+  void find(std::size_t tile, const Image& image, Height lambda, OutwardDrops drops_wanted);
   void join(Height lambda);
 
   // The numbers in the whole of the labels of a tile; [0] = 0.
@@ -39,18 +39,19 @@ class TileZones {
     std::uint64_t first = 0;  // pixel in the whole
     std::uint32_t pixels = 0;
     std::uint32_t on_border = 0;
-    std::int32_t falls = 0;  // within the tile
+    std::int32_t drops = 0;  // within the tile
   };
   struct Candidate {
     std::uint64_t first, pixels;
-    std::int32_t falls;
+    std::int32_t drops;
     std::uint32_t group, number;
   };
   std::uint32_t number(std::size_t tile, std::size_t zone) const;
   // Empty where the tile is absent.
   std::vector<std::uint32_t> numbers_at(std::int64_t row, std::int64_t column) const;
   std::vector<Candidate> candidates(const TileGroups& groups) const;
-  bool several(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row, std::int64_t to_row) const;
+  bool has_two_zones(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
+                     std::int64_t to_row) const;
 
   const TileLayers& layers_;
   const char* layer_;

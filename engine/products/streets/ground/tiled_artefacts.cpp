@@ -103,7 +103,7 @@ class Draining {
       if (filling_.raise(tile, raised)) layers_.write("raised", tile, raised);
       const ZoneRuns plateaus =
           plateaus_of(raised, layer_tile(layers_, "over", tile), layer_tile(layers_, "mask", tile));
-      plateaus_[tile] = {borders_.tell(tile, plateaus), zone_pixels(plateaus)};
+      plateaus_[tile] = {borders_.record(tile, plateaus), zone_pixels(plateaus)};
     });
     borders_.join(0, Adjacency::four);
   }
@@ -117,7 +117,7 @@ class Draining {
       const Image over = layer_tile(layers_, "over", tile), raised = layer_tile(layers_, "raised", tile);
       const Image drained = reconstruct_by_erosion(marker_of(raised, over, layer_tile(layers_, "mask", tile), large),
                                                    over, Adjacency::eight);
-      filling_.tell_drained(tile, drained);
+      filling_.record_drained(tile, drained);
       layers_.write("raised", tile, drained);
     });
     filling_.join_drained();

@@ -47,14 +47,14 @@ class GroundFilling {
     const auto closed = [&](std::size_t tile) {
       return without_halo(fill_short_gaps(layer_around(layers_, "range", tile, halo), gaps_), halo - 1);
     };
-    const Links links = links_of(filled(closed, halo, "closed", ZoneFalls::left_out));
+    const Links links = links_of(filled(closed, halo, "closed", OutwardDrops::left_out));
     const auto linked = [&](std::size_t tile) {
       const TileFrame frame = tile_frame(layers_.grid, tile);
       Image around = layer_around(layers_, "closed", tile, 1);
       draw_links(layers_.grid, links, std::int64_t{frame.x} - 1, std::int64_t{frame.y} - 1, around);
       return around;
     };
-    TileZones zones = filled(linked, 1, "filled", ZoneFalls::counted);
+    TileZones zones = filled(linked, 1, "filled", OutwardDrops::counted);
     layers_.drop("closed");
     return zones;
   }
@@ -66,7 +66,7 @@ class GroundFilling {
   }
 
   // Fills what is missing in tiles that `read` gives with a pixel around them into a layer; its zones.
-  TileZones filled(const ReadTile& read, std::uint32_t halo, const char* layer, ZoneFalls falls) const {
+  TileZones filled(const ReadTile& read, std::uint32_t halo, const char* layer, OutwardDrops drops) const {
     TiledMissing missing(layers_.grid);
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write(layer, tile, missing.fill(tile, read(tile))); },
                   {40, halo});
@@ -75,7 +75,7 @@ class GroundFilling {
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image image = layer_tile(layers_, layer, tile);
       if (missing.finish(tile, image)) layers_.write(layer, tile, image);
-      zones.find(tile, image, flat_, falls);
+      zones.find(tile, image, flat_, drops);
     });
     zones.join(flat_);
     return zones;

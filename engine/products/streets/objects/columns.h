@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_things: what stands free as a column, cut out of the parts that hold it.
+// Inside of find_object_candidates: what stands free as a column, cut out of the parts that hold it.
 #pragma once
 #include <utility>
 #include <vector>
 
-#include "engine/products/streets/objects/things.h"
+#include "engine/products/streets/objects/object_candidates.h"
 #include "engine/tiles/raster_scale.h"
 #include "kernels/rasters/occupancy.h"
 

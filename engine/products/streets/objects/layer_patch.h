@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_things: a rectangle cut out of all layers at once.
+// Inside of find_object_candidates: a rectangle cut out of all layers at once.
 #pragma once
 #include <algorithm>
 #include <cstdint>

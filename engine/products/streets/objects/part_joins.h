@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_things: which parts of a component are joined, and in which order.
+// Inside of find_object_candidates: which parts of a component are joined, and in which order.
 #pragma once
 #include <cstdint>
 #include <span>

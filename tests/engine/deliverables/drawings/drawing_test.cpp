@@ -32,7 +32,7 @@ TEST(Drawing, NumbersAreNumbers) {
   EXPECT_THROW(decimal(std::numeric_limits<double>::infinity(), 2), Error);
 }
 
-TEST(Drawing, ExtentHoldsArcs) {
+TEST(Drawing, ExtentContainsArcs) {
   Drawing drawing;
   EXPECT_EQ(extent_of(drawing).width(), 0);
   drawing.lines.push_back({DrawingRole::opening, {{0, 0, 0}, {2, 0, 0}, {2, 3, 1}, {0, 3, 0}}, true});

@@ -97,7 +97,7 @@ TEST(FacadeDrawing, LevelsThatLieCloseAreSpreadAndLed) {
   for (std::size_t i = 0; i + 1 < places.size(); ++i) EXPECT_GE(places[i + 1] - places[i], 1.4 * drawing.paper_mm(1.8));
 }
 
-TEST(FacadeDrawing, TheTitleBlockTellsWhatItIs) {
+TEST(FacadeDrawing, TheTitleBlockNamesTheDrawing) {
   FacadeDrawingParams params;
   params.scale = 100;
   params.title = "12 rue de l'\xC3\x89glise";
@@ -117,7 +117,7 @@ TEST(FacadeDrawing, TheTitleBlockTellsWhatItIs) {
     EXPECT_TRUE(says(bare, words)) << words;
 }
 
-TEST(FacadeDrawing, PaperIsAStandardSizeThatHoldsEverything) {
+TEST(FacadeDrawing, PaperIsAStandardSizeThatFitsEverything) {
   for (const double width : {1.0, 8.0, 14.0, 30.0, 70.0}) {
     const Drawing drawing = facade_drawing(facade_of({drawn("outline", wall_rectangle(0, 0, width, 5))}));
     const double mm_wide = drawing.sheet.width() / drawing.paper_mm(1),

@@ -54,7 +54,7 @@ TEST(FacadesPage, CountsDrawsAndListsWhatIsDoubtful) {
   EXPECT_EQ(count(html, "<td>bottom</td><td>completed</td><td class=\"n\">9</td>"), 2u);
 }
 
-TEST(FacadesPage, TellsOfEdgesThatWereSeenAndHaveNoPoints) {
+TEST(FacadesPage, ReportsEdgesThatWereSeenAndHaveNoPoints) {
   const TemporaryFolder folder;
   FacadesPage page(folder.path() / "facades.html", preset_layers("ilot"));
   FacadeElement window = drawn("window", wall_rectangle(1, 1, 2, 3));

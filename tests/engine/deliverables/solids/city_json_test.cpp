@@ -38,7 +38,7 @@ class CityJson : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-TEST_F(CityJson, OneObjectHoldsAllBuildings) {
+TEST_F(CityJson, OneObjectContainsAllBuildings) {
   const auto path = folder_ / "two.city.json";
   CityJsonWriter writer(path, {2154, {100, 200, 0}, 0.001});
   writer.add(tetrahedron("a", 0));

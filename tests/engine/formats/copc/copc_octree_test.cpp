@@ -96,16 +96,16 @@ TEST(CopcOctree, TheRootKeepsThePointNearestToTheCentreOfEachCell) {
   EXPECT_EQ(nodes[0].end - nodes[0].first, cells) << "one of each";
 }
 
-TEST(CopcOctree, InvariantsHoldForSpreadCrowdedAndCoincidentPoints) {
+TEST(CopcOctree, InvariantsHoldForUniformClusteredAndCoincidentPoints) {
   Rng rng(1);
-  std::vector<std::uint64_t> spread, crowded, mixed;
+  std::vector<std::uint64_t> spread, clustered, mixed;
   for (int i = 0; i < 300000; ++i) {
     spread.push_back(random_code(rng, 1u << kMortonBits));
-    crowded.push_back(random_code(rng, 300));
+    clustered.push_back(random_code(rng, 300));
     mixed.push_back(i % 2 ? 12345678901234567ull : random_code(rng, 1u << (1 + rng.below(20))));
   }
   check(spread);
-  check(crowded);
+  check(clustered);
   check(mixed);
   check(std::vector<std::uint64_t>(100000, (std::uint64_t{1} << 63) - 1));
 }

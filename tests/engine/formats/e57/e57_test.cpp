@@ -168,7 +168,7 @@ std::string scanned_wall(bool with_grid) {
   return writer.finish();
 }
 
-TEST(E57, RowsAndColumnsOrTheOrderOfPointsTellTheAngularSteps) {
+TEST(E57, RowsAndColumnsOrTheOrderOfPointsGiveTheAngularSteps) {
   for (const bool with_grid : {true, false}) {
     SCOPED_TRACE(with_grid);
     const Folder folder;

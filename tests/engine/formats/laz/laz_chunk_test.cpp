@@ -135,7 +135,7 @@ TEST(LazChunk, FieldsNotAskedForDoNotDisturbTheOthers) {
   }
 }
 
-TEST(LazChunk, DamageIsToldOrHarmless) {
+TEST(LazChunk, DamageIsReportedOrHarmless) {
   Rng rng(77);
   for (const ChunkLayout& layout : all_layouts()) {
     const auto records = PointMaker(layout, 13).make(300);

@@ -82,7 +82,7 @@ TEST(Ptx, ScansOfDifferentContentFollowEachOther) {
 }
 
 // A wall at x = 10 m, scanned in steps of 2 and 1 mrad by a scanner that lies on its side.
-TEST(Ptx, TheGridTellsTheAngularSteps) {
+TEST(Ptx, TheGridGivesTheAngularSteps) {
   const Folder folder;
   std::string text = "40\n60\n5 6 7\n1 0 0\n0 0 -1\n0 1 0\n1 0 0 0\n0 0 -1 0\n0 1 0 0\n5 6 7 1\n";
   for (int column = 0; column < 40; ++column)
@@ -102,7 +102,7 @@ TEST(Ptx, TheGridTellsTheAngularSteps) {
   EXPECT_EQ(s.axis.z, 0);
 }
 
-TEST(Ptx, TooFewPointsTellNoSteps) {
+TEST(Ptx, TooFewPointsGiveNoSteps) {
   const Folder folder;
   const OpenedPtx o =
       open_ptx_of(folder, std::string("2\n2\n") + kPlain + "5 0 0 1\n5 0 0.1 1\n5 0.1 0 1\n5 0.1 0.1 1\n");

@@ -90,12 +90,12 @@ TEST(TextDialect, WholeNumbersBetweenCommasStayWhole) {
 TEST(TextDialect, WhatCanBeReadInTwoWaysIsRefusedWithBothAndTheWayOut) {
   for (const std::string row : {"1,234;5,678;9,012", "1,234 5,678 9,012", "1 234\t5 678\t9 012",
                                 "651000,123,6861000,456,55,1", "\"1,234\",\"5,678\",\"9,012\""}) {
-    const std::string said = refusal_of({row});
-    EXPECT_NE(said.find("two ways"), std::string::npos) << row << ": " << said;
-    EXPECT_EQ(said.find("t.txt: line 1: "), 0u) << said;
-    const std::size_t option = said.find("--text-dialect ");
+    const std::string message = refusal_of({row});
+    EXPECT_NE(message.find("two ways"), std::string::npos) << row << ": " << message;
+    EXPECT_EQ(message.find("t.txt: line 1: "), 0u) << message;
+    const std::size_t option = message.find("--text-dialect ");
     ASSERT_NE(option, std::string::npos);
-    const std::string words = said.substr(option + 15, said.find(' ', option + 15) - option - 15);
+    const std::string words = message.substr(option + 15, message.find(' ', option + 15) - option - 15);
     std::vector<double> values(3);
     std::vector<std::string_view> fields;
     EXPECT_NO_THROW(dialect_of_words(words)) << words;

@@ -28,7 +28,7 @@ TEST(RoofLabels, EveryPointHasTheLabelOfItsFirstUnit) {
             {static_cast<std::uint32_t>(rng.below(store.blocks()[block].points)), unit % 5, PointLabel::roof});
         points[unit].push_back({block, part.back().point});
       }
-      runs[unit].push_back(labels.put_aside(block, part));
+      runs[unit].push_back(labels.store_labels(block, part));
     }
   }
   for (std::uint32_t unit = 0; unit < runs.size(); ++unit) {

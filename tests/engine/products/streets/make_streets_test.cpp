@@ -14,15 +14,15 @@
 #include "engine/error.h"
 #include "engine/run/run.h"
 #include "tests/support/cloud_store.h"
-#include "training/thing_training.h"
+#include "training/object_model_training.h"
 
 namespace ilot {
 namespace {
 
 using nlohmann::json;
 
-ThingModel learn(std::span<const ThingSample> samples) {
-  return train_things(samples);
+ObjectModel learn(std::span<const TrainingSample> samples) {
+  return train_object_model(samples);
 }
 
 json record_of(const std::filesystem::path& out) {
@@ -87,13 +87,13 @@ TEST(StreetsProduct, AllFilesAreThere) {
   EXPECT_EQ(out.record["chosen"][0]["key"], "streets.pixel");
 }
 
-TEST(StreetsProduct, ThingsAreFoundOnEverySlope) {
+TEST(StreetsProduct, ObjectsAreFoundOnEverySlope) {
   for (const int percent : {0, 20}) {
     const auto points = street_points(percent, 3);
     const test::CloudStore store(points);
     const FoundStreet street = find_street(store.store(), {}, {});
     std::size_t boxes = 0;
-    for (const Thing& t : street.things)
+    for (const ObjectCandidate& t : street.candidates)
       if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
     EXPECT_EQ(boxes, 3u) << percent;
     ASSERT_EQ(street.stretches.size(), 2u) << percent;
@@ -114,7 +114,7 @@ TEST(StreetsProduct, WhereItWasScannedFrom) {
   const test::CloudStore above(air);
   const FoundStreet found = find_street(above.store(), {}, {});
   EXPECT_EQ(found.view, StreetView::air);
-  EXPECT_EQ(found.density.crowded, 0);
+  EXPECT_EQ(found.density.dense_share, 0);
   std::size_t empty = 0, pixels = 0;
   const TileRaster& raster = found.tiles->raster();
   const Image seen = layer_window(found.tiles->layers(), "accumulation", raster.column(700000000) + 4,
@@ -141,7 +141,7 @@ TEST(StreetsProduct, OneSideOnly) {
   const test::CloudStore store(street_points(2, 2, false));
   const FoundStreet street = find_street(store.store(), {}, {});
   EXPECT_EQ(street.stretches.size(), 1u);
-  EXPECT_GE(street.things.size(), 2u);
+  EXPECT_GE(street.candidates.size(), 2u);
 }
 
 // 50 km and more from the first, at a multiple of tiles for pixels of 5 cm.
@@ -162,17 +162,17 @@ TEST(StreetsProduct, ASecondSiteFarAwayCostsItsOwnTiles) {
   EXPECT_EQ(grid.count(), 2 * first.count());
   EXPECT_LT(grid.width, 100u * grid.side);
   EXPECT_LT(grid.height, 100u * grid.side);
-  ASSERT_EQ(both.things.size(), 2 * alone.things.size());
+  ASSERT_EQ(both.candidates.size(), 2 * alone.candidates.size());
   std::multiset<std::tuple<Height, std::uint64_t, std::uint32_t>> want, got;
-  for (const Thing& t : alone.things)
+  for (const ObjectCandidate& t : alone.candidates)
     for (int times = 0; times < 2; ++times) want.insert({t.ground, t.points, t.pixels});
-  for (const Thing& t : both.things) got.insert({t.ground, t.points, t.pixels});
+  for (const ObjectCandidate& t : both.candidates) got.insert({t.ground, t.points, t.pixels});
   EXPECT_EQ(got, want);
   // Places are those of the sites.
   const TileRaster& raster = both.tiles->raster();
   std::size_t far = 0;
-  for (const Thing& t : both.things) far += raster.crs_x(t.x) > 700000 + 1000;
-  EXPECT_EQ(far, alone.things.size());
+  for (const ObjectCandidate& t : both.candidates) far += raster.crs_x(t.x) > 700000 + 1000;
+  EXPECT_EQ(far, alone.candidates.size());
   EXPECT_NEAR(raster.crs_x(static_cast<double>(raster.column(700000000 + 2000 * 25600))), 751200, 0.051);
   EXPECT_EQ(raster.column(710000000), -1);
 }
@@ -244,13 +244,13 @@ TEST(StreetsProduct, ABridgeOverTheStreet) {
   const test::CloudStore store(points);
   const FoundStreet street = find_street(store.store(), {}, {});
   std::size_t boxes = 0;
-  for (const Thing& t : street.things)
+  for (const ObjectCandidate& t : street.candidates)
     if (t.parts[0] == 0 && t.length > 3.5 && t.length < 4.5 && t.width > 1.4 && t.width < 2) ++boxes;
   EXPECT_EQ(boxes, 2u) << "those on the longer side of the bridge";
   EXPECT_FALSE(street.ground.left_out.empty());
   const TemporaryFolder folder;
-  const std::string told = run_cloud(folder, points, "out").record["warnings"].dump();
-  EXPECT_NE(told.find("as when a bridge crosses the street"), std::string::npos) << told;
+  const std::string warnings = run_cloud(folder, points, "out").record["warnings"].dump();
+  EXPECT_NE(warnings.find("as when a bridge crosses the street"), std::string::npos) << warnings;
   const test::CloudStore open(street_points(0, 3));
   EXPECT_TRUE(find_street(open.store(), {}, {}).ground.left_out.empty()) << "without the bridge";
 }
@@ -303,13 +303,13 @@ TEST(StreetsProduct, LearnsFromPlaces) {
       << "one thing of a class is too little";
 }
 
-struct Stand {
+struct TestObject {
   std::int64_t x, y, length, width, height;  // millimetres
   const char* name;
 };
 
-const std::vector<Stand>& stands() {
-  static const std::vector<Stand> list{
+const std::vector<TestObject>& test_objects() {
+  static const std::vector<TestObject> list{
       {1500, 2500, 4000, 1700, 1400, "car"},    {8500, 2500, 4200, 1800, 1500, "car"},
       {2000, 8000, 200, 200, 5000, "lamppost"}, {8000, 8000, 200, 200, 5500, "lamppost"},
       {15000, 8000, 600, 700, 1100, "other"},   {20000, 8000, 700, 600, 1000, "other"},
@@ -323,11 +323,11 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   std::vector<Index3> points = street_points(1, 0);
   std::string features;
   for (Index3& p : points)
-    for (const Stand& s : stands()) {
+    for (const TestObject& s : test_objects()) {
       const std::int64_t x = p.x - 700000000 - s.x, y = p.y - 660000000 - s.y;
       if (x >= 0 && x < s.length && y >= 0 && y < s.width) p.z += s.height;
     }
-  for (const Stand& s : stands())
+  for (const TestObject& s : test_objects())
     features += (features.empty() ? "" : ",") + place(700000 + 0.001 * static_cast<double>(s.x + s.length / 2),
                                                       660000 + 0.001 * static_cast<double>(s.y + s.width / 2), s.name);
   features += "," + place(900000, 660001, "car");
@@ -339,7 +339,19 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
       << out.record["warnings"].dump();
   EXPECT_NE(out.record["warnings"].dump().find("1 of its 10 places are on nothing"), std::string::npos)
       << out.record["warnings"].dump();
-  EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "things.model"), 0u);
+  EXPECT_GT(std::filesystem::file_size(out.out / "streets" / "objects.model"), 0u);
+
+  // The same model in the words of version 2 says the same, with a warning.
+  std::stringstream text;
+  text << std::ifstream(out.out / "streets" / "objects.model").rdbuf();
+  std::string old = text.str();
+  ASSERT_TRUE(old.starts_with("ilot objects 3\n"));
+  const auto again = run_cloud(folder, points, "again", [&](RunOptions& o) { o.train = folder.put("new.model", old); });
+  old = "ilot things 2" + old.substr(std::string("ilot objects 3").size());
+  const auto older = run_cloud(folder, points, "older", [&](RunOptions& o) { o.train = folder.put("old.model", old); });
+  EXPECT_EQ(again.record["result_hash"], older.record["result_hash"]);
+  EXPECT_EQ(again.record["warnings"].dump().find("version 2"), std::string::npos);
+  EXPECT_NE(older.record["warnings"].dump().find("version 2"), std::string::npos);
 }
 
 TEST(StreetsProduct, PlacesOutsideTheCloudAreRefused) {

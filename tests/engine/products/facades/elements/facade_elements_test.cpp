@@ -12,11 +12,11 @@ namespace {
 FacadeElement arched(double left, double right) {
   FacadeSite site;
   site.axes = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
-  FacadeThing thing;
+  ElementCandidate candidate;
   const double at[4] = {1, right, 3.6, left};
-  for (const Side side : kSides) thing.shape.side(side) = {at[static_cast<std::size_t>(side)], 0.002};
-  thing.shape.arc = TopArc{{2, 3}, 0.6, 0.001, 0.001, 100};
-  return element_of(site, thing);
+  for (const Side side : kSides) candidate.shape.side(side) = {at[static_cast<std::size_t>(side)], 0.002};
+  candidate.shape.arc = TopArc{{2, 3}, 0.6, 0.001, 0.001, 100};
+  return element_of(site, candidate);
 }
 
 // One millimetre of the jamb moves the place where it meets the circle by 35.

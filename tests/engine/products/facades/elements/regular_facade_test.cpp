@@ -11,9 +11,9 @@
 namespace ilot {
 namespace {
 
-FacadeThing thing(double u0, double u1, double v0, double v1, double error,
-                  FacadeThingKind kind = FacadeThingKind::window) {
-  FacadeThing t;
+ElementCandidate candidate(double u0, double u1, double v0, double v1, double error,
+                           ElementKind kind = ElementKind::window) {
+  ElementCandidate t;
   t.kind = kind;
   const double at[4] = {v0, u1, v1, u0};
   for (const Side side : kSides) {
@@ -23,122 +23,123 @@ FacadeThing thing(double u0, double u1, double v0, double v1, double error,
   return t;
 }
 
-std::vector<FacadeThing> grid(double noise, double error) {
+std::vector<ElementCandidate> grid(double noise, double error) {
   Rng rng(4);
   const auto off = [&] { return noise * (2 * rng.uniform() - 1); };
-  std::vector<FacadeThing> things;
+  std::vector<ElementCandidate> candidates;
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 5; ++column)
-      things.push_back(
-          thing(3.0 * column + off(), 3.0 * column + 1.1 + off(), 3.0 * row + off(), 3.0 * row + 1.7 + off(), error));
-  return things;
+      candidates.push_back(candidate(3.0 * column + off(), 3.0 * column + 1.1 + off(), 3.0 * row + off(),
+                                     3.0 * row + 1.7 + off(), error));
+  return candidates;
 }
 
 TEST(RegularFacade, RowsColumnsAndOneFamily) {
-  std::vector<FacadeThing> things = grid(0.01, 0.012);
-  group_things(things);
-  for (std::size_t i = 0; i < things.size(); ++i) {
-    EXPECT_EQ(things[i].row, i / 5 + 1);
-    EXPECT_EQ(things[i].column, i % 5 + 1);
-    EXPECT_EQ(things[i].family, 1u);
+  std::vector<ElementCandidate> candidates = grid(0.01, 0.012);
+  group_elements(candidates);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    EXPECT_EQ(candidates[i].row, i / 5 + 1);
+    EXPECT_EQ(candidates[i].column, i % 5 + 1);
+    EXPECT_EQ(candidates[i].family, 1u);
   }
 }
 
 TEST(RegularFacade, EdgesMoveNoFartherThanTheirErrorAndNearerToTheTruth) {
-  const std::vector<FacadeThing> before = grid(0.008, 0.008);
-  std::vector<FacadeThing> things = before;
-  regularise_things(things);
+  const std::vector<ElementCandidate> before = grid(0.008, 0.008);
+  std::vector<ElementCandidate> candidates = before;
+  regularise_elements(candidates);
   double off_before = 0, off_after = 0;
-  for (std::size_t i = 0; i < things.size(); ++i) {
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
     const double truth = 3.0 * static_cast<double>(i % 5);
     off_before += std::abs(before[i].shape.at(Side::left) - truth);
-    off_after += std::abs(things[i].shape.at(Side::left) - truth);
+    off_after += std::abs(candidates[i].shape.at(Side::left) - truth);
     for (const Side side : kSides) {
-      const double moved = std::abs(things[i].shape.at(side) - before[i].shape.at(side));
+      const double moved = std::abs(candidates[i].shape.at(side) - before[i].shape.at(side));
       EXPECT_LE(moved, 2 * 0.008 + 1e-12);
-      EXPECT_GE(things[i].shape.side(side).moved, moved - 1e-12);
-      EXPECT_LE(things[i].shape.error(side), 0.008);
+      EXPECT_GE(candidates[i].shape.side(side).moved, moved - 1e-12);
+      EXPECT_LE(candidates[i].shape.error(side), 0.008);
     }
   }
   EXPECT_LT(off_after, 0.5 * off_before);
 }
 
 // A family's size is known as well as that of its best member; where members differ by more than they may be off, less.
-TEST(RegularFacade, AFamilyTellsHowWellItsSizeIsKnown) {
-  std::vector<FacadeThing> things = grid(0.004, 0.008);
-  for (const Side side : kSides) things[7].shape.side(side).error = 0.002;
-  regularise_things(things);
-  for (const FacadeThing& t : things) {
+TEST(RegularFacade, AFamilyGivesTheErrorOfItsSize) {
+  std::vector<ElementCandidate> candidates = grid(0.004, 0.008);
+  for (const Side side : kSides) candidates[7].shape.side(side).error = 0.002;
+  regularise_elements(candidates);
+  for (const ElementCandidate& t : candidates) {
     for (const double error : {t.shape.width_error, t.shape.height_error}) {
       EXPECT_GE(error, std::sqrt(2.0) * 0.002 - 1e-12);
       EXPECT_LE(error, 2 * 0.002 + 1e-12);  // both sides to the same side
     }
   }
-  std::vector<FacadeThing> uneven;
-  for (int i = 0; i < 6; ++i) uneven.push_back(thing(3.0 * i, 3.0 * i + 1 + 0.01 * (i % 2), 0, 1.5, 0.006));
-  regularise_things(uneven);
-  for (const FacadeThing& t : uneven) EXPECT_GT(t.shape.width_error, 0.009);
+  std::vector<ElementCandidate> uneven;
+  for (int i = 0; i < 6; ++i) uneven.push_back(candidate(3.0 * i, 3.0 * i + 1 + 0.01 * (i % 2), 0, 1.5, 0.006));
+  regularise_elements(uneven);
+  for (const ElementCandidate& t : uneven) EXPECT_GT(t.shape.width_error, 0.009);
 }
 
 TEST(RegularFacade, WhatIsSurelyDifferentStaysSo) {
-  std::vector<FacadeThing> things{thing(0, 1, 0, 1.5, 0.001), thing(3, 4.02, 0.02, 1.5, 0.001)};
-  const auto before = things;
-  regularise_things(things);
+  std::vector<ElementCandidate> candidates{candidate(0, 1, 0, 1.5, 0.001), candidate(3, 4.02, 0.02, 1.5, 0.001)};
+  const auto before = candidates;
+  regularise_elements(candidates);
   for (std::size_t i = 0; i < 2; ++i)
-    for (const Side side : kSides) EXPECT_NEAR(things[i].shape.at(side), before[i].shape.at(side), 1e-12);
+    for (const Side side : kSides) EXPECT_NEAR(candidates[i].shape.at(side), before[i].shape.at(side), 1e-12);
 }
 
 TEST(RegularFacade, OrderDoesNotMatter) {
-  std::vector<FacadeThing> things = grid(0.008, 0.008), turned = things;
+  std::vector<ElementCandidate> candidates = grid(0.008, 0.008), turned = candidates;
   std::reverse(turned.begin(), turned.end());
-  regularise_things(things);
-  regularise_things(turned);
-  for (std::size_t i = 0; i < things.size(); ++i)
-    for (const Side side : kSides) EXPECT_EQ(things[i].shape.at(side), turned[things.size() - 1 - i].shape.at(side));
+  regularise_elements(candidates);
+  regularise_elements(turned);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (const Side side : kSides)
+      EXPECT_EQ(candidates[i].shape.at(side), turned[candidates.size() - 1 - i].shape.at(side));
 }
 
 TEST(RegularFacade, HiddenSidesComeFromTheSillTheRowOrTheSize) {
-  std::vector<FacadeThing> things{thing(0, 1.1, 3, 4.7, 0.002), thing(3, 4.1, 3, 4.7, 0.002),
-                                  thing(6, 7.1, 3.05, 4.7, 0.002),
-                                  thing(5.9, 7.2, 2.85, 3, 0.001, FacadeThingKind::sill)};
-  LocatedEdge& bottom = things[2].shape.side(Side::bottom);
+  std::vector<ElementCandidate> candidates{candidate(0, 1.1, 3, 4.7, 0.002), candidate(3, 4.1, 3, 4.7, 0.002),
+                                           candidate(6, 7.1, 3.05, 4.7, 0.002),
+                                           candidate(5.9, 7.2, 2.85, 3, 0.001, ElementKind::sill)};
+  LocatedEdge& bottom = candidates[2].shape.side(Side::bottom);
   bottom.status = DrawnStatus::occluded;
   bottom.inner = 3.05, bottom.at = 2.95, bottom.error = 0.1;
-  LocatedEdge& right = things[1].shape.side(Side::right);
+  LocatedEdge& right = candidates[1].shape.side(Side::right);
   right.status = DrawnStatus::occluded;
   right.at = right.inner = 3.6, right.error = 3;
-  LocatedEdge& low = things[0].shape.side(Side::bottom);
+  LocatedEdge& low = candidates[0].shape.side(Side::bottom);
   low.status = DrawnStatus::occluded;
   low.at = low.inner = 3.4, low.error = 3;
-  group_things(things);
-  complete_things(things);
-  EXPECT_NEAR(things[2].shape.at(Side::bottom), 3, 1e-12);
-  EXPECT_NEAR(things[1].shape.at(Side::right), 4.1, 0.003);
-  EXPECT_NEAR(things[0].shape.at(Side::bottom), 3, 0.003);
-  for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(things[i].reason.empty());
-  EXPECT_EQ(things[1].shape.side(Side::right).status, DrawnStatus::completed);
+  group_elements(candidates);
+  complete_elements(candidates);
+  EXPECT_NEAR(candidates[2].shape.at(Side::bottom), 3, 1e-12);
+  EXPECT_NEAR(candidates[1].shape.at(Side::right), 4.1, 0.003);
+  EXPECT_NEAR(candidates[0].shape.at(Side::bottom), 3, 0.003);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_FALSE(candidates[i].reason.empty());
+  EXPECT_EQ(candidates[1].shape.side(Side::right).status, DrawnStatus::completed);
 }
 
 // Others of another size are more, but those beside it were built as it was.
 TEST(RegularFacade, HiddenSidesTakeTheSizeOfTheirRow) {
-  std::vector<FacadeThing> things{thing(0, 1.3, 6, 8, 0.002), thing(3, 4.3, 6, 8, 0.002)};
-  for (const double u : {0.0, 3.0, 6.0, 9.0}) things.push_back(thing(u, u + 1.2, 2, 4, 0.002));
-  LocatedEdge& left = things[1].shape.side(Side::left);
+  std::vector<ElementCandidate> candidates{candidate(0, 1.3, 6, 8, 0.002), candidate(3, 4.3, 6, 8, 0.002)};
+  for (const double u : {0.0, 3.0, 6.0, 9.0}) candidates.push_back(candidate(u, u + 1.2, 2, 4, 0.002));
+  LocatedEdge& left = candidates[1].shape.side(Side::left);
   left.status = DrawnStatus::occluded;
   left.at = left.inner = 3.2, left.error = 3;
-  group_things(things);
-  complete_things(things);
-  EXPECT_NEAR(things[1].shape.at(Side::left), 3, 0.005);
-  EXPECT_EQ(things[1].shape.side(Side::left).status, DrawnStatus::completed);
+  group_elements(candidates);
+  complete_elements(candidates);
+  EXPECT_NEAR(candidates[1].shape.at(Side::left), 3, 0.005);
+  EXPECT_EQ(candidates[1].shape.side(Side::left).status, DrawnStatus::completed);
 }
 
 TEST(RegularFacade, NothingToCompleteFromStaysOccluded) {
-  std::vector<FacadeThing> things{thing(0, 1.1, 3, 4.7, 0.002)};
-  things[0].shape.side(Side::bottom).status = DrawnStatus::occluded;
-  things[0].shape.side(Side::bottom).inner = 3.3;
-  complete_things(things);
-  EXPECT_EQ(things[0].shape.side(Side::bottom).status, DrawnStatus::occluded);
-  EXPECT_EQ(things[0].shape.at(Side::bottom), 3.3);
+  std::vector<ElementCandidate> candidates{candidate(0, 1.1, 3, 4.7, 0.002)};
+  candidates[0].shape.side(Side::bottom).status = DrawnStatus::occluded;
+  candidates[0].shape.side(Side::bottom).inner = 3.3;
+  complete_elements(candidates);
+  EXPECT_EQ(candidates[0].shape.side(Side::bottom).status, DrawnStatus::occluded);
+  EXPECT_EQ(candidates[0].shape.at(Side::bottom), 3.3);
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/products/facades/openings/face_crowd.h"
+#include "engine/products/facades/openings/face_cluster.h"
 #include "tests/support/facade_sites.h"
 #include "tests/support/sampled_site.h"
 
@@ -55,7 +55,7 @@ TEST(LocatedEdge, AnEndThatNobodySawLiesInItsGap) {
 
 // Nobody knows where points were seen from: what lies right behind a thing, its own soffit and walls farther in, was
 // seen another way than square to it.
-TEST(LocatedEdge, WhatLiesBehindAThingTellsNothingOfItsEdges) {
+TEST(LocatedEdge, PointsBehindAnElementGiveNoEdge) {
   test::SampledSite s(6, 4, 0.03, 0.002);
   s.sheet(1, 5, 1, 3, 1, kPlane);
   s.sheet(1, 5, 0.5, 3, -1, 7);  // a wall farther in: as many points, higher up too
@@ -71,30 +71,30 @@ TEST(LocatedEdge, WhatLiesBehindAThingTellsNothingOfItsEdges) {
   }
 }
 
-TEST(FaceCrowd, AFewPointsThatAgreeAreAFaceScatteredOnesAreNone) {
+TEST(FaceCluster, AFewPointsThatAgreeAreAFaceScatteredOnesAreNone) {
   const FaceSearch search{0, 0.1, 0.008, 0.06, 0.1};
   std::vector<FacePoint> points{{0.051, 0.05, 0.01}, {0.049, 0.05, 0.04}, {0.050, 0.05, 0.06}, {0.050, 0.05, 0.09}};
-  const FaceLine face = find_touches(crowd_of(points, search), search, 0.001);
+  const FaceLine face = find_touches(densest_cluster(points, search), search, 0.001);
   EXPECT_EQ(face.points, 4u);
   EXPECT_NEAR(face.at, 0.05, 1e-12);
-  EXPECT_NEAR(face.rms * face.shaky, 0.0005, 1e-12);
-  EXPECT_EQ(find_face(crowd_of(points, search), search, 0).points, 0u);  // too few for a line
+  EXPECT_NEAR(face.rms * face.error_factor, 0.0005, 1e-12);
+  EXPECT_EQ(find_face(densest_cluster(points, search), search, 0).points, 0u);  // too few for a line
   points.insert(points.end(), {{0.02, 0.03, 0.01}, {0.08, 0.03, 0.05}});
-  EXPECT_EQ(find_touches(crowd_of(points, search), search, 0.001).points, 0u);
+  EXPECT_EQ(find_touches(densest_cluster(points, search), search, 0.001).points, 0u);
   points.resize(3);
-  EXPECT_EQ(find_touches(crowd_of(points, search), search, 0.001).points, 0u);
+  EXPECT_EQ(find_touches(densest_cluster(points, search), search, 0.001).points, 0u);
 }
 
 // A line is extended to the plane: the farther from its points, the less is known.
-TEST(FaceCrowd, ALineIsKnownLessFarFromItsPoints) {
+TEST(FaceCluster, ALineIsKnownLessFarFromItsPoints) {
   const FaceSearch search{0, 0.1, 0.02, 0.06, 0.1};
   std::vector<FacePoint> points;
   for (int i = 0; i < 20; ++i) points.push_back({0.05 + 0.001 * (i % 2), 0.01 + 0.002 * i, 0.005 * i});
-  const FaceCrowd crowd = crowd_of(points, search);
-  const FaceLine near = find_face(crowd, search, 0.03), far = find_face(crowd, search, 0.2);
+  const FaceCluster cluster = densest_cluster(points, search);
+  const FaceLine near = find_face(cluster, search, 0.03), far = find_face(cluster, search, 0.2);
   ASSERT_EQ(near.points, 20u);
-  EXPECT_NEAR(near.shaky, 1 / std::sqrt(20.0), 0.01);
-  EXPECT_GT(far.shaky, 4 * near.shaky);
+  EXPECT_NEAR(near.error_factor, 1 / std::sqrt(20.0), 0.01);
+  EXPECT_GT(far.error_factor, 4 * near.error_factor);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ TEST(RaySamples, RaysCrossTheWallOnTheirWay) {
   EXPECT_NEAR(samples.crossing(rays[0], 0).u, 1 + 2 * 0.9, 1e-6);
   EXPECT_NEAR(samples.crossing(rays[0], 0).v, 1 + 0.9, 1e-6);
   EXPECT_NEAR(samples.crossing(rays[0], 9).u, 1, 1e-6);
-  EXPECT_EQ(samples.met(rays[0], 0, 0.005), Met::through);
-  EXPECT_EQ(samples.met(rays[1], 0, 0.005), Met::solid);
-  EXPECT_EQ(samples.met(rays[2], 0, 0.005), Met::before);
+  EXPECT_EQ(samples.met(rays[0], 0, 0.005), RayOutcome::through);
+  EXPECT_EQ(samples.met(rays[1], 0, 0.005), RayOutcome::solid);
+  EXPECT_EQ(samples.met(rays[2], 0, 0.005), RayOutcome::before);
   EXPECT_NEAR(samples.step_at({1, 1}).u, 0.009, 1e-12);
   EXPECT_NEAR(samples.step_at({1, 1}).v, 0.018, 1e-12);
 }
@@ -64,12 +64,12 @@ TEST(RaySamples, NearFindsAllOfABox) {
   const RaySamples samples(site);
   const Box2 box{2.3, 3.9, -0.4, 1.7};
   const std::vector<Ray> near = in_order(samples.near(box)), there = in_order(samples.at_places(box));
-  const auto holds = [](const std::vector<Ray>& rays, const Ray& ray) {
+  const auto contains = [](const std::vector<Ray>& rays, const Ray& ray) {
     return std::count_if(rays.begin(), rays.end(), [&](const Ray& r) { return r.at.plane == ray.at.plane; });
   };
   for (const Ray& ray : in_order(samples.all())) {
-    EXPECT_TRUE(!box.holds(samples.crossing(ray, 0)) || holds(near, ray) == 1) << ray.at.plane;
-    EXPECT_TRUE(!box.holds({ray.at.u, ray.at.v}) || holds(there, ray) == 1) << ray.at.plane;
+    EXPECT_TRUE(!box.contains(samples.crossing(ray, 0)) || contains(near, ray) == 1) << ray.at.plane;
+    EXPECT_TRUE(!box.contains({ray.at.u, ray.at.v}) || contains(there, ray) == 1) << ray.at.plane;
   }
   EXPECT_LT(near.size(), 1000u);
   EXPECT_LT(there.size(), 1500u);
@@ -107,7 +107,7 @@ TEST(RaySamples, OfSeveralStationsOneThatCouldSeeThePoint) {
 TEST(RaySamples, APointsOwnStation) {
   FacadeSite site =
       site_with({{3, 2, -1, 0}, {3, 2, -1, 0}, {3, 2, 0.5f, 0}, {3, 2, -1, 0}}, {{{1, 1, 9}, 0, 0}, {{5, 1, 3}, 0, 0}});
-  site.from = {1, 2, kStationAside, kStationUnknown};
+  site.from = {1, 2, kStationNotInFront, kStationUnknown};
   const RaySamples samples(site);
   const std::vector<Ray> rays = in_order(samples.all());
   EXPECT_NEAR(samples.crossing(rays[0], 0).u, 3 - 2 * 0.1, 1e-6);

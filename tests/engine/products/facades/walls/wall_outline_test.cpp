@@ -123,7 +123,7 @@ TEST(WallOutline, SlopesEndWhereTheyWereSeen) {
 }
 
 // A gap between higher stretches is no step, and what stands before the wall hides it.
-TEST(WallOutline, GapsAndThingsBeforeTheWallAreNoSteps) {
+TEST(WallOutline, GapsAndObjectsBeforeTheWallAreNoSteps) {
   EXPECT_TRUE(outline_of(wall_under([](double u) { return u > 2 && u < 4 ? 3.5 : 5.0; })).edges.empty());
   FacadeSite site = wall_under([](double u) { return u < 4 ? 5.0 : 3.5; });
   for (float u = 4; u < 6; u += 0.02F)

@@ -84,7 +84,7 @@ TEST(AutoParams, TheSmallestPlaneIsAnAreaWithinBounds) {
   EXPECT_EQ(points(0, SeenFrom::ground), 200u);
 }
 
-TEST(AutoParams, NormalsTellFacesApartWhereEpsilonIsWide) {
+TEST(AutoParams, NormalsSeparateFacesWhereEpsilonIsWide) {
   const auto angle = [](double step, double noise, SeenFrom from) {
     return choose_plane_params({}, {step, noise}, from, 0.001, 1000).normal_angle;
   };

@@ -74,7 +74,7 @@ void write_normals(const Store& store) {
 }
 
 // A margin over a dense surface is thinned: its size is bounded, and what stays is a part of it.
-TEST(Cells, CrowdedMarginsAreThinned) {
+TEST(Cells, DenseMarginsAreThinned) {
   std::vector<Index3> points{{0, 0, 100000}};
   for (int i = 0; i < 700; ++i)
     for (int j = 0; j < 700; ++j) points.push_back({20000 + 50 * i, 20000 + 50 * j, -1});

@@ -22,7 +22,7 @@ void add(Surroundings& around, Vec3 p, PointRole role) {
   around.roles.push_back(role);
 }
 
-TEST(SitePoints, APointBelongsToTheOutlineThatHoldsItElseToTheNearest) {
+TEST(SitePoints, APointBelongsToTheOutlineThatContainsItElseToTheNearest) {
   const std::vector<SitePolygon> outlines{site_square(0, 0, 10000), site_square(10000, 0, 10000),
                                           site_square(20600, 0, 5000)};
   const auto around = with_role({{5, 5, 3},        // in the first

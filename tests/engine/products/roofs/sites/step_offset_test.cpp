@@ -35,13 +35,13 @@ TEST(StepOffset, NoOtherOffsetPartsMorePairs) {
   for (int round = 0; round < 200; ++round) {
     std::vector<StepGap> gaps(1 + rng.below(12));
     for (StepGap& g : gaps) g = {static_cast<double>(rng.below(20)), static_cast<double>(rng.below(20))};
-    const auto parted = [&](double offset) {
+    const auto separated = [&](double offset) {
       return std::count_if(gaps.begin(), gaps.end(), [&](const StepGap& g) {
         return std::min(g.upper, g.lower) <= offset && offset <= std::max(g.upper, g.lower);
       });
     };
-    const auto most = parted(step_offset(gaps, 0.25));
-    for (double offset = 0; offset < 20; offset += 0.5) EXPECT_LE(parted(offset), most) << offset;
+    const auto most = separated(step_offset(gaps, 0.25));
+    for (double offset = 0; offset < 20; offset += 0.5) EXPECT_LE(separated(offset), most) << offset;
   }
 }
 

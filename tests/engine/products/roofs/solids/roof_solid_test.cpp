@@ -53,7 +53,7 @@ double volume(const RoofSolid& solid) {
 }
 
 TEST(RoofSolid, ABlock) {
-  const RoofSolid s = raise_roof(part(rectangle(10, 6), {}), std::vector<RoofPlane>{plane_of(0, 0, 5)}, 1);
+  const RoofSolid s = extrude_roof(part(rectangle(10, 6), {}), std::vector<RoofPlane>{plane_of(0, 0, 5)}, 1);
   EXPECT_EQ(s.vertices.size(), 8u);
   EXPECT_EQ(s.surfaces.size(), 6u);
   EXPECT_TRUE(closed(s));
@@ -63,7 +63,7 @@ TEST(RoofSolid, ABlock) {
 
 TEST(RoofSolid, AGableHasNoWallAtItsRidge) {
   const Partition p = part(rectangle(10, 6), std::vector<FlatEdge>{{{-1, 3}, {11, 3}}});
-  const RoofSolid s = raise_roof(p, std::vector<RoofPlane>{plane_of(0, 1, 3), plane_of(0, -1, 9)}, 0);
+  const RoofSolid s = extrude_roof(p, std::vector<RoofPlane>{plane_of(0, 1, 3), plane_of(0, -1, 9)}, 0);
   EXPECT_EQ(s.surfaces.size(), 2 + 1 + 6u);  // the gable walls stand over two edges each
   EXPECT_TRUE(closed(s));
   EXPECT_NEAR(volume(s), 10 * 6 * 3 + 10 * 6 * 3 / 2.0, 1e-9);
@@ -72,7 +72,7 @@ TEST(RoofSolid, AGableHasNoWallAtItsRidge) {
 
 TEST(RoofSolid, FacesThatChangePlacesAlongABorderMeetInAVertex) {
   const Partition p = part(rectangle(10, 6), std::vector<FlatEdge>{{{-1, 3}, {11, 3}}});
-  const RoofSolid s = raise_roof(p, std::vector<RoofPlane>{plane_of(0, 0, 5), plane_of(0.4, 0, 3)}, 0);
+  const RoofSolid s = extrude_roof(p, std::vector<RoofPlane>{plane_of(0, 0, 5), plane_of(0.4, 0, 3)}, 0);
   EXPECT_TRUE(closed(s));
   EXPECT_TRUE(faults_of(s).empty());
   EXPECT_NEAR(volume(s), 10 * 3 * 5 + 10 * 3 * 5, 1e-6);
@@ -81,7 +81,7 @@ TEST(RoofSolid, FacesThatChangePlacesAlongABorderMeetInAVertex) {
 TEST(RoofSolid, ACourtyardHasWalls) {
   SitePolygon courtyard = rectangle(10, 10);
   courtyard.push_back({{3000, 3000}, {3000, 7000}, {7000, 7000}, {7000, 3000}});
-  const RoofSolid s = raise_roof(part(courtyard, {}), std::vector<RoofPlane>{plane_of(0, 0, 5)}, 0);
+  const RoofSolid s = extrude_roof(part(courtyard, {}), std::vector<RoofPlane>{plane_of(0, 0, 5)}, 0);
   EXPECT_TRUE(closed(s));
   EXPECT_NEAR(volume(s), 84 * 5, 1e-9);
   EXPECT_TRUE(faults_of(s).empty());
@@ -96,14 +96,14 @@ TEST(RoofSolid, HighFacesThatMeetInACornerDoNotPinchTheSolid) {
       regions_of(p, std::vector<FlatPoint>{{1000, 1000}, {9000, 1000}, {1000, 5000}, {9000, 5000}});
   std::vector<RoofPlane> planes(4);
   for (std::size_t i = 0; i < 4; ++i) planes[at[i] - 1] = plane_of(0, 0, i == 0 || i == 3 ? 8 : 5);
-  const RoofSolid s = raise_roof(p, planes, 0);
+  const RoofSolid s = extrude_roof(p, planes, 0);
   EXPECT_TRUE(closed(s));
   EXPECT_TRUE(faults_of(s).empty());
   EXPECT_NEAR(volume(s), 60 * 6.5, 0.01);
 }
 
 TEST(RoofSolid, TheFloorGivesWayToLowRoofs) {
-  const RoofSolid s = raise_roof(part(rectangle(10, 6), {}), std::vector<RoofPlane>{plane_of(0, 0, 1)}, 2);
+  const RoofSolid s = extrude_roof(part(rectangle(10, 6), {}), std::vector<RoofPlane>{plane_of(0, 0, 1)}, 2);
   EXPECT_NEAR(s.floor, 0.9, 1e-12);
   EXPECT_TRUE(faults_of(s).empty());
 }
@@ -122,7 +122,7 @@ TEST(RoofSolid, RandomRoofsAreClosed) {
     std::vector<RoofPlane> planes;
     for (std::uint32_t r = 0; r < p.regions; ++r)
       planes.push_back(plane_of(rng.uniform() - 0.5, rng.uniform() - 0.5, 12 + 2 * rng.uniform()));
-    const RoofSolid s = raise_roof(p, planes, 0);
+    const RoofSolid s = extrude_roof(p, planes, 0);
     ASSERT_TRUE(closed(s)) << "round " << round;
     double under = 0;
     const std::vector<double> areas = region_areas(p);

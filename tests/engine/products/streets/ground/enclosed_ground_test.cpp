@@ -15,7 +15,7 @@ Image enclosed(const Image& image, const TileGrid& grid, std::size_t at) {
   memory.put("filled", image);
   TileZones zones(memory.layers, "zones");
   for (std::size_t t = 0; t < grid.count(); ++t)
-    zones.find(t, layer_tile(memory.layers, "filled", t), 0, ZoneFalls::left_out);
+    zones.find(t, layer_tile(memory.layers, "filled", t), 0, OutwardDrops::left_out);
   zones.join(0);
   const std::size_t tile =
       grid.tile_with(static_cast<std::int64_t>(at % grid.width), static_cast<std::int64_t>(at / grid.width));
@@ -28,12 +28,12 @@ Image enclosed(const Image& image, const TileGrid& grid, std::size_t at) {
 // Oracle: all of the image but what is joined, across sides and outside of the zone, to where the image ends.
 Image enclosed_in_whole(const Image& image, const TileGrid& grid, std::size_t at) {
   const PixelLabels zones = test::flooded_zones(image, 0, Adjacency::eight);
-  const auto holds = [&](std::size_t p) {
-    return grid.holds(static_cast<std::int64_t>(p % grid.width), static_cast<std::int64_t>(p / grid.width));
+  const auto contains = [&](std::size_t p) {
+    return grid.contains(static_cast<std::int64_t>(p % grid.width), static_cast<std::int64_t>(p / grid.width));
   };
   const PixelLabels parts = test::flooded(
       image.width, image.height, Adjacency::four,
-      [&](std::size_t p) { return holds(p) && zones.of[p] != zones.of[at]; },
+      [&](std::size_t p) { return contains(p) && zones.of[p] != zones.of[at]; },
       [](std::size_t, std::size_t) { return true; });
   std::vector<std::uint8_t> open(parts.count + 1, 0);
   for (std::size_t p = 0; p < image.size(); ++p)
@@ -42,7 +42,7 @@ Image enclosed_in_whole(const Image& image, const TileGrid& grid, std::size_t at
       open[parts.of[p]] = 1;
   Image mask = filled_image(image.width, image.height, 0);
   for (std::size_t p = 0; p < image.size(); ++p)
-    mask.values[p] = holds(p) && image.values[p] != kNoHeight && open[parts.of[p]] == 0;
+    mask.values[p] = contains(p) && image.values[p] != kNoHeight && open[parts.of[p]] == 0;
   return mask;
 }
 
@@ -87,7 +87,8 @@ TEST(EnclosedGround, TheImageEndsAtAbsentTiles) {
   present[10] = 0;  // columns and rows 12 to 17: two of the things stand at its border
   const TileGrid grid = test::with_tiles({24, 24, 6}, present);
   for (std::size_t p = 0; p < image.size(); ++p)
-    if (!grid.holds(static_cast<std::int64_t>(p % 24), static_cast<std::int64_t>(p / 24))) image.values[p] = kNoHeight;
+    if (!grid.contains(static_cast<std::int64_t>(p % 24), static_cast<std::int64_t>(p / 24)))
+      image.values[p] = kNoHeight;
   image.values[11 * 24 + 11] = 7;
   const Image want = enclosed_in_whole(image, grid, 0);
   EXPECT_EQ(enclosed(image, grid, 0).values, want.values);

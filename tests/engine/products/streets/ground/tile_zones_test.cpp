@@ -6,7 +6,7 @@
 #include <map>
 
 #include "engine/products/streets/ground/ground.h"
-#include "kernels/morphology/zone_falls.h"
+#include "kernels/morphology/outward_drops.h"
 #include "tests/support/flooded_zones.h"
 #include "tests/support/memory_layers.h"
 
@@ -19,7 +19,7 @@ TileZones found_zones(const test::MemoryLayers& memory, const Image& image) {
   TileZones zones(memory.layers, "zones");
   const TileGrid& grid = memory.layers.grid;
   for (std::size_t t = 0; t < grid.count(); ++t)
-    zones.find(t, test::tiles_of(image, grid)(t), kLambda, ZoneFalls::counted);
+    zones.find(t, test::tiles_of(image, grid)(t), kLambda, OutwardDrops::counted);
   zones.join(kLambda);
   return zones;
 }
@@ -40,11 +40,11 @@ GroundOfGroups ground_of_whole(const Image& image, const PixelLabels& zones) {
   std::vector<std::uint64_t> pixels(zones.count + 1, 0);
   for (const std::uint32_t z : zones.of) pixels[z] += z != 0;
   const std::uint64_t most = *std::max_element(pixels.begin(), pixels.end());
-  const std::vector<std::int32_t> falls = zone_falls(image, zones, kLambda);
+  const std::vector<std::int32_t> drops = outward_drops(image, zones, kLambda);
   GroundOfGroups out{{0, 0}, {}, {}};
   GroundRank best;
   for (std::uint32_t z = 1; z <= zones.count; ++z)
-    if (const GroundRank rank = ground_rank(pixels[z], falls[z], most); rank > best) {
+    if (const GroundRank rank = ground_rank(pixels[z], drops[z], most); rank > best) {
       best = rank;
       out.of_group[1] = z;
     }
@@ -63,23 +63,23 @@ TEST(TileZones, AreTheZonesOfTheWholeAndSoIsTheirGround) {
     if (image.size() == 0) continue;
     const PixelLabels whole = test::flooded_zones(image, kLambda, Adjacency::eight);
     for (const std::uint32_t side : {3u, 8u, 64u}) {
-      const std::string told = name + " side " + std::to_string(side);
+      const std::string message = name + " side " + std::to_string(side);
       test::MemoryLayers memory({image.width, image.height, side});
       const TileZones zones = found_zones(memory, image);
       const std::vector<std::uint32_t> got = numbers(memory, zones);
       std::map<std::uint32_t, std::uint32_t> number_of, zone_of;
       for (std::size_t p = 0; p < image.size(); ++p) {
-        EXPECT_EQ(got[p] == 0, whole.of[p] == 0) << told;
-        EXPECT_EQ(number_of.try_emplace(whole.of[p], got[p]).first->second, got[p]) << told;
-        EXPECT_EQ(zone_of.try_emplace(got[p], whole.of[p]).first->second, whole.of[p]) << told;
+        EXPECT_EQ(got[p] == 0, whole.of[p] == 0) << message;
+        EXPECT_EQ(number_of.try_emplace(whole.of[p], got[p]).first->second, got[p]) << message;
+        EXPECT_EQ(zone_of.try_emplace(got[p], whole.of[p]).first->second, whole.of[p]) << message;
       }
       const GroundOfGroups want = ground_of_whole(image, whole);
       const TileGrid& grid = memory.layers.grid;
       const TileGroups one_group{1, std::vector<std::uint32_t>(grid.count(), 1)};
       const GroundOfGroups ground = zones.ground(one_group);
-      EXPECT_EQ(ground.of_group[1], want.of_group[1] == 0 ? 0 : number_of.at(want.of_group[1])) << told;
-      EXPECT_EQ(ground.taken, want.taken) << told;
-      EXPECT_EQ(ground.left_out, want.left_out) << told;
+      EXPECT_EQ(ground.of_group[1], want.of_group[1] == 0 ? 0 : number_of.at(want.of_group[1])) << message;
+      EXPECT_EQ(ground.taken, want.taken) << message;
+      EXPECT_EQ(ground.left_out, want.left_out) << message;
     }
   }
 }
@@ -97,7 +97,7 @@ TEST(TileZones, AroundATileAreTheNumbersOfTheWhole) {
     for (std::uint32_t v = 0; v < around.height; ++v)
       for (std::uint32_t u = 0; u < around.width; ++u) {
         const std::int64_t x = std::int64_t{frame.x} + u - kHalo, y = std::int64_t{frame.y} + v - kHalo;
-        const Height want = memory.layers.grid.holds(x, y)
+        const Height want = memory.layers.grid.contains(x, y)
                                 ? static_cast<Height>(whole[static_cast<std::size_t>(y * 26 + x)])
                                 : kNoHeight;
         ASSERT_EQ(around.values[std::size_t{v} * around.width + u], want) << t << " " << u << " " << v;

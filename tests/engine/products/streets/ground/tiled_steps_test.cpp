@@ -4,8 +4,8 @@
 
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/ground/tiled_ground.h"
+#include "engine/products/streets/objects/object_candidates.h"
 #include "engine/products/streets/objects/separation.h"
-#include "engine/products/streets/objects/things.h"
 #include "kernels/morphology/fill_missing_tiled.h"
 #include "kernels/morphology/flat_zones.h"
 #include "tests/oracles/whole_fill.h"
@@ -71,25 +71,25 @@ TEST_P(TiledSteps, AreThoseOfTheWhole) {
 
   const Image one = filled_image(range.width, range.height, 1);
   for (const char* layer : {"accumulation", "above", "low", "occupancy"}) memory.put(layer, one);
-  const std::vector<Thing> things = find_things(memory.layers, {});
-  const Image found = memory.whole("things");
+  const std::vector<ObjectCandidate> candidates = find_object_candidates(memory.layers, {});
+  const Image found = memory.whole("candidates");
   // The same parts, however they are numbered: each label of the one is one label of the other.
   const auto parts = static_cast<std::size_t>(
-      std::count_if(things.begin(), things.end(), [](const Thing& t) { return t.parts[0] == 0; }));
+      std::count_if(candidates.begin(), candidates.end(), [](const ObjectCandidate& t) { return t.parts[0] == 0; }));
   ASSERT_EQ(parts, apart.count);
   std::map<std::uint32_t, Height> partner;
-  std::vector<std::uint32_t> pixels(things.size() + 1, 0);
+  std::vector<std::uint32_t> pixels(candidates.size() + 1, 0);
   for (std::size_t i = 0; i < found.size(); ++i) {
     ++pixels[static_cast<std::size_t>(found.values[i])];
     ASSERT_EQ(partner.emplace(apart.of[i], found.values[i]).first->second, found.values[i]) << i;
   }
   EXPECT_EQ(partner.size(), apart.count + 1u);
-  for (std::size_t t = 0; t < things.size(); ++t) {
-    for (const std::uint32_t part : things[t].parts) pixels[t + 1] += part == 0 ? 0 : pixels[part];
-    EXPECT_EQ(things[t].pixels, pixels[t + 1]);
-    for (const std::uint32_t part : things[t].parts) EXPECT_LE(part, t);
+  for (std::size_t t = 0; t < candidates.size(); ++t) {
+    for (const std::uint32_t part : candidates[t].parts) pixels[t + 1] += part == 0 ? 0 : pixels[part];
+    EXPECT_EQ(candidates[t].pixels, pixels[t + 1]);
+    for (const std::uint32_t part : candidates[t].parts) EXPECT_LE(part, t);
   }
-  EXPECT_GT(things.size(), parts);
+  EXPECT_GT(candidates.size(), parts);
 }
 
 // Which zone is the ground no tiling decides: neither where a roof is larger, nor among zones drawn at random.

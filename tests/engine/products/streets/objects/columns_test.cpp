@@ -20,7 +20,7 @@ struct Street {
   std::vector<Occupancy> occupancy = std::vector<Occupancy>(kWidth * kHeight, 0);
   PixelLabels parts{kWidth, kHeight, 0, std::vector<std::uint32_t>(kWidth* kHeight, 0)};
 
-  void stand(const test::PixelBox& box, Occupancy bins, std::uint32_t part) {
+  void add_box(const test::PixelBox& box, Occupancy bins, std::uint32_t part) {
     for (std::uint32_t y = box.y; y < box.y + box.height; ++y)
       for (std::uint32_t x = box.x; x < box.x + box.width; ++x) {
         occupancy[y * kWidth + x] |= bins;
@@ -36,8 +36,8 @@ struct Street {
 
 Street post_in_a_hedge() {
   Street s;
-  s.stand({5, 10, 40, 14}, kLow, 1);
-  s.stand({20, 15, 3, 3}, kLow | kHigh, 1);
+  s.add_box({5, 10, 40, 14}, kLow, 1);
+  s.add_box({20, 15, 3, 3}, kLow | kHigh, 1);
   return s;
 }
 
@@ -51,24 +51,24 @@ TEST(Columns, APostInAHedgeIsOne) {
 
 TEST(Columns, NeitherAHedgeNorAWallNorWhatIsLowIsOne) {
   Street hedge, wall, stub, beside;
-  hedge.stand({5, 10, 40, 14}, kLow, 1);
-  wall.stand({5, 10, 40, 2}, kLow | kHigh, 1);
-  stub.stand({20, 15, 3, 3}, kLow >> 1 & kLow, 1);  // free over 40 cm
-  beside.stand({20, 15, 3, 3}, kLow | kHigh, 1);
-  beside.stand({31, 15, 10, 3}, kLow | kHigh, 1);  // 40 cm away, as high
+  hedge.add_box({5, 10, 40, 14}, kLow, 1);
+  wall.add_box({5, 10, 40, 2}, kLow | kHigh, 1);
+  stub.add_box({20, 15, 3, 3}, kLow >> 1 & kLow, 1);  // free over 40 cm
+  beside.add_box({20, 15, 3, 3}, kLow | kHigh, 1);
+  beside.add_box({31, 15, 10, 3}, kLow | kHigh, 1);  // 40 cm away, as high
   for (const Street& s : {hedge, wall, stub, beside}) EXPECT_EQ(s.columns().count, 0u);
 }
 
 TEST(Columns, UnderACrownTheTrunkIsFree) {
   Street s;
-  s.stand({5, 5, 30, 30}, Occupancy{0b111} << 25, 1);
-  s.stand({18, 18, 5, 5}, kLow | kHigh, 1);
+  s.add_box({5, 5, 30, 30}, Occupancy{0b111} << 25, 1);
+  s.add_box({18, 18, 5, 5}, kLow | kHigh, 1);
   EXPECT_EQ(s.pixels_of(s.columns(), 1), 25u);
 }
 
-TEST(Columns, AreCutFromThePartThatHoldsMostOfThem) {
+TEST(Columns, AreCutFromThePartThatContainsMostOfThem) {
   Street s = post_in_a_hedge();
-  s.stand({5, 10, 16, 14}, 0, 2);  // the hedge is two parts, the first column of the post lies in the other
+  s.add_box({5, 10, 16, 14}, 0, 2);  // the hedge is two parts, the first column of the post lies in the other
   PixelLabels parts = s.parts;
   const std::vector<ColumnCut> cuts = cut_columns(s.columns(), 10, parts);
   ASSERT_EQ(cuts.size(), 1u);
@@ -82,8 +82,8 @@ TEST(Columns, AreCutFromThePartThatHoldsMostOfThem) {
 // What is little more than a column is no other part.
 TEST(Columns, NothingIsCutOfWhichTooLittleIsLeft) {
   Street s;
-  s.stand({20, 15, 4, 4}, kLow | kHigh, 1);
-  s.stand({24, 15, 20, 1}, kLow, 1);
+  s.add_box({20, 15, 4, 4}, kLow | kHigh, 1);
+  s.add_box({24, 15, 20, 1}, kLow, 1);
   ASSERT_EQ(s.pixels_of(s.columns(), 1), 16u);
   PixelLabels parts = s.parts;
   EXPECT_TRUE(cut_columns(s.columns(), 21, parts).empty());
@@ -94,8 +94,8 @@ TEST(Columns, NothingIsCutOfWhichTooLittleIsLeft) {
 // The tree holds a part as it was before its columns were cut, and all above.
 TEST(Columns, AreJoinedFirstWithWhatTheyWereCutFrom) {
   Street s = post_in_a_hedge();
-  s.stand({40, 15, 3, 3}, kLow | kHigh, 1);
-  s.stand({45, 10, 10, 14}, kLow, 2);
+  s.add_box({40, 15, 3, 3}, kLow | kHigh, 1);
+  s.add_box({45, 10, 10, 14}, kLow, 2);
   Image heights = filled_image(kWidth, kHeight, kNoHeight);
   for (std::size_t i = 0; i < heights.size(); ++i)
     if (s.parts.of[i] != 0) heights.values[i] = 600;
@@ -113,45 +113,45 @@ TEST(Columns, AreJoinedFirstWithWhatTheyWereCutFrom) {
 }
 
 // The heights at which a post and a hedge touch, and at which it is free.
-TEST(PartContacts, SayAtWhichHeightsThingsTouch) {
+TEST(PartContacts, GiveTheHeightsAtWhichCandidatesTouch) {
   const Street s = post_in_a_hedge();
   PixelLabels parts = s.parts;
   const std::vector<ColumnCut> cuts = cut_columns(s.columns(), 10, parts);
   ASSERT_EQ(cuts.size(), 1u);
-  std::vector<Thing> things(3);
-  set_contacts(parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, things);
-  const auto of = [&](std::size_t thing, ThingFeature f) {
-    return things[thing].features[static_cast<std::size_t>(f)];
+  std::vector<ObjectCandidate> candidates(3);
+  set_contacts(parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, candidates);
+  const auto of = [&](std::size_t candidate, CandidateFeature f) {
+    return candidates[candidate].features[static_cast<std::size_t>(f)];
   };
-  EXPECT_DOUBLE_EQ(of(0, ThingFeature::touch_share), 1);  // the hedge, 5 bins
-  EXPECT_DOUBLE_EQ(of(1, ThingFeature::touch_share), 5.0 / 17);
-  EXPECT_DOUBLE_EQ(of(1, ThingFeature::free_run), 1.2);
-  EXPECT_DOUBLE_EQ(of(1, ThingFeature::upright_share), 17.0 / 18);
-  EXPECT_DOUBLE_EQ(of(1, ThingFeature::evenness), 17.0 / 18);  // as many pixels in all of its bins
-  EXPECT_DOUBLE_EQ(of(2, ThingFeature::evenness), (5 * 560 + 12 * 9) / (18.0 * 560));
-  EXPECT_DOUBLE_EQ(of(2, ThingFeature::touch_share), 0);
-  EXPECT_DOUBLE_EQ(of(2, ThingFeature::free_run), 1.7);
-  EXPECT_DOUBLE_EQ(of(2, ThingFeature::joint_share), 1);  // of the hedge's bins all
-  EXPECT_DOUBLE_EQ(of(0, ThingFeature::joint_share), 1);
+  EXPECT_DOUBLE_EQ(of(0, CandidateFeature::touch_share), 1);  // the hedge, 5 bins
+  EXPECT_DOUBLE_EQ(of(1, CandidateFeature::touch_share), 5.0 / 17);
+  EXPECT_DOUBLE_EQ(of(1, CandidateFeature::free_run), 1.2);
+  EXPECT_DOUBLE_EQ(of(1, CandidateFeature::upright_share), 17.0 / 18);
+  EXPECT_DOUBLE_EQ(of(1, CandidateFeature::evenness), 17.0 / 18);  // as many pixels in all of its bins
+  EXPECT_DOUBLE_EQ(of(2, CandidateFeature::evenness), (5 * 560 + 12 * 9) / (18.0 * 560));
+  EXPECT_DOUBLE_EQ(of(2, CandidateFeature::touch_share), 0);
+  EXPECT_DOUBLE_EQ(of(2, CandidateFeature::free_run), 1.7);
+  EXPECT_DOUBLE_EQ(of(2, CandidateFeature::joint_share), 1);  // of the hedge's bins all
+  EXPECT_DOUBLE_EQ(of(0, CandidateFeature::joint_share), 1);
 }
 
 // Bodies that touch at their middles alone; and from the air, where nothing is known of heights.
 TEST(PartContacts, ApartAboveAndBelow) {
   Street s;
-  s.stand({10, 10, 6, 6}, 0b1111'1110, 1);
-  s.stand({16, 10, 1, 6}, 0b0001'1000, 1);
-  s.stand({17, 10, 2, 6}, 0b0001'1000, 2);
-  s.stand({19, 10, 6, 6}, 0b1111'1110, 2);
-  std::vector<Thing> things(3);
-  const auto joint = static_cast<std::size_t>(ThingFeature::joint_share);
-  set_contacts(s.parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, things);
-  EXPECT_DOUBLE_EQ(things[2].features[joint], 2.0 / 7);
+  s.add_box({10, 10, 6, 6}, 0b1111'1110, 1);
+  s.add_box({16, 10, 1, 6}, 0b0001'1000, 1);
+  s.add_box({17, 10, 2, 6}, 0b0001'1000, 2);
+  s.add_box({19, 10, 6, 6}, 0b1111'1110, 2);
+  std::vector<ObjectCandidate> candidates(3);
+  const auto joint = static_cast<std::size_t>(CandidateFeature::joint_share);
+  set_contacts(s.parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, candidates);
+  EXPECT_DOUBLE_EQ(candidates[2].features[joint], 2.0 / 7);
   std::fill(s.occupancy.begin(), s.occupancy.end(), 0);
-  set_contacts(s.parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, things);
-  for (const Thing& t : things) {
+  set_contacts(s.parts, s.occupancy, std::vector<Join>{{1, 2, 1}}, {}, candidates);
+  for (const ObjectCandidate& t : candidates) {
     EXPECT_DOUBLE_EQ(t.features[joint], 1);
-    for (const auto f :
-         {ThingFeature::upright_share, ThingFeature::evenness, ThingFeature::free_run, ThingFeature::touch_share})
+    for (const auto f : {CandidateFeature::upright_share, CandidateFeature::evenness, CandidateFeature::free_run,
+                         CandidateFeature::touch_share})
       EXPECT_DOUBLE_EQ(t.features[static_cast<std::size_t>(f)], 0);
   }
 }

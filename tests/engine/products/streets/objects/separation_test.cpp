@@ -12,7 +12,7 @@ Image nothing() {
   return filled_image(120, 80, kNoHeight);
 }
 
-void stand(Image& image, const test::PixelBox& box, Height height) {
+void add_box(Image& image, const test::PixelBox& box, Height height) {
   for (std::uint32_t y = box.y; y < box.y + box.height; ++y)
     for (std::uint32_t x = box.x; x < box.x + box.width; ++x)
       image.values[std::size_t{y} * image.width + x] = height + static_cast<Height>((x + y) % 3) * 20;
@@ -22,13 +22,13 @@ std::uint32_t label_at(const PixelLabels& labels, std::uint32_t x, std::uint32_t
   return labels.of[std::size_t{y} * labels.width + x];
 }
 
-TEST(Separation, ThingsApartAndThingsThatTouch) {
+TEST(Separation, ObjectsApartAndObjectsThatTouch) {
   Image height = nothing();
-  stand(height, {5, 5, 40, 20}, 1500);    // a car
-  stand(height, {45, 10, 10, 10}, 1750);  // somebody at its end: higher, no pass between
-  stand(height, {70, 40, 12, 12}, 1700);
-  stand(height, {82, 43, 6, 4}, 900);  // what joins the two is lower
-  stand(height, {88, 40, 12, 12}, 1700);
+  add_box(height, {5, 5, 40, 20}, 1500);    // a car
+  add_box(height, {45, 10, 10, 10}, 1750);  // somebody at its end: higher, no pass between
+  add_box(height, {70, 40, 12, 12}, 1700);
+  add_box(height, {82, 43, 6, 4}, 900);  // what joins the two is lower
+  add_box(height, {88, 40, 12, 12}, 1700);
   const PixelLabels got = separate_artefacts(height, {});
   EXPECT_NE(label_at(got, 75, 45), label_at(got, 95, 45));
   EXPECT_NE(label_at(got, 75, 45), label_at(got, 20, 15));
@@ -37,14 +37,14 @@ TEST(Separation, ThingsApartAndThingsThatTouch) {
 
 TEST(Separation, RoughTopsStayOne) {
   Image height = nothing();
-  stand(height, {20, 20, 60, 30}, 1400);  // 40 mm of roughness, below the rise
+  add_box(height, {20, 20, 60, 30}, 1400);  // 40 mm of roughness, below the rise
   EXPECT_EQ(separate_artefacts(height, {}).count, 1u);
 }
 
 TEST(Separation, SpecksAreDropped) {
   Image height = nothing();
-  stand(height, {20, 20, 3, 3}, 1400);  // 9 pixels, 10 are asked for
-  stand(height, {60, 20, 4, 3}, 1400);
+  add_box(height, {20, 20, 3, 3}, 1400);  // 9 pixels, 10 are asked for
+  add_box(height, {60, 20, 4, 3}, 1400);
   const PixelLabels got = separate_artefacts(height, {});
   EXPECT_EQ(got.count, 1u);
   EXPECT_EQ(label_at(got, 21, 21), 0u);

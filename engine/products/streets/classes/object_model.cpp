@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/classes/object_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "engine/error.h"
+#include "engine/products/streets/classes/object_model_functions.h"
+#include "engine/products/streets/classes/role_trees_text.h"
+#include "engine/products/streets/classes/svm_decisions.h"
+
+namespace ilot {
+namespace {
+
+constexpr const char* kFirstLine = "ilot objects 3";
+constexpr double kLeastShare = 1e-4;  // nothing is less probable
+
+}  // namespace
+
+std::string object_class_name(PointLabel label) {
+  return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
+}
+
+namespace {
+
+// Reads a model line by line: a word, then what belongs to it.
+class ModelReader {
+ public:
+  ModelReader(std::string_view text, const std::string& name) : text_(std::string(text)), name_(name) {}
+
+  ObjectModel read() {
+    std::string line;
+    next(line);
+    if (line != kFirstLine) fail("is no model of things: its first line is not '" + std::string(kFirstLine) + "'");
+    while (next(line)) take(line);
+    check();
+    return model_;
+  }
+
+ private:
+  bool next(std::string& line) {
+    ++number_;
+    return static_cast<bool>(std::getline(text_, line));
+  }
+  [[noreturn]] void fail(const std::string& what) const {
+    throw Error(name_ + ":" + std::to_string(number_) + ": " + what, ExitCode::usage);
+  }
+
+  void take(const std::string& line) {
+    if (line.empty()) return;
+    if (line[0] == '#') {
+      model_.recipe += line.substr(line.size() > 1 && line[1] == ' ' ? 2 : 1) + "\n";
+      return;
+    }
+    std::istringstream words(line);
+    std::string word;
+    words >> word;
+    if (word == "feature") return take_feature(words);
+    if (word == "class") return take_class(words);
+    if (word == "kernel") {
+      const auto v = numbers(words, 2);
+      model_.cost = v[0], model_.gamma = v[1];
+      return;
+    }
+    if (word == "pair") {
+      const auto v = numbers(words, 3);
+      model_.rho.push_back(v[0]), model_.slope.push_back(v[1]), model_.offset.push_back(v[2]);
+      return;
+    }
+    if (word == "roles") {
+      const auto v = numbers(words, 2 * kCandidateStates);
+      std::copy_n(v.begin(), kCandidateStates, model_.roles.power.begin());
+      std::copy_n(v.begin() + kCandidateStates, kCandidateStates, model_.roles.bias.begin());
+      return;
+    }
+    if (word == "stage" || word == "column" || word == "tree") {
+      if (const std::string wrong = trees_.take(line); !wrong.empty()) fail(wrong);
+      return;
+    }
+    if (word != "vector") fail("'" + word + "' is not known");
+    const auto v = numbers(words, model_.classes.size() + model_.features.size());
+    if (v[0] < 0 || v[0] >= static_cast<double>(model_.classes.size())) fail("there is no such class");
+    const auto weights = v.begin() + static_cast<std::ptrdiff_t>(model_.classes.size());
+    model_.class_of_vector.push_back(static_cast<std::uint32_t>(v[0]));
+    model_.weights.emplace_back(v.begin() + 1, weights);
+    model_.vectors.emplace_back(weights, v.end());
+  }
+
+  void take_feature(std::istringstream& words) {
+    const auto v = numbers(words, 2);
+    std::string name;
+    std::getline(words >> std::ws, name);
+    for (std::size_t f = 0; f < kCandidateFeatures; ++f) {
+      if (name != candidate_feature_name(f)) continue;
+      model_.features.push_back(f);
+      model_.mean.push_back(v[0]);
+      model_.sd.push_back(v[1]);
+      if (!(v[1] > 0)) fail("a deviation is not above 0");
+      return;
+    }
+    fail("there is no feature '" + name + "'");
+  }
+
+  void take_class(std::istringstream& words) {
+    const auto v = numbers(words, 2);
+    if (!(v[0] > 0)) fail("a class is never there");
+    std::string name;
+    words >> name;
+    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
+      if (object_class_name(static_cast<PointLabel>(value)) != name) continue;
+      model_.classes.push_back(static_cast<PointLabel>(value));
+      model_.prior.push_back(v[0]);
+      model_.min_similarity.push_back(v[1]);
+      return;
+    }
+    fail("there is no class '" + name + "'");
+  }
+
+  std::vector<double> numbers(std::istringstream& words, std::size_t count) const {
+    std::vector<double> list;
+    for (std::size_t i = 0; i < count; ++i) {
+      std::string word;
+      double value = 0;
+      if (!(words >> word) || std::from_chars(word.data(), word.data() + word.size(), value).ec != std::errc())
+        fail("fewer than " + std::to_string(count) + " numbers");
+      if (!std::isfinite(value)) fail("a number is not finite");
+      list.push_back(value);
+    }
+    return list;
+  }
+
+  void check() {
+    const std::size_t k = model_.classes.size();
+    if (const std::string wrong = trees_.finish(model_.trees); !wrong.empty()) fail(wrong);
+    if (k == 1 && !model_.trees.empty()) return;
+    if (k < 2 || model_.features.empty() || model_.vectors.empty()) fail("ends before its vectors");
+    if (model_.rho.size() != k * (k - 1) / 2) fail("there must be a line 'pair' for each two classes");
+  }
+
+  std::istringstream text_;
+  std::string name_;
+  std::size_t number_ = 0;
+  ObjectModel model_;
+  RoleTreesReader trees_;
+};
+
+// What a machine without trees says: all things are whole.
+KindShares nature_of(const ObjectModel& model, const std::vector<double>& share) {
+  KindShares out{};
+  for (std::size_t c = 0; c < share.size(); ++c) {
+    const PointLabel label = model.classes[c];
+    const CandidateKind kind = label >= PointLabel::car    ? CandidateKind::object
+                               : label == PointLabel::none ? CandidateKind::nothing
+                                                           : CandidateKind::vegetation;
+    out[static_cast<std::size_t>(kind)] += share[c];
+  }
+  return out;
+}
+
+// The most probable class on one side of being an object, its share of that side, and whether the thing is like it.
+struct MostProbable {
+  PointLabel label = PointLabel::none;
+  double share = 0;
+  bool is_similar = true;
+};
+MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, bool object) {
+  MostProbable best{object ? PointLabel::other : PointLabel::none};
+  double all = 0;
+  for (std::size_t c = 0; c < shares.share.size(); ++c) {
+    if ((model.classes[c] >= PointLabel::car) != object) continue;
+    all += shares.share[c];
+    if (shares.share[c] > best.share)
+      best = {model.classes[c], shares.share[c], shares.nearest[c] >= model.min_similarity[c]};
+  }
+  if (all > 0) best.share /= all;
+  return best;
+}
+
+CandidateClass class_of(const ObjectModel& model, const ClassShares& shares, const KindShares& kind) {
+  const auto logs = state_logs(kind);
+  std::array<double, kCandidateStates> log, weight;
+  for (std::size_t s = 0; s < kCandidateStates; ++s) {
+    log[s] = model.roles.power[s] * logs[s] + model.roles.bias[s];
+    weight[s] = natural_exp(log[s]);
+  }
+  const auto [object, rest, part, merged] = weight;
+  const auto of = [&](CandidateKind n) { return kind[static_cast<std::size_t>(n)]; };
+  const double no_object = of(CandidateKind::nothing) + of(CandidateKind::vegetation),
+               all = of(CandidateKind::object) + no_object;
+  const bool is_object = of(CandidateKind::object) > 0 && object >= rest;
+  auto [label, of_side, is_similar] = most_probable(model, shares, is_object);
+  if (!is_object && !model.trees.empty()) {
+    const bool grows = of(CandidateKind::vegetation) > of(CandidateKind::nothing);
+    label = grows ? PointLabel::vegetation : PointLabel::none;
+    of_side = std::max(of(CandidateKind::vegetation), of(CandidateKind::nothing)) / std::max(kLeastShare, no_object);
+  }
+  CandidateClass out{label, 0, std::max(object, rest), part, merged, log[0] - log[1]};
+  out.probability = all > 0 ? of_side * (is_object ? of(CandidateKind::object) : no_object) / all : 0;
+  if (is_object && !is_similar)
+    out.label = PointLabel::other, out.probability = 1 / static_cast<double>(shares.share.size());
+  return out;
+}
+
+}  // namespace
+
+std::array<double, kCandidateStates> state_logs(const KindShares& shares) {
+  const auto [nothing, vegetation, part, merged, object] = shares;
+  const double rest = nothing + vegetation;
+  std::array<double, kCandidateStates> out{object, rest, part + rest, merged + rest};
+  for (double& v : out) v = natural_log(std::max(kLeastShare, v));
+  return out;
+}
+
+std::vector<PointLabel> most_probable_classes(const ObjectModel& model, std::span<const CandidateFeatures> candidates) {
+  std::vector<PointLabel> out;
+  for (const auto& [share, nearest] : class_shares(model, candidates))
+    out.push_back(
+        model.classes[static_cast<std::size_t>(std::max_element(share.begin(), share.end()) - share.begin())]);
+  return out;
+}
+
+std::vector<CandidateClass> classify_candidates(const ObjectModel& model, std::span<const CandidateFeatures> candidates,
+                                                std::span<const CandidateParts> parts) {
+  const std::vector<CandidateParts> apart(parts.empty() ? candidates.size() : 0, CandidateParts{});
+  std::vector<KindShares> kinds;
+  if (!model.trees.empty()) kinds = kind_shares(model.trees, candidates, parts.empty() ? apart : parts);
+  std::vector<CandidateClass> out;
+  for (const ClassShares& shares : class_shares(model, candidates))
+    out.push_back(class_of(model, shares, kinds.empty() ? nature_of(model, shares.share) : kinds[out.size()]));
+  return out;
+}
+
+CandidateClass classify_candidate(const ObjectModel& model, const CandidateFeatures& features) {
+  return classify_candidates(model, {&features, 1}).front();
+}
+
+std::string object_model_text(const ObjectModel& model) {
+  std::string text = std::string(kFirstLine) + "\n";
+  std::istringstream recipe(model.recipe);
+  for (std::string line; std::getline(recipe, line);) text += line.empty() ? "#\n" : "# " + line + "\n";
+  for (std::size_t c = 0; c < model.classes.size(); ++c)
+    text += fmt::format("class {:.9g} {:.9g} {}\n", model.prior[c], model.min_similarity[c],
+                        object_class_name(model.classes[c]));
+  for (std::size_t i = 0; i < model.features.size(); ++i)
+    text += fmt::format("feature {:.9g} {:.9g} {}\n", model.mean[i], model.sd[i],
+                        candidate_feature_name(model.features[i]));
+  text += fmt::format("kernel {:.9g} {:.9g}\n", model.cost, model.gamma);
+  for (std::size_t p = 0; p < model.rho.size(); ++p)
+    text += fmt::format("pair {:.9g} {:.9g} {:.9g}\n", model.rho[p], model.slope[p], model.offset[p]);
+  text += "roles";
+  for (const auto& list : {model.roles.power, model.roles.bias})
+    for (const double v : list) text += fmt::format(" {:.9g}", v);
+  text += "\n";
+  for (std::size_t v = 0; v < model.vectors.size(); ++v) {
+    text += fmt::format("vector {}", model.class_of_vector[v]);
+    for (const double w : model.weights[v]) text += fmt::format(" {:.7g}", w);
+    for (const double x : model.vectors[v]) text += fmt::format(" {:.5g}", x);
+    text += "\n";
+  }
+  return text + role_trees_text(model.trees);
+}
+
+ObjectModel parse_object_model(std::string_view text, const std::string& name) {
+  return ModelReader(text, name).read();
+}
+
+}  // namespace ilot

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/classes/svm_decisions.h"
+
+#include <algorithm>
+
+#include "engine/products/streets/classes/object_model_functions.h"
+#include "engine/products/streets/classes/pair_coupling.h"
+#include "kernels/classifiers/radial_sums.h"
+#include "kernels/core/parallel.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::size_t kGrain = 256;  // things
+
+// The support vectors of one class, side by side. What they weigh against another class is shared by all pairs: each
+// kernel is worked out once.
+struct ClassVectors {
+  std::vector<double> vectors, weights;
+};
+
+std::vector<ClassVectors> vectors_by_class(const ObjectModel& model) {
+  std::vector<ClassVectors> out(model.classes.size());
+  for (std::size_t v = 0; v < model.vectors.size(); ++v) {
+    ClassVectors& own = out[model.class_of_vector[v]];
+    own.vectors.insert(own.vectors.end(), model.vectors[v].begin(), model.vectors[v].end());
+    own.weights.insert(own.weights.end(), model.weights[v].begin(), model.weights[v].end());
+  }
+  return out;
+}
+
+// Of the things from `first` on, as many as there is room for.
+void decide(const ObjectModel& model, const std::vector<ClassVectors>& classes,
+            std::span<const CandidateFeatures> candidates, std::span<double> of, std::span<double> nearest) {
+  const std::size_t k = classes.size(), pairs = model.rho.size(), n = candidates.size();
+  std::vector<double> rows, sums(n * (k - 1)), near(n);
+  for (const CandidateFeatures& f : candidates) {
+    const std::vector<double> row = standardised(model, f);
+    rows.insert(rows.end(), row.begin(), row.end());
+  }
+  for (std::size_t i = 0; i < n; ++i)
+    for (std::size_t p = 0; p < pairs; ++p) of[i * pairs + p] = -model.rho[p];
+  for (std::size_t own = 0; own < k; ++own) {
+    radial_sums({model.features.size(), k - 1, model.gamma, classes[own].vectors, classes[own].weights}, rows, sums,
+                near);
+    for (std::size_t i = 0; i < n; ++i) {
+      nearest[i * k + own] = near[i];
+      for (std::size_t other = 0; other < k; ++other)
+        if (other != own)
+          of[i * pairs + pair_index(std::min(own, other), std::max(own, other), k)] +=
+              sums[i * (k - 1) + (other < own ? other : other - 1)];
+    }
+  }
+}
+
+}  // namespace
+
+PairDecisions pair_decisions(const ObjectModel& model, std::span<const CandidateFeatures> candidates) {
+  const std::vector<ClassVectors> classes = vectors_by_class(model);
+  const std::size_t pairs = model.rho.size();
+  PairDecisions out{pairs, std::vector<double>(candidates.size() * pairs),
+                    std::vector<double>(candidates.size() * classes.size(), 0)};
+  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
+    const std::size_t first = part * kGrain, count = std::min(kGrain, candidates.size() - first);
+    decide(model, classes, candidates.subspan(first, count), std::span(out.of).subspan(first * pairs, count * pairs),
+           std::span(out.nearest).subspan(first * classes.size(), count * classes.size()));
+  });
+  return out;
+}
+
+std::vector<ClassShares> class_shares(const ObjectModel& model, std::span<const CandidateFeatures> candidates) {
+  if (model.classes.size() == 1) return std::vector<ClassShares>(candidates.size(), ClassShares{{1}, {1}});
+  const PairDecisions decided = pair_decisions(model, candidates);
+  std::vector<ClassShares> out(candidates.size());
+  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
+    std::vector<double> first(decided.pairs);
+    for (std::size_t i = part * kGrain; i < std::min(candidates.size(), (part + 1) * kGrain); ++i) {
+      for (std::size_t p = 0; p < decided.pairs; ++p)
+        first[p] = sigmoid(model.slope[p] * decided.of[i * decided.pairs + p] + model.offset[p]);
+      const std::size_t k = model.classes.size();
+      const auto near = decided.nearest.begin() + static_cast<std::ptrdiff_t>(i * k);
+      out[i] = {coupled_pairs(first, k), {near, near + static_cast<std::ptrdiff_t>(k)}};
+      double sum = 0;
+      for (std::size_t c = 0; c < out[i].share.size(); ++c) sum += out[i].share[c] *= model.prior[c];
+      for (double& s : out[i].share) s /= sum;
+    }
+  });
+  return out;
+}
+
+}  // namespace ilot
