@@ -113,8 +113,8 @@ std::vector<std::vector<double>> held_out(const TrainingSet& set, const KernelTa
   return out;
 }
 
-void take_over(const TrainedSvm& svm, const TrainingSet& set, ObjectModel& model) {
-  const svm_model& svm = *svm.model;
+void take_over(const TrainedSvm& trained, const TrainingSet& set, ObjectModel& model) {
+  const svm_model& svm = *trained.model;
   const std::size_t k = model.classes.size();
   std::vector<std::size_t> place(k);  // of a class in libsvm's list
   for (std::size_t c = 0; c < k; ++c) place[static_cast<std::size_t>(svm.label[c])] = c;
@@ -128,7 +128,7 @@ void take_over(const TrainedSvm& svm, const TrainingSet& set, ObjectModel& model
     int first = 0;
     for (std::size_t i = 0; i < place[c]; ++i) first += svm.nSV[i];
     for (int v = first; v < first + svm.nSV[place[c]]; ++v) {
-      model.vectors.push_back(set.rows[svm.samples[static_cast<std::size_t>(svm.sv_indices[v] - 1)]]);
+      model.vectors.push_back(set.rows[trained.samples[static_cast<std::size_t>(svm.sv_indices[v] - 1)]]);
       model.class_of_vector.push_back(static_cast<std::uint32_t>(c));
       std::vector<double> weights;
       for (std::size_t other = 0; other < k; ++other) {

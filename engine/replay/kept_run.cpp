@@ -116,19 +116,18 @@ RunOptions kept_options(const KeptRunPlaces& places) {
   options.products = request.value("products", std::vector<std::string>{});
   for (const json& input : request.value("inputs", json::array())) options.inputs.push_back(file_of(input));
   options.footprints = file_of(request.value("footprints", json()));
-  options.train.places = file_of(request.value("train", json()));
+  options.train = file_of(request.value("train", json()));
   options.crs = request.value("crs", "");
   options.to_crs = request.value("to_crs", "");
   if (const std::string words = request.value("text_dialect", ""); !words.empty())
     options.dialect = dialect_of_words(words);
   options.clouds = request.value("clouds", true);
-  options.train.learn = places.learn;
   options.area = area_of(request.value("area", json()));
   return options;
 }
 
 KeptRun::KeptRun(const KeptRunPlaces& places, const fs::path& scratch, Progress& progress)
-    : options_(kept_options(places)) {
+    : options_(kept_options(places)), training_{options_.train, places.learn} {
   RunRecord record;
   Progress silent;  // the run has said it all
   inputs_ = open_inputs(options_, silent, record);

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "engine/pass/index.h"
+#include "engine/products/streets/make_streets.h"
 #include "engine/report/progress.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/options.h"
@@ -16,7 +17,7 @@ struct KeptRunPlaces {
   std::filesystem::path store;     // empty = out/.store
   std::filesystem::path stations;  // that the run was given, if any: run.json does not name the file
   std::optional<Area> within;      // polygons that the run was given, if any: run.json has their box alone
-  TrainObjectModel learn;          // as the run learns from places of things
+  TrainObjectModel learn;          // how the run learns from places of objects
 };
 
 // A folder that looks like a store: every file of it is a link to that of the kept store. What a pass writes takes the
@@ -50,10 +51,12 @@ class KeptRun {
   const RunInputs& inputs() const { return inputs_; }
   const PassContext& context() const { return context_; }
   const Store& store() const { return index_->store; }
+  const StreetTraining& training() const { return training_; }
   bool made(const char* product) const;
 
  private:
   RunOptions options_;
+  StreetTraining training_;
   RunInputs inputs_;
   PassContext context_;
   std::optional<ScratchStore> scratch_;

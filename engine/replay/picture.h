@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "kernels/core/flat.h"
+#include "kernels/geometry/flat.h"
 
 namespace ilot {
 

@@ -28,24 +28,24 @@ TileBox box_of(const TileReplay& replay) {
 // Parts and what joins them; those that were taken are whole.
 Layer thing_layer(const TileReplay& replay) {
   Layer layer{
-      "things",
+      "candidates",
       LayerShape::point,
       false,
-      {"thing", "taken", "part_1", "part_2", "object", "label", "probability", "whole", "part", "several", "points"},
+      {"candidate", "taken", "part_1", "part_2", "object", "label", "probability", "whole", "part", "merged", "points"},
       {}};
   for (std::size_t f = 0; f < kCandidateFeatures; ++f) layer.fields.push_back(candidate_feature_name(f));
   const StreetSteps& steps = replay.steps;
   const TileRaster& raster = *steps.raster;
   const TileBox box = box_of(replay);
-  for (std::size_t i = 0; i < steps.things.size(); ++i) {
-    const ObjectCandidate& t = steps.things[i];
+  for (std::size_t i = 0; i < steps.candidates.size(); ++i) {
+    const ObjectCandidate& t = steps.candidates[i];
     const Vec3 base{raster.crs_x(t.x + 0.5), raster.crs_y(t.y + 0.5), t.ground * raster.unit};
     if (!box.holds(base)) continue;
     const CandidateClass& c = steps.classes[i];
     LayerFeature feature{{{base}},
                          {static_cast<std::int64_t>(i + 1), steps.taken[i] != 0, std::int64_t{t.parts[0]},
                           std::int64_t{t.parts[1]}, std::int64_t{steps.object_of[i + 1]}, label_text(c.label),
-                          c.probability, c.whole, c.part, c.several, static_cast<std::int64_t>(t.points)}};
+                          c.probability, c.whole, c.part, c.merged, static_cast<std::int64_t>(t.points)}};
     for (const double value : t.features) feature.values.emplace_back(value);
     layer.features.push_back(std::move(feature));
   }

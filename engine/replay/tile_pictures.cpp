@@ -126,12 +126,12 @@ void TilePictures::add_objects() {
   const auto class_of = [&](Height part) -> const CandidateClass& {
     return steps.classes[steps.candidate_of_part[static_cast<std::size_t>(part)] - 1];
   };
-  add("things", "what things that were taken as whole are called", 0, [&](Height part) {
+  add("candidates", "classes of the candidates that were taken as whole", 0, [&](Height part) {
     const PointLabel label = class_of(part).label;
     seen.insert(label);
     return colour_of_label(label);
   });
-  if (pictures_.empty() || !pictures_.back().name.ends_with("things")) return;
+  if (pictures_.empty() || !pictures_.back().name.ends_with("candidates")) return;
   Picture& picture = pictures_.back();
   picture.name = picture.name.substr(0, 3) + "objects";
   for (const PointLabel label : seen) {
@@ -157,7 +157,7 @@ std::vector<Picture> pictures_of(const TileReplay& replay) {
   pictures.add_heights("height", "candidates: height above the ground, up to 4 m", 0, 4);
   pictures.add_heights("level", "the ground below what stands on it");
   pictures.add("components", "candidates that hang together", 0, number);
-  pictures.add("things", "parts as they were separated", 0, number);
+  pictures.add("candidates", "parts as they were separated", 0, number);
   pictures.add_objects();
   return pictures.take();
 }

@@ -29,7 +29,7 @@ TileReplay replay_tile(const KeptRun& run, const std::string& id, Progress& prog
 // A GeoTIFF for every layer in folder/layers.
 void write_images(const TileReplay& tile, const Crs& crs, const std::filesystem::path& folder);
 
-// The tile, the things in it and the objects.
+// The tile, the candidates in it and the objects.
 std::vector<Layer> layers_of(const TileReplay& tile);
 
 std::vector<Picture> pictures_of(const TileReplay& tile);

@@ -161,7 +161,7 @@ class Replay(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue(json.loads((look / "replay.json").read_text())["same_as_run"])
         layers = sorted(path.name for path in (look / "layers").iterdir())
-        self.assertLessEqual({"range.tif", "filled.tif", "zones.tif", "mask.tif", "height.tif", "things.tif"}, set(layers))
+        self.assertLessEqual({"range.tif", "filled.tif", "zones.tif", "mask.tif", "height.tif", "candidates.tif"}, set(layers))
         for layer in layers:
             self.assertEqual((look / "layers" / layer).read_bytes(), (same / "layers" / layer).read_bytes())
         objects = 0

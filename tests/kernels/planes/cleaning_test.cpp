@@ -58,10 +58,10 @@ struct Scan {
 Scan scan(std::uint64_t key) {
   Scan s;
   Rng rng(key);
-  constexpr double kStep = 0.004;
+  constexpr double kAngle = 0.004;
   for (int i = -150; i <= 150; ++i)
     for (int j = -100; j <= 100; ++j) {
-      const Vec3 d{kStep * i, 1, kStep * j};
+      const Vec3 d{kAngle * i, 1, kAngle * j};
       double range = 4000;  // along y
       const bool edge = std::abs(i) == 30;
       if (std::abs(i) <= 30) range = 2500;
