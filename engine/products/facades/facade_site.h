@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A facade's wall, its points and where it was seen from, all in the wall's own axes.
+// The wall of a facade, its points and the stations that saw it, all in the axes of the wall.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,7 +9,8 @@
 
 namespace ilot {
 
-// u along the wall, v up, w out of it; unit length, right x up = out. The origin lies on the wall.
+// u is along the wall, v is up, w is out of it. The vectors have unit length, and right x up = out. The origin is on
+// the wall.
 struct FacadeAxes {
   Vec3 origin, right, up, out;  // origin in CRS units
 };
@@ -32,7 +33,7 @@ struct ParallelPlane {
   std::uint64_t points = 0;
 };
 
-// In the wall's axes, metres.
+// A place in the axes of the wall, in metres.
 struct Place2 {
   double u = 0, v = 0;
 };
@@ -50,14 +51,15 @@ struct FacadeSite {
   double metres_per_unit = 1;
   double width = 0, height = 0;         // metres: the wall lies in u 0 to width, v 0 to height
   double epsilon = 0.005;               // metres: farthest that points of the wall lie from it
-  double noise = 0.002;                 // metres: root mean square of that
+  double noise = 0.002;                 // metres: root mean square distance of its points from it
   double step = 0.02;                   // metres between its points
   std::vector<std::uint32_t> wall;      // ids of the segments that make up the wall
   std::vector<ParallelPlane> parallel;  // by id
-  std::vector<OutlineRing> rings;   // outer ones of the wall's segments; none: the wall is taken to be its rectangle
-  std::vector<FacadePoint> points;  // of the wall and around it
+  std::vector<OutlineRing>
+      rings;  // outer rings of the segments of the wall; none: the wall is taken to be its rectangle
+  std::vector<FacadePoint> points;      // of the wall and around it
   std::vector<FacadeStation> stations;  // in front of the wall
-  std::vector<SiteStation> from;        // per point the number of its station; empty: none is known
+  std::vector<SiteStation> from;        // number of the station of each point; empty: no station is known
 };
 
 }  // namespace ilot
