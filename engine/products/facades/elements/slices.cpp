@@ -14,9 +14,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kLattice = 1e-4;  // metres, of the triangulation of a cut
-constexpr double kTail = 0.005;    // share of a cut's points beyond its extent on each side
-constexpr double kEnough = 0.5;    // of the largest ratio and of the points there
+constexpr double kLattice = 1e-4;  // metres; lattice for the triangulation of a cut
+constexpr double kTail = 0.005;    // share of the points of a cut beyond its extent on each side
+constexpr double kEnough = 0.5;    // share of the largest ratio, and of the number of points there
 
 std::size_t boundary_points(std::span<const Point2> points, double reach) {
   const Triangulation t = delaunay(points);
@@ -27,7 +27,7 @@ std::size_t boundary_points(std::span<const Point2> points, double reach) {
   std::vector<std::uint8_t> inside(points.size(), 0), rim(points.size(), 0);
   for (std::size_t i = 0; i < t.corner.size(); ++i) inside[t.corner[i]] |= keep[i / 3];
   for (const BoundaryEdge& e : boundary_edges(t, keep)) rim[e.from] = rim[e.to] = 1;
-  std::size_t count = 0;  // points that no triangle holds are boundary too, those at the same place are not
+  std::size_t count = 0;  // a point in no triangle is on the boundary too; a point at the place of another is not
   for (const auto& [left_out, equal] : t.duplicates) inside[left_out] = 1;
   for (std::size_t i = 0; i < points.size(); ++i) count += rim[i] != 0 || inside[i] == 0;
   return count;
@@ -39,7 +39,7 @@ struct Cut {
   std::vector<std::array<float, 2>> kept;  // u, v
 };
 
-// The cuts that each point is consistent with.
+// Finds the cuts with which each point is consistent.
 class Cuts {
  public:
   Cuts(const RaySamples& samples, const SliceRange& range, const SliceParams& params)
@@ -69,7 +69,8 @@ class Cuts {
 };
 
 int level_of(Rays& rays, const Cuts& cuts) {
-  constexpr std::uint64_t kMostOfCut = 1 << 15, kMostOfAll = 1 << 17;  // 250 bytes of a cut's, 8 of all
+  constexpr std::uint64_t kMostOfCut = 1 << 15,
+                          kMostOfAll = 1 << 17;  // 250 bytes per point of a cut, 8 bytes per point of all
   if (rays.size() <= kMostOfCut) return 0;
   std::map<std::int64_t, RankCounts> of_cut;
   RankCounts of_all;

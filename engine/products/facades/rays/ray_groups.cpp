@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-// Rays that wait for their place in the column, a few of each group.
+// Collects rays until they are written to the column, a few of each group.
 class GroupWriter {
  public:
   GroupWriter(RayColumn& column, std::span<const std::uint64_t> counts)

@@ -46,8 +46,8 @@ struct BoundaryParams {
 // or one at the same place, is a vertex of the outline of its plane before simplification). A triangle of the Delaunay
 // triangulation of all points of the segment belongs to the segment if its circumradius (or longest edge) is at most
 // the largest threshold of its corners. The result does not depend on the blocks. If erosion is only from outside,
-// outlines have no holes and no rings inside. The memory is one stretch per thread, of at most 2^18 points with the points around it, the
-// edges of some planes at a time, and one bit per point.
+// outlines have no holes and no rings inside. The memory is one stretch per thread, of at most 2^18 points with the
+// points around it, the edges of some planes at a time, and one bit per point.
 void boundaries_pass(const Store& store, const BoundaryParams& params, const PassContext& context,
                      const std::function<void(Outline)>& take);
 
