@@ -19,7 +19,7 @@ struct ClusterParams {
 struct CloudCluster {
   Index3 first;  // its first point in global order
   std::uint64_t points = 0;
-  IndexBox box;  // of its points
+  IndexBox box;  // box of its points
 };
 
 // Writes the column "cluster" (u32: 0 = none, else 1 + index into the result) of every block. Clusters are ordered by

@@ -22,7 +22,7 @@ struct InputStations {
 };
 
 struct StationTally {
-  std::uint64_t recorded = 0, unrecorded = 0;  // points of the store
+  std::uint64_t recorded = 0, unrecorded = 0;  // numbers of points of the store
 };
 
 // Writes the column "station" (StationNumber) of every block. `inputs` and `recorded` are parallel lists. An input

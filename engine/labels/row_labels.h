@@ -19,7 +19,7 @@ namespace ilot {
 struct LabelParams {
   std::vector<std::uint32_t> final_id;          // per joined plane + 1: the id that is written, 0 = none; [0] = 0
   std::vector<JoinedPlane> planes;              // by final id - 1; residuals are measured to these planes
-  bool write_normals = false;                   // with planes only
+  bool write_normals = false;                   // only together with planes
   bool with_planes = true;                      // columns "plane" and "boundary"
   bool with_roofs = false;                      // column "roof"
   bool with_streets = false;                    // column "street"

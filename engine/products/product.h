@@ -32,11 +32,10 @@ struct ProductRun {
   const std::vector<PlannedSite>* footprints = nullptr;  // nullptr: no file of footprints was given
   const StreetTraining* training = nullptr;
   std::function<bool(const char* product)> asked;  // whether the product is asked for by --products
-  std::filesystem::path folder;                    // of all results
+  std::filesystem::path folder;                    // folder of all results
   Progress& progress;
   RunRecord& record;
-  std::shared_ptr<PlanesResult> planes =
-      nullptr;  // made by the product planes, for the products that are found among planes
+  std::shared_ptr<PlanesResult> planes = nullptr;  // by the product planes, for products that are found among planes
 };
 
 // Whether a cloud suits a product, and the reason as half a sentence.

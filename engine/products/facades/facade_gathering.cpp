@@ -12,8 +12,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kEpsilons =
-    2;  // times the noise of the wall: its points lie within; at least the epsilon of its segments
+constexpr double kEpsilons = 2;  // times the noise, at least the epsilon of its segments: contains the points of a wall
 
 // The part of a box that another box in CRS units contains, and one step more.
 IndexBox within(const IndexBox& box, const Box3<Vec3>& part, double unit) {
@@ -55,7 +54,7 @@ class Slab {
 
  private:
   LatticeAxes into_;
-  double metres_;  // of a lattice step
+  double metres_;  // length of a lattice step
   std::array<Vec3, 3> axes_;
   std::array<double, 3> low_, high_;
 };
@@ -83,7 +82,7 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
         continue;
       if (work.recorded) {
         const SiteStation number = number_of[stations[i]];
-        if (number == kStationNotInFront && p.z < -epsilon) continue;  // not seen through the wall
+        if (number == kStationNotInFront && p.z < -epsilon) continue;  // its station does not see it through the wall
         from.push_back(number);
       }
       points.push_back(

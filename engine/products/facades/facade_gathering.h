@@ -29,7 +29,7 @@ struct FacadeWork {
   std::span<const std::uint32_t> final_id;          // per joined plane + 1
   std::span<const Vec3> stations;                   // CRS units
   std::span<const FacadeStation> steps;             // of these stations; the positions are not set
-  std::span<const Outline> outlines = {};           // of planes
+  std::span<const Outline> outlines = {};           // outlines of planes
   std::vector<OutlineNumber> outline_numbers = {};  // of these outlines, ascending; see numbers_of()
   bool recorded = false;                            // whether the store has the column "station" for these stations
   double beside = 2.5, before = 2.5, behind = 4;  // metres around the wall from which points are taken: an element may
@@ -68,7 +68,7 @@ std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 // The input of the search for a facade: the site, without points, and the points. Refers to `work`.
 struct GatheredFacade {
   FacadeSite site;
-  FacadePointSource points;  // in global order, so that nothing depends on blocks
+  FacadePointSource points;  // in global order, so that the result does not depend on blocks
 };
 GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall);
 

@@ -35,7 +35,7 @@ struct Part {
   bool opening = false;
   Box2 box;
   double depth = 0, margin = 0;                 // depth of its front; margin beside it
-  double arc_u = 0, arc_v = 0, arc_radius = 0;  // of a round top; radius 0: none
+  double arc_u = 0, arc_v = 0, arc_radius = 0;  // round top; radius 0: the top is not round
 
   bool contains(Place2 p) const {
     if (!box.grown(margin).contains(p)) return false;
@@ -155,7 +155,7 @@ class LabelledFacade {
   double width_, height_, epsilon_, front_ = 0, behind_ = 0;
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<Part> parts_;
-  std::vector<std::vector<std::uint32_t>> bins_;  // of parts
+  std::vector<std::vector<std::uint32_t>> bins_;  // indices of parts, per bin
   std::vector<Vec3> eyes_;
 };
 

@@ -15,7 +15,7 @@ struct FacadeLabel {
   std::uint32_t element = 0;  // its id within the facade; 0 = none
   std::uint16_t facade = 0;   // 0 = none
   PointLabel label = PointLabel::none;
-  std::uint8_t unused = 0;  // written to disk
+  std::uint8_t unused = 0;  // padding that is written to disk
 };
 
 // Writes the column "facade" of every block. A point gets the label of the first facade (the largest) to which it

@@ -17,11 +17,11 @@ namespace {
 constexpr double kStrip = 4;                    // metres along a wall that one task reads
 constexpr std::uint64_t kStripBytes = 4 << 20;  // memory of one task
 constexpr double kReach = 0.03;                 // metres, at least: smaller relief cannot be separated from the wall
-constexpr double kEdgeSteps = 2;                // steps of the scan, at least, around an edge
+constexpr double kEdgeSteps = 2;                // steps of the scan around an edge, at least
 
 struct Strip {
   std::size_t facade = 0;
-  double from = 0, to = 0;  // u: closed, open
+  double from = 0, to = 0;  // values of u: `from` is included, `to` is not
 };
 
 FacadeProofParams proof_params(const WallGroup& wall, double metres_per_unit) {

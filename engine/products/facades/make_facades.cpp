@@ -22,7 +22,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
+constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB per thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
 constexpr const char* kStationsUnrecorded =
@@ -269,7 +269,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
   reach_tops(run->found, run->walls, context.metres_per_unit);
   prove_facades(work, run->walls, planes.outlines.outlines(), run->found, context);
-  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
+  trim_memory();  // memory of the lines of sight; --memory counts what the allocator would keep
   return run;
 }
 

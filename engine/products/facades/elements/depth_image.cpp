@@ -69,7 +69,7 @@ void fill_rows(const RaySamples& samples, const RowBand& band, double least, dou
   const double u1 = image.u(image.columns), v0 = image.u(band.first), v1 = image.u(band.end);
   const auto first = static_cast<std::int64_t>(band.first * image.columns);
   const auto count = static_cast<std::int64_t>((band.end - band.first) * image.columns);
-  const auto cell_of = [&](const Ray& ray) {  // in the band; -1 outside of it
+  const auto cell_of = [&](const Ray& ray) {  // cell in the band; -1 outside of it
     const std::int64_t i = std::abs(static_cast<double>(ray.at.w)) <= most_depth ? image.at(ray.at) : -1;
     return i < first || i >= first + count ? -1 : i;
   };

@@ -14,9 +14,8 @@ namespace ilot {
 
 enum DepthKind : std::int8_t { kBehind = -1, kWall = 0, kBefore = 1, kNothing = 2 };
 
-constexpr double kAroundWall = 2.5;  // metres around the wall that the image covers; no element stands out farther
-constexpr double kForemostSheet =
-    0.03;  // metres; a point at most so far behind the foremost one belongs to the same surface
+constexpr double kAroundWall = 2.5;      // metres around the wall that the image covers; no element stands out farther
+constexpr double kForemostSheet = 0.03;  // metres; points at most this far behind the foremost one are on its surface
 
 // Cells are stored row by row from the bottom; columns go along the wall.
 struct DepthImage {

@@ -13,10 +13,9 @@ constexpr double kDoorLine = 0.25;                    // metres between the tops
 constexpr double kBesideOpening = 0.3;                // metres between an opening and its sill or lintel
 constexpr double kUnder = 0.7;                      // share of the width of the opening that a sill or a lintel covers
 constexpr double kLongerThanHigh = 2.5;             // width over height of sills and lintels, at least
-constexpr double kBandShare = 0.4, kBalcony = 0.3;  // share of the width of the wall; metres before the wall
-constexpr double kParapet = 1.5,
-                 kRail = 0.05;     // metres: balconies are not so high; nothing thinner than a rail is built of stone
-constexpr double kStandsOn = 0.5;  // metres: nobody stands on a narrower element, it carries something
+constexpr double kBandShare = 0.4, kBalcony = 0.3;  // metres: balconies are lower; a thinner element is a rail
+constexpr double kParapet = 1.5, kRail = 0.05;      // metres: balconies are lower; a thinner element is a rail
+constexpr double kStandsOn = 0.5;                   // metres: nobody stands on a narrower element, it carries something
 
 bool is_door(const FoundRectangle& r) {
   const Box2 box = r.box();

@@ -177,7 +177,7 @@ std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::si
   constexpr double kCells = 30, kLeastCell = 0.02;  // bytes per cell of all images together; metres
   constexpr std::uint64_t kBands = 8 << 20;         // while the bands are counted
   constexpr std::uint64_t kSorting = 5 << 20, kPerWorker = 12 << 20,
-                          kPoint = 200;  // a step has samples of 2^16 or 2^17 points
+                          kPoint = 200;  // samples of a step: 2^16 or 2^17 points
   const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
   const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
   return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +

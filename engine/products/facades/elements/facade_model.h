@@ -24,14 +24,14 @@ struct FacadeParams {
 };
 
 struct FoundFacade {
-  Facade facade;                     // ids of its elements from 1, bottom up and left to right; facade.id is left at 0
+  Facade facade;  // the ids of its elements begin at 1, bottom up and left to right; facade.id stays 0
   std::uint64_t occluded_edges = 0;  // number of edges that are not drawn as seen
 };
 
 // The intermediate results of find_facade(). They help to find the step that went wrong.
 struct FacadeSteps {
   OpeningSteps cells;
-  std::vector<FoundRectangle> openings, relief, stones, large;  // as the four searches found them
+  std::vector<FoundRectangle> openings, relief, stones, large;  // results of the four searches
   std::vector<ElementCandidate> found, drawn;                   // before and after regularisation
   std::vector<Irregularity> irregular;
   WallOutline outline;

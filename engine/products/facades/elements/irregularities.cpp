@@ -16,16 +16,15 @@ namespace {
 
 constexpr double kCellSteps = 3, kLeastCell = 0.02, kMostCell = 0.1;  // metres
 constexpr double kBeside = 1.5;                                       // cells around an element that belong to it
-constexpr double kFlatWidths = 4;    // times the noise: the points of a sheet lie within this width
-constexpr double kSteepest = 3;      // times the noise of a mean height: an even wall stays below
-constexpr double kAround = 1;        // metres around a region in which the density of the wall is measured
-constexpr double kLattice = 1e-4;    // metres
-constexpr double kLeastRise = 0.14;  // share of delta: a smaller mean height counts as zero
-constexpr double kEnclosed = 0.6;    // share of the cells around a region in which the wall is even
-constexpr double kReachCells = 2;    // cells; circumradius of the triangles of the shape
-constexpr double kHighest = 0.005;   // share of the vertices that lie above the rise
-constexpr std::uint64_t kMostPoints =
-    1 << 17;  // points of an irregularity; one with more points is drawn coarser; 64 bytes each
+constexpr double kFlatWidths = 4;               // times the noise: the points of a sheet lie within this width
+constexpr double kSteepest = 3;                 // times the noise of a mean height: an even wall stays below
+constexpr double kAround = 1;                   // metres around a region in which the density of the wall is measured
+constexpr double kLattice = 1e-4;               // metres
+constexpr double kLeastRise = 0.14;             // share of delta: a smaller mean height counts as zero
+constexpr double kEnclosed = 0.6;               // share of the cells around a region in which the wall is even
+constexpr double kReachCells = 2;               // cells; circumradius of the triangles of the shape
+constexpr double kHighest = 0.005;              // share of the vertices that lie above the rise
+constexpr std::uint64_t kMostPoints = 1 << 17;  // an irregularity with more points is drawn coarser; 64 bytes each
 
 struct HeightCell {
   float mean = 0;              // mean w of all points
@@ -37,7 +36,7 @@ struct HeightCell {
 // The sums of a cell while its points are counted.
 struct HeightSums {
   std::uint32_t even = 0, odd = 0;
-  double w = 0;  // sum
+  double w = 0;  // sum of w
 
   HeightCell cell() const {
     constexpr std::uint32_t kMost = 32767;

@@ -11,11 +11,10 @@
 namespace ilot {
 
 struct IrregularityParams {
-  double psi = 0.08;         // metres by which the threshold is widened: no irregularity is higher or deeper
-  double least_area = 0.04;  // m2
-  double least_density =
-      0.5;  // share of the density of the wall around it, with the wide threshold; a sparser region is an element
-  double most_flat = 0.8;  // largest share of its points at one depth: a band or a sill is flat, a bulge is not
+  double psi = 0.08;           // metres by which the threshold is widened: no irregularity is higher or deeper
+  double least_area = 0.04;    // m2
+  double least_density = 0.5;  // share of that of the wall, with the wide threshold; a sparser region is an element
+  double most_flat = 0.8;      // largest share of its points at one depth: a band or a sill is flat, a bulge is not
 };
 
 // All lengths are in metres, in the axes of the wall.

@@ -15,12 +15,11 @@ namespace ilot {
 namespace {
 
 constexpr double kBounded = 0.5;    // share of the rows or columns of a region beyond which the wall continues
-constexpr double kLeastFill = 0.4;  // share of its box
+constexpr double kLeastFill = 0.4;  // share of its box that it covers, at least
 constexpr double kInWall = 0.5;     // share of its box that is within the box of the wall
-constexpr double kConnectionFrom = 0.05,
-                 kConnectionTo = 0.4;     // shares of its depth between which its side faces have points
-constexpr double kConnectedShare = 0.25;  // share of the cells on its rim
-constexpr double kFlatEnd = 0.2;          // share of its points that lie on its end
+constexpr double kConnectionFrom = 0.05, kConnectionTo = 0.4;  // shares of its depth: its side faces have points there
+constexpr double kConnectedShare = 0.25;                       // share of the cells on its rim
+constexpr double kFlatEnd = 0.2;                               // share of its points that lie on its end
 constexpr double kReaches = 0.9;     // share of the way to the end of the wall; the rest is noise of its deepest points
 constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
 constexpr std::uint64_t kMostSamples = 1 << 17;  // points beside one side; more do not improve the result
@@ -225,7 +224,7 @@ Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, dou
     if (faces.points[k] > 0) {
       edge = {at[k], faces.error[k]};
       edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
-    } else if (stands_out && !(kSides[k] == Side::top && edge.at > samples.site().height)) {  // eaves slope
+    } else if (stands_out && !(kSides[k] == Side::top && edge.at > samples.site().height)) {  // eaves are inclined
       carry_end(edge, kSides[k], end, samples.site().step);
       *ends[k] = edge.at;
     }

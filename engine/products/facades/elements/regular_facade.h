@@ -34,7 +34,7 @@ struct ElementCandidate {
 
 struct RegularParams {
   double alike = 0.04;    // metres; sizes of one family and edges of one row or column differ by at most this
-  double line_up = 0.25;  // metres; middles of one column
+  double line_up = 0.25;  // metres between the middles of one column, at most
 };
 
 // Numbers the families (at least two members of equal width and height), the rows by their tops and the columns by

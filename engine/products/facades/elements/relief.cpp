@@ -16,8 +16,8 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kFewestStones = 4;
-constexpr std::uint64_t kFewestPoints = 3;  // of a piece
-constexpr double kTail = 0.005;             // share of points beyond a piece's box on each side
+constexpr std::uint64_t kFewestPoints = 3;  // points of a piece, at least
+constexpr double kTail = 0.005;             // share of points beyond the box of a piece on each side
 constexpr double kSamePlane = 0.01;         // metres between the planes of two pieces of one element
 constexpr double kSameLine = 0.05;          // metres between the sides of the two
 constexpr double kAcrossShadow = 1;         // metres between the two along the wall

@@ -36,7 +36,7 @@ std::size_t boundary_points(std::span<const Point2> points, double reach) {
 // The points of one cut.
 struct Cut {
   std::size_t count = 0;
-  std::vector<std::array<float, 2>> kept;  // u, v
+  std::vector<std::array<float, 2>> kept;  // u, v of the points that are kept
 };
 
 // Finds the cuts with which each point is consistent.
@@ -49,7 +49,7 @@ class Cuts {
     const double deepest = std::max(std::abs(range.from), std::abs(range.to)) + params.spacing;
     around_ = range.box.grown(samples.oblique() ? 1.5 * deepest : 0);
   }
-  const Box2& around() const { return around_; }  // where rays to the box cross the wall
+  const Box2& around() const { return around_; }  // the box in which rays to the box of the cuts cross the wall
   double w(std::int64_t cut) const { return range_.from + static_cast<double>(cut) * params_.spacing; }
   template <class Visit>
   void of(const Ray& ray, const Visit& visit) const {
@@ -69,8 +69,7 @@ class Cuts {
 };
 
 int level_of(Rays& rays, const Cuts& cuts) {
-  constexpr std::uint64_t kMostOfCut = 1 << 15,
-                          kMostOfAll = 1 << 17;  // 250 bytes per point of a cut, 8 bytes per point of all
+  constexpr std::uint64_t kMostOfCut = 1 << 15, kMostOfAll = 1 << 17;  // points; 250 bytes each of a cut, 8 of all
   if (rays.size() <= kMostOfCut) return 0;
   std::map<std::int64_t, RankCounts> of_cut;
   RankCounts of_all;

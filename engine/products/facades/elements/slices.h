@@ -15,7 +15,7 @@ struct SliceParams {
   double spacing = 0.02;   // metres between cuts
   double within = 0.75;    // share of the spacing: a point so near to a cut is consistent with it; it may be consistent
                            // with the next cut too
-  double reach_steps = 3;  // sampling steps: circumradius of the triangles that make up a cut's shape
+  double reach_steps = 3;  // sampling steps: greatest circumradius of the triangles that form the shape of a cut
 };
 
 struct FacadeSlice {

@@ -14,11 +14,10 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kSlices = 24, kLeastSlices = 8;
-constexpr double kJamb = 0.04;     // share of the width that is left out at each jamb
-constexpr double kHighest = 0.65;  // times the width: no arch is higher
-constexpr double kAbove = 0.2;     // metres above the known top that are searched
-constexpr double kOffCentre =
-    0.2;  // share of the width between the centre of an arch and the middle of its opening, at most
+constexpr double kJamb = 0.04;       // share of the width that is left out at each jamb
+constexpr double kHighest = 0.65;    // times the width: no arch is higher
+constexpr double kAbove = 0.2;       // metres above the known top that are searched
+constexpr double kOffCentre = 0.2;   // share of the width: an arch may be so far from the middle of its opening
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
 constexpr double kMostGap = 0.06;    // metres; slices whose top is less exact are left out
 constexpr double kRounder = 0.35;    // the residuals of a circle must be less than this share of those of a level line
@@ -53,7 +52,7 @@ double height_at(const CircleFit& fit, double u) {
 // Whether two circles are near each other over the opening. Their radii are not compared: the radius of a flat arch
 // changes by a sixth for one centimetre at the crown.
 bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
-  constexpr double kEnd = 0.1;  // of the width
+  constexpr double kEnd = 0.1;  // share of the width
   const auto near = [&](double share) {
     const double u = opening.u0 + share * opening.width();
     return std::abs(height_at(a, u) - height_at(b, u)) <= 2 * kBesideArc;

@@ -12,9 +12,8 @@ namespace {
 constexpr std::size_t kLeastFacePoints = 12;
 constexpr std::size_t kLeastTouches = 4;  // points of a face with too few points for a line
 constexpr double kMostTouches = 0.7;      // share of all points in the gap that must then lie on it
-constexpr double kLeastSpread =
-    0.35;                          // share of the depth of the face, and of the length of the side, that points cover
-constexpr double kSteepest = 0.1;  // slope of a side face against the normal of the wall, at most
+constexpr double kLeastSpread = 0.35;     // share of the depth of the face, and of the side, that points cover
+constexpr double kSteepest = 0.1;         // slope of a side face against the normal of the wall, at most
 
 double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
   std::vector<double> values;

@@ -11,14 +11,12 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kStretches = 24, kLeastStretches = 10;
-constexpr double kCorner = 0.04;  // share of the side that is left out at each end
-constexpr double kMostReach =
-    0.35;                          // share of the size of the opening that is searched on either side of the known side
-constexpr double kMostGap = 0.06;  // metres; intervals whose place is less exact are left out
-constexpr double kStraighter =
-    0.35;  // the residuals of the line must be less than this share of those of the straight side
-constexpr double kLeastLean = 0.03;              // metres from end to end
-constexpr double kMostLean = 0.9;                // tangent
+constexpr double kCorner = 0.04;      // share of the side that is left out at each end
+constexpr double kMostReach = 0.35;   // share of the size of the opening that is searched on either side
+constexpr double kMostGap = 0.06;     // metres; intervals whose place is less exact are left out
+constexpr double kStraighter = 0.35;  // greatest residuals of the line, as a share of those of the straight side
+constexpr double kLeastLean = 0.03;   // metres from end to end
+constexpr double kMostLean = 0.9;     // tangent of the angle
 constexpr std::uint64_t kMostSamples = 1 << 17;  // points of a side; more do not improve the result
 
 struct Stretch {

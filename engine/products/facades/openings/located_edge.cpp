@@ -12,10 +12,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kCornerShare = 0.12,
-                 kCornerMost = 0.15;  // share of a side, and metres at most, that are left out at its ends
-constexpr double kStepsOfShadow = 3;  // a gap wider than so many steps is a laser shadow
-constexpr double kBeam = 0.002;       // metres: echoes from the rim of a beam lie behind the edge that they came from
+constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // share of a side, and metres, left out at its ends
+constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a laser shadow
+constexpr double kBeam = 0.002;   // metres: echoes from the rim of a beam lie behind the edge that they came from
 constexpr double kGuessed = 0.5;  // share of the depth: possible error of a ray whose station was chosen among several
 constexpr double kNothingKnown = 3;    // metres: possible error of a hidden side
 constexpr double kBesideGap = 0.02;    // metres beside the gap in which points of the face may lie
@@ -24,8 +23,7 @@ constexpr double kCornerReach = 0.02;  // metres beside its last points
 constexpr double kSlotSteps = 2;       // steps along a side in which one scan line ends, at least
 constexpr double kTailOfEnds = 0.05;   // share of the scan lines that end at one place or another by chance
 constexpr double kFaceWidths = 4;      // times the noise: width of the interval that contains the points of a face
-constexpr std::uint64_t kMostSamples =
-    1 << 16;  // points of a side; more do not improve the result; about 70 bytes each
+constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side; more do not improve the result; 70 bytes each
 
 bool along_u(Side side) {
   return side == Side::left || side == Side::right;

@@ -23,12 +23,12 @@ struct LocatedEdge {
   double rms = 0;        // root mean square distance of these points to the edge
   double moved = 0;      // distance by which regularisation moved it
   double inner = 0;      // for an edge that is not seen: the last place that is known to be inside
-  bool by_face = false;  // from points on the side face itself: the reveal, the side of a sill
+  bool by_face = false;  // found from points on the side face itself: the reveal, the side of a sill
 };
 
 struct SideSearch {
   Box2 box;                // its approximate place
-  double depth = 0;        // w of the plane that ends, or begins, at the sides
+  double depth = 0;        // w of the plane that ends or begins at the sides
   double epsilon = 0.005;  // metres; epsilon of that plane
   bool hole = true;        // true: the plane is around it (an opening); false: the plane is the element itself (a sill)
   double face_from = 0, face_to = 0;      // values of w between which side faces may have points

@@ -13,19 +13,18 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
-constexpr double kBoundReach = 0.5;  // metres beyond an opening in which the wall must continue
-constexpr double kTopReach = 1.5;    // metres above it, where signs and blinds hide the wall
-constexpr double kBoundShare = 0.5;  // share of its height or width
-constexpr double kLeastKnown = 0.2;  // share of it about which something must be known
-constexpr double kLeastFill = 0.5;   // share of its box that its cells cover
-constexpr double kTail = 0.15;       // share of its rows and columns that may end farther out
-constexpr double kMostBehind = 4;    // metres; rooms behind panes
-constexpr double kMostSquare =
-    2.5;  // metres, for rays that are only taken to be perpendicular: the other side of the house is beyond
-constexpr double kDepthBin = 0.01;              // metres
-constexpr double kCoverShare = 0.25;            // share of the widest spread
-constexpr double kSheetDepth = 1;               // metres; the surface that fills an opening is not deeper
+constexpr double kWidestBar = 0.15;   // metres; bars and frames that are nearly as far out as the wall
+constexpr double kBoundReach = 0.5;   // metres beyond an opening in which the wall must continue
+constexpr double kTopReach = 1.5;     // metres above it, where signs and blinds hide the wall
+constexpr double kBoundShare = 0.5;   // share of its height or width
+constexpr double kLeastKnown = 0.2;   // share of it about which something must be known
+constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
+constexpr double kTail = 0.15;        // share of its rows and columns that may end farther out
+constexpr double kMostBehind = 4;     // metres; rooms behind panes
+constexpr double kMostSquare = 2.5;   // metres, for rays taken to be perpendicular; the back of the house is beyond
+constexpr double kDepthBin = 0.01;    // metres
+constexpr double kCoverShare = 0.25;  // share of the widest spread
+constexpr double kSheetDepth = 1;     // metres; the surface that fills an opening is not deeper
 constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of the surface that fills it; more do not improve the result
 
 using enum WallCells::What;
@@ -219,8 +218,7 @@ class FillingDepth {
       std::array<std::size_t, 4> quarters{};
       for (std::size_t c = 0; c < kAcross * kAcross; ++c) {  // a sheet may lie across two bins
         const std::size_t column = c % kAcross, row = c / kAcross;
-        if (column == 0 || row == 0 || column + 1 == kAcross || row + 1 == kAcross)
-          continue;  // reveals are in these cells
+        if (column == 0 || row == 0 || column + 1 == kAcross || row + 1 == kAcross) continue;  // reveals are there
         const std::size_t quarter = 2 * (2 * row / kAcross) + 2 * column / kAcross;
         const std::uint8_t next = b + 1 < kBins ? touched_[(b + 1) * kAcross * kAcross + c] : std::uint8_t{0};
         quarters[quarter] += touched_[b * kAcross * kAcross + c] | next;

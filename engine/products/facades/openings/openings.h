@@ -30,13 +30,12 @@ struct FoundRectangle {
   double depth = 0, depth_error = 0;  // w of the surface in it; negative behind the wall
   double width_error = INFINITY;      // where its size comes from a family; otherwise the errors of its sides count
   double height_error = INFINITY;
-  std::uint64_t points = 0;   // rays through it, or points on it
-  std::uint32_t plane = 0;    // id of the plane, for an element in front of the wall
-  double fill = 1;            // share of its cells that contain such rays or points
-  std::optional<TopArc> arc;  // its top side is then the crown
-  std::array<double, 4>
-      lean{};  // tangents of its sides, in the order of kSides; the place of a side is then that of its middle
-  std::optional<Box2> end;  // its rectangle at its depth, where that differs from its own rectangle
+  std::uint64_t points = 0;      // number of rays through it, or of points on it
+  std::uint32_t plane = 0;       // id of the plane, for an element in front of the wall
+  double fill = 1;               // share of its cells that contain such rays or points
+  std::optional<TopArc> arc;     // its top side is then the crown
+  std::array<double, 4> lean{};  // tangents of its sides, as kSides; a leaning side has the place of its middle
+  std::optional<Box2> end;       // its rectangle at its depth, where that differs from its own rectangle
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
   bool leans() const { return lean != std::array<double, 4>{}; }

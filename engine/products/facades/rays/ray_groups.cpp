@@ -29,7 +29,7 @@ class GroupWriter {
   }
 
  private:
-  static constexpr std::size_t kWaiting = std::size_t{1} << 15;  // rays, of all groups
+  static constexpr std::size_t kWaiting = std::size_t{1} << 15;  // rays of all groups together
 
   void write(std::size_t group) {
     column_.write(next_[group], {waiting_.data() + group * each_, filled_[group]});

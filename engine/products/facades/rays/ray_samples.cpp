@@ -123,7 +123,7 @@ std::uint8_t RaySamples::part_of(const FacadePoint& p) const {
 
 // Takes all points as rays, in the order of the source.
 RayColumn RaySamples::taken(const FacadePointSource& source) {
-  constexpr SiteStation kStationUndecided = kStationNotInFront;  // no index of a station
+  constexpr SiteStation kStationUndecided = kStationNotInFront;  // this value is no index of a station
   const bool one_of_many = site_.stations.size() >= 2;
   std::optional<SolidCells> solid;
   if (one_of_many) solid.emplace(site_);
@@ -188,7 +188,7 @@ void RaySamples::sort_by_place(const RayColumn& rays) {
   }
   std::vector<std::size_t> begins;                     // first bin of each group
   std::vector<std::uint64_t> counts;                   // rays of each group
-  std::vector<std::uint32_t> group(bins_.size() - 1);  // of each bin
+  std::vector<std::uint32_t> group(bins_.size() - 1);  // group of each bin
   for (std::size_t b = 0; b + 1 < bins_.size(); ++b) {
     const std::uint64_t count = bins_[b + 1].first;
     if (counts.empty() || counts.back() + count > kSortedTogether) begins.push_back(b), counts.push_back(0);

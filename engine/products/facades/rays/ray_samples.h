@@ -52,7 +52,7 @@ class RaySamples {
   bool oblique() const { return !site_.stations.empty(); }
   // Whether the station of some point was chosen among several.
   bool guessed() const { return guessed_; }
-  // Points within epsilon of the wall.
+  // The number of points within epsilon of the wall.
   std::uint64_t points_on_wall() const { return points_on_wall_; }
 
   // The place where the ray crosses the plane w = depth.

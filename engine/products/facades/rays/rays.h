@@ -17,10 +17,9 @@ namespace ilot {
 // The origin of a ray and what it met.
 struct Ray {
   FacadePoint at;
-  SiteStation station =
-      0;                  // index of the station in the site; kStationNotInFront - 1: none that is in front of the wall
-  std::uint8_t part = 0;  // RaySamples::Part
-  std::uint8_t unused = 0;  // written to disk
+  SiteStation station = 0;  // index in the site; kStationNotInFront - 1: none in front of the wall
+  std::uint8_t part = 0;    // RaySamples::Part
+  std::uint8_t unused = 0;  // padding that is written to disk
 };
 
 using RayColumn = ScratchColumn<Ray>;

@@ -17,12 +17,11 @@ std::vector<double> ring_profile(std::span<const OutlineRing> rings, ProfileOf o
                                  double cell, std::size_t count);
 
 struct TopLineParams {
-  double tolerance = 0.04;  // metres between the profile and its lines, at most: about two steps
-  double least_length = 1;  // metres along a line
-  double least_support =
-      0.75;  // share of its columns that lie on it; what hides the other columns hides nothing above the line
-  double most_above = 0.05;   // share of its columns that may lie above it
-  double most_lean_deg = 75;  // a steeper line is a side and no part of a top
+  double tolerance = 0.04;      // metres between the profile and its lines, at most: about two steps
+  double least_length = 1;      // metres along a line
+  double least_support = 0.75;  // share of its columns that lie on it; what hides the rest hides nothing above it
+  double most_above = 0.05;     // share of its columns that may lie above it
+  double most_lean_deg = 75;    // a steeper line is a side and no part of a top
 };
 
 // A line v = at + slope u, through the columns [first, last] of a profile.

@@ -12,13 +12,12 @@
 namespace ilot {
 
 struct WallParams {
-  double least_width = 2, least_height = 2;  // metres; smaller walls are parts of something else
-  double least_area = 4;                     // m2 of points
-  double lean_deg = 5;                       // greatest angle to the vertical
-  double bias = 0.03;                        // metres; walls whose planes differ by at most this are one wall
-  double gap = 3;                            // metres between two parts of a wall
-  double relief_front = 1.5,
-         relief_behind = 1;  // metres; a segment along a wall and at most so far from it is a part of the wall
+  double least_width = 2, least_height = 2;      // metres; smaller walls are parts of other structures
+  double least_area = 4;                         // m2 that its points cover
+  double lean_deg = 5;                           // greatest angle to the vertical
+  double bias = 0.03;                            // metres; walls whose planes differ by at most this are one wall
+  double gap = 3;                                // metres between two parts of a wall
+  double relief_front = 1.5, relief_behind = 1;  // metres; a segment along a wall within this is a part of it
   double metres_per_unit = 1;
 };
 
@@ -26,7 +25,7 @@ struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
   std::uint64_t points = 0;
-  std::vector<std::uint32_t> segments;  // ids
+  std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
   double above = 0;                     // metres above the wall that its dormers reach
 };

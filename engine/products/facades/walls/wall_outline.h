@@ -11,8 +11,7 @@ namespace ilot {
 struct WallOutlineParams {
   double least_length = 1;  // metres; least length of a sloping edge, or of a level edge below the top of the wall
   double least_step = 0.3;  // metres from such a level edge up to the top of the wall
-  double relief =
-      1.5;  // metres before the wall; a part within this distance hides the wall where it stands above an edge
+  double relief = 1.5;      // metres before the wall; points above an edge within this hide the wall there
 };
 
 // The ring is counter-clockwise from the lower left end; the second corner is the lower right one.

@@ -20,8 +20,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerEdge = 96;  // while the rings of a plane are assembled and simplified
 constexpr std::size_t kPlanesTogether = 256;
-constexpr std::size_t kLargeBoundary =
-    1 << 16;  // points; for a larger boundary, freed memory is returned to the system between the steps
+constexpr std::size_t kLargeBoundary = 1 << 16;  // points; above this, freed memory is returned between the steps
 
 struct RunOfBlock {
   std::uint32_t block = 0;
@@ -51,7 +50,7 @@ class SeamEdges {
   }
 
   std::size_t count() const { return count_; }
-  std::uint32_t regions() const { return regions_; }  // of all blocks
+  std::uint32_t regions() const { return regions_; }  // number of regions of all blocks
 
   // Gives some edges together with all edges that have the same ends, in the order of the ends, then of the blocks. The
   // result is empty when there are no more.
@@ -70,9 +69,8 @@ class SeamEdges {
  private:
   static constexpr std::uint64_t kAtOnce = 1 << 16;  // approximate number of edges
   struct Left {
-    std::uint32_t at = 0,
-                  regions = 0;  // number of edges of the run that were taken; number of regions of the runs before it
-    std::uint64_t next = UINT64_MAX;  // the smaller end of the next edge
+    std::uint32_t at = 0, regions = 0;  // edges of the run that were taken; regions of the runs before it
+    std::uint64_t next = UINT64_MAX;    // the smaller end of the next edge
   };
 
   std::uint64_t next_of(std::size_t r, std::uint32_t at) const {

@@ -128,7 +128,7 @@ void add_edges(const BoundarySurroundings& around, std::uint32_t plane, const Pl
         joined.unite(i, o);
       }
     }
-  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // by root
+  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // region of each root triangle
   for (const std::uint32_t e : open) {
     const std::uint32_t a = t.corner[e], b = t.corner[next_edge(e)];
     std::uint32_t& r = region[joined.find(place[e / 3])];
@@ -177,7 +177,7 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
     return std::pair(a.plane, ends_of(a)) < std::pair(b.plane, ends_of(b));
   });
   std::vector<SeamRun> runs;
-  std::vector<std::uint32_t> number(regions, kNoEdge);  // of a region within its run
+  std::vector<std::uint32_t> number(regions, kNoEdge);  // number of each region within its run
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i});
     ++runs.back().count;

@@ -34,7 +34,7 @@ struct SeamRun {
 // A point of this block that coincides on its plane with another point. The other one represents both.
 struct Coincident {
   std::uint32_t point = 0;  // number within the block
-  std::uint64_t kept = 0;   // in global order
+  std::uint64_t kept = 0;   // number in global order
 };
 
 // Writes "coincident" (Coincident), "seam_runs" (SeamRun) and, in the same order, "seam_edges" (SeamEdge).

@@ -28,7 +28,7 @@ IndexBox common(const IndexBox& a, const IndexBox& b) {
 struct Cutter {
   std::uint32_t number, most;
   std::span<const std::uint64_t> codes;
-  IndexBox box;  // around the points of the block
+  IndexBox box;  // box around the points of the block
   std::vector<BoundaryStretch> out;
 
   void cut(const Node& node, std::uint32_t first, std::uint32_t count) {

@@ -77,8 +77,8 @@ class BoundarySurroundings {
 
  private:
   struct PlanePoint {
-    std::uint64_t number = 0;   // in global order
-    float x = 0, y = 0, z = 0;  // from the anchor
+    std::uint64_t number = 0;   // number in global order
+    float x = 0, y = 0, z = 0;  // coordinates from the anchor
     std::uint32_t plane = 0;    // final id
     std::int64_t farthest = 1;  // `farthest` of its range, in steps
   };

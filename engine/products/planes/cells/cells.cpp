@@ -146,7 +146,7 @@ std::uint64_t points_to_load(const Store& store, const Cell& cell) {
 CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette) {
   const IndexBox own = cell.node.box(), around = own.grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
-  std::uint64_t in_margin = plan.size - cell.points;  // at most
+  std::uint64_t in_margin = plan.size - cell.points;  // upper bound
   if (in_margin > kCellPoints) in_margin = count_margin(store, plan, around, own);
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;

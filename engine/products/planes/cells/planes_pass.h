@@ -13,7 +13,7 @@ namespace ilot {
 
 // The data of a cell that stay in memory while passes run over the blocks. Lengths are in lattice units.
 struct CellSummary {
-  std::uint32_t first_plane = 0, plane_count = 0;  // among all cell planes
+  std::uint32_t first_plane = 0, plane_count = 0;  // numbers among all cell planes
   std::int64_t connectivity = 1;
   std::uint32_t min_points = 3;
   double epsilon = 0;

@@ -19,8 +19,7 @@ struct JoinedShape {
 struct JoinedShapes {
   std::vector<JoinedShape> shapes;        // ordered by their first cell, so in global order
   std::vector<std::uint32_t> of_segment;  // for each shape of a cell, cell by cell: 1 + index into `shapes`
-  std::vector<std::uint32_t>
-      first;  // for each cell the number of its first shape in `of_segment`; then the number of all
+  std::vector<std::uint32_t> first;       // per cell: its first shape in `of_segment`; then the number of all
 };
 
 // Joins shapes of one kind from different cells whose boxes are within the connectivity of each other. Shapes with the

@@ -26,7 +26,7 @@ constexpr double kAgreement = 0.5;  // root mean square distance of each part fr
 // The labelled points near the border of their cell: all points in reach of a point that may itself reach another cell.
 // With fewer points, the nearest one would depend on the widest reach in the block, and so on the blocks.
 struct BorderPoints : PaddedPoints {
-  std::vector<std::uint32_t> segment;  // cell plane
+  std::vector<std::uint32_t> segment;  // cell plane of each point
   std::vector<std::uint32_t> own;      // positions of the points that belong to the block
 };
 
@@ -177,7 +177,7 @@ class Joiner {
   std::vector<std::uint32_t> parents_;
   UnionFind sets_;
   std::vector<Group> groups_;
-  std::vector<Vec3> normals_;  // of the cell planes
+  std::vector<Vec3> normals_;  // normals of the cell planes
 };
 
 // Sums the contacts of each pair over all blocks, for some planes at a time.

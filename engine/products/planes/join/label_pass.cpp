@@ -211,7 +211,7 @@ class BlockLabels {
   View view_;
   PointRange own_;
   std::vector<std::uint32_t> before_;  // joined plane of each point of the view, as found by the cells
-  std::vector<std::uint32_t> plane_;   // of the block's own points
+  std::vector<std::uint32_t> plane_;   // joined plane of each own point of the block
 };
 
 void add(PlaneTally& sum, const PlaneTally& t) {

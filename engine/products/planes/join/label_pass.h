@@ -20,8 +20,7 @@ struct PlaneTally {
   std::uint64_t content_id = 0;  // a function of the set of points, relative to their tiles
   std::uint64_t sure = 0;  // points within half of epsilon whose normal is less than 25 degrees from that of the plane
   std::uint64_t with_normal = 0;
-  std::uint64_t squared_sines =
-      0;  // of the angles between the normals of the points and that of the plane, in kSineUnit
+  std::uint64_t squared_sines = 0;  // of the angles between normals of points and that of the plane, in kSineUnit
   std::array<std::uint64_t, kMostColourClasses> colours{};           // number of points in each colour class
   double low[2]{INFINITY, INFINITY}, high[2]{-INFINITY, -INFINITY};  // along u and v of frame_of(plane, {}), from 0
   IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
