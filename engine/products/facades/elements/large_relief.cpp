@@ -202,7 +202,8 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
   return edge;
 }
 
-// For a side face that was not seen: the wall beside it is in its shadow, so the side is where the end has its side.
+// Handles a side face that was not seen: the wall beside it is in its shadow, so the side is where the end has its
+// side.
 void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
   const double at = side == Side::left ? end.u0 : side == Side::right ? end.u1 : side == Side::bottom ? end.v0 : end.v1;
   const double shadow = std::abs(edge.at - at);

@@ -35,7 +35,7 @@ FaceCluster densest_cluster(std::vector<FacePoint> points, const FaceSearch& sea
 // deep enough and far enough along the side.
 FaceLine find_face(const FaceCluster& cluster, const FaceSearch& search, double depth);
 
-// For a face on which there are only one or two scan lines, or at whose edge beams were split. There is no line in this
+// Handles a face with only one or two scan lines on it, or with an edge that split beams. There is no line in this
 // case: the result is the mean of the cluster. The cluster must go far enough along the side and contain nearly all
 // points there. The error of its points is taken to be at least `noise`.
 FaceLine find_touches(const FaceCluster& cluster, const FaceSearch& search, double noise);

@@ -302,7 +302,7 @@ DormerFronts::~DormerFronts() = default;
 
 // The segments that may be part of a front, the largest first.
 std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
-  constexpr double kOverlap = 0.3;  // metres below the top of the wall that they may reach beside it
+  constexpr double kOverlap = 0.3;  // metres that they may reach below the top of the wall and beyond its ends
   const State& in = *state_;
   const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
                       -in.dormers.behind, in.params.bias};

@@ -25,7 +25,7 @@ constexpr int kSamplingNeighbours = 16;
 Sampling measure_sampling(Points points, std::span<const std::uint32_t> neighbours,
                           std::span<const std::int64_t> reach2);
 
-// From where a cell was seen, as far as its normals show it.
+// The place from which a cell was seen, as far as its normals show it.
 enum class SeenFrom : std::uint8_t { ground, air };
 
 // The result is `ground` if more than a quarter of the known normals are within 17.5 degrees of the horizontal: these
