@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kLeastShareOf = 2;  // one of so many must be smooth
+constexpr std::uint32_t kLeastShareOf = 2;  // one in so many must be smooth
 constexpr std::uint32_t kFewest = 4;        // smooth points in nine pixels
 
 HighPoints around(const std::vector<HighPoints>& pixels, std::uint32_t width, std::uint32_t height, std::uint32_t x,

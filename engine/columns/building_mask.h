@@ -7,18 +7,18 @@
 
 namespace ilot {
 
-// Points of a pixel that stand high above the ground, and those of them that lie on a smooth surface and alone in their
-// pulse.
+// The number of points of a pixel that are high above the ground, and of those among them that are on a smooth surface
+// and are the only echo of their pulse.
 struct HighPoints {
   std::uint32_t high = 0, smooth = 0;
 };
 
-// How far a pixel's answer looks.
+// The halo of a pixel, in pixels.
 constexpr std::uint32_t kMaskHalo = 3;
 
-// Which pixels are buildings', row by row, 1 or 0: those around which (three by three pixels) most of the high points
-// are smooth, where three by three such pixels lie together. Trees are rough and come back several times. Exact and
-// local. O(pixels).
+// Marks the pixels of buildings, row by row, with 1, all others with 0. A pixel is a candidate if most of the high
+// points in the three by three pixels around it are smooth. It is marked if it is in a square of three by three
+// candidates. Trees are rough and give several echoes. The result is exact and local. O(pixels).
 std::vector<std::uint8_t> building_mask(const std::vector<HighPoints>& pixels, std::uint32_t width,
                                         std::uint32_t height);
 

@@ -23,7 +23,7 @@ IndexBox column_around(const IndexBox& box, std::int64_t by) {
   return column_over(box.min.x - by, box.min.y - by, box.max.x + by, box.max.y + by);
 }
 
-// Points in plan that are searched for links at a time.
+// The number of points in plan that are searched for links at a time.
 constexpr std::uint64_t kMostLinked = 1u << 17;
 
 void add(CloudCluster& cluster, Index3 p) {
@@ -39,7 +39,7 @@ void add(CloudCluster& sum, const CloudCluster& part) {
   sum.points += part.points;
 }
 
-// Clusters of one block's own points, numbered by their first points; column "cluster_part".
+// The clusters of the own points of one block, numbered by their first points; column "cluster_part".
 std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block, const ClusterParams& params) {
   const Block& b = store.blocks()[block];
   View view;
@@ -52,7 +52,7 @@ std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block
   chosen.reserve(static_cast<std::size_t>(std::count(roles.begin(), roles.end(), params.role)));
   for (std::uint32_t i = 0; i < b.points; ++i)
     if (roles[i] == params.role) chosen.push_back(i);
-  std::vector<float> heights(view.z.size(), 0.0f);  // left out of the distances
+  std::vector<float> heights(view.z.size(), 0.0f);  // heights do not count in the distances
   std::swap(heights, view.z);
   const Clusters found = euclidean_clusters(view.points(), chosen, params.radius);
   std::swap(heights, view.z);
@@ -67,7 +67,7 @@ std::vector<CloudCluster> parts_of_block(const Store& store, std::uint32_t block
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;
 
-// The points of parts in a column of space, seen from its corner, heights left out.
+// The points of parts in a column of space, relative to its corner, without heights.
 struct PlanPoints : PaddedPoints {
   std::vector<std::uint32_t> part;
 };
@@ -86,8 +86,9 @@ PlanPoints points_in(const Store& store, const IndexBox& box, const std::vector<
   return points;
 }
 
-// Parts with points of the box, or within the radius of it, that are connected there. Where there are many points, a
-// quarter of the box at a time: of two points that are near each other one is in it.
+// Adds links between parts that are connected in the box. The parts have points in the box or within the radius of it.
+// Where there are many points, a quarter of the box is processed at a time: of two points that are near each other, at
+// least one is in it.
 void add_links(const Store& store, const IndexBox& box, const ClusterParams& params,
                const std::vector<std::uint32_t>& first, std::vector<Pair>& links) {
   const IndexBox read = column_around(box, params.radius);
@@ -115,7 +116,8 @@ void add_links(const Store& store, const IndexBox& box, const ClusterParams& par
   links.erase(std::unique(links.begin() + before, links.end()), links.end());
 }
 
-// Parts of different blocks that are connected around this one. `first`: per block the number of its first part.
+// Finds the parts of different blocks that are connected around this block. `first` has for each block the number of
+// its first part.
 std::vector<Pair> links_of_block(const Store& store, std::uint32_t block, const ClusterParams& params,
                                  const std::vector<std::uint32_t>& first) {
   const IndexBox& box = store.blocks()[block].box;

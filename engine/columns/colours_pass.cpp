@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kRows = 1 << 16;  // read at a time
+constexpr std::uint32_t kRows = 1 << 16;  // rows read at a time
 constexpr std::uint64_t kSample = std::uint64_t{1} << 17;
 
 struct RawColour {
@@ -24,7 +24,7 @@ RawColour colour_of(std::span<const std::byte> record, const RecordLayout& layou
   return {load<std::uint16_t>(rgb), load<std::uint16_t>(rgb + 2), load<std::uint16_t>(rgb + 4)};
 }
 
-// The sum of colours is their largest channel.
+// Replaces the sum of colours: it keeps the largest channel.
 void keep_largest(RawColour& most, const RawColour& c) {
   most.r = std::max({most.r, c.r, c.g, c.b});
 }

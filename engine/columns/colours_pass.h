@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours of the points in the store, and the classes they fall into [Lorraine thesis, 2.2.1].
+// The colours of the points in the store, and their colour classes [Lorraine thesis, 2.2.1].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,23 +16,25 @@ namespace ilot {
 using StoredColour = std::uint32_t;  // 0xRRGGBB
 constexpr StoredColour kNoColour = 0xff000000;
 
-// Writes the column "colour" of every block, if an input has colours; returns whether one has. Reads every coloured
-// input once more, into files of 6 bytes a row from which blocks gather theirs, so memory stays that of a block. Files
-// whose channels never exceed 255 hold 8 bits a channel, the others 16 (the lower 8 are dropped).
+// Writes the column "colour" of every block if an input has colours; returns whether one has. Every input with colours
+// is read once more, into files of 6 bytes per row. Each block gathers its colours from these files, so the memory is
+// that of one block. A file whose channels never exceed 255 has 8 bits per channel. Other files have 16 bits, and the
+// lower 8 are dropped.
 bool colours_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                   const PassContext& context);
 
 constexpr std::size_t kMostColourClasses = 16;
 
-// Classes of colour of a whole store: centres in CIELAB, hundredths, the largest class first.
+// The colour classes of a whole store: their centres in hundredths of CIELAB units, the largest class first.
 struct ColourPalette {
   std::vector<std::array<double, 4>> centre;
-  // 1 to the number of classes, the nearest centre (ties: the smaller); 0 for kNoColour and without classes.
+  // The class of a colour: 1 to the number of classes, the one with the nearest centre (ties: the smaller number). It
+  // is 0 for kNoColour, and when there are no classes.
   std::uint32_t class_of(StoredColour colour) const;
 };
 
-// k classes by k-means from the share of points whose hashed place says so, at most about 2^17: they depend on the set
-// of points alone. After colours_pass.
+// Finds k classes by k-means on a sample of at most about 2^17 points. A hash of its place decides whether a point is
+// in the sample, so the classes depend on the set of points alone. Call it after colours_pass.
 ColourPalette colour_palette(const Store& store, std::uint32_t k, std::uint64_t seed);
 
 }  // namespace ilot

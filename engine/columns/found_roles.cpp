@@ -15,10 +15,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kSide = 128;              // of a tile, pixels
-constexpr double kPixelMetres = 1.1;              // at most
-constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the ground's surface
-constexpr double kSmooth = 0.06;                  // greatest curvature of a roof's points
+constexpr std::uint32_t kSide = 128;              // side of a tile, in pixels
+constexpr double kPixelMetres = 1.1;              // largest side of a pixel
+constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the surface of the ground
+constexpr double kSmooth = 0.06;                  // greatest curvature of the points of a roof
 constexpr std::uint64_t kBytesPerPoint = 32, kBytesOfTile = 8u << 20;
 
 double unit_millimetres(const Store& store, const PassContext& context) {
@@ -68,14 +68,14 @@ class RoleFinder {
               [&](std::size_t tile) { layers().write(layer, tile, make(tile)); });
   }
 
-  // The pixel of a point in the image of a tile and so many pixels around it.
+  // The pixel of a point in the image of a tile with a halo of so many pixels.
   std::size_t pixel_in(std::size_t tile, std::uint32_t halo, Index3 p) const {
     const Index3 low = raster().box(tile, halo).min;
     return std::size_t{pixel_of_(p.y - low.y)} * (kSide + 2 * halo) + pixel_of_(p.x - low.x);
   }
 
-  // Calls take(stretch, index, position) for the points of a tile and so many pixels around it. `begin` is called with
-  // each stretch before.
+  // Calls take(stretch, index, position) for the points of a tile with a halo of so many pixels. Calls `begin` with
+  // each stretch before its points.
   template <class Begin, class Take>
   void for_points(std::size_t tile, std::uint32_t halo, const Begin& begin, const Take& take) const {
     const IndexBox box = raster().box(tile, halo);
@@ -104,7 +104,7 @@ class RoleFinder {
     return without_halo(ground_surface(layer_around(layers(), "lowest", tile, kGroundHalo), params), kGroundHalo);
   }
 
-  // 1 on the pixels of buildings.
+  // An image with 1 on the pixels of buildings.
   Image buildings(std::size_t tile) const {
     constexpr std::uint32_t kAround = kSide + 2 * kMaskHalo;
     const Image ground = layer_around(layers(), "ground", tile, kMaskHalo);

@@ -6,10 +6,11 @@
 
 namespace ilot {
 
-// What ground and buildings are where nobody has said so: rewrites the column "role" of the unclassified points. Ground
-// is what lies within 0.5 m of the ground's surface (engine/columns/ground_surface.h), buildings are points from 2 m up
-// where most are smooth (building_mask.h). Needs "normals" and "echoes". Works in tiles of 128 pixels of about a metre
-// on the lattice with all the halo they need: no seam shows.
+// Finds ground and buildings where points are not classified: rewrites the column "role" of these points. A point
+// within 0.5 m of the surface of the ground (engine/columns/ground_surface.h) is ground. A point at least 2 m above the
+// ground where most points are smooth (building_mask.h) is a building. Needs "normals" and "echoes". The work is done
+// in tiles of 128 pixels of about a metre on the lattice, with the full halo that they need, so that there are no
+// seams.
 RoleCounts find_roles(const Store& store, const PassContext& context);
 
 }  // namespace ilot

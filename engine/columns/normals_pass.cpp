@@ -13,14 +13,14 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 112;    // of the block; twice as many are looked at
-constexpr std::uint64_t kLeastPoints = 1 << 15;  // of small blocks more may lie around
+constexpr std::uint64_t kBytesPerPoint = 112;    // per point of the block; twice as many points are read
+constexpr std::uint64_t kLeastPoints = 1 << 15;  // a small block may have more points around it
 
-// Points of one block, ascending, that still wait for a halo of this margin.
+// Points of one block, ascending, that need a halo of this margin.
 struct Waiting {
   std::vector<std::uint32_t> points;
   std::int64_t margin = 0;
-  bool unlimited = false;  // as many points as that coincide there: take them all
+  bool unlimited = false;  // as many points as the limit coincide there: all are taken
 };
 
 std::int64_t root(std::int64_t squared) {
@@ -39,8 +39,8 @@ std::int64_t squared_distance(const ChunkBox& c, Index3 p) {
   return sum;
 }
 
-// Squared distance to the k-th nearest point of the whole store, or max_d2 when it is farther: chunks are read nearest
-// first, one at a time, so a lonely point beside a dense surface costs no memory.
+// The squared distance to the k-th nearest point of the whole store, or max_d2 when it is farther. Chunks are read one
+// at a time, the nearest first, so that a lonely point beside a dense surface costs no memory.
 std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& params) {
   struct Chunk {
     std::int64_t d2;
@@ -77,7 +77,7 @@ std::int64_t reach_by_chunks(const Store& store, Index3 p, const NormalsParams& 
   return nearest.size() < k ? params.max_d2 : std::min(params.max_d2, nearest.front());
 }
 
-// One block's normals: a first halo from the block's own density, wider ones for the points that need them.
+// The normals of one block. The first halo follows from the density of the block; points that need it get wider ones.
 class BlockNormals {
  public:
   BlockNormals(const Store& store, std::uint32_t block, const NormalsParams& params)
@@ -101,7 +101,7 @@ class BlockNormals {
   }
 
  private:
-  // The reach of nearly all points, from a sample of the block alone.
+  // The reach that is enough for nearly all points, estimated from a sample of the block alone.
   std::int64_t first_margin() const {
     const Block& b = store_.blocks()[block_];
     View view = plan_view(store_, b.box, b.node.min_corner());
@@ -119,7 +119,7 @@ class BlockNormals {
     return std::min(radius_, root(reach2[reach2.size() * 98 / 100]) + 1);
   }
 
-  // Solves what the group's halo can solve and puts the rest on the stack.
+  // Finds the normals that are certain within the halo of the group, and puts the other points on the stack.
   void attempt(const Waiting& group, std::vector<Waiting>& stack) {
     const IndexBox read = box_of(group.points).grown(group.margin);
     View view = plan_view(store_, read, store_.blocks()[block_].node.min_corner());
@@ -131,7 +131,8 @@ class BlockNormals {
     normals(build_neighbour_index(view.points()), queries, params_, found, reach2);
     Waiting wider{{}, std::min(radius_, 2 * group.margin), false};
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      // What lies beyond `clear` may be unread. Fewer than k: certain only when all of max_radius was read.
+      // Points farther than `clear` may not have been read. With fewer than k points, the result is certain only if all
+      // of max_radius was read.
       const std::int64_t clear = clearance(read, view, queries[i]);
       const bool certain = reach2[i] < 0 ? clear >= radius_ : reach2[i] <= clear * clear;
       if (certain) {
@@ -143,7 +144,8 @@ class BlockNormals {
     if (!wider.points.empty()) stack.push_back(std::move(wider));
   }
 
-  // Too many points around: half the group at a time; a single point gets exactly the margin that it needs.
+  // Divides a group that has too many points around it into two halves. A single point gets exactly the margin that it
+  // needs.
   void divide(const Waiting& group, std::vector<Waiting>& stack) {
     if (group.points.size() == 1) {
       const Index3 p = position(group.points[0]);
@@ -179,7 +181,7 @@ class BlockNormals {
         {p.x - box.min.x, box.max.x - p.x, p.y - box.min.y, box.max.y - p.y, p.z - box.min.z, box.max.z - p.z});
   }
 
-  // Where points of the block stand in the view; both lists ascend.
+  // The positions of points of the block in the view; both lists are ascending.
   std::vector<std::uint32_t> positions(const View& view, std::span<const std::uint32_t> points) const {
     std::vector<std::uint32_t> at;
     at.reserve(points.size());

@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// What a class code means to buildings.
+// What a class code means for buildings.
 enum class PointRole : std::uint8_t {
   unclassified,  // never classified: may be anything
   building,
@@ -17,10 +17,11 @@ enum class PointRole : std::uint8_t {
   other,  // classified as something else
 };
 
-// By class code. 0 (never classified), 1 (unclassified) and 12 (overlap of old formats) may be anything.
+// The roles by class code. Codes 0 (never classified), 1 (unclassified) and 12 (overlap in old formats) may be
+// anything.
 std::array<PointRole, 256> point_roles(std::span<const int> building, std::span<const int> ground);
 
-// Points of each role (PointRole) in the store.
+// The number of points of each role (PointRole) in the store.
 using RoleCounts = std::array<std::uint64_t, 4>;
 
 // Writes the column "role" (PointRole) of every block from its "class".

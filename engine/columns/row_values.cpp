@@ -5,7 +5,7 @@ namespace ilot {
 
 std::vector<RowStretch> row_stretches(const std::vector<std::unique_ptr<PointReader>>& inputs,
                                       const std::function<bool(std::size_t)>& wanted) {
-  constexpr std::uint64_t kLeast = 1 << 19;  // rows in a file, but for the last
+  constexpr std::uint64_t kLeast = 1 << 19;  // rows in a file, except in the last one
   std::vector<RowStretch> all;
   for (std::size_t f = 0; f < inputs.size(); ++f) {
     const std::uint64_t points = inputs[f]->info().points;

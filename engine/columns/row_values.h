@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A value of every input row, brought to the points of the store: read once more into files by row, from which blocks
-// gather theirs, so that memory stays that of a block.
+// Brings a value of every input row to the points of the store. The inputs are read once more into files by row, and
+// each block gathers its values from these files. Therefore the memory is that of one block.
 #pragma once
 #include <algorithm>
 #include <filesystem>
@@ -20,21 +20,22 @@
 
 namespace ilot {
 
-// Rows of one input whose values stand in one file.
+// Rows of one input whose values are in one file.
 struct RowStretch {
   std::size_t file = 0;
   std::uint64_t first = 0, count = 0;
 };
 
-// Of the inputs that are wanted, in the order of files and rows. Inputs without random access are one stretch each.
+// The stretches of the inputs that are wanted, in the order of files and rows. An input without random access is one
+// stretch.
 std::vector<RowStretch> row_stretches(const std::vector<std::unique_ptr<PointReader>>& inputs,
                                       const std::function<bool(std::size_t)>& wanted);
 
-// Value is plain data. The files lie in a folder of the store; those that an earlier start finished are kept.
+// `Value` is plain data. The files are in a folder of the store. Files that an earlier run has completed are kept.
 template <class Value>
 class RowValues {
  public:
-  // `store` and `inputs` must live as long.
+  // `store` and `inputs` must outlive this object.
   RowValues(const Store& store, const char* folder, const std::vector<std::unique_ptr<PointReader>>& inputs,
             const std::function<bool(std::size_t)>& wanted)
       : store_(store), folder_(store.folder() / folder), inputs_(inputs), stretches_(row_stretches(inputs, wanted)) {}
@@ -42,8 +43,7 @@ class RowValues {
   bool empty() const { return stretches_.empty(); }
   const std::vector<RowStretch>& stretches() const { return stretches_; }
 
-  // Reads every stretch: value_of(record, layout) of each row, and their sum by add(sum, value) of those that are
-  // valid.
+  // Reads every stretch: value_of(record, layout) of each row, and the sum of the valid ones by add(sum, value).
   template <class ValueOf, class Add>
   void read(std::uint32_t fields, const PassContext& context, const ValueOf& value_of, const Add& add) const {
     std::filesystem::create_directories(folder_);
@@ -59,8 +59,8 @@ class RowValues {
 
   Value sum(const RowStretch& s) const { return ColumnReader<Value>(path(s)).at(s.count); }
 
-  // Writes a column of every block that has none: stored(value, file) of each point, `none` of those whose input is not
-  // wanted.
+  // Writes the column of every block that does not have it: stored(value, file) for each point, and `none` for points
+  // whose input is not wanted.
   template <class Stored, class ToStored>
   void gather(const Column<Stored>& column, Stored none, const PassContext& context, const ToStored& stored) const {
     constexpr std::uint64_t kBytesPerPoint = 52;
@@ -80,7 +80,7 @@ class RowValues {
   }
 
  private:
-  static constexpr std::uint64_t kRows = 1 << 16;  // gathered at a time
+  static constexpr std::uint64_t kRows = 1 << 16;  // rows that are gathered at a time
 
   std::uint64_t rows_at_once(const RowStretch& s) const {
     return rows_at_a_time(inputs_[s.file]->info().layout.record_length, kRows);
@@ -90,7 +90,7 @@ class RowValues {
     return folder_ / (std::to_string(s.file) + "_" + std::to_string(s.first));
   }
 
-  // The values by row, then their sum.
+  // Writes the values by row, and their sum after them.
   template <class ValueOf, class Add>
   void write(const RowStretch& s, const ValueOf& value_of, const Add& add) const {
     PointReader& input = *inputs_[s.file];
@@ -117,7 +117,7 @@ class RowValues {
     writer.commit();
   }
 
-  // Values by file and row, asked for in rising order, read a window at a time.
+  // Reads values by file and row, one window at a time. They must be asked for in ascending order.
   class AscendingReader {
    public:
     explicit AscendingReader(const RowValues& all) : all_(all) {}

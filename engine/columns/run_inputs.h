@@ -9,13 +9,13 @@
 
 namespace ilot {
 
-// The opened inputs of a run, as passes and products are given them.
+// The opened inputs of a run, for passes and products.
 struct RunInputs {
   std::vector<std::unique_ptr<PointReader>> readers;  // by path
-  Crs crs;                                            // of them all, one unit in all axes; what products are in
+  Crs crs;  // the same for all inputs, with one unit in all axes; products use it too
   std::uint64_t points = 0;
-  std::vector<Station> stations;            // of the stations file, or else of the inputs
-  std::vector<InputStations> row_stations;  // per reader: which of these its rows are from
+  std::vector<Station> stations;            // from the stations file, or else from the inputs
+  std::vector<InputStations> row_stations;  // for each reader, the stations of its rows
 };
 
 }  // namespace ilot

@@ -14,7 +14,7 @@ std::uint16_t source_of(std::span<const std::byte> record, const RecordLayout& l
   return decode_fields(record, layout.point_format).source_id;
 }
 
-// Of a file by source id: looked up a point at a time.
+// A table for each file by source id, so that the lookup for a point is fast.
 std::vector<std::vector<StationNumber>> tables_of(const std::vector<InputStations>& recorded) {
   std::vector<std::vector<StationNumber>> tables;
   for (const InputStations& input : recorded) {
@@ -24,7 +24,7 @@ std::vector<std::vector<StationNumber>> tables_of(const std::vector<InputStation
   return tables;
 }
 
-// Inputs of one station need not be read: their files are enough.
+// An input with only one station need not be read: the number of its file is enough.
 void gather_by_file(const Store& store, const std::vector<InputStations>& recorded, const Column<StationNumber>& column,
                     const PassContext& context) {
   constexpr std::uint64_t kBytesPerPoint = 10;

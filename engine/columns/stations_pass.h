@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which station each point of the store was measured from, as the inputs tell it.
+// Which station each point of the store was measured from, as recorded in the inputs.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -12,22 +12,22 @@
 
 namespace ilot {
 
-using StationNumber = std::uint16_t;  // index + 1 into the run's stations; 0 = not told
+using StationNumber = std::uint16_t;  // index + 1 into the stations of the run; 0 = not recorded
 constexpr std::size_t kMostNumberedStations = 65535;
 
-// What the rows of one input say of their station.
+// What the rows of one input record about their station.
 struct InputStations {
-  StationNumber of_all = 0;                          // every row's, when not 0
-  std::map<std::uint16_t, StationNumber> of_source;  // by point_source_id; other ids say nothing
+  StationNumber of_all = 0;                          // the station of every row, when not 0
+  std::map<std::uint16_t, StationNumber> of_source;  // by point_source_id; other ids have no station
 };
 
 struct StationTally {
-  std::uint64_t recorded = 0, unrecorded = 0;  // points of the store
+  std::uint64_t recorded = 0, unrecorded = 0;  // numbers of points of the store
 };
 
-// Writes the column "station" (StationNumber) of every block. `inputs` and `told` belong together. Inputs whose rows
-// tell by point_source_id are read once more for that alone, into files of 2 bytes a row, so memory stays that of a
-// block.
+// Writes the column "station" (StationNumber) of every block. `inputs` and `recorded` are parallel lists. An input
+// whose rows record the station by point_source_id is read once more for this, into files of 2 bytes per row. Therefore
+// the memory is that of one block.
 StationTally stations_pass(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                            const std::vector<InputStations>& recorded, const PassContext& context);
 

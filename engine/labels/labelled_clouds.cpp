@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kStretch = 50000;  // rows labelled at a time, where chunks do not say, at most
+constexpr std::size_t kStretch = 50000;  // rows labelled at a time, at most, where the input has no chunks
 
 CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   CloudSpec spec;
@@ -50,14 +50,14 @@ CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
   return spec;
 }
 
-// Signed distance from the coordinates as they stand in the input, in lattice units.
+// The signed distance in lattice units, from the coordinates as they are in the input.
 double residual(const std::byte* record, const LatticeMap& lattice, const JoinedPlane& plane) {
   const Vec3 offset = lattice.offset_from(plane.anchor, load<std::int32_t>(record), load<std::int32_t>(record + 4),
                                           load<std::int32_t>(record + 8));
   return signed_distance(plane.plane, offset);
 }
 
-// Appends values behind a record, one after the other.
+// Appends values after a record, one after the other.
 class Appender {
  public:
   explicit Appender(std::byte* to) : to_(to) {}
@@ -71,7 +71,7 @@ class Appender {
   std::byte* to_;
 };
 
-// In the order of labelled_spec().
+// Appends the labels in the order of labelled_spec().
 void append_labels(const RowLabels& row, double residual_m, const LabelParams& params, std::byte* to) {
   Appender out(to);
   if (row.plane != nullptr || row.roof != nullptr)
@@ -95,14 +95,14 @@ void append_labels(const RowLabels& row, double residual_m, const LabelParams& p
     out.add<float>(static_cast<float>(n) / 32767.0f);
 }
 
-// Rows of one input and what we say of each.
+// Rows of one input and the labels of each.
 struct Stretch {
   std::vector<std::byte> rows, appended;
   std::vector<std::uint8_t> valid;
   std::uint64_t labelled = 0;
 };
 
-// The valid rows, ours behind each.
+// The valid rows, each with its labels after it.
 std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::size_t appended_length) {
   std::vector<std::byte> out;
   out.reserve(s.rows.size() + s.appended.size());
@@ -116,14 +116,14 @@ std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::si
   return out;
 }
 
-// One input on its way to its output.
+// Writes the labelled cloud of one input.
 class Labeller {
  public:
   Labeller(const Store& store, const std::vector<BlockRows>& blocks, const LabelParams& params,
            const PassContext& context, PointReader& input, std::uint32_t file)
       : store_(store), blocks_(blocks), params_(params), context_(context), input_(input), file_(file) {}
 
-  // Returns the number of rows of which something is said.
+  // Returns the number of rows that have a label.
   std::uint64_t write(const fs::path& path) const {
     CloudSpec spec = labelled_spec(input_, params_);
     spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
@@ -132,7 +132,7 @@ class Labeller {
   }
 
  private:
-  // Each chunk of the input becomes one of the output, of which only our fields are coded.
+  // Makes one chunk of the output from each chunk of the input; only the added fields are encoded.
   std::uint64_t extend(LazExtender& output) const {
     const std::vector<std::uint64_t> bounds = input_.boundaries();
     input_.limit_to(kFieldZ);
@@ -158,8 +158,8 @@ class Labeller {
     return labelled;
   }
 
-  // Reads, labels and prepares the stretches between bounds in parallel, a few at a time, and puts what was prepared in
-  // order.
+  // Reads, labels and prepares the stretches between bounds in parallel, a few at a time. Calls `put` with the prepared
+  // stretches in order.
   template <class Prepare, class Put>
   std::uint64_t by_stretches(std::span<const std::uint64_t> bounds, std::size_t appended_length, const Prepare& prepare,
                              const Put& put) const {
@@ -184,12 +184,12 @@ class Labeller {
     return all;
   }
 
-  // As many as keep the threads busy, and have room.
+  // The number of stretches that keep the threads busy and fit into memory.
   std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
     if (!input_.random_access()) return 1;
     constexpr std::uint64_t kLabelsOfRow = sizeof(InputOrder) + sizeof(PlaneLabel) + sizeof(RoofLabel) +
                                            sizeof(StreetLabel) + sizeof(FacadeLabel) + sizeof(PlaneLabel);
-    constexpr std::uint64_t kCodersOfStretch = 1u << 20;  // models and buffers of reading and writing one
+    constexpr std::uint64_t kCodersOfStretch = 1u << 20;  // models and buffers to read and write one stretch
     std::uint64_t longest = 0;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) longest = std::max(longest, bounds[i + 1] - bounds[i]);
     const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + kLabelsOfRow;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Labels back to the clouds they came from: every input again, in its own order and with all its fields, ours behind.
+// Writes the labels into copies of the input clouds: each copy has the order and all fields of its input, and the
+// labels after these.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,16 +16,16 @@
 
 namespace ilot {
 
-// Throws Error where the rows of an input are too long to be compressed within the budget: those of 335 bytes need 20
-// MiB, the longest 100. To be called before the work.
+// Throws Error where the rows of an input are too long to be compressed within the memory budget: rows of 335 bytes
+// need 20 MiB, the longest rows 100 MiB. Call it before the work begins.
 void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inputs, const PassContext& context);
 
-// The file name of each input's labelled cloud. Inputs of equal name get their folder's name in front, and a number
-// behind where that is equal too.
+// The file name of the labelled cloud of each input. Inputs with equal names get the name of their folder in front, and
+// a number at the end if that is equal too.
 std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs);
 
-// Writes a compressed folder/NAME for every input, NAME of labelled_names(). Returns the number of points with a plane,
-// a unit, an object or a label.
+// Writes a compressed file folder/NAME for every input, with NAME from labelled_names(). Returns the number of points
+// with a plane, a unit, an object or a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                                     const LabelParams& params, const std::filesystem::path& folder,
                                     const PassContext& context);

@@ -42,7 +42,7 @@ void sort_column(const Store& store, std::uint32_t block, const Column<T>& colum
   store.write(block, as, rows);
 }
 
-// "row_order" is written first: whoever looks for finished blocks asks for what is written last.
+// "row_order" is written first: a block is known to be complete by the column that is written last.
 void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
   const auto order = store.read(block, columns::kOrder);
   const std::vector<std::uint32_t> sorted = points_by_row(store, block, order);
@@ -55,7 +55,7 @@ void sort_rows(const Store& store, std::uint32_t block, const LabelParams& param
   if (params.with_roofs) sort_column(store, block, columns::kRoof, columns::kRoofRows, sorted);
 }
 
-// What a column of a block, sorted by rows, says of the rows [first, first + labels.size()).
+// Collects the values of a column of a block, sorted by rows, for the rows [first, first + labels.size()).
 template <class T>
 void collect(const Store& store, std::uint32_t block, const Column<T>& column, std::uint32_t from,
              std::span<const InputOrder> orders, InputOrder first, std::span<T> labels) {

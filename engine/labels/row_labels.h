@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the products say of the rows of the inputs: the labels of each block sorted by input row, and stretches of them
-// read back.
+// The labels that products give to the rows of the inputs: sorted by input row in each block, and read back in
+// stretches.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,11 +15,11 @@
 
 namespace ilot {
 
-// Which products ran: each has its columns in the store and its extra bytes in the clouds.
+// Which products ran: each has columns in the store and extra bytes in the clouds.
 struct LabelParams {
   std::vector<std::uint32_t> final_id;          // per joined plane + 1: the id that is written, 0 = none; [0] = 0
-  std::vector<JoinedPlane> planes;              // by final id - 1: what residuals are measured to
-  bool write_normals = false;                   // with planes only
+  std::vector<JoinedPlane> planes;              // by final id - 1; residuals are measured to these planes
+  bool write_normals = false;                   // only together with planes
   bool with_planes = true;                      // columns "plane" and "boundary"
   bool with_roofs = false;                      // column "roof"
   bool with_streets = false;                    // column "street"
@@ -27,25 +27,25 @@ struct LabelParams {
   std::vector<std::uint32_t> final_shape = {};  // per joined shape + 1: the id that is written; empty = no "shape"
 };
 
-// Sorts the labels of each block by input order ("rows", "roof_rows"...), so that a stretch of an input
-// finds its own in a few reads.
+// Sorts the labels of each block by input order ("rows", "roof_rows"...), so that the labels of a stretch of an input
+// are found with few reads.
 void rows_pass(const Store& store, const LabelParams& params, const PassContext& context);
 
-// What the planes say of one point.
+// The labels of one point from the planes.
 struct PlaneLabel {
   std::uint32_t plane = 0, shape = 0;
   PackedNormal normal;
   std::uint8_t boundary = 0;
 };
 
-// What the products say of one input row; nullptr: the product did not run.
+// The labels of one input row from the products; nullptr: the product did not run.
 struct RowLabels {
   const PlaneLabel* plane = nullptr;
   const RoofLabel* roof = nullptr;
   const StreetLabel* street = nullptr;
   const FacadeLabel* facade = nullptr;
 
-  // A building's word comes first, then a facade's, then the street's.
+  // The label of a building has priority, then that of a facade, then that of the street.
   PointLabel label() const {
     if (roof != nullptr && roof->unit != 0) return roof->label;
     if (facade != nullptr && facade->facade != 0) return facade->label;
@@ -58,7 +58,8 @@ struct RowLabels {
   }
 };
 
-// Labels of consecutive rows of a file, or of the points of a block; empty: of a product that did not run.
+// Labels of consecutive rows of a file, or of the points of a block; the vectors of a product that did not run are
+// empty.
 struct StretchLabels {
   std::vector<PlaneLabel> planes;
   std::vector<RoofLabel> roofs;
@@ -71,21 +72,21 @@ struct StretchLabels {
   }
 };
 
-// One block's rows in input order, and every 1,024th order kept in memory.
+// The rows of one block in input order; every 1,024th order is kept in memory.
 struct BlockRows {
   std::vector<InputOrder> samples;
   InputOrder last = 0;
   std::uint32_t points = 0;
 };
 
-// Of all blocks, after rows_pass.
+// The rows of all blocks, after rows_pass.
 std::vector<BlockRows> sample_rows(const Store& store);
 
-// What is said of the input rows [first, first + count). A few reads a block that holds one of them.
+// Gives the labels of the input rows [first, first + count). Needs few reads for each block that contains one of them.
 StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
                              std::size_t count, const LabelParams& params);
 
-// The number of points of which something is said, with no rows sorted.
+// The number of points that have a label; no rows are sorted for it.
 std::uint64_t count_labelled(const Store& store, const LabelParams& params, const PassContext& context);
 
 }  // namespace ilot

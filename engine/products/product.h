@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run knows of a product. Each product has one record (products/NAME/product.h); engine/run/products.h lists
-// them.
+// What a run needs to know about a product. Each product has one record (products/NAME/product.h);
+// engine/run/products.h lists them.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -23,48 +23,49 @@ struct PlanesResult;
 struct PlannedSite;
 struct StreetTraining;
 
-// What a product is given, and what products leave for each other.
+// The input of a product, and what products pass on to each other.
 struct ProductRun {
   const Store& store;
   const RunInputs& inputs;
   const Settings& settings;
   const PassContext& context;
-  const std::vector<PlannedSite>* footprints = nullptr;  // nullptr: no file of them was given
+  const std::vector<PlannedSite>* footprints = nullptr;  // nullptr: no file of footprints was given
   const StreetTraining* training = nullptr;
-  std::function<bool(const char* product)> asked;  // by --products
-  std::filesystem::path folder;                    // of all results
+  std::function<bool(const char* product)> asked;  // whether the product is asked for by --products
+  std::filesystem::path folder;                    // folder of all results
   Progress& progress;
   RunRecord& record;
-  std::shared_ptr<PlanesResult> planes = nullptr;  // by the product planes, which products found among planes use
+  std::shared_ptr<PlanesResult> planes = nullptr;  // by the product planes, for products that are found among planes
 };
 
-// Whether a cloud suits a product, and why: half a sentence.
+// Whether a cloud suits a product, and the reason as half a sentence.
 struct Suitability {
   bool yes = false;
   std::string reason;
 };
 
-// What a product adds to the index, each point: bytes of the store and of the results, seconds of one processor.
+// The cost per point that a product adds to the index: bytes of the store, bytes of the results, microseconds of one
+// processor.
 struct ProductCost {
   double store_bytes = 0, result_bytes = 0, microseconds = 0;
 };
 
 struct Product {
-  const char* name = "";            // in --products and run.json, of its settings and of its folder
-  bool found_among_planes = false;  // planes are made first, asked for or not
-  bool reads_classes = false;       // the store keeps class codes and echoes for it
+  const char* name = "";            // name in --products and run.json, of its settings and of its folder
+  bool found_among_planes = false;  // the planes are made first, even if they are not asked for
+  bool reads_classes = false;       // the store keeps class codes and echoes for the product
   ProductCost cost;
   Suitability (*suitability)(const CloudInfo& info, const CloudMeasure& measure) = nullptr;
-  // Makes the product: its columns in the store, its files, its counts in the record. A product of nothing is recorded
-  // as skipped, with the reason.
+  // Makes the product: its columns in the store, its files, and its counts in the record. A product that finds nothing
+  // is recorded as skipped, with the reason.
   void (*make)(ProductRun& run) = nullptr;
-  std::string (*summary)(const RunRecord& record) = nullptr;  // "12 buildings"; empty: it did not run
+  std::string (*summary)(const RunRecord& record) = nullptr;  // "12 buildings"; empty: the product did not run
 };
 
-// Records that a product came to nothing, and says so.
+// Records that a product was skipped, and reports it.
 void skip_product(ProductRun& run, const Product& product, const std::string& reason);
 
-// "0.021 m between points".
+// A text such as "0.021 m between points".
 std::string step_text(const CloudMeasure& measure);
 
 }  // namespace ilot

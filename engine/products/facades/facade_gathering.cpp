@@ -12,9 +12,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kEpsilons = 2;  // noise of the wall that its points lie within, at least its segments' epsilon
+constexpr double kEpsilons = 2;  // times the noise, at least the epsilon of its segments: contains the points of a wall
 
-// The part of a box that another one in CRS units holds, and a step more.
+// The part of a box that another box in CRS units contains, and one step more.
 IndexBox within(const IndexBox& box, const Box3<Vec3>& part, double unit) {
   const auto clamped = [&](double at, std::int64_t least, std::int64_t most) {
     return static_cast<std::int64_t>(std::clamp(at / unit, static_cast<double>(least), static_cast<double>(most)));
@@ -26,7 +26,8 @@ IndexBox within(const IndexBox& box, const Box3<Vec3>& part, double unit) {
   return IndexBox{at(part.min), at(part.max)}.grown(1);
 }
 
-// The place around a wall that points are taken from, in its axes: a box that goes across those of the lattice.
+// The place around a wall from which points are taken. It is a box in the axes of the wall, which are inclined to those
+// of the lattice.
 class Slab {
  public:
   Slab(const FacadeWork& work, const WallGroup& wall)
@@ -36,7 +37,7 @@ class Slab {
         low_{-work.beside, -work.beside, -work.behind},
         high_{wall.width + work.beside, wall.height + work.beside, work.before} {}
 
-  // Whether some place of a box on the lattice may be in it.
+  // Whether some place of a box on the lattice may be in the slab.
   bool meets(const IndexBox& box) const {
     const Vec3 a = into_.of(box.min), b = into_.of(box.max), middle = 0.5 * (a + b);
     const Vec3 half = 0.5 * metres_ *
@@ -53,7 +54,7 @@ class Slab {
 
  private:
   LatticeAxes into_;
-  double metres_;  // of a lattice step
+  double metres_;  // length of a lattice step
   std::array<Vec3, 3> axes_;
   std::array<double, 3> low_, high_;
 };
@@ -81,7 +82,7 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
         continue;
       if (work.recorded) {
         const SiteStation number = number_of[stations[i]];
-        if (number == kStationNotInFront && p.z < -epsilon) continue;  // not seen through the wall
+        if (number == kStationNotInFront && p.z < -epsilon) continue;  // its station does not see it through the wall
         from.push_back(number);
       }
       points.push_back(
@@ -91,7 +92,7 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
   });
 }
 
-// Outer rings of the wall's segments, onto the wall.
+// Adds the outer rings of the segments of the wall, projected onto the wall.
 void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
   const LatticeAxes into(work, wall);
   std::vector<std::uint32_t> numbers;
@@ -111,7 +112,7 @@ void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) 
   }
 }
 
-// Returns the numbers that the run's stations have in the site.
+// Returns the numbers that the stations of the run have in the site.
 std::vector<SiteStation> add_stations(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
   std::vector<SiteStation> number_of(work.stations.size() + 1, kStationNotInFront);
   number_of[0] = kStationUnknown;
@@ -207,7 +208,7 @@ PointSource points_around(const FacadeWork& work, const WallGroup& wall) {
       points.clear();
       for (std::size_t i = 0; i < colours.size(); ++i) {
         const Index3 p = s.position(i);
-        if (!box.contains(p)) continue;  // what else is read with it depends on how the points are stored
+        if (!box.contains(p)) continue;  // other points that are read with it depend on how the points are stored
         const auto channel = [&](int shift) { return static_cast<std::uint8_t>(colours[i] >> shift & 255); };
         points.push_back(
             {{static_cast<double>(p.x) * unit, static_cast<double>(p.y) * unit, static_cast<double>(p.z) * unit},

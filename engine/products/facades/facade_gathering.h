@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A facade's points out of the store, wherever they lie.
+// Reads the points of a facade from the store, wherever they are.
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -16,29 +16,29 @@
 
 namespace ilot {
 
-// Where the outline of a plane is among all of them.
+// The number of the outline of a plane in the list of all outlines.
 struct OutlineNumber {
   std::uint32_t plane = 0, number = 0;
   friend auto operator<=>(const OutlineNumber&, const OutlineNumber&) = default;
 };
 std::vector<OutlineNumber> numbers_of(std::span<const Outline> outlines);
 
-// What all facades of a run share. The store has the column "plane".
+// What all facades of a run share. The store must have the column "plane".
 struct FacadeWork {
   const Store& store;
   std::span<const std::uint32_t> final_id;          // per joined plane + 1
   std::span<const Vec3> stations;                   // CRS units
-  std::span<const FacadeStation> steps;             // of these, their positions left out
-  std::span<const Outline> outlines = {};           // of planes
-  std::vector<OutlineNumber> outline_numbers = {};  // of these, ascending: numbers_of()
-  bool recorded = false;                            // the store has the column "station" of these
-  double beside = 2.5, before = 2.5, behind = 4;    // metres around the wall that points are taken from: a thing goes
-                                                    // as far beyond the wall's ends as it may stand out
+  std::span<const FacadeStation> steps;             // of these stations; the positions are not set
+  std::span<const Outline> outlines = {};           // outlines of planes
+  std::vector<OutlineNumber> outline_numbers = {};  // of these outlines, ascending; see numbers_of()
+  bool recorded = false;                            // whether the store has the column "station" for these stations
+  double beside = 2.5, before = 2.5, behind = 4;  // metres around the wall from which points are taken: an element may
+                                                  // extend beyond the ends of the wall as far as it may stand out
   double metres_per_unit = 1;
 };
 
-// Places in the axes of a wall, metres. Of lattice points whole numbers are subtracted first, so that national grids
-// cost no digits.
+// Places in the axes of a wall, in metres. For lattice points, integers are subtracted first, so that the large
+// coordinates of national grids cost no digits.
 class LatticeAxes {
  public:
   LatticeAxes(const FacadeWork& work, const WallGroup& wall);
@@ -56,24 +56,25 @@ class LatticeAxes {
   Vec3 rest_;
 };
 
-// Farthest that points of the wall lie from it, metres.
+// The greatest distance of points of the wall from it, in metres.
 double epsilon_of(const WallGroup& wall);
 
-// Around the wall's slab, in lattice units.
+// The box around the slab of the wall, in lattice units.
 IndexBox box_around(const FacadeWork& work, const WallGroup& wall);
 
-// Points that gathering the wall will read, at most.
+// The greatest number of points that are read to gather the wall.
 std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 
-// What a facade is found from: the site, without points, and these. Refers to work.
+// The input of the search for a facade: the site, without points, and the points. Refers to `work`.
 struct GatheredFacade {
   FacadeSite site;
-  FacadePointSource points;  // in global order, so that nothing depends on blocks
+  FacadePointSource points;  // in global order, so that the result does not depend on blocks
 };
 GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall);
 
-// Of the points in the box around the wall those in another box, in CRS units, piece by piece and as often as they are
-// asked for, in the colours of the column "colour"; without it black. Several threads at once. Refers to work.
+// Gives the points of the box around the wall that are also in a second box, in CRS units, piece by piece and as often
+// as they are asked for. Their colours are those of the column "colour", or black without this column. Several threads
+// may use it at once. Refers to `work`.
 PointSource points_around(const FacadeWork& work, const WallGroup& wall);
 
 }  // namespace ilot

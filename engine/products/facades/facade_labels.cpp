@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
 constexpr double kBin = 0.5;     // metres
-constexpr double kBeside = 0.5;  // metres around the wall that elements reach to
+constexpr double kBeside = 0.5;  // metres around the wall that elements may cover
 constexpr std::uint32_t kNoStation = UINT32_MAX;
 
 PointLabel label_of_kind(const std::string& kind) {
@@ -28,14 +28,14 @@ PointLabel label_of_kind(const std::string& kind) {
   return found == labels.end() ? PointLabel::facade : found->second;
 }
 
-// An element as its rectangle in the wall's axes, metres.
+// An element as a rectangle in the axes of the wall, in metres.
 struct Part {
   std::uint32_t element = 0;
   PointLabel label = PointLabel::facade;
   bool opening = false;
   Box2 box;
-  double depth = 0, margin = 0;                 // of its front; beside it
-  double arc_u = 0, arc_v = 0, arc_radius = 0;  // of a round top; radius 0: none
+  double depth = 0, margin = 0;                 // depth of its front; margin beside it
+  double arc_u = 0, arc_v = 0, arc_radius = 0;  // round top; radius 0: the top is not round
 
   bool contains(Place2 p) const {
     if (!box.grown(margin).contains(p)) return false;
@@ -45,7 +45,7 @@ struct Part {
   }
 };
 
-// One facade's elements by place.
+// The elements of one facade, ordered by place.
 class LabelledFacade {
  public:
   LabelledFacade(const FacadeWork& work, const WallGroup& wall, const Facade& facade)
@@ -69,12 +69,12 @@ class LabelledFacade {
   }
 
   static std::uint64_t bytes_of(const WallGroup& wall, const Facade& facade) {
-    constexpr double kBinBytes = 40, kPartBytes = 400;  // with the places of the parts in bins
+    constexpr double kBinBytes = 40, kPartBytes = 400;  // each part with its entries in bins
     const double bins = ((wall.width + 2 * kBeside) / kBin + 1) * ((wall.height + 2 * kBeside) / kBin + 1);
     return static_cast<std::uint64_t>(kBinBytes * bins + kPartBytes * static_cast<double>(facade.elements.size()));
   }
 
-  // station: an index into the work's; kNoStation: not known.
+  // `station` is an index into the stations of the work; kNoStation: the station is not known.
   FacadeLabel of(Index3 place, std::uint32_t station) const {
     const Vec3 p = axes_.of(place);
     if (!(p.x >= -kBeside && p.x <= width_ + kBeside && p.y >= -kBeside && p.y <= height_ + kBeside &&
@@ -155,11 +155,11 @@ class LabelledFacade {
   double width_, height_, epsilon_, front_ = 0, behind_ = 0;
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<Part> parts_;
-  std::vector<std::vector<std::uint32_t>> bins_;  // of parts
+  std::vector<std::vector<std::uint32_t>> bins_;  // indices of parts, per bin
   std::vector<Vec3> eyes_;
 };
 
-// Facades, by number, that may say something of a block's points.
+// The numbers of the facades that may label points of a block.
 using Numbers = std::vector<std::uint32_t>;
 
 void label_block(const FacadeWork& work, std::uint32_t block, const Numbers& numbers, std::span<const WallGroup> walls,

@@ -10,19 +10,21 @@
 
 namespace ilot {
 
-// What a facade says of a point: the column "facade".
+// The label of a point in the column "facade".
 struct FacadeLabel {
   std::uint32_t element = 0;  // its id within the facade; 0 = none
   std::uint16_t facade = 0;   // 0 = none
   PointLabel label = PointLabel::none;
-  std::uint8_t unused = 0;  // written to disk
+  std::uint8_t unused = 0;  // padding that is written to disk
 };
 
-// Writes the column "facade" of every block. A point is of the first facade (the largest) that says something of it:
-// within epsilon of a thing that stands before the wall, of the smallest of those; seen through the wall inside of an
-// opening, of that; on the wall of a stone that holds it, else of the outline, as what lies in its joints. Rays come
-// from a point's own station where it is told or the only one, else straight at the wall. walls and found belong
-// together; facades beyond 65,535 label nothing. Points that are not wanted stay without a label. O(points).
+// Writes the column "facade" of every block. A point gets the label of the first facade (the largest) to which it
+// belongs. It belongs to an element before the wall if it is within epsilon of it; of several, to the smallest. It
+// belongs to an opening if it is seen through the wall inside of that opening. If it is on the wall, it belongs to the
+// stone that contains it, otherwise to the outline, as the points in joints do. The ray of a point comes from its own
+// station where that is recorded, or from the only station; otherwise it is perpendicular to the wall. `walls` and
+// `found` are parallel lists. Facades beyond number 65,535 label nothing. Points that are not wanted get no label.
+// O(points).
 void write_facade_labels(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const FoundFacade> found,
                          const PassContext& context);
 

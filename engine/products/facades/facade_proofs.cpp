@@ -15,13 +15,13 @@ namespace ilot {
 namespace {
 
 constexpr double kStrip = 4;                    // metres along a wall that one task reads
-constexpr std::uint64_t kStripBytes = 4 << 20;  // that it takes
-constexpr double kReach = 0.03;                 // metres, at least: smaller relief is not told from the wall
-constexpr double kEdgeSteps = 2;                // steps of the scan, at least, around an edge
+constexpr std::uint64_t kStripBytes = 4 << 20;  // memory of one task
+constexpr double kReach = 0.03;                 // metres, at least: smaller relief cannot be separated from the wall
+constexpr double kEdgeSteps = 2;                // steps of the scan around an edge, at least
 
 struct Strip {
   std::size_t facade = 0;
-  double from = 0, to = 0;  // u: closed, open
+  double from = 0, to = 0;  // values of u: `from` is included, `to` is not
 };
 
 FacadeProofParams proof_params(const WallGroup& wall, double metres_per_unit) {
@@ -41,7 +41,7 @@ std::vector<Strip> strips_of(std::span<const FoundFacade> found, std::span<const
   return strips;
 }
 
-// Around a strip of a wall, CRS units.
+// The box around a strip of a wall, in CRS units.
 Box3<Vec3> box_of(const FacadeWork& work, const WallGroup& wall, const Strip& strip) {
   auto box = Box3<Vec3>::none();
   const double units = 1 / work.metres_per_unit;
@@ -75,7 +75,7 @@ ProofTally tally_of(const FacadeWork& work, const WallGroup& wall, const Strip& 
   return tally;
 }
 
-// All that may stand between a station and a facade, one face after the other.
+// Everything that may stand between a station and a facade, face by face.
 void for_each_obstacle(std::span<const FoundFacade> found, std::span<const Outline> outlines, double metres_per_unit,
                        const std::function<void(const SectionFace&)>& visit) {
   for (const Outline& outline : outlines)

@@ -9,10 +9,10 @@
 
 namespace ilot {
 
-// What points and stations say for each edge and face of the facades, from the store's points and, where stations are
-// known, lines of sight past the outlines of all planes and past all facades' elements. walls and found belong
-// together. The points are read once more, in strips of walls in parallel: a few MB a thread, and some 30 bytes a
-// corner of the outlines.
+// Compares each edge and face of the facades with the points of the store. Where stations are known, it also uses the
+// lines of sight: past the outlines of all planes and past the elements of all facades. `walls` and `found` are
+// parallel lists. The points are read once more, in strips of walls and in parallel. Needs a few MB per thread and
+// about 30 bytes per corner of the outlines.
 void prove_facades(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const Outline> outlines,
                    std::vector<FoundFacade>& found, const PassContext& context);
 

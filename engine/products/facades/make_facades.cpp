@@ -22,7 +22,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB a thread
+constexpr std::uint32_t kImageTile = 512;  // pixels: 7 MB per thread
 constexpr const char* kNoRowStations =
     "facades: no input says which points are whose station's (point_source_id); it is guessed";
 constexpr const char* kStationsUnrecorded =
@@ -64,7 +64,7 @@ FacadeParams facade_params(const FacadesSettings& s) {
   return p;
 }
 
-// Steps of one facade that may run at once.
+// The number of steps of one facade that may run at once.
 std::size_t concurrency_of(std::uint64_t budget_bytes) {
   constexpr std::uint64_t kOneFor = 64 << 20;
   return static_cast<std::size_t>(std::clamp<std::uint64_t>(budget_bytes / kOneFor, 1, 16));
@@ -75,7 +75,7 @@ DormerParams dormer_params(const FacadesSettings& s) {
   return {facade.openings, facade.regular, facade.outline, facade.regularise};
 }
 
-// Of each wall the fronts in its roof; walls learn how far up these go.
+// Finds the fronts in the roof of each wall. Records in each wall how high its fronts reach.
 std::vector<std::vector<WallGroup>> dormers_of(std::vector<WallGroup>& walls, std::span<const Segment> segments,
                                                const WallParams& params) {
   DormerFronts fronts(walls, segments, params);
@@ -107,7 +107,7 @@ bool is_wanted(const WallGroup& wall, double unit, const PassContext& context) {
   return context.wanted({std::llround(middle.x / unit), std::llround(middle.y / unit), std::llround(middle.z / unit)});
 }
 
-// For the title block: the inputs by name, and when their files were made.
+// The text for the title block: the names of the inputs, and the time when their files were made.
 std::string source_of(const RunInputs& inputs) {
   constexpr std::size_t kNamed = 2;
   std::string text;
@@ -132,7 +132,7 @@ FacadeFilesParams files_params(const Settings& settings, const RunInputs& inputs
   return p;
 }
 
-// The column "station", where it matters and some input tells it.
+// Writes the column "station" where it is useful and some input records it.
 bool write_station_column(const Store& store, const RunInputs& inputs, const PassContext& context, Progress& progress,
                           RunRecord& record) {
   const bool any = std::any_of(inputs.row_stations.begin(), inputs.row_stations.end(), [](const InputStations& input) {
@@ -152,12 +152,12 @@ bool write_station_column(const Store& store, const RunInputs& inputs, const Pas
   return tally.recorded > 0;
 }
 
-// The column "colour", which images are painted with; false where no input has colours.
+// Writes the column "colour", with which images are painted. Returns false where no input has colours.
 bool colours_of_points(const Store& store, const RunInputs& inputs, const PassContext& context) {
   return store.has(0, columns::kColour) || colours_pass(store, inputs.readers, context);
 }
 
-// What facades are to each other, and to walls that are none, once all are known.
+// Finds the relations of facades to each other, and to walls that are no facades, once all are known.
 void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> small, double metres_per_unit) {
   std::vector<Facade> facades;
   for (FoundFacade& f : found) facades.push_back(std::move(f.facade));
@@ -169,9 +169,10 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
   for (std::size_t i = 0; i < found.size(); ++i) found[i].facade = std::move(facades[i]);
 }
 
-// Elements may go up beyond a wall: what is drawn of them is read as well.
+// Elements may reach beyond the top of a wall. The walls are extended, so that the points of these elements are read
+// too.
 void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& walls, double metres_per_unit) {
-  constexpr double kAbove = 0.5;  // metres: as far as pictures go, and more
+  constexpr double kAbove = 0.5;  // metres: a little more than pictures reach
   for (std::size_t i = 0; i < found.size(); ++i)
     for (const FacadeElement& e : found[i].facade.elements)
       for (const Vec3& p : e.ring) {
@@ -180,7 +181,7 @@ void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& wall
       }
 }
 
-// One facade after the other, each in parallel: an image takes 64 MB at most.
+// Writes one facade after the other, each in parallel; an image takes 64 MB at most.
 void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
                    FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
   FacadesPage page(folder / "facades.html", params.layers);
@@ -194,7 +195,7 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
   page.finish();
 }
 
-// What facades are found with.
+// The inputs of the search for facades.
 struct FacadeSearch {
   const Settings& settings;
   const RunInputs& inputs;
@@ -268,7 +269,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
   reach_tops(run->found, run->walls, context.metres_per_unit);
   prove_facades(work, run->walls, planes.outlines.outlines(), run->found, context);
-  trim_memory();  // of the lines of sight; --memory counts what the allocator would keep
+  trim_memory();  // memory of the lines of sight; --memory counts what the allocator would keep
   return run;
 }
 

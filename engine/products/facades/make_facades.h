@@ -30,22 +30,23 @@ struct FacadesOfRun {
   std::vector<FoundFacade> found;  // per wall; facade.id from 1
 };
 
-// Looks at one of the facades while they are found.
+// Inspects one of the facades while they are found.
 struct FacadeObserver {
   std::uint32_t facade = 0;  // its id
   FacadeSteps& steps;
-  std::function<void(const RaySamples&)> look;  // at its rays
+  std::function<void(const RaySamples&)> look;  // receives the rays of the facade
 };
 
-// Facades among the planes, each from its own points, then what they are to each other and what proves them. The planes
-// have their areas (make_boundaries). Begins the stage "facades". Facades whose middle is not wanted are left out.
+// Finds the facades among the planes, each from its own points. Then finds how they join and how the points prove them.
+// The planes must have their areas (make_boundaries). Begins the stage "facades". Facades whose middle is not wanted
+// are left out.
 std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResult& planes, const Settings& settings,
                                            const RunInputs& inputs, const PassContext& context, Progress& progress,
                                            RunRecord& record, const FacadeObserver* observer = nullptr);
 
-// find_facades, the column "facade" and the files of facade_files.h in the folder and a page,
-// facades.html, over them. The planes have their areas (make_boundaries). Facades whose middle is not wanted are left
-// out.
+// Calls find_facades and writes the column "facade". Writes the files of facade_files.h into the folder, and a page
+// that shows them, facades.html. The planes must have their areas (make_boundaries). Facades whose middle is not wanted
+// are left out.
 void make_facades(const Store& store, const PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                   RunRecord& record);

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kMostStep = 0.1;  // metres: ten points across a window of a metre
+constexpr double kMostStep = 0.1;  // metres: ten points across a window with a width of one metre
 constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
 
 Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {

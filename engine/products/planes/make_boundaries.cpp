@@ -67,7 +67,7 @@ void make_boundaries(const Store& store, PlanesResult& planes, const Settings& s
   const double metre = 1 / (store.unit() * context.metres_per_unit);
   std::vector<Scanner> scanners = scanners_of(inputs.stations, store.unit());
   record_step(s, scanners.size(), inputs.stations.size(), record);
-  const std::vector<Scanner> all_scanners = scanners;  // maps compare with them whatever outlines go by
+  const std::vector<Scanner> all_scanners = scanners;  // the maps are compared with them, whatever the outlines use
   const auto maps = static_cast<std::size_t>(s.density_maps.value_or(all_scanners.empty() ? 0 : kMapsByDefault));
   std::map<std::uint32_t, Outline> mapped;  // outlines of the planes whose density is asked for
   for (const std::uint32_t id : largest_planes(planes.segments, maps)) mapped[id];

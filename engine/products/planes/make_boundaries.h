@@ -11,11 +11,12 @@
 
 namespace ilot {
 
-// Those whose angular steps are known, in lattice units.
+// The stations whose angular steps are known, in lattice units.
 std::vector<Scanner> scanners_of(const std::vector<Station>& stations, double unit);
 
-// Outlines of planes: planes.gpkg, the areas of the segments, the column "boundary"; density/ of the largest planes
-// where it is asked for; outlines for those who hold some. Adds what `auto` stood for to the record.
+// Makes the outlines of planes: planes.gpkg, the areas of the segments, and the column "boundary". Writes density/ of
+// the largest planes where it is asked for. Keeps outlines in `planes` where a later product needs them. Adds the
+// values that were used for `auto` to the record.
 void make_boundaries(const Store& store, PlanesResult& planes, const Settings& settings, const RunInputs& inputs,
                      const PassContext& context, const std::filesystem::path& folder, RunRecord& record);
 

@@ -50,7 +50,7 @@ Segment segment_of(const JoinedPlane& j, const PlaneTally& t, double unit, doubl
   return s;
 }
 
-// Ids are dense from 1 over the planes that kept enough points, in global order of their first cells.
+// Numbers the planes that have enough points. Ids are dense from 1, in global order of their first cells.
 PlanesResult number_planes(const Store& store, const JoinedPlanes& joined, bool part_of_a_run, double metres_per_unit) {
   PlanesResult r;
   r.final_id.assign(joined.planes.size() + 1, 0);
@@ -151,7 +151,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
                                  ground + " seen from the ground; " + measured});
 }
 
-// Points up; level ones to the north, or east.
+// Turns an axis upwards; a horizontal axis is turned to the north, or to the east.
 Vec3 pointing_up(Vec3 axis) {
   const bool down = axis.z < 0 || (axis.z == 0 && (axis.y < 0 || (axis.y == 0 && axis.x < 0)));
   return down ? -1.0 * axis : axis;
@@ -179,7 +179,7 @@ CurvedSegment curved_of(const JoinedShape& j, const ShapeTally& t, double unit, 
   return s;
 }
 
-// Ids are dense from 1 over the shapes that kept enough points, in global order of their first cells.
+// Numbers the shapes that have enough points. Ids are dense from 1, in global order of their first cells.
 void find_shapes(const Store& store, const std::vector<Cell>& cells, const Settings& settings,
                  const PassContext& context, PlanesResult& r) {
   const JoinedShapes joined = join_shapes(store, cells);

@@ -19,20 +19,20 @@ namespace ilot {
 
 struct PlanesResult {
   std::vector<Segment> segments;                     // by id
-  std::vector<JoinedPlane> planes;                   // the same on the lattice
+  std::vector<JoinedPlane> planes;                   // the same planes on the lattice
   std::vector<std::uint32_t> final_id;               // per joined plane + 1; [0] = 0
   std::vector<std::vector<NeighbourRange>> ranges;   // per block
-  std::optional<std::vector<CurvedSegment>> curved;  // by id; nullopt where no cell was searched for them
-  std::vector<std::uint32_t> final_shape;            // per joined shape + 1; [0] = 0; empty unless they are asked for
-  LargestOutlines outlines;                          // by make_boundaries, as many as it holds
+  std::optional<std::vector<CurvedSegment>> curved;  // by id; nullopt: no cell was searched for curved shapes
+  std::vector<std::uint32_t> final_shape;            // per joined shape + 1; [0] = 0; empty unless shapes are asked for
+  LargestOutlines outlines;                          // from make_boundaries, as many as fit
 };
 
-// Blocks to planes: colours where the inputs have them, normals, planes per cell, join over cells, labels. Adds its
-// stages to the progress and the values that `auto` stood for to the record.
+// Finds the planes of the blocks in these steps: colours where the inputs have them, normals, planes per cell, join
+// over cells, labels. Adds its stages to the progress. Adds the values that were used for `auto` to the record.
 PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
                          const Settings& settings, const PassContext& context, Progress& progress, RunRecord& record);
 
-// The pairs of planes that touch, ascending, read from the store.
+// Reads the pairs of planes that touch from the store, in ascending order.
 void each_plane_neighbours(const Store& store, const PlanesResult& planes, double metres_per_unit,
                            const std::function<void(const PlaneNeighbours&)>& take);
 

@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostCorners = 1 << 19;  // of outlines that lines of sight are held against: 40 MB
+constexpr std::size_t kMostCorners = 1 << 19;  // corners of the outlines with which lines of sight are compared: 40 MB
 constexpr const char* kNoPlane = "no plane has enough points; see planes.min_points and planes.epsilon";
 
 Suitability suits(const CloudInfo&, const CloudMeasure& measure) {
@@ -36,7 +36,7 @@ void write_tables(const ProductRun& run, const PlanesResult& planes) {
   run.record.shapes = planes.curved->size();
 }
 
-// Also run for products that are found among planes, without curved shapes unless these are asked for.
+// Also runs for products that are found among planes; then without curved shapes, unless these are asked for.
 void make(ProductRun& run) {
   Settings settings = run.settings;
   if (!run.asked("planes") && !settings.planes.curved) {

@@ -11,11 +11,12 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.03, kMostCell = 0.15;  // metres
-constexpr double kTail = 0.15;   // of a region's rows and columns that may end farther out
-constexpr double kMiddle = 0.5;  // of its columns: below what stands out hang consoles
-constexpr int kNeighbours = 5;   // of eight that tell what a gap is
+constexpr double kTail = 0.15;   // share of the rows and columns of a region that may end farther out
+constexpr double kMiddle = 0.5;  // share of its columns: consoles hang below what stands out
+constexpr int kNeighbours = 5;   // of the eight neighbours that must agree on a gap
 
-// Cells that nothing was seen in become what most of their neighbours are, once: gaps between points.
+// A cell in which nothing was seen takes the kind of most of its neighbours: it is a gap between points. This is done
+// once.
 void close_gaps(DepthImage& image) {
   const std::vector<std::int8_t> before = image.what;
   for (std::int64_t r = 1; r + 1 < image.rows; ++r)
@@ -33,7 +34,7 @@ void close_gaps(DepthImage& image) {
     }
 }
 
-// Where most of its rows and columns end: ground at its foot and single cells leak out.
+// The box ends where most rows and columns end: ground at its foot and single cells go beyond it.
 void find_box(DepthRegion& region, std::int64_t columns) {
   std::int64_t c0 = INT64_MAX, c1 = -1, r0 = INT64_MAX, r1 = -1;
   for (const std::int64_t i : region.cells) {
@@ -52,7 +53,7 @@ void find_box(DepthRegion& region, std::int64_t columns) {
   region.r1 = lower_quantile(high, 1 - kTail);
 }
 
-// Of a cell's points: those of the wall, and others of the foremost sheet.
+// The points of a cell: those on the wall, and the others of the foremost sheet.
 struct SheetCounts {
   std::uint32_t wall = 0, other = 0;
 
@@ -68,7 +69,7 @@ void fill_rows(const RaySamples& samples, const RowBand& band, double least, dou
   const double u1 = image.u(image.columns), v0 = image.u(band.first), v1 = image.u(band.end);
   const auto first = static_cast<std::int64_t>(band.first * image.columns);
   const auto count = static_cast<std::int64_t>((band.end - band.first) * image.columns);
-  const auto cell_of = [&](const Ray& ray) {  // in the band; -1 outside of it
+  const auto cell_of = [&](const Ray& ray) {  // cell in the band; -1 outside of it
     const std::int64_t i = std::abs(static_cast<double>(ray.at.w)) <= most_depth ? image.at(ray.at) : -1;
     return i < first || i >= first + count ? -1 : i;
   };

@@ -7,21 +7,22 @@
 namespace ilot {
 namespace {
 
-constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres above the foot of the wall; least
+constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres: greatest height of the bottom of a door above the foot
+                                                      // of the wall; least height of a door
 constexpr double kDoorLine = 0.25;                    // metres between the tops of doors in one row
 constexpr double kBesideOpening = 0.3;                // metres between an opening and its sill or lintel
-constexpr double kUnder = 0.7;                        // share of the opening's width that it spans
-constexpr double kLongerThanHigh = 2.5;               // of sills and lintels
-constexpr double kBandShare = 0.4, kBalcony = 0.3;    // of the wall's width; metres before the wall
-constexpr double kParapet = 1.5, kRail = 0.05;        // metres: balconies are lower, nothing thinner is built of stone
-constexpr double kStandsOn = 0.5;                     // metres: nobody stands on what is narrower, it carries something
+constexpr double kUnder = 0.7;                      // share of the width of the opening that a sill or a lintel covers
+constexpr double kLongerThanHigh = 2.5;             // width over height of sills and lintels, at least
+constexpr double kBandShare = 0.4, kBalcony = 0.3;  // metres: balconies are lower; a thinner element is a rail
+constexpr double kParapet = 1.5, kRail = 0.05;      // metres: balconies are lower; a thinner element is a rail
+constexpr double kStandsOn = 0.5;                   // metres: nobody stands on a narrower element, it carries something
 
 bool is_door(const FoundRectangle& r) {
   const Box2 box = r.box();
   return box.v0 < kDoorSill && box.height() > kDoorHeight;
 }
 
-// Beside one opening: one above the other, and little between them.
+// Whether both are beside one opening: one is above the other, with little between them.
 bool are_of_one_opening(const Box2& a, const Box2& b) {
   const double common = std::min(a.u1, b.u1) - std::max(a.u0, b.u0);
   const double apart = std::max(a.v0, b.v0) - std::min(a.v1, b.v1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a thing on a facade is called, by its shape and by what is beside it.
+// Gives each facade element its kind, from its shape and from what is beside it.
 #pragma once
 #include <vector>
 
@@ -11,21 +11,22 @@ inline bool is_opening(ElementKind kind) {
   return kind == ElementKind::window || kind == ElementKind::door;
 }
 
-// A door goes down to the foot of the wall; where its lower part is hidden, its top is in line with other doors'.
+// A door reaches the foot of the wall. Where its lower part is hidden, its top is in line with the tops of other doors.
 ElementKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings);
 
-// Long ones across the wall are bands or balconies, those just below and above an opening its sill and its lintel; what
-// stands out far is a balcony, a bracket where it is too narrow to stand on, a protrusion where it is a storey high.
+// A long element across the wall is a band or a balcony. An element just below an opening is its sill, one just above
+// it is its lintel. An element that stands out far is a balcony. It is a bracket if it is too narrow to stand on, and a
+// protrusion if it is as high as a storey.
 ElementKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width);
 
-// Of two sills, or two lintels, of one opening the one next to it keeps its name; the other is a bulge: a panel below,
-// a hood above. O(things^2).
+// Where one opening has two sills or two lintels, the nearest one keeps its kind. The other becomes a bulge: a panel
+// below, a hood above. O(candidates^2).
 void keep_nearest_sills(std::vector<ElementCandidate>& candidates);
 
-// What stands out above the wall is eaves; a balcony is long, no storey high and stands out as far as one can stand on.
+// What stands out above the wall is eaves. A balcony is long, lower than a storey, and deep enough to stand on.
 ElementKind kind_of_large(const FoundRectangle& r, double wall_height);
 
-// Rails and bars before windows and along balconies.
+// Whether the candidate is a rail or a bar in front of windows or along a balcony.
 bool is_rail(const ElementCandidate& t);
 
 }  // namespace ilot

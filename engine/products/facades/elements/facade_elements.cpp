@@ -25,7 +25,7 @@ std::vector<Vec3> ring_of(const FacadeSite& site, const Box2& box, double w) {
           place_of(site, box.u0, box.v1, w)};
 }
 
-// Four corners where neighbouring sides meet.
+// The four corners in which neighbouring sides meet.
 std::vector<Vec3> leaning_ring(const FacadeSite& site, const FoundRectangle& r) {
   const Box2 box = r.box();
   const double um = (box.u0 + box.u1) / 2, vm = (box.v0 + box.v1) / 2;
@@ -38,7 +38,7 @@ std::vector<Vec3> leaning_ring(const FacadeSite& site, const FoundRectangle& r) 
           corner(Side::left, Side::top)};
 }
 
-// The corners of an opening under an arc, from the lower left on, and which side each edge belongs to.
+// The corners of an opening under an arc, from the lower left on, and the side of each edge.
 struct ArchedRing {
   std::vector<Vec3> corners;
   std::vector<Side> sides;
@@ -49,8 +49,8 @@ ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
   constexpr double kLongestChord = 5;  // degrees
   const Box2 box = r.box();
   const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;
-  // A jamb that is a tangent as far as one knows springs at the height of the centre: where the two lines meet moves by
-  // centimetres for a millimetre there.
+  // A jamb that is a tangent within its error meets the arc at the height of the centre. The intersection of the two
+  // would move by centimetres for each millimetre there.
   const auto springing = [&](double at, Side jamb) {
     const double up2 = radius * radius - (at - u) * (at - u);
     const bool tangent = std::abs(std::abs(at - u) - radius) <= r.error(jamb) + r.arc->error;

@@ -17,17 +17,18 @@
 namespace ilot {
 namespace {
 
-constexpr double kSameElement = 0.8;  // of an area, that what is found twice has in common
-constexpr double kStraight = 0.02;    // metres: a side's ends before and behind, of one that leans not
-constexpr double kMostOf = 0.5;       // of a thing: what is no more than a part lends it no sides
-constexpr double kSamePatch = 0.5;    // of a patch, that lies within an irregularity
+constexpr double kSameElement = 0.8;  // share of an area that two findings of one element have in common
+constexpr double kStraight = 0.02;    // metres between the front end and the back end of a side that does not lean
+constexpr double kMostOf = 0.5;     // share of an element: a smaller relief is only a part of it and gives it no sides
+constexpr double kSamePatch = 0.5;  // share of a patch that is within an irregularity
 
 double common_area(const Box2& a, const Box2& b) {
   return std::max(0.0, std::min(a.u1, b.u1) - std::max(a.u0, b.u0)) *
          std::max(0.0, std::min(a.v1, b.v1) - std::max(a.v0, b.v0));
 }
 
-// What is not a part of an irregularity: its patches of plane are no things of their own, and nothing else is in it.
+// The boxes of the candidates that are no part of an irregularity. Flat patches of an irregularity are no elements, and
+// an irregularity contains no other element.
 std::vector<Box2> boxes_of_elements(const std::vector<ElementCandidate>& candidates) {
   std::vector<Box2> boxes;
   for (const ElementCandidate& t : candidates)
@@ -47,7 +48,7 @@ void drop_patches(std::vector<ElementCandidate>& candidates, const std::vector<I
   });
 }
 
-// The order in which elements are numbered.
+// Elements are numbered in this order.
 bool comes_before(const ElementCandidate& a, const ElementCandidate& b) {
   const Box2 p = a.shape.box(), q = b.shape.box();
   if (a.kind != b.kind) return a.kind < b.kind;
@@ -56,7 +57,7 @@ bool comes_before(const ElementCandidate& a, const ElementCandidate& b) {
   return p.v0 != q.v0 ? p.v0 < q.v0 : a.shape.depth < b.shape.depth;
 }
 
-// Bulges that overlap are patches of one.
+// Merges bulges that overlap: they are patches of one bulge.
 void merge_bulges(std::vector<ElementCandidate>& candidates) {
   const auto overlap = [](const ElementCandidate& a, const ElementCandidate& b) {
     const Box2 p = a.shape.box(), q = b.shape.box();
@@ -84,8 +85,8 @@ void merge_bulges(std::vector<ElementCandidate>& candidates) {
   }
 }
 
-// Sides that points of side faces tell are known better than those between points of the wall and what is behind. An
-// opening that nothing fills has no depth of its own: a niche has.
+// Sides that come from points of side faces are more exact than sides between points of the wall and points behind it.
+// An opening in which there is no surface has no depth of its own, but a niche has one.
 void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
   if (known.depth == 0) known.depth = found.depth, known.depth_error = found.depth_error, known.end = found.end;
   for (const Side side : kSides)
@@ -93,7 +94,8 @@ void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
       known.side(side) = found.side(side);
 }
 
-// What is large and not found yet, in place of what is only a part of it: the front of a bay.
+// Adds large relief that was not found before. It replaces a candidate that is only a part of it, such as the front of
+// a bay.
 void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vector<FoundRectangle>& large,
                       double wall_height) {
   for (const FoundRectangle& r : large) {
@@ -109,7 +111,7 @@ void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vect
       if (common_area(box, own) >= kMostOf * own.width() * own.height()) take_better_sides(known->shape, r);
       continue;
     }
-    // Openings within a recess stay: they go on from its back.
+    // Openings within a recess stay: they continue from its back.
     std::erase_if(candidates, [&](const ElementCandidate& t) {
       const Box2 own = t.shape.box();
       return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameElement * own.width() * own.height();
@@ -144,16 +146,16 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
   return candidates;
 }
 
-// Sides that do not lean end where the outline is drawn.
+// A side that does not lean ends where the outline is drawn.
 Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
   const auto side = [](double at, double from, double now) { return std::abs(at - from) < kStraight ? now : at; };
   return {side(end.u0, measured.u0, drawn.u0), side(end.u1, measured.u1, drawn.u1), side(end.v0, measured.v0, drawn.v0),
           side(end.v1, measured.v1, drawn.v1)};
 }
 
-// What a thing comes down to at its depth [Lorraine thesis, 4.2.1], where its sides are seen to lean.
+// Finds the rectangle of an element at its depth [Lorraine thesis, 4.2.1], where its sides are seen to lean.
 void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samples, std::size_t concurrency) {
-  constexpr double kMargin = 0.05;  // metres around its outline that its end may reach
+  constexpr double kMargin = 0.05;  // metres around its outline in which its end may be
   parallel_for_limited(concurrency, candidates.size(), [&](std::size_t i) {
     FoundRectangle& r = candidates[i].shape;
     const Box2 box = r.box();
@@ -172,10 +174,10 @@ void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samp
 }  // namespace
 
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency) {
-  constexpr double kCells = 30, kLeastCell = 0.02;  // bytes a cell of all images together; metres
-  constexpr std::uint64_t kBands = 8 << 20;         // while these are counted
+  constexpr double kCells = 30, kLeastCell = 0.02;  // bytes per cell of all images together; metres
+  constexpr std::uint64_t kBands = 8 << 20;         // while the bands are counted
   constexpr std::uint64_t kSorting = 5 << 20, kPerWorker = 12 << 20,
-                          kPoint = 200;  // a step has samples of 2^16 or 2^17 points
+                          kPoint = 200;  // samples of a step: 2^16 or 2^17 points
   const double width = site.width + 2 * kAroundWall, height = site.height + 2 * kAroundWall;
   const double cell = cell_for(width, height, std::max(kLeastCell, 2 * site.step));
   return static_cast<std::uint64_t>(kCells * width * height / (cell * cell)) +

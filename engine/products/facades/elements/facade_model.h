@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a facade's points to its plan.
+// Makes the plan of a facade from its points.
 #pragma once
 #include "engine/model/facade.h"
 #include "engine/products/facades/elements/irregularities.h"
@@ -20,28 +20,29 @@ struct FacadeParams {
   RegularParams regular;
   WallOutlineParams outline;
   bool regularise = true;
-  std::size_t concurrency = 4;  // steps that run at once: the same result, less memory for fewer
+  std::size_t concurrency = 4;  // steps that run at once; the result does not depend on it, fewer need less memory
 };
 
 struct FoundFacade {
-  Facade facade;                     // ids of its elements from 1, bottom up and left to right; facade.id is left at 0
-  std::uint64_t occluded_edges = 0;  // that are not drawn as seen
+  Facade facade;  // the ids of its elements begin at 1, bottom up and left to right; facade.id stays 0
+  std::uint64_t occluded_edges = 0;  // number of edges that are not drawn as seen
 };
 
-// What was found on the way to a FoundFacade, for whoever looks for the step that went wrong.
+// The intermediate results of find_facade(). They help to find the step that went wrong.
 struct FacadeSteps {
   OpeningSteps cells;
-  std::vector<FoundRectangle> openings, relief, stones, large;  // as the four searches found them
+  std::vector<FoundRectangle> openings, relief, stones, large;  // results of the four searches
   std::vector<ElementCandidate> found, drawn;                   // before and after regularisation
   std::vector<Irregularity> irregular;
   WallOutline outline;
 };
 
-// Openings and what stands out, named, brought into rows and families, completed where shadows hid them, and the wall's
-// own outline first. The site's points in any order give the same. Where `steps` are given they are filled. O(n log n).
+// Finds the outline of the wall first, then its openings and relief. These get a kind, are brought into rows and
+// families, and are completed where shadows hid them. The order of the points of the site does not change the result.
+// Fills `steps` where they are given. O(n log n).
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params = {}, FacadeSteps* steps = nullptr);
 
-// Memory of the rays and of find_facade() at most, for a site of so many points.
+// The largest memory that the rays and find_facade() need for a site with so many points.
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency);
 
 inline FoundFacade find_facade(const FacadeSite& site, const FacadeParams& params = {}) {

@@ -15,28 +15,28 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 3, kLeastCell = 0.02, kMostCell = 0.1;  // metres
-constexpr double kBeside = 1.5;                                       // cells around what is taken that belong to it
-constexpr double kFlatWidths = 4;                                     // noise: a sheet's points lie within so many
-constexpr double kSteepest = 3;                 // noise of a mean height that an even wall does not reach
-constexpr double kAround = 1;                   // metres around a region that the wall's density is taken from
+constexpr double kBeside = 1.5;                                       // cells around an element that belong to it
+constexpr double kFlatWidths = 4;               // times the noise: the points of a sheet lie within this width
+constexpr double kSteepest = 3;                 // times the noise of a mean height: an even wall stays below
+constexpr double kAround = 1;                   // metres around a region in which the density of the wall is measured
 constexpr double kLattice = 1e-4;               // metres
-constexpr double kLeastRise = 0.14;             // of delta: below that a mean height is none
-constexpr double kEnclosed = 0.6;               // share of the cells around a region where the wall is even
-constexpr double kReachCells = 2;               // circumradius of the shape's triangles
-constexpr double kHighest = 0.005;              // share of the vertices above the rise
-constexpr std::uint64_t kMostPoints = 1 << 17;  // of an irregularity: of more it is drawn coarser; 64 bytes each
+constexpr double kLeastRise = 0.14;             // share of delta: a smaller mean height counts as zero
+constexpr double kEnclosed = 0.6;               // share of the cells around a region in which the wall is even
+constexpr double kReachCells = 2;               // cells; circumradius of the triangles of the shape
+constexpr double kHighest = 0.005;              // share of the vertices that lie above the rise
+constexpr std::uint64_t kMostPoints = 1 << 17;  // an irregularity with more points is drawn coarser; 64 bytes each
 
 struct HeightCell {
-  float mean = 0;              // of w of all points
+  float mean = 0;              // mean w of all points
   std::uint16_t even = 0;      // points within delta of the wall, 32,767 at most
-  std::uint16_t odd : 15 = 0;  // beyond it within delta + psi
+  std::uint16_t odd : 15 = 0;  // points beyond delta and within delta + psi
   std::uint16_t taken : 1 = 0;
 };
 
-// While its points are counted.
+// The sums of a cell while its points are counted.
 struct HeightSums {
   std::uint32_t even = 0, odd = 0;
-  double w = 0;  // sum
+  double w = 0;  // sum of w
 
   HeightCell cell() const {
     constexpr std::uint32_t kMost = 32767;
@@ -106,9 +106,9 @@ Heights heights_of(const RaySamples& samples, const std::vector<Box2>& taken, co
   return h;
 }
 
-using Region = std::vector<std::uint32_t>;  // cells, row * columns + column
+using Region = std::vector<std::uint32_t>;  // cells, each row * columns + column
 
-// Cells joined over sides from `start`, over those that `belongs` says yes to.
+// The cells for which `belongs` is true that are connected with `start` along their sides.
 template <class Belongs>
 Region flood(const Heights& h, Region cells, std::vector<bool>& seen, const Belongs& belongs) {
   for (const std::uint32_t i : cells) seen[i] = true;
@@ -126,7 +126,7 @@ Region flood(const Heights& h, Region cells, std::vector<bool>& seen, const Belo
   return cells;
 }
 
-// Points a cell within the wide threshold, in the region and around it, where the wall is even.
+// The number of points per cell within the wide threshold, divided by that around the region, where the wall is even.
 double density_of(const Heights& h, const Region& region) {
   std::vector<bool> in(h.cells.size(), false);
   std::int64_t c0 = INT64_MAX, c1 = 0, r0 = INT64_MAX, r1 = 0;
@@ -148,7 +148,7 @@ double density_of(const Heights& h, const Region& region) {
   return wall == 0 ? 0 : own / static_cast<double>(region.size()) / (wall / cells);
 }
 
-// Share of the cells beside a region where the wall is even: what lies on its rim is no part of it.
+// The share of the cells beside a region in which the wall is even. A region on the rim of the wall is no part of it.
 double enclosed(const Heights& h, const Region& region) {
   std::vector<bool> in(h.cells.size(), false);
   for (const std::int64_t i : region) in[static_cast<std::size_t>(i)] = true;
@@ -164,7 +164,7 @@ double enclosed(const Heights& h, const Region& region) {
   return all == 0 ? 0 : even / all;
 }
 
-// The points of a region, or of too many those of one level.
+// The points of a region. If there are too many, only those of one level.
 struct RegionPoints {
   std::vector<Vec3> kept;
   std::uint64_t count = 0;
@@ -194,7 +194,7 @@ RegionPoints points_in(const RaySamples& samples, const Heights& h, const Region
   return points;
 }
 
-// The largest share of the points beyond delta that lies within a sheet's width of one depth.
+// The largest share of the points beyond delta that lies within the width of a sheet around one depth.
 double flat_share(const std::vector<Vec3>& points, double delta, double width) {
   std::vector<double> w;
   for (const Vec3& p : points)
@@ -209,7 +209,7 @@ double flat_share(const std::vector<Vec3>& points, double delta, double width) {
   return static_cast<double>(most) / static_cast<double>(w.size());
 }
 
-// One vertex a cell: the mean of its points. Noise is divided by the root of their number.
+// One vertex per cell: the mean of its points. This divides the noise by the root of their number.
 std::vector<Vec3> thinned(const std::vector<Vec3>& points, double cell) {
   std::vector<std::pair<std::pair<std::int64_t, std::int64_t>, Vec3>> by_cell;
   for (const Vec3& p : points)
@@ -230,7 +230,7 @@ std::vector<Vec3> thinned(const std::vector<Vec3>& points, double cell) {
   return means;
 }
 
-// The triangulation clipped to the largest ring of its shape.
+// Makes the triangulation, clipped to the largest ring of its alpha shape.
 void make_mesh(const std::vector<Vec3>& points, double cell, Irregularity& found) {
   found.vertices = thinned(points, cell);
   std::vector<Point2> places;
@@ -295,7 +295,7 @@ std::vector<Irregularity> find_irregularities(const RaySamples& samples, const s
         flat_share(points.kept, site.epsilon, std::max(kFlatWidths * site.noise, site.epsilon)) > params.most_flat)
       continue;
     one.points = points.count;
-    // As many points a cell as there would be without leaving any out.
+    // The cell grows, so that it contains as many points as if no point had been left out.
     const double coarser = std::sqrt(std::ldexp(1.0, points.level));
     make_mesh(points.kept, coarser * std::max(h.cell / kCellSteps * 1.5, kLeastCell / 2), one);
     if (one.ring.size() < 3) continue;

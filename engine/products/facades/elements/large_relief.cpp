@@ -14,15 +14,15 @@
 namespace ilot {
 namespace {
 
-constexpr double kBounded = 0.5;    // share of a region's rows or columns that the wall goes on beyond
-constexpr double kLeastFill = 0.4;  // share of its box
-constexpr double kInWall = 0.5;     // share of its box that lies within the wall's
-constexpr double kConnectionFrom = 0.05, kConnectionTo = 0.4;  // of its depth: there its side faces have points
+constexpr double kBounded = 0.5;    // share of the rows or columns of a region beyond which the wall continues
+constexpr double kLeastFill = 0.4;  // share of its box that it covers, at least
+constexpr double kInWall = 0.5;     // share of its box that is within the box of the wall
+constexpr double kConnectionFrom = 0.05, kConnectionTo = 0.4;  // shares of its depth: its side faces have points there
 constexpr double kConnectedShare = 0.25;                       // share of the cells on its rim
 constexpr double kFlatEnd = 0.2;                               // share of its points that lie on its end
-constexpr double kReaches = 0.9;     // of the way to the wall's end: the rest is noise of its deepest points
+constexpr double kReaches = 0.9;     // share of the way to the end of the wall; the rest is noise of its deepest points
 constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
-constexpr std::uint64_t kMostSamples = 1 << 17;  // beside one side: more tell no more
+constexpr std::uint64_t kMostSamples = 1 << 17;  // points beside one side; more do not improve the result
 
 bool is_recess(const DepthImage& image, const DepthRegion& region) {
   return bounded_by_wall(image, region, Side::top) >= kBounded ||
@@ -37,7 +37,7 @@ double deepest_of(const DepthImage& image, const DepthRegion& region) {
   return depths.empty() ? 0 : static_cast<double>(lower_quantile(depths, 1 - kBehindAll));
 }
 
-// Cells of an image, closed.
+// The cells of an image in a closed frame.
 struct CellFrame {
   std::int64_t c0 = INT64_MAX, c1 = -1, r0 = INT64_MAX, r1 = -1;
 
@@ -49,7 +49,7 @@ struct CellFrame {
   }
 };
 
-// All cells of a region and one around them.
+// All cells of a region, and one cell more around them.
 CellFrame frame_of(const DepthImage& image, const DepthRegion& region) {
   CellFrame frame;
   for (const std::int64_t i : region.cells) {
@@ -60,10 +60,10 @@ CellFrame frame_of(const DepthImage& image, const DepthRegion& region) {
   return frame;
 }
 
-// Whether points of side faces lead from the wall to it, along its rim: it is built on. A face lies in a cell of the
-// rim or in the one of the wall beside it, as the cells happen to fall.
+// Whether points of side faces along its rim connect the region with the wall; then it is built on the wall. A face may
+// be in a cell of the rim or in the cell of the wall beside it.
 bool is_connected_to_wall(const RaySamples& samples, const DepthImage& image, const DepthRegion& region, double depth) {
-  // Of the cells around the region the number of the rim's cell whose face may lie there.
+  // For each cell around the region, the number of the cell of the rim whose face may be in it.
   const CellFrame frame = frame_of(image, region);
   std::vector<std::uint32_t> owner(static_cast<std::size_t>(frame.columns() * frame.rows()), 0);
   std::uint32_t count = 0;
@@ -90,7 +90,7 @@ bool is_connected_to_wall(const RaySamples& samples, const DepthImage& image, co
   return count > 0 && static_cast<double>(connected) >= kConnectedShare * count;
 }
 
-// Of its width, where it stands on cells of the wall: eaves lie above all of it.
+// The share of its width in which there are cells of the wall below it: eaves are above the whole wall.
 double stands_on_wall(const DepthImage& image, const DepthRegion& region) {
   double columns = 0;
   for (const std::int64_t i : region.cells) {
@@ -100,7 +100,7 @@ double stands_on_wall(const DepthImage& image, const DepthRegion& region) {
   return columns / static_cast<double>(region.c1 - region.c0 + 1);
 }
 
-// Whether it goes on beyond what was looked at: then it is a wall of its own, or a part of one.
+// Whether the region continues beyond the image. Then it is a wall of its own, or a part of one.
 bool goes_on(const DepthImage& image, const DepthRegion& region) {
   return region.c0 <= 0 || region.r0 <= 0 || region.c1 >= image.columns - 1 || region.r1 >= image.rows - 1;
 }
@@ -111,11 +111,11 @@ double share_within(const Box2& box, const FacadeSite& site) {
   return u <= 0 || v <= 0 ? 0 : u * v / (box.width() * box.height());
 }
 
-// Rays whose points are within an outline, between the wall and a depth.
+// The rays whose points are within an outline and between the wall and a depth.
 struct InsideRays {
   Rays rays;
   Box2 outline;
-  double sign = 1, least = 0, most = 0;  // of w towards the depth
+  double sign = 1, least = 0, most = 0;  // range of w in the direction of the depth
 
   bool contains(const Ray& ray) const {
     const double w = sign * static_cast<double>(ray.at.w);
@@ -136,7 +136,7 @@ double mean_depth(const FacadeSite& site, InsideRays& inside, double at, double 
   return at + mean;
 }
 
-// The depth of its end: that of the sheet that fills it, else of its farthest points.
+// Finds the depth of its end: the depth of the sheet that fills it, otherwise that of its farthest points.
 Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, std::int8_t what,
               FoundRectangle& rectangle) {
   const FacadeSite& site = samples.site();
@@ -144,7 +144,7 @@ Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, st
   const double near = sign * least, far = sign * (deepest + 0.05);
   InsideRays inside{samples.near(outline.grown(samples.oblique() ? 1.5 * deepest : 0.1)), outline.grown(kForemostSheet),
                     sign, least, deepest + 0.05};
-  Box2 end{INFINITY, -INFINITY, INFINITY, -INFINITY};  // of its farthest points
+  Box2 end{INFINITY, -INFINITY, INFINITY, -INFINITY};  // box of its farthest points
   for (const Ray& ray : inside.rays) {
     if (!inside.contains(ray)) continue;
     ++rectangle.points;
@@ -167,7 +167,7 @@ Box2 find_end(const RaySamples& samples, const Box2& outline, double deepest, st
   return end.u1 < end.u0 ? outline : end;
 }
 
-// Between the wall's points and its own, where no side face tells better.
+// Finds the side between the points of the wall and those of the element, where no side face gives it more exactly.
 LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, double least, double reach) {
   const FacadeSite& site = samples.site();
   const bool u = side == Side::left || side == Side::right;
@@ -194,7 +194,7 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
   }
   const EdgeSplit split = split_edge(inside, outside);
   const double end = side == Side::right ? site.width : side == Side::top ? site.height : 0;
-  const bool to_end = !split.found && std::abs(sign * t0 - end) <= reach;  // the wall goes no farther
+  const bool to_end = !split.found && std::abs(sign * t0 - end) <= reach;  // the wall continues no farther
   LocatedEdge edge;
   edge.at = edge.inner = to_end ? end : sign * (split.found ? split.at : t0);
   edge.error = to_end ? site.step : split.found ? split.half_gap + site.noise / 2 : reach;
@@ -202,7 +202,8 @@ LocatedEdge split_side(const RaySamples& samples, const Box2& box, Side side, do
   return edge;
 }
 
-// Of a side face that nobody saw: the wall beside it lies in its shadow, so it ends where its end does.
+// Handles a side face that was not seen: the wall beside it is in its shadow, so the side is where the end has its
+// side.
 void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
   const double at = side == Side::left ? end.u0 : side == Side::right ? end.u1 : side == Side::bottom ? end.v0 : end.v1;
   const double shadow = std::abs(edge.at - at);
@@ -211,7 +212,7 @@ void carry_end(LocatedEdge& edge, Side side, const Box2& end, double step) {
   edge.at = edge.inner = at;
 }
 
-// The sides from their faces, and where those end at the thing's depth.
+// Takes the sides from their faces, and returns where these end at the depth of the element.
 Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, double least_depth,
                 FoundRectangle& rectangle) {
   const double seen_at = std::copysign(std::min(least_depth, std::abs(rectangle.depth) / 2), rectangle.depth);
@@ -224,7 +225,7 @@ Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, dou
     if (faces.points[k] > 0) {
       edge = {at[k], faces.error[k]};
       edge.inner = edge.at, edge.rms = faces.rms[k], edge.points = faces.points[k], edge.by_face = true;
-    } else if (stands_out && !(kSides[k] == Side::top && edge.at > samples.site().height)) {  // eaves slope
+    } else if (stands_out && !(kSides[k] == Side::top && edge.at > samples.site().height)) {  // eaves are inclined
       carry_end(edge, kSides[k], end, samples.site().step);
       *ends[k] = edge.at;
     }
@@ -232,7 +233,7 @@ Box2 take_faces(const RaySamples& samples, const Box2& end, bool stands_out, dou
   return at_end;
 }
 
-// A cut corner goes as deep as its face has come at the wall's end.
+// A cut corner is as deep as its face is at the end of the wall.
 void reach_end(FoundRectangle& rectangle, Box2& end) {
   const auto reach = [&](Side leaning, Side open, double& end_of_leaning, double& end_of_open) {
     if (!rectangle.side(leaning).by_face || rectangle.side(open).by_face) return;
@@ -247,7 +248,7 @@ void reach_end(FoundRectangle& rectangle, Box2& end) {
   reach(Side::right, Side::left, end.u1, end.u0);
 }
 
-// What a region is; nothing where it is no part of the facade.
+// The relief of a region; no result where it is no part of the facade.
 std::optional<FoundRectangle> relief_of(const RaySamples& samples, const DepthImage& image, const DepthRegion& region,
                                         const LargeReliefParams& params) {
   const FacadeSite& site = samples.site();

@@ -10,9 +10,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kBesideShadow = 0.03;  // metres beyond a gap that a sill's top may lie
-constexpr double kHighestShadow = 0.6;  // metres that a sill hides above its top
-constexpr double kUnder = 0.7;          // share of an opening's width that its sill spans
+constexpr double kBesideShadow = 0.03;  // metres beyond a gap in which the top of a sill may be
+constexpr double kHighestShadow = 0.6;  // metres above its top that a sill hides
+constexpr double kUnder = 0.7;          // share of the width of an opening that its sill covers
 
 using Members = std::vector<ElementCandidate*>;
 
@@ -25,7 +25,7 @@ double height_of(const ElementCandidate& t) {
 bool is_opening(const ElementCandidate& t) {
   return t.kind == ElementKind::window || t.kind == ElementKind::door;
 }
-// And told to others and by them: what leans stays as it is.
+// Whether the side is seen, so that it may be aligned with others. An element that leans stays as it is.
 bool seen(const ElementCandidate& t, Side side) {
   return t.shape.side(side).status == DrawnStatus::seen && t.shape.lean_of(side) == 0;
 }
@@ -59,7 +59,7 @@ void move_to(LocatedEdge& edge, double at) {
   edge.at = at;
 }
 
-// One side of all members on one line.
+// Moves one side of all members onto one line.
 void align(const Members& members, Side side) {
   std::vector<Bounded> bounds;
   for (const ElementCandidate* t : members)
@@ -73,9 +73,9 @@ void align(const Members& members, Side side) {
   }
 }
 
-// How far the size of a member may be off that its family tells: no less than that of the one known best, what all
-// members have in common is in it, and by how much they differ beyond what their own errors (as two deviations)
-// explain.
+// The error of a member's size when it comes from its family. It is at least the error of the most exact member, and at
+// least the error of the common size. To this the part of the differences between the members is added that their own
+// errors (as two deviations) do not explain.
 double family_error(const Members& members, Side low, Side high, const Bounded& common) {
   double best = INFINITY, squares = 0, explained = 0, count = 0;
   for (const ElementCandidate* t : members) {
@@ -89,7 +89,7 @@ double family_error(const Members& members, Side low, Side high, const Bounded& 
   return std::max(best, common.error) + 2 * std::sqrt(std::max(0.0, squares - explained) / std::max(1.0, count));
 }
 
-// The same distance between two sides of all members; each side gives way by its share of their errors.
+// Makes the distance between two sides equal for all members. Each side moves by its share of the errors.
 void equalise(const Members& members, Side low, Side high) {
   std::vector<Bounded> bounds;
   for (const ElementCandidate* t : members)
@@ -112,7 +112,8 @@ void equalise(const Members& members, Side low, Side high) {
   }
 }
 
-// Where a sill's top lies in the gap that the bottom is known to, and is known better: nobody sees behind it.
+// Completes the bottom from the top of a sill, if this is within the gap of the bottom and is more exact: nothing
+// behind a sill can be seen.
 bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>& candidates) {
   LocatedEdge& bottom = t.shape.side(Side::bottom);
   if (bottom.by_face) return false;
@@ -134,13 +135,13 @@ bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>
   return false;
 }
 
-// Whether a side may lie there: not inside of what was seen to be open.
+// Whether a side may be at a place: it must not be inside of what was seen to be open.
 bool allowed(const LocatedEdge& edge, Side side, double at, const RegularParams& params) {
   const bool low = side == Side::left || side == Side::bottom;
   return low ? at <= edge.inner + params.alike : at >= edge.inner - params.alike;
 }
 
-// From members of the row whose side is seen.
+// Completes a side from members of the row whose side is seen.
 bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
                        const RegularParams& params) {
   std::vector<Bounded> bounds;
@@ -159,7 +160,7 @@ bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>&
   return true;
 }
 
-// The size of others, of its row before those of the rest, from the side that is seen.
+// Completes a side from the side that is seen and the size of others: first those of its row, then the rest.
 bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>& candidates, Side side,
                         const RegularParams& params) {
   const bool across = side == Side::left || side == Side::right;

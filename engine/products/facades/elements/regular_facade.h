@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows, columns and families: what was built alike is drawn alike, as far as what was measured allows [Marchand 2018,
-// II.3.2].
+// Rows, columns and families: elements that were built alike are drawn alike, as far as the measurements allow
+// [Marchand 2018, II.3.2].
 #pragma once
 #include <cstdint>
 #include <string>
@@ -22,31 +22,33 @@ enum class ElementKind : std::uint8_t {
   bracket,
   protrusion,  // bays, oriels
   recess,      // niches, cut corners
-  eaves,       // what stands out above the wall's top
+  eaves,       // stands out above the top of the wall
 };
 
 struct ElementCandidate {
   FoundRectangle shape;
   ElementKind kind = ElementKind::window;
-  std::uint32_t family = 0, row = 0, column = 0;  // as FacadeElement
-  std::string reason;                             // of what was not seen
+  std::uint32_t family = 0, row = 0, column = 0;  // as in FacadeElement
+  std::string reason;                             // why an edge that was not seen has its place
 };
 
 struct RegularParams {
   double alike = 0.04;    // metres; sizes of one family and edges of one row or column differ by at most this
-  double line_up = 0.25;  // metres; middles of one column
+  double line_up = 0.25;  // metres between the middles of one column, at most
 };
 
-// Numbers families (of equal width and height, two members or more), rows by their tops and columns by their middles.
+// Numbers the families (at least two members of equal width and height), the rows by their tops and the columns by
+// their middles.
 void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
-// Moves edges onto the line of their row or column and sizes to those of their family: to the value that most of the
-// members' bounds hold (agreement), never farther than an edge's own error. `moved` of the edges says how far. The
-// order of the things does not matter.
+// Moves edges onto the line of their row or column, and changes sizes to that of their family. The new value is the one
+// that lies within the bounds of most members (agreement). No edge moves farther than its own error; its field `moved`
+// records the distance. The order of the candidates does not change the result.
 void regularise_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
-// Edges that nothing was seen of: the bottom of an opening behind a sill is the sill's top; other edges come from the
-// row or the family, or stay occluded. `reason` says which. Completed edges keep within the gap that hid them.
+// Completes edges that were not seen. The bottom of an opening behind a sill is the top of the sill. Other edges come
+// from the row or the family, or stay occluded. The field `reason` says which. Completed edges stay within the gap that
+// hid them.
 void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 }  // namespace ilot

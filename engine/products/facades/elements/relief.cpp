@@ -16,21 +16,21 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kFewestStones = 4;
-constexpr std::uint64_t kFewestPoints = 3;  // of a piece
-constexpr double kTail = 0.005;             // share of points beyond a piece's box on each side
-constexpr double kSamePlane = 0.01;         // metres between two pieces of one thing, across
-constexpr double kSameLine = 0.05;          // metres between their sides
-constexpr double kAcrossShadow = 1;         // metres between them along
-constexpr double kLeastFace = 0.01;  // metres before the wall and behind the front that side faces are looked for
+constexpr std::uint64_t kFewestPoints = 3;  // points of a piece, at least
+constexpr double kTail = 0.005;             // share of points beyond the box of a piece on each side
+constexpr double kSamePlane = 0.01;         // metres between the planes of two pieces of one element
+constexpr double kSameLine = 0.05;          // metres between the sides of the two
+constexpr double kAcrossShadow = 1;         // metres between the two along the wall
+constexpr double kLeastFace = 0.01;  // metres from the wall and from the front between which side faces are searched
 
 struct Piece {
   std::vector<std::uint32_t> ids;
   double w = 0, rms = 0;
   Box2 box;
-  std::vector<RayRun> runs;              // its points, in the samples' segments
-  std::shared_ptr<const RayColumn> own;  // or all of this column
+  std::vector<RayRun> runs;              // its points, in segment order of the samples
+  std::shared_ptr<const RayColumn> own;  // or all rays of this column
   std::uint64_t points = 0;
-  double alone = INFINITY;  // metres around it where no other piece of its segment lies
+  double alone = INFINITY;  // metres around it in which there is no other piece of its segment
 };
 
 Rays rays_of(const RaySamples& samples, const Piece& piece) {
@@ -66,7 +66,7 @@ bool in_line(const Piece& a, const Piece& b) {
   return (level && du < kAcrossShadow) || (upright && dv < kAcrossShadow);
 }
 
-// One of each segment, in the order of their ids.
+// One piece for each segment, in the order of their ids.
 std::vector<Piece> pieces_of(const RaySamples& samples, std::vector<std::uint32_t> ids) {
   std::sort(ids.begin(), ids.end());
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
@@ -83,14 +83,14 @@ std::vector<Piece> pieces_of(const RaySamples& samples, std::vector<std::uint32_
   return pieces;
 }
 
-// A joint that goes through a piece from one side to the other: where its points cease, and most rays end behind.
+// A joint that goes through a piece from one side to the other: there are no points in it, and most rays end behind it.
 struct Joint {
   double from = 0, to = 0;
 };
 
-// The widest strip across the piece, along u or along v, that has few points. Nothing without one.
+// The widest strip across the piece, along u or along v, that has few points; no result if there is none.
 std::optional<Joint> empty_strip(const ValueStream& places, double low, double high, double step) {
-  constexpr double kFew = 0.2;  // of what lies in the median strip
+  constexpr double kFew = 0.2;  // share of the points in the median strip
   const auto bins = static_cast<std::size_t>((high - low) / step);
   if (bins < 4) return std::nullopt;
   std::vector<std::size_t> counts(bins);
@@ -121,9 +121,9 @@ bool seen_behind(const RaySamples& samples, const Box2& strip) {
   return behind > 0.5 * all;
 }
 
-// Of the points of a piece, those before the joint or behind it.
+// The points of a piece on one side of the joint.
 Piece part_beside(const RaySamples& samples, const Piece& piece, const Joint& joint, bool level, bool before) {
-  constexpr double kInJoint = 0.8;  // of it: its rim is known to a bin
+  constexpr double kInJoint = 0.8;  // share of the joint: its rim is known to one bin
   RayColumn points(samples.folder());
   for (const Ray& ray : rays_of(samples, piece)) {
     const Place2 p = samples.crossing(ray, piece.w);
@@ -139,10 +139,10 @@ Piece part_beside(const RaySamples& samples, const Piece& piece, const Joint& jo
   return part;
 }
 
-// A segment that goes on over joints falls into the stones between them: cut by rows first, then each row. `take` gets
-// one after the other, so that no more than two of each cut are there at once.
+// Cuts a segment that continues over joints into the stones between them: first into rows, then each row. `take` gets
+// one piece after the other. Therefore at most two pieces of each cut are in memory at once.
 void split_at_joints(const RaySamples& samples, Piece piece, const std::function<void(const Piece&)>& take) {
-  constexpr double kWidest = 0.06;  // metres, of a joint
+  constexpr double kWidest = 0.06;  // metres; the greatest width of a joint
   const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
   for (const bool level : {true, false}) {
     const ValueStream places = [&](const std::function<void(double)>& visit) {
@@ -160,7 +160,7 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
     if (!seen_behind(samples, strip)) continue;
     Piece low = part_beside(samples, piece, *joint, level, true);
     Piece high = part_beside(samples, piece, *joint, level, false);
-    piece = {};  // its points are in the two
+    piece = {};  // its points are in the two parts
     for (Piece* part : {&low, &high}) {
       if (part->points < kFewestPoints) continue;
       measure(samples, *part);
@@ -171,9 +171,9 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
   take(piece);
 }
 
-// Whether rays go through between two pieces that lie in line: then they end there.
+// Whether rays go through between two pieces that lie in line: then these are two elements.
 bool are_separated(const RaySamples& samples, const Piece& a, const Piece& b) {
-  constexpr double kSeenThrough = 0.2;  // of the rays that cross there
+  constexpr double kSeenThrough = 0.2;  // share of the rays that cross there
   const bool across = a.box.u1 < b.box.u0 || b.box.u1 < a.box.u0;
   Box2 gap{std::min(a.box.u1, b.box.u1), std::max(a.box.u0, b.box.u0), std::min(a.box.v1, b.box.v1),
            std::max(a.box.v0, b.box.v0)};
@@ -207,7 +207,7 @@ void join_pieces(const RaySamples& samples, std::vector<Piece>& pieces) {
   }
 }
 
-// Share of the cells of its box, two steps wide, that hold a point of it.
+// The share of the cells of its box, two steps wide, that contain one of its points.
 double fill_of(const RaySamples& samples, const Piece& piece) {
   const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
   const double cu = std::max(0.02, 2 * steps.u), cv = std::max(0.02, 2 * steps.v);

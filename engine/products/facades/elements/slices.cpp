@@ -14,9 +14,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kLattice = 1e-4;  // metres, of the triangulation of a cut
-constexpr double kTail = 0.005;    // share of a cut's points beyond its extent on each side
-constexpr double kEnough = 0.5;    // of the largest ratio and of the points there
+constexpr double kLattice = 1e-4;  // metres; lattice for the triangulation of a cut
+constexpr double kTail = 0.005;    // share of the points of a cut beyond its extent on each side
+constexpr double kEnough = 0.5;    // share of the largest ratio, and of the number of points there
 
 std::size_t boundary_points(std::span<const Point2> points, double reach) {
   const Triangulation t = delaunay(points);
@@ -27,7 +27,7 @@ std::size_t boundary_points(std::span<const Point2> points, double reach) {
   std::vector<std::uint8_t> inside(points.size(), 0), rim(points.size(), 0);
   for (std::size_t i = 0; i < t.corner.size(); ++i) inside[t.corner[i]] |= keep[i / 3];
   for (const BoundaryEdge& e : boundary_edges(t, keep)) rim[e.from] = rim[e.to] = 1;
-  std::size_t count = 0;  // points that no triangle holds are boundary too, those at the same place are not
+  std::size_t count = 0;  // a point in no triangle is on the boundary too; a point at the place of another is not
   for (const auto& [left_out, equal] : t.duplicates) inside[left_out] = 1;
   for (std::size_t i = 0; i < points.size(); ++i) count += rim[i] != 0 || inside[i] == 0;
   return count;
@@ -36,10 +36,10 @@ std::size_t boundary_points(std::span<const Point2> points, double reach) {
 // The points of one cut.
 struct Cut {
   std::size_t count = 0;
-  std::vector<std::array<float, 2>> kept;  // u, v
+  std::vector<std::array<float, 2>> kept;  // u, v of the points that are kept
 };
 
-// The cuts that each point is consistent with.
+// Finds the cuts with which each point is consistent.
 class Cuts {
  public:
   Cuts(const RaySamples& samples, const SliceRange& range, const SliceParams& params)
@@ -49,7 +49,7 @@ class Cuts {
     const double deepest = std::max(std::abs(range.from), std::abs(range.to)) + params.spacing;
     around_ = range.box.grown(samples.oblique() ? 1.5 * deepest : 0);
   }
-  const Box2& around() const { return around_; }  // where rays to the box cross the wall
+  const Box2& around() const { return around_; }  // the box in which rays to the box of the cuts cross the wall
   double w(std::int64_t cut) const { return range_.from + static_cast<double>(cut) * params_.spacing; }
   template <class Visit>
   void of(const Ray& ray, const Visit& visit) const {
@@ -69,7 +69,7 @@ class Cuts {
 };
 
 int level_of(Rays& rays, const Cuts& cuts) {
-  constexpr std::uint64_t kMostOfCut = 1 << 15, kMostOfAll = 1 << 17;  // 250 bytes of a cut's, 8 of all
+  constexpr std::uint64_t kMostOfCut = 1 << 15, kMostOfAll = 1 << 17;  // points; 250 bytes each of a cut, 8 of all
   if (rays.size() <= kMostOfCut) return 0;
   std::map<std::int64_t, RankCounts> of_cut;
   RankCounts of_all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How deep an element goes and where it ends there: cuts through its points parallel to the wall [Lorraine
+// Measures how deep an element is and where it ends there, with cuts through its points parallel to the wall [Lorraine
 // thesis, 4.2.1].
 #pragma once
 #include <cmath>
@@ -13,39 +13,41 @@ namespace ilot {
 
 struct SliceParams {
   double spacing = 0.02;   // metres between cuts
-  double within = 0.75;    // of the spacing: points so near to a cut are consistent with it, and with its neighbour
-  double reach_steps = 3;  // sampling steps: circumradius of the triangles that make up a cut's shape
+  double within = 0.75;    // share of the spacing: a point so near to a cut is consistent with it; it may be consistent
+                           // with the next cut too
+  double reach_steps = 3;  // sampling steps: greatest circumradius of the triangles that form the shape of a cut
 };
 
 struct FacadeSlice {
   double w = 0;              // metres out of the wall
-  std::size_t points = 0;    // P', consistent with the cut
-  std::size_t boundary = 0;  // B, those of them on the boundary of their alpha shape
-  Box2 extent;               // of all but half a percent of them on each side
-  int level = 0;             // one in 2^level of the points was looked at for the boundary
+  std::size_t points = 0;    // P': number of points that are consistent with the cut
+  std::size_t boundary = 0;  // B: number of these points that are on the boundary of their alpha shape
+  Box2 extent;               // of these points, without half a percent of them on each side
+  int level = 0;             // one in 2^level of the points was used for the boundary
   double ratio() const {
     return boundary == 0 ? 0 : std::ldexp(static_cast<double>(points), -level) / static_cast<double>(boundary);
   }
 };
 
-// A box along the wall, and cuts through what is in it from one depth to the other.
+// A box along the wall. The cuts go through the points in it, from one depth to the other.
 struct SliceRange {
   Box2 box;
   double from = 0, to = 0;
 };
 
-// Of the points that lie within the box along the wall, cuts from `from` on up to `to`, where any point lies, by w. Of
-// more than 32,768 points of a cut, or 131,072 of all, one in two, in four and so on is looked at, of all cuts alike
-// and by their coordinates; triangles are so much longer. O(n log n).
+// Cuts the points that lie within the box along the wall, at depths from `from` up to `to`, wherever a point lies. The
+// cuts are ordered by w. If a cut has more than 32,768 points, or all cuts have more than 131,072, only one point in
+// two, in four and so on is used. This share is the same for all cuts and depends only on the coordinates; the
+// triangles may be longer accordingly. O(n log n).
 std::vector<FacadeSlice> slices_of(const RaySamples& samples, const SliceRange& range, const SliceParams& params = {});
 
-// Of a cut that was not looked at whole the extent of all its points.
+// The extent of all points of a cut for which only a share of the points was used.
 Box2 whole_extent(const RaySamples& samples, const SliceRange& range, const FacadeSlice& slice,
                   const SliceParams& params = {});
 
 // The cut with the largest T = |P'| / |B| [Lorraine thesis, 4.2.1]: a sheet that fills the element has few points on
-// its boundary. Of cuts that come to half of that ratio and of those points the one nearest to the wall: curtains and
-// rooms fill as well. None of no cuts.
+// its boundary. Curtains and rooms fill the element too. Therefore the cut nearest to the wall is taken among those
+// that reach half of that ratio and half of those points. Without cuts there is no result.
 std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices);
 
 }  // namespace ilot

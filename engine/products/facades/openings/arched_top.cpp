@@ -14,25 +14,25 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kSlices = 24, kLeastSlices = 8;
-constexpr double kJamb = 0.04;       // share of the width at either jamb that is left out
-constexpr double kHighest = 0.65;    // of the width: no arch is higher
-constexpr double kAbove = 0.2;       // metres above the top that was found that are searched
-constexpr double kOffCentre = 0.2;   // of the width, that an arch may stand beside the middle of its opening
+constexpr double kJamb = 0.04;       // share of the width that is left out at each jamb
+constexpr double kHighest = 0.65;    // times the width: no arch is higher
+constexpr double kAbove = 0.2;       // metres above the known top that are searched
+constexpr double kOffCentre = 0.2;   // share of the width: an arch may be so far from the middle of its opening
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
-constexpr double kMostGap = 0.06;    // metres; slices that know their top less well are left out
-constexpr double kRounder = 0.35;    // a circle must leave less than this share of what a level line leaves
-constexpr double kSurround = 0.15;   // metres before the wall, where surrounds end
-constexpr double kBesideArc = 0.03;  // metres beside the first arc that points of the soffit lie
+constexpr double kMostGap = 0.06;    // metres; slices whose top is less exact are left out
+constexpr double kRounder = 0.35;    // the residuals of a circle must be less than this share of those of a level line
+constexpr double kSurround = 0.15;   // metres before the wall at which surrounds end
+constexpr double kBesideArc = 0.03;  // metres beside the first arc in which points of the soffit lie
 constexpr std::size_t kLeastSoffit = 60;
-constexpr std::uint64_t kMostSamples = 1 << 17, kMostSoffit = 1 << 16;  // more tell no more
+constexpr std::uint64_t kMostSamples = 1 << 17, kMostSoffit = 1 << 16;  // more points do not improve the result
 
 struct Slice {
   std::vector<double> below, above;
 };
 
-// The wall, the back of a joint between its stones, or a surround that stands out of it and goes on where the soffit
-// ends: a ray that meets one of these does not go through. What stands farther out hides the opening as well as what is
-// above it.
+// Whether a ray meets the wall, the back of a joint between its stones, or a surround that stands out of the wall and
+// continues where the soffit ends. Such a ray does not go through. An element that stands out farther hides both the
+// opening and the wall above it.
 bool is_above(const RaySamples& samples, const Ray& ray) {
   if (samples.in_joint(ray)) return true;
   const RayOutcome met = samples.met(ray, 0, samples.site().epsilon);
@@ -43,16 +43,16 @@ bool is_below(const RaySamples& samples, const Ray& ray) {
   return !samples.in_joint(ray) && samples.met(ray, 0, samples.site().epsilon) == RayOutcome::through;
 }
 
-// Of a circle's upper half; NaN beside it.
+// The height of the upper half of a circle; NaN beside it.
 double height_at(const CircleFit& fit, double u) {
   const double x = u - fit.centre.x;
   return fit.centre.y + std::sqrt(fit.radius * fit.radius - x * x);
 }
 
-// Whether two circles lie together over the opening. Their radii tell little: those of flat arches differ by a sixth
-// for a centimetre at the crown.
+// Whether two circles are near each other over the opening. Their radii are not compared: the radius of a flat arch
+// changes by a sixth for one centimetre at the crown.
 bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
-  constexpr double kEnd = 0.1;  // of the width
+  constexpr double kEnd = 0.1;  // share of the width
   const auto near = [&](double share) {
     const double u = opening.u0 + share * opening.width();
     return std::abs(height_at(a, u) - height_at(b, u)) <= 2 * kBesideArc;
@@ -84,7 +84,7 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
   return tops;
 }
 
-// The same across the arc, sector by sector: slices lean on it near the jambs.
+// The tops across the arc, sector by sector: slices are inclined to the arc near the jambs.
 std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
   constexpr double kBeside = 0.08;  // metres
   const FacadeSite& site = samples.site();
@@ -113,7 +113,7 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
   return tops;
 }
 
-// From the points of the soffit beside a first arc; the first where there are too few.
+// Fits the circle to the points of the soffit beside a first arc. Returns the first arc where there are too few points.
 CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, const Box2& search,
                   const CircleFit& first) {
   const FacadeSite& site = samples.site();

@@ -10,10 +10,10 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kLeastFacePoints = 12;
-constexpr std::size_t kLeastTouches = 4;  // points of a face that are too few for its line
-constexpr double kMostTouches = 0.7;      // of all in the gap, that lie on it then
-constexpr double kLeastSpread = 0.35;     // share of the face's depth, and of the side's length, that points cover
-constexpr double kSteepest = 0.1;         // of a side face against the wall's normal
+constexpr std::size_t kLeastTouches = 4;  // points of a face with too few points for a line
+constexpr double kMostTouches = 0.7;      // share of all points in the gap that must then lie on it
+constexpr double kLeastSpread = 0.35;     // share of the depth of the face, and of the side, that points cover
+constexpr double kSteepest = 0.1;         // slope of a side face against the normal of the wall, at most
 
 double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
   std::vector<double> values;
@@ -22,7 +22,7 @@ double spread(const std::vector<FacePoint>& points, std::size_t first, std::size
   return high - lower_quantile(values, 0.05);
 }
 
-// t = at + slope (w - depth) by least squares.
+// Fits t = at + slope (w - depth) by least squares.
 FaceLine fit_face(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double depth) {
   double n = 0, sw = 0, st = 0, sww = 0, swt = 0;
   for (std::size_t i = first; i < last; ++i) {

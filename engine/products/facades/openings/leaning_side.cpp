@@ -11,13 +11,13 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kStretches = 24, kLeastStretches = 10;
-constexpr double kCorner = 0.04;      // share of the side at either end that is left out
-constexpr double kMostReach = 0.35;   // of the opening's size across, to either side of where the side was found
-constexpr double kMostGap = 0.06;     // metres; stretches that know their place less well are left out
-constexpr double kStraighter = 0.35;  // the line must leave less than this share of what the straight side leaves
+constexpr double kCorner = 0.04;      // share of the side that is left out at each end
+constexpr double kMostReach = 0.35;   // share of the size of the opening that is searched on either side
+constexpr double kMostGap = 0.06;     // metres; intervals whose place is less exact are left out
+constexpr double kStraighter = 0.35;  // greatest residuals of the line, as a share of those of the straight side
 constexpr double kLeastLean = 0.03;   // metres from end to end
-constexpr double kMostLean = 0.9;     // tangent
-constexpr std::uint64_t kMostSamples = 1 << 17;  // of a side: more tell no more
+constexpr double kMostLean = 0.9;     // tangent of the angle
+constexpr std::uint64_t kMostSamples = 1 << 17;  // points of a side; more do not improve the result
 
 struct Stretch {
   std::vector<double> inside, outside;
@@ -27,7 +27,7 @@ struct Place {
   double s, t;
 };
 
-// The wall, or something on it that hides nothing of the opening: see arched_top.
+// Whether the ray meets the wall, or something on it that hides nothing of the opening: see arched_top.
 bool is_solid(const RaySamples& samples, const Ray& ray) {
   return samples.in_joint(ray) || samples.met(ray, 0, samples.site().epsilon) == RayOutcome::solid;
 }

@@ -12,18 +12,18 @@
 namespace ilot {
 namespace {
 
-constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // of a side, metres: left out at its ends
-constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a shadow
-constexpr double kBeam = 0.002;        // metres: echoes from the rim of a beam hang behind the edge that they came from
-constexpr double kGuessed = 0.5;       // of the depth: how far a ray may be off whose station is guessed among several
-constexpr double kNothingKnown = 3;    // metres: how far a hidden side may be
-constexpr double kBesideGap = 0.02;    // metres beside the gap that points of the face may lie
-constexpr double kCornerDeep = 0.1;    // metres before a thing that points of what it ends at may lie
+constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // share of a side, and metres, left out at its ends
+constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a laser shadow
+constexpr double kBeam = 0.002;   // metres: echoes from the rim of a beam lie behind the edge that they came from
+constexpr double kGuessed = 0.5;  // share of the depth: possible error of a ray whose station was chosen among several
+constexpr double kNothingKnown = 3;    // metres: possible error of a hidden side
+constexpr double kBesideGap = 0.02;    // metres beside the gap in which points of the face may lie
+constexpr double kCornerDeep = 0.1;    // metres before an element in which points of the face at which it ends may lie
 constexpr double kCornerReach = 0.02;  // metres beside its last points
-constexpr double kSlotSteps = 2;       // steps along a side that one scan line ends in, at least
-constexpr double kTailOfEnds = 0.05;   // of scan lines that end at one place or the other by chance
-constexpr double kFaceWidths = 4;      // noise: width of the stretch that holds a face's points
-constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side: more tell no more; some 70 bytes each
+constexpr double kSlotSteps = 2;       // steps along a side in which one scan line ends, at least
+constexpr double kTailOfEnds = 0.05;   // share of the scan lines that end at one place or another by chance
+constexpr double kFaceWidths = 4;      // times the noise: width of the interval that contains the points of a face
+constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side; more do not improve the result; 70 bytes each
 
 bool along_u(Side side) {
   return side == Side::left || side == Side::right;
@@ -32,17 +32,17 @@ double outwards(Side side) {
   return side == Side::right || side == Side::top ? 1 : -1;
 }
 
-// What is around one side, t growing outwards.
+// The samples around one side; t is positive outwards.
 struct SideSamples {
   std::vector<double> inside, outside;
-  std::vector<double> along, outside_along;  // the side, of each of these
+  std::vector<double> along, outside_along;  // place along the side of each of these
   std::vector<FacePoint> face, corner;
-  std::vector<FacePoint> rim;  // echoes that a thing's edge parted, where their rays cross its plane
-  int level = 0;               // above 0 these are only those that are kept at it
-  std::size_t through = 0;     // rays that go through the plane, kept or not
-  std::size_t hidden = 0;      // rays that end before the plane, beyond the side
-  std::size_t deep = 0;        // rays beside a thing that go far behind the wall
-  double lean = 1;             // tangent of the angle that rays to the face make with the plane's normal, at least 1
+  std::vector<FacePoint> rim;  // echoes of beams that the edge of an element split, where their rays cross its plane
+  int level = 0;               // above 0: only the samples that are kept at this level
+  std::size_t through = 0;     // number of rays that go through the plane, kept or not
+  std::size_t hidden = 0;      // number of rays that end before the plane, beyond the side
+  std::size_t deep = 0;        // number of rays beside an element that go far behind the wall
+  double lean = 1;  // tangent of the angle between the rays to the face and the normal of the plane, at least 1
 };
 
 struct SideSpan {
@@ -56,15 +56,17 @@ SideSpan span_of(const Box2& box, Side side) {
   return {t * outwards(side), s0 + corner, s1 - corner};
 }
 
-// Whether a side face at t can be seen from there: one that looks outwards from beyond it, else from before it.
+// Whether a side face at t can be seen from the eye. A face that looks outwards is seen from beyond it, any other face
+// from before it.
 bool turns_to(const Vec3* eye, Side side, double t, bool looks_outwards) {
   if (eye == nullptr) return true;
   const double beyond = outwards(side) * (along_u(side) ? eye->x : eye->y) - t;
   return looks_outwards ? beyond > 0 : beyond < 0;
 }
 
-// How far in a ray came beside a thing, from its plane to where it ended, to the thing's foot or past its ends: all
-// that way is outside. A ray that met the side face crosses the plane beyond the edge, by as much as it is oblique.
+// The innermost place of a ray beside an element, on its way from the plane of the element to where the ray ended, to
+// the foot of the element, or past its ends. This whole way is outside. A ray that met the side face crosses the plane
+// beyond the edge; the distance depends on how oblique the ray is.
 double innermost(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, const SideSpan& span) {
   const auto across = [&](Place2 p) { return outwards(side) * (along_u(side) ? p.u : p.v); };
   const auto along = [&](Place2 p) { return along_u(side) ? p.v : p.u; };
@@ -77,14 +79,14 @@ double innermost(const RaySamples& rays, const Ray& ray, const SideSearch& q, Si
   return std::min(t, t + share * (across(end) - t));
 }
 
-// Whether a point behind a thing's plane is no surface: on no segment, and beyond a side that its station sees nothing
-// of. A beam that the edge parts comes back from between the thing and what is behind it.
+// Whether a point behind the plane of an element is a mixed pixel and no surface: it is on no segment, and its station
+// does not see the side face. A beam that the edge splits gives an echo between the element and what is behind it.
 bool is_mixed_echo(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side side, double at_plane) {
   if (q.hole || !rays.oblique() || ray.at.plane != 0) return false;
   return !turns_to(rays.eye_of(ray), side, at_plane, true);
 }
 
-// How much the noise along a ray moves a point along the plane, against how much it moves one out of it.
+// How much the noise along a ray moves a point along the plane, compared with its movement out of the plane.
 double lean_of(const Vec3* eye, Side side, double t, double w) {
   if (eye == nullptr || eye->z <= w) return 1;
   return std::max(1.0, std::abs(outwards(side) * (along_u(side) ? eye->x : eye->y) - t) / (eye->z - w));
@@ -99,11 +101,11 @@ std::size_t slot_of(double s, const SideSpan& span, std::size_t slots) {
   return std::min(slots - 1, static_cast<std::size_t>(std::max(0.0, at)));
 }
 
-// What one ray says of a side.
+// What one ray shows about a side.
 struct SideHit {
   bool face = false, corner = false, rim = false, solid = false, through = false, hidden = false, deep = false;
-  double t = 0, at_plane = 0, s = 0;  // where it crosses the plane
-  double point_t = 0, point_s = 0;    // where it ends
+  double t = 0, at_plane = 0, s = 0;  // the place where it crosses the plane
+  double point_t = 0, point_s = 0;    // the place where it ends
   double lean = 1;
 
   bool has_place() const { return face || corner || rim || solid || through; }
@@ -152,7 +154,7 @@ void keep(const SideHit& hit, double w, bool hole, SideSamples& out) {
 }
 
 SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, const SideSpan& span, double reach) {
-  // Rays that cross the plane here cross the wall elsewhere: they lean by less than 45 degrees or so.
+  // Rays that cross the plane here cross the wall elsewhere. Their angle to the normal is less than about 45 degrees.
   Rays near = rays.near(q.box.grown(reach + 1.5 * std::abs(q.depth)));
   SideSamples out;
   out.level = thinning_level(near, kMostSamples,
@@ -166,7 +168,7 @@ SideSamples samples_of(const RaySamples& rays, const SideSearch& q, Side side, c
   return out;
 }
 
-// The last of a thing's points along each of `slots` stretches of a side.
+// The last point of an element in each of `slots` intervals along a side.
 std::vector<double> ends_of(const SideSamples& around, const SideSpan& span, std::size_t slots) {
   std::vector<double> ends(slots, -INFINITY);
   for (std::size_t i = 0; i < around.inside.size(); ++i) {
@@ -176,8 +178,8 @@ std::vector<double> ends_of(const SideSamples& around, const SideSpan& span, std
   return ends;
 }
 
-// Rays square to the plane would have met the thing before they came to what lies behind it: what is there was seen
-// another way and tells nothing of the edge.
+// Drops rays that come from another direction. A ray perpendicular to the plane would have met the element before it
+// reached what is behind. So what they show there does not give the edge.
 void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
   const std::vector<double> ends = ends_of(around, span, slots);
   std::size_t kept = 0;
@@ -196,7 +198,8 @@ void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.by_face = true;
 }
 
-// A thing ends where a face stands out of it: their planes meet there, whatever points near the corner were taken for.
+// An element ends where a face stands out of it. The edge is where their planes meet, whichever of the two the points
+// near the corner were assigned to.
 void use_corner(const std::vector<FacePoint>& corner, double about, double beside, const SideSearch& q,
                 const SideSpan& span, double noise, LocatedEdge& edge) {
   const FaceSearch f{about - beside, about + beside, kFaceWidths * noise, kCornerDeep, span.s1 - span.s0};
@@ -204,9 +207,9 @@ void use_corner(const std::vector<FacePoint>& corner, double about, double besid
   if (face.points > 0) use_face(face, noise, edge);
 }
 
-// Where a thing ends and nothing is behind: the last points of its scan lines. Lines that cross the side by turns end
-// everywhere within a step of it; where all end at one place it is up to a step farther out. An echo from the rim of a
-// beam lies outside by the beam's radius.
+// Finds the end of an element with nothing behind it from the last points of its scan lines. If the lines cross the
+// side one after the other, they end anywhere within one step of it. If all end at one place, the side is up to one
+// step farther out. An echo from the rim of a beam lies outside by the radius of the beam.
 void set_end(const SideSamples& around, const SideSpan& span, double step, double step_along, double beam,
              LocatedEdge& edge) {
   std::vector<double> ends = ends_of(around, span, slots_of(span, step_along));
@@ -214,7 +217,7 @@ void set_end(const SideSamples& around, const SideSpan& span, double step, doubl
   std::erase_if(ends, [&](double end) { return !(end > last - kStepsOfShadow * step); });
   const double high = lower_quantile(ends, 1 - kTailOfEnds);
   const double open =
-      std::max(0.0, step - (high - lower_quantile(ends, kTailOfEnds)));  // of a step that no line ended in
+      std::max(0.0, step - (high - lower_quantile(ends, kTailOfEnds)));  // part of a step in which no line ended
   edge.at = high + open / 2 - beam;
   edge.error = open / 2 + beam;
   edge.points = around.inside.size() << around.level;
@@ -259,7 +262,7 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   edge.error = split.half_gap + noise / 2 + beam;
   if (!q.hole && along_u(side) && samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
   edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
-  if (!samples.oblique()) {  // what is behind is hidden beside the edge: half a step from the solid side
+  if (!samples.oblique()) {  // what is behind is hidden beside the edge: the edge is half a step from the solid side
     t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
     edge.error = step / 2 + noise / 2;
   } else if (shadow) {
@@ -271,7 +274,8 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
                      span.s1 - span.s0};
   FaceLine face = find_face(densest_cluster(around.face, f), f, q.depth);
   if (face.points == 0 && !q.hole && samples.oblique()) {
-    // Before a hole a parted beam's echo hangs anywhere; before the wall as far on this side of the edge as on that.
+    // Before a hole, the echo of a split beam may be anywhere. Before the wall, it is as far on one side of the edge as
+    // on the other.
     if (2 * around.deep < around.through)
       for (const FacePoint& p : around.rim)
         if (std::abs(p.t - split.at) <= split.half_gap + noise + beam) around.face.push_back(p);

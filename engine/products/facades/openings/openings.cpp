@@ -13,23 +13,23 @@ namespace ilot {
 namespace {
 
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-constexpr double kWidestBar = 0.15;   // metres; bars and frames nearly as far out as the wall
-constexpr double kBoundReach = 0.5;   // metres beyond an opening where the wall must go on
-constexpr double kTopReach = 1.5;     // above it, where signs and blinds hide the wall
-constexpr double kBoundShare = 0.5;   // of its height or width
-constexpr double kLeastKnown = 0.2;   // of it, that something must be known of
+constexpr double kWidestBar = 0.15;   // metres; bars and frames that are nearly as far out as the wall
+constexpr double kBoundReach = 0.5;   // metres beyond an opening in which the wall must continue
+constexpr double kTopReach = 1.5;     // metres above it, where signs and blinds hide the wall
+constexpr double kBoundShare = 0.5;   // share of its height or width
+constexpr double kLeastKnown = 0.2;   // share of it about which something must be known
 constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
-constexpr double kTail = 0.15;        // of its rows and columns that may end farther out
-constexpr double kMostBehind = 4;     // metres; rooms beyond panes
-constexpr double kMostSquare = 2.5;   // metres, of rays only taken to be square: beyond that is the house's other side
+constexpr double kTail = 0.15;        // share of its rows and columns that may end farther out
+constexpr double kMostBehind = 4;     // metres; rooms behind panes
+constexpr double kMostSquare = 2.5;   // metres, for rays taken to be perpendicular; the back of the house is beyond
 constexpr double kDepthBin = 0.01;    // metres
-constexpr double kCoverShare = 0.25;  // of the widest spread
-constexpr double kSheetDepth = 1;     // metres; what fills an opening lies no deeper
-constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of what fills it: more tell no more
+constexpr double kCoverShare = 0.25;  // share of the widest spread
+constexpr double kSheetDepth = 1;     // metres; the surface that fills an opening is not deeper
+constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of the surface that fills it; more do not improve the result
 
 using enum WallCells::What;
 
-// Counts of a cell's rays.
+// The numbers of rays of a cell.
 struct CellCounts {
   std::uint32_t solid = 0, through = 0, shallow = 0, blocked = 0;
 
@@ -41,7 +41,7 @@ struct CellCounts {
   }
 };
 
-// The rays that cross some rows of cells [r0, r1).
+// Counts the rays that cross the rows of cells [r0, r1).
 void count_rows(const RaySamples& samples, double least_depth, std::int64_t r0, std::int64_t r1, WallCells& cells) {
   const FacadeSite& site = samples.site();
   std::vector<CellCounts> counts(static_cast<std::size_t>((r1 - r0) * cells.columns));
@@ -76,9 +76,9 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
   return cells;
 }
 
-// Fills runs of cells that nothing was seen in, or only something before the wall, between two cells that rays went
-// through, along rows and columns. A joint from one opening to the next is none of these, its back was seen; frames and
-// bars so little behind the wall are narrower.
+// Fills runs of cells in which nothing was seen, or only something before the wall, if they are between two cells
+// through which rays went, along rows and columns. A joint from one opening to the next is not such a run, because its
+// back was seen. Frames and bars at such a small depth behind the wall are narrower.
 WallCells filled(const WallCells& cells, double longest) {
   WallCells out = cells;
   const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
@@ -107,7 +107,7 @@ struct Region {
   std::vector<std::uint32_t> cells;  // row * columns + column
 };
 
-// Calls visit(region) for each, by their first cells.
+// Calls visit(region) for each region, in the order of their first cells.
 template <class Visit>
 void for_each_region(const WallCells& cells, const Visit& visit) {
   std::vector<bool> taken(cells.what.size(), false);
@@ -135,7 +135,8 @@ struct CellBox {
   std::int64_t c0, c1, r0, r1;
 };
 
-// Its sides where the farthest rows and columns end, but for some: shadows end others too early, single cells leak.
+// Its sides are where the farthest rows and columns end, except for a few. Shadows end other rows too early, and single
+// cells go beyond.
 CellBox box_of(const Region& region, std::int64_t columns) {
   CellBox all{INT64_MAX, -1, INT64_MAX, -1};
   for (const std::int64_t i : region.cells) {
@@ -153,8 +154,8 @@ CellBox box_of(const Region& region, std::int64_t columns) {
           lower_quantile(high, 1 - kTail)};
 }
 
-// Of the lines of a side that something is known of beyond the opening, the share where the wall goes on; 0 where
-// little is known.
+// The share of the lines across a side, among those of which something is known beyond the opening, on which the wall
+// continues. It is 0 where little is known.
 double bounded(const WallCells& cells, const CellBox& box, Side side) {
   const bool u = side == Side::left || side == Side::right;
   const auto reach = static_cast<std::int64_t>((side == Side::top ? kTopReach : kBoundReach) / cells.cell) + 1;
@@ -180,8 +181,9 @@ double bounded(const WallCells& cells, const CellBox& box, Side side) {
   return static_cast<double>(known) < kLeastKnown * lines ? 0 : static_cast<double>(found) / static_cast<double>(known);
 }
 
-// What fills it: the foremost depth at which points are spread over the opening nearly as far as at any. A railing is
-// nearer and panes lie deeper than their frame, but the one covers a part and of the other there is all to see.
+// Finds the surface that fills an opening: the foremost depth at which points are spread over the opening nearly as far
+// as at any other depth. A railing is nearer, but it covers only a part. Panes are deeper than their frame, and the
+// frame is seen all around.
 class FillingDepth {
  public:
   explicit FillingDepth(const Box2& box) : box_(box), touched_(kBins * kAcross * kAcross) {}
@@ -209,7 +211,7 @@ class FillingDepth {
   static constexpr std::size_t kAcross = 10;
   static constexpr std::size_t kBins = static_cast<std::size_t>(kSheetDepth / kDepthBin) + 1;
 
-  // Cells in the quarter of the opening that has the fewest, at each depth.
+  // For each depth, the number of covered cells in the quarter of the opening that has the fewest.
   std::vector<std::size_t> covered() const {
     std::vector<std::size_t> cover(kBins);
     for (std::size_t b = 0; b < kBins; ++b) {
@@ -253,7 +255,8 @@ void set_depth(const RaySamples& samples, const Box2& box, double least_depth, F
   opening.depth_error = samples.site().noise + 2 * std::sqrt(squares) / static_cast<double>(off.size());
 }
 
-// Jambs and heads that are not square to each other stay so: their middles are their places.
+// Jambs and heads that are not perpendicular to each other keep their directions: the place of such a side is that of
+// its middle.
 void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
   const FoundRectangle straight = opening;
   for (const Side side : kSides) {
@@ -270,7 +273,7 @@ double depth_through(const FacadeSite& site, const OpeningParams& params) {
   return std::max(params.least_depth, 3 * site.epsilon);
 }
 
-// The opening that a region of cells is; nothing where it is none.
+// The opening in a region of cells; no result if it is none.
 std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const Region& region,
                                          const OpeningParams& params) {
   const FacadeSite& site = samples.site();
@@ -289,7 +292,7 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
   set_depth(samples, around, through, opening);
   const double margin = std::max(0.015, 2 * site.epsilon);
   SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell), {}};
-  // A line that comes from a rough box is looked for again from where it was found.
+  // A line from a rough box is searched a second time from where it was found.
   for (int round = 0; round < 2; ++round) {
     for (const Side side : kSides) opening.side(side) = locate_edge(samples, search, side);
     search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,

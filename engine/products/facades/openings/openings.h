@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows and doors: where rays go through the wall.
+// Finds windows and doors: places where rays go through the wall.
 #pragma once
 #include <array>
 #include <cmath>
@@ -13,12 +13,12 @@
 namespace ilot {
 
 struct OpeningParams {
-  double least_size = 0.3;    // metres; narrower or lower holes are none
-  double least_depth = 0.04;  // metres; what lies less far behind the wall is no opening
-  double shadow = 0.5;        // metres; openings are joined across shadows of things up to this
+  double least_size = 0.3;    // metres; a narrower or lower hole is no opening
+  double least_depth = 0.04;  // metres; a hole whose end is less far behind the wall is no opening
+  double shadow = 0.5;        // metres; parts of an opening are joined across shadows up to this width
 };
 
-// A circle that ends an opening above.
+// A circle that is the upper end of an opening.
 struct TopArc {
   Place2 centre;
   double radius = 0, rms = 0, error = 0;  // metres
@@ -26,16 +26,16 @@ struct TopArc {
 };
 
 struct FoundRectangle {
-  std::array<LocatedEdge, 4> sides;   // as kSides
-  double depth = 0, depth_error = 0;  // w of what fills it; negative behind the wall
-  double width_error = INFINITY;      // where a family tells the size; else its sides' errors do
+  std::array<LocatedEdge, 4> sides;   // in the order of kSides
+  double depth = 0, depth_error = 0;  // w of the surface in it; negative behind the wall
+  double width_error = INFINITY;      // where its size comes from a family; otherwise the errors of its sides count
   double height_error = INFINITY;
-  std::uint64_t points = 0;      // rays through it, or points on it
-  std::uint32_t plane = 0;       // of what stands in front
-  double fill = 1;               // share of its cells that hold such
-  std::optional<TopArc> arc;     // its top side then is the crown
-  std::array<double, 4> lean{};  // of its sides, as kSides: tangent; the side's place then is that of its middle
-  std::optional<Box2> end;       // what it comes down to at its depth, where that is not its own rectangle
+  std::uint64_t points = 0;      // number of rays through it, or of points on it
+  std::uint32_t plane = 0;       // id of the plane, for an element in front of the wall
+  double fill = 1;               // share of its cells that contain such rays or points
+  std::optional<TopArc> arc;     // its top side is then the crown
+  std::array<double, 4> lean{};  // tangents of its sides, as kSides; a leaning side has the place of its middle
+  std::optional<Box2> end;       // its rectangle at its depth, where that differs from its own rectangle
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
   bool leans() const { return lean != std::array<double, 4>{}; }
@@ -45,10 +45,10 @@ struct FoundRectangle {
   Box2 box() const { return {at(Side::left), at(Side::right), at(Side::bottom), at(Side::top)}; }
 };
 
-// Cells of the wall's plane where rays go through and no point of the wall lies, joined over cells that nothing was
-// seen in; a region that the wall bounds on both sides and above is an opening. A shadow of something in the street has
-// no ray through it and is none. Left to right within bottom up. Where `steps`
-// are given they are filled. O(points).
+// Takes the cells of the plane of the wall through which rays go and on which no point of the wall lies. They are
+// joined over cells in which nothing was seen. A region that the wall bounds on both sides and above is an opening. The
+// shadow of something in the street is no opening, because no ray goes through it. The order is from bottom to top, and
+// from left to right within a row. Fills `steps` where they are given. O(points).
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params = {},
                                           OpeningSteps* steps = nullptr);
 

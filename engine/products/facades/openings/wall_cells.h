@@ -5,14 +5,14 @@
 
 namespace ilot {
 
-// The wall in square cells from its lower left corner, row by row upwards: what its rays tell of each.
+// The wall in square cells, from its lower left corner, row by row upwards. Each cell has what its rays show.
 struct WallCells {
   enum What : std::uint8_t {
     kUnknown,
     kSolid,
     kThrough,
-    kBlocked,  // something before the wall
-    kShallow,  // too little behind it to be an opening: joints of stone
+    kBlocked,  // something stands before the wall
+    kShallow,  // too shallow to be an opening: joints of stone
   };
 
   double cell = 0;  // metres
@@ -23,9 +23,9 @@ struct WallCells {
   std::uint8_t at(std::int64_t c, std::int64_t r) const { return what[static_cast<std::size_t>(r * columns + c)]; }
 };
 
-// What the search for openings went by.
+// The intermediate images of the search for openings.
 struct OpeningSteps {
-  WallCells seen, filled;  // as rays tell, and joined over cells that nothing was seen in
+  WallCells seen, filled;  // as the rays show them; joined over cells in which nothing was seen
 };
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Images of a wall in cells: how fine they may be, and the rows of them that are filled at a time.
+// Images of a wall in cells: the smallest size of a cell, and the bands of rows that are filled at a time.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -8,19 +8,19 @@
 
 namespace ilot {
 
-// Cells of at least this edge, and so large that an image of the size has 2^21 of them at most: for cells of 3 cm that
-// is a wall of 1,887 m2.
+// The edge of a cell: at least `least`, and so large that an image of this size has at most 2^21 cells. With cells of 3
+// cm that is a wall of 1,887 m2.
 inline double cell_for(double width, double height, double least) {
   constexpr double kMostCells = 1 << 21;
   return std::max(least, std::sqrt(width * height / kMostCells));
 }
 
-// Rows [first, end) of an image.
+// The rows [first, end) of an image.
 struct RowBand {
   std::int64_t first = 0, end = 0;
 };
 
-// All rows, in bands of 2^18 cells or of one row.
+// Divides all rows into bands of 2^18 cells or of one row.
 inline std::vector<RowBand> bands_of(std::int64_t columns, std::int64_t rows) {
   const std::int64_t height = std::max<std::int64_t>(1, (std::int64_t{1} << 18) / columns);
   std::vector<RowBand> bands;

@@ -8,8 +8,8 @@
 
 namespace ilot {
 
-// Calls body(i) for each i in [0, count), at most `lanes` at a time: what they need is needed so often at once, however
-// many threads there are.
+// Calls body(i) for each i in [0, count), at most `concurrency` calls at a time. This limits the memory that the calls
+// need at once, whatever the number of threads.
 inline void parallel_for_limited(std::size_t concurrency, std::size_t count,
                                  const std::function<void(std::size_t)>& body) {
   concurrency = std::clamp<std::size_t>(concurrency, 1, std::max<std::size_t>(count, 1));

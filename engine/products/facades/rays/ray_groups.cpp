@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-// Rays that wait for their place in the column, a few of each group.
+// Collects rays until they are written to the column, a few of each group.
 class GroupWriter {
  public:
   GroupWriter(RayColumn& column, std::span<const std::uint64_t> counts)
@@ -29,7 +29,7 @@ class GroupWriter {
   }
 
  private:
-  static constexpr std::size_t kWaiting = std::size_t{1} << 15;  // rays, of all groups
+  static constexpr std::size_t kWaiting = std::size_t{1} << 15;  // rays of all groups together
 
   void write(std::size_t group) {
     column_.write(next_[group], {waiting_.data() + group * each_, filled_[group]});

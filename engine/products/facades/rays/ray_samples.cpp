@@ -12,19 +12,19 @@ namespace ilot {
 namespace {
 
 constexpr double kBin = 0.25;                       // metres
-constexpr double kMostBins = 1 << 17;               // bins of larger walls are larger
+constexpr double kMostBins = 1 << 17;               // the bins of a larger wall are larger
 constexpr std::uint64_t kSortedTogether = 1 << 16;  // rays in memory at once
 constexpr double kAround = 1;                       // metres around the wall that bins cover
-constexpr double kLowRelief = 0.15;                 // metres before the wall, where surrounds of openings end
-constexpr double kJoint = 0.04;                     // metres behind it, where joints of stone end
+constexpr double kLowRelief = 0.15;                 // metres before the wall at which surrounds of openings end
+constexpr double kJoint = 0.04;                     // metres behind the wall at which joints of stone end
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));
   return {eye.x + (static_cast<double>(p.u) - eye.x) * along, eye.y + (static_cast<double>(p.v) - eye.y) * along};
 }
 
-// Cells that points of the wall, of what stands out a little, or of its joints cover on all sides: a ray does not pass
-// there. One bit a cell.
+// Cells that are covered on all sides by points of the wall, of low relief or of joints: no ray passes through them.
+// One bit per cell.
 class SolidCells {
  public:
   explicit SolidCells(const FacadeSite& site)
@@ -59,7 +59,7 @@ class SolidCells {
   std::vector<bool> seen_;
 };
 
-// The station of a ray that nobody knows it of: the nearest that it does not see through the wall.
+// The station of a ray whose station is not recorded: the nearest one that does not see it through the wall.
 SiteStation guessed_station(const FacadeSite& site, const SolidCells& solid, const Ray& ray, bool on_wall) {
   const FacadePoint& p = ray.at;
   const Vec3 place{p.u, p.v, p.w};
@@ -121,9 +121,9 @@ std::uint8_t RaySamples::part_of(const FacadePoint& p) const {
   return parallel ? kBack : kNot;
 }
 
-// All points as rays, in the order of the source.
+// Takes all points as rays, in the order of the source.
 RayColumn RaySamples::taken(const FacadePointSource& source) {
-  constexpr SiteStation kStationUndecided = kStationNotInFront;  // no index of a station
+  constexpr SiteStation kStationUndecided = kStationNotInFront;  // this value is no index of a station
   const bool one_of_many = site_.stations.size() >= 2;
   std::optional<SolidCells> solid;
   if (one_of_many) solid.emplace(site_);
@@ -177,7 +177,7 @@ std::size_t RaySamples::bin_of(Place2 place) const {
   return static_cast<std::size_t>(clamp(place.v - v0_, rows_) * columns_ + clamp(place.u - u0_, columns_));
 }
 
-// Bins in their order; first those that are sorted together in memory are brought together.
+// Sorts the rays by bins. First it brings together the bins that are sorted together in memory.
 void RaySamples::sort_by_place(const RayColumn& rays) {
   for (const Ray& ray : Rays(rays, {{0, rays.size()}})) {
     const std::size_t at = bin_of(crossing(ray, 0));
@@ -188,7 +188,7 @@ void RaySamples::sort_by_place(const RayColumn& rays) {
   }
   std::vector<std::size_t> begins;                     // first bin of each group
   std::vector<std::uint64_t> counts;                   // rays of each group
-  std::vector<std::uint32_t> group(bins_.size() - 1);  // of each bin
+  std::vector<std::uint32_t> group(bins_.size() - 1);  // group of each bin
   for (std::size_t b = 0; b + 1 < bins_.size(); ++b) {
     const std::uint64_t count = bins_[b + 1].first;
     if (counts.empty() || counts.back() + count > kSortedTogether) begins.push_back(b), counts.push_back(0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The rays of a facade one after the other, however many they are: read from a column in pieces.
+// Reads the rays of a facade one after the other from a column, in pieces, whatever their number.
 #pragma once
 #include <array>
 #include <bit>
@@ -14,12 +14,12 @@
 
 namespace ilot {
 
-// What a ray came from and met.
+// The origin of a ray and what it met.
 struct Ray {
   FacadePoint at;
-  SiteStation station = 0;  // index of the site's, kStationNotInFront - 1: none that is in front of the wall
+  SiteStation station = 0;  // index in the site; kStationNotInFront - 1: none in front of the wall
   std::uint8_t part = 0;    // RaySamples::Part
-  std::uint8_t unused = 0;  // written to disk
+  std::uint8_t unused = 0;  // padding that is written to disk
 };
 
 using RayColumn = ScratchColumn<Ray>;
@@ -29,8 +29,8 @@ struct RayRun {
   std::uint64_t first = 0, count = 0;
 };
 
-// The rays of some runs in their order: a range to be gone through once at a time, which the column must outlive. 20 KB
-// of memory.
+// The rays of some runs, in their order. Only one loop at a time may go through the range. The column must outlive it.
+// Needs 20 KB of memory.
 class Rays {
  public:
   class Iterator {
@@ -54,7 +54,7 @@ class Rays {
     bool operator==(const Iterator& other) const { return at_ == other.at_; }
 
    private:
-    void next();  // piece; nowhere behind the last
+    void next();  // reads the next piece; has no position after the last one
     Rays* all_ = nullptr;
     const Ray *at_ = nullptr, *end_ = nullptr;
   };
@@ -72,13 +72,14 @@ class Rays {
  private:
   const RayColumn* column_;
   std::vector<RayRun> runs_;
-  std::uint64_t count_ = 0, done_ = 0;  // of the run
+  std::uint64_t count_ = 0, done_ = 0;  // rays of the current run
   std::size_t run_ = 0;
   std::vector<Ray> buffer_;
 };
 
-// How late a ray is left out when there are too many: of each level half stay on for the next. By its coordinates
-// alone, so that neither the order of the points nor the way they are read matters.
+// The level up to which a ray is kept when there are too many: each level keeps half of the rays of the level before.
+// The rank depends only on the coordinates. Therefore neither the order of the points nor the way in which they are
+// read changes it.
 inline int rank_of(const Ray& ray) {
   const auto bits = [](float v) { return static_cast<std::uint64_t>(std::bit_cast<std::uint32_t>(v)); };
   return std::countr_zero(mix64(mix64(bits(ray.at.u) << 32 | bits(ray.at.v)) ^ bits(ray.at.w)));
@@ -87,7 +88,7 @@ inline bool is_kept(const Ray& ray, int level) {
   return level == 0 || rank_of(ray) >= level;
 }
 
-// Counts by rank, and the first level that keeps few enough.
+// Counts rays by rank and gives the first level that keeps few enough of them.
 class RankCounts {
  public:
   void add(const Ray& ray) { ++counts_[static_cast<std::size_t>(rank_of(ray))]; }
@@ -102,8 +103,8 @@ class RankCounts {
   std::array<std::uint64_t, 65> counts_{};
 };
 
-// The level at which no more than `most` of the rays are kept that `counts` says yes to; 0, which keeps all, without
-// reading them where they are no more.
+// The level at which at most `most` of the rays for which `counts` is true are kept. If there are no more rays than
+// that, it is 0, which keeps all of them, and the rays are not read.
 template <class Counts>
 int thinning_level(Rays& rays, std::uint64_t most, const Counts& counts) {
   if (rays.size() <= most) return 0;

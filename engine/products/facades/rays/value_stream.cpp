@@ -10,9 +10,9 @@
 namespace ilot {
 namespace {
 
-// Those of the values that the wanted one is among.
+// The values among which the wanted one is.
 struct Candidates {
-  double low = INFINITY, high = -INFINITY;  // least and greatest of them
+  double low = INFINITY, high = -INFINITY;  // the least and the greatest of them
   std::uint64_t count = 0;
 };
 
@@ -25,7 +25,8 @@ double nth_in_memory(const ValueStream& values, const Candidates& among, std::ui
   return nth_smallest(found, rank);
 }
 
-// Counts the candidates in bins and keeps those of the bin of the wanted one, whose rank among them is returned.
+// Counts the candidates in bins and keeps those in the bin of the wanted value. Returns the rank of the wanted value
+// among them.
 std::uint64_t narrow(const ValueStream& values, std::uint64_t rank, Candidates& among) {
   constexpr std::size_t kBins = 2048;
   std::vector<Candidates> bins(kBins);

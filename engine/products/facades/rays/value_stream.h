@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// Order statistics of more values than fit into memory.
+// Order statistics of more values than memory can contain.
 #pragma once
 #include <cstdint>
 #include <functional>
 
 namespace ilot {
 
-// Calls what it is given for each value, the same values each time.
+// Calls the given function for each value. Every call gives the same values.
 using ValueStream = std::function<void(const std::function<void(double)>&)>;
 
-// The value with `rank` smaller ones before it in ascending order, exactly; rank < count, the number of values, which
-// are finite. Goes through them twice and once more for every factor of 2,048 beyond 32,768. 330 KB.
+// The exact value that has `rank` smaller values before it in ascending order. `count` is the number of values; rank <
+// count; all values are finite. The values are read twice, and once more for every factor of 2,048 beyond 32,768. Needs
+// 330 KB.
 double nth_value(const ValueStream& values, std::uint64_t count, std::uint64_t rank);
 
 }  // namespace ilot

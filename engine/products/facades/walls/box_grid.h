@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of many boxes on the ground are near: by cells, so that a city costs what its houses cost.
+// Finds boxes on the ground that are near a box, by cells: the time for a city grows with the number of its houses.
 #pragma once
 #include <cmath>
 #include <cstdint>
@@ -11,15 +11,16 @@
 
 namespace ilot {
 
-// Memory grows with the cells that boxes cover; those that cover more than 1,024 are near to everything.
+// The memory grows with the number of cells that the boxes cover. A box that covers more than 1,024 cells counts as
+// near to everything.
 class BoxGrid {
  public:
   explicit BoxGrid(double cell) : cell_(cell) {}
 
-  // A number may have more than one box.
+  // One number may have more than one box.
   void add(std::uint32_t number, const FlatBox& box);
 
-  // Numbers of all boxes that meet this one, and of some others: ascending, each once.
+  // The numbers of all boxes that meet this one, and of some others: ascending, each number once.
   std::vector<std::uint32_t> near(const FlatBox& box) const;
 
  private:
@@ -28,7 +29,7 @@ class BoxGrid {
   };
   static constexpr double kMostCells = 1024;
   static constexpr double kFarthest = 1e15;               // cells
-  bool cells_of(const FlatBox& box, Cells& cells) const;  // false: too many
+  bool cells_of(const FlatBox& box, Cells& cells) const;  // false: too many cells
 
   double cell_;
   std::unordered_map<std::uint64_t, std::vector<std::uint32_t>> numbers_;  // by cell

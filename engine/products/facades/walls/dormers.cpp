@@ -9,9 +9,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kBelow = 0.3;      // metres below a front where the roof would be seen
-constexpr double kRoofDepth = 1;    // metres before and behind a front that it may lie there
-constexpr double kSeenBelow = 0.2;  // of the points that a wall would have there
+constexpr double kBelow = 0.3;      // metres below a front in which the roof would be seen
+constexpr double kRoofDepth = 1;    // metres before and behind a front in which the roof may be
+constexpr double kSeenBelow = 0.2;  // share of the points that a wall would have there
 
 void shift(FoundRectangle& r, double du, double dv) {
   for (const Side side : kSides) {
@@ -23,7 +23,7 @@ void shift(FoundRectangle& r, double du, double dv) {
   if (r.end) *r.end = {r.end->u0 + du, r.end->u1 + du, r.end->v0 + dv, r.end->v1 + dv};
 }
 
-// Where a front's origin lies in the axes of the facade, metres.
+// The place of the origin of a front in the axes of the facade, in metres.
 Vec3 place_in(const Facade& facade, const FacadeSite& front) {
   const Vec3 d = front.metres_per_unit * (front.axes.origin - facade.origin);
   return {dot(d, facade.right), dot(d, facade.up), dot(d, facade.out)};
@@ -55,14 +55,15 @@ FacadeElement outline_of(const RaySamples& samples, const DormerParams& params) 
   return e;
 }
 
-// An opening of a front, in the front's own axes; where that lies in the facade's.
+// An opening of a front, in the axes of the front, and the place of these in the axes of the facade.
 struct DormerOpening {
   const FacadeSite* front;
   Vec3 at;
   FoundRectangle shape;
 };
 
-// Rows, columns and families are those of all fronts together, in the axes of the facade, behind the facade's own.
+// Rows, columns and families are formed of all fronts together, in the axes of the facade. Their numbers follow those
+// of the facade itself.
 std::vector<ElementCandidate> grouped(const std::vector<DormerOpening>& openings, const DormerParams& params) {
   std::vector<ElementCandidate> candidates;
   for (const DormerOpening& o : openings) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Dormers: fronts with windows that stand in the roof above a wall.
+// Dormers: fronts with windows in the roof above a wall.
 #pragma once
 #include <vector>
 
@@ -17,19 +17,19 @@ struct DormerParams {
   bool regularise = true;
 };
 
-// A front in the roof: a site of its own (find_dormer_fronts), without its points, and the openings in it.
+// A front in the roof: its own site (DormerFronts) without its points, and the openings in it.
 struct DormerFront {
   FacadeSite site;
   FacadeElement outline;
-  std::vector<FoundRectangle> openings;  // none: no dormer
+  std::vector<FoundRectangle> openings;  // without openings the front is no dormer
 };
 DormerFront find_dormer(const RaySamples& samples, const DormerParams& params = {});
 
-// What stands in the roof is drawn where it stands: of each front with an
-// opening its outline, kind `dormer`, as deep as it stands behind the facade's wall, and its openings, on its own plane
-// and as deep as they go behind that. Openings of all fronts make rows and families together. The foot of a front is
-// `occluded` where nothing was seen below it: the eaves hide it. Elements are appended with ids. Returns how many edges
-// are not seen.
+// Draws the dormers where they stand. For each front with an opening, this adds its outline (kind `dormer`), as deep as
+// it stands behind the wall of the facade. It also adds its openings on the plane of the front, as deep as they go
+// behind it. The openings of all fronts form rows and families together. The foot of a front is `occluded` where
+// nothing was seen below it, because the eaves hide it. The elements are appended with ids. Returns the number of edges
+// that are not seen.
 std::uint64_t add_dormers(const std::vector<DormerFront>& fronts, Facade& facade, const DormerParams& params = {});
 
 }  // namespace ilot

@@ -13,8 +13,8 @@ namespace ilot {
 namespace {
 
 constexpr double kParallelDeg = 5;
-constexpr double kOver = 0.5;        // of the narrower wall, that stands over the other
-constexpr double kSameHeight = 0.5;  // of the lower wall, that stands beside the other at a corner
+constexpr double kOver = 0.5;        // share of the narrower wall that is above or below the other one
+constexpr double kSameHeight = 0.5;  // share of the lower wall that is beside the other one at a corner
 
 FacadeElement* outline_of(Facade& facade) {
   const auto at = std::find_if(facade.elements.begin(), facade.elements.end(), [](const FacadeElement& e) {
@@ -23,7 +23,7 @@ FacadeElement* outline_of(Facade& facade) {
   return at == facade.elements.end() ? nullptr : &*at;
 }
 
-// Outlines begin with their lower left and lower right corners (wall_outline.h).
+// The lower and upper corner at an end: outlines begin with their lower left and lower right corners (wall_outline.h).
 struct EndCorners {
   std::size_t low, high;
 };
@@ -31,7 +31,7 @@ EndCorners end_of(const FacadeElement& outline, bool left) {
   return left ? EndCorners{0, outline.ring.size() - 1} : EndCorners{1, 2};
 }
 
-// u, v and w of a place, metres.
+// u, v and w of a place, in metres.
 Vec3 local(const Facade& f, Vec3 place, double metres) {
   const Vec3 d = metres * (place - f.origin);
   return {dot(d, f.right), dot(d, f.up), dot(d, f.out)};
@@ -46,12 +46,12 @@ Box2 box_of(const Facade& f, const FacadeElement& e, double metres) {
   return box;
 }
 
-// Metres along the wall from a place on it to the plane of another facade.
+// The distance in metres along the wall from a place on it to the plane of another facade.
 double way_to(const Facade& from, Vec3 place, const Facade& to, double metres) {
   return dot(to.origin - place, to.out) / dot(from.right, to.out) * metres;
 }
 
-// How much the top rises for a metre to the right, at an end of the wall.
+// The rise of the top per metre to the right, at an end of the wall.
 double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
   const std::size_t high = end_of(outline, left).high, next = left ? high - 1 : high + 1;
   const Vec3 along = outline.ring[next] - outline.ring[high];
@@ -61,7 +61,8 @@ double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
 
 constexpr double kCell = 16, kRounding = 0.001;  // metres
 
-// Of an outline on the ground; grown by as much as a wall that leans goes sideways, and by `reach`, metres.
+// The box of an outline on the ground, in CRS units. It is grown by `reach` (metres) and by the sideways extent of a
+// leaning wall.
 FlatBox ground_of(const Facade& f, const FacadeElement& outline, double reach, double metres) {
   FlatBox box = FlatBox::none();
   for (const Vec3& p : outline.ring) box.add({p.x, p.y});
@@ -70,7 +71,7 @@ FlatBox ground_of(const Facade& f, const FacadeElement& outline, double reach, d
   return box.grown(lean * height + reach / metres);
 }
 
-// Outlines by where they stand, kept up while they move.
+// Finds outlines by place; it is updated while they move.
 class OutlineGrid {
  public:
   OutlineGrid(std::vector<Facade>& facades, double metres) : metres_(metres), grid_(kCell / metres) {
@@ -84,7 +85,7 @@ class OutlineGrid {
     lean_ = std::max(lean_, std::sqrt(facades[i].up.x * facades[i].up.x + facades[i].up.y * facades[i].up.y));
   }
   std::vector<std::uint32_t> near(const FlatBox& box) const { return grid_.near(box); }
-  double lean() const { return lean_; }  // of the wall that leans most: metres sideways a metre up
+  double lean() const { return lean_; }  // of the wall that leans most: metres sideways per metre of height
 
  private:
   double metres_, lean_ = 0;
@@ -92,11 +93,11 @@ class OutlineGrid {
 };
 
 struct Meeting {
-  double way = INFINITY;  // metres that the end moves
-  std::size_t other = 0;  // the facade met
+  double way = INFINITY;  // metres by which the end moves
+  std::size_t other = 0;  // the facade that it meets
 };
 
-// Which facade the left (or right) end of one comes to.
+// The facade that the left (or right) end of one facade meets.
 Meeting meeting_of(std::vector<Facade>& facades, const OutlineGrid& grid, std::size_t own, bool left,
                    const JointParams& params) {
   Meeting nearest;
@@ -105,7 +106,8 @@ Meeting meeting_of(std::vector<Facade>& facades, const OutlineGrid& grid, std::s
   const double m = params.metres_per_unit, least = cos_degrees(90 - params.least_turn_deg);
   const EndCorners end = end_of(*outline, left);
   const Vec3 low = outline->ring[end.low], high = outline->ring[end.high];
-  // The line is within reach of the end and of the other outline, but for what the walls lean between their heights.
+  // The line is within `reach` of the end and of the other outline, except for the lean of the walls between their
+  // heights.
   FlatBox around = FlatBox::none();
   around.add({low.x, low.y}), around.add({high.x, high.y});
   around = around.grown((2 * params.reach + kRounding) / m + grid.lean() * norm(high - low));
@@ -133,14 +135,14 @@ void begin_at_left_end(Facade& f, const FacadeElement& outline, double metres) {
   f.height_m = box.height();
 }
 
-// Corners by where they are, kept up while they move.
+// Finds corners by place; it is updated while they move.
 class CornerGrid {
  public:
   CornerGrid(const std::vector<Vec3*>& corners, double metres) : corners_(corners), reach_(1 / metres), grid_(reach_) {
     for (std::size_t i = 0; i < corners.size(); ++i) add(i);
   }
   void add(std::size_t i) { grid_.add(static_cast<std::uint32_t>(i), ground_of(i)); }
-  // The first behind a corner that may be near another one; as many as there are corners without one.
+  // The first corner after `behind` that may be near another one; the number of corners if there is none.
   std::size_t next(std::size_t i, std::size_t behind) const {
     const std::vector<std::uint32_t> near = grid_.near(ground_of(i).grown(reach_));
     const auto at = std::upper_bound(near.begin(), near.end(), behind);
@@ -154,13 +156,13 @@ class CornerGrid {
     return box;
   }
   const std::vector<Vec3*>& corners_;
-  double reach_;  // a metre
+  double reach_;  // one metre, in CRS units
   BoxGrid grid_;
 };
 
-// Corners of two outlines on one line that differ in height alone, by no more than `reach`.
+// Joins corners of two outlines on one line whose only difference is in height, at most `reach`.
 void join_heights(std::vector<Facade>& facades, double reach, double metres) {
-  constexpr double kOnLine = 0.02;  // metres: lines in which walls meet are upright to that
+  constexpr double kOnLine = 0.02;  // metres; lines in which walls meet are vertical within this distance
   std::vector<Vec3*> corners;
   for (Facade& f : facades)
     if (FacadeElement* outline = outline_of(f))
@@ -204,7 +206,7 @@ FacadeElement step_of(const Facade& wall, const FacadeElement& outline, double d
   e.height_error_m = outline.height_error_m;
   e.depth_error_m = outline.depth_error_m;
   e.points = outline.points;
-  if (!outline.edges.empty()) return e;  // its ring and its depth say all
+  if (!outline.edges.empty()) return e;  // the ring and the depth contain everything
   FacadeSite site;
   site.axes = {wall.origin, wall.right, wall.up, wall.out};
   site.metres_per_unit = m;
@@ -212,7 +214,7 @@ FacadeElement step_of(const Facade& wall, const FacadeElement& outline, double d
   return e;
 }
 
-// How far `part` stands before `wall`, where it is a storey of the same front; 0 where it is none.
+// The distance by which `part` stands before `wall`, if it is a storey of the same front; otherwise 0.
 double step_between(const Facade& wall, const Box2& own, const Facade& part, const FacadeElement& outline,
                     const JointParams& params) {
   const double m = params.metres_per_unit;
@@ -235,7 +237,7 @@ void close_corners(std::vector<Facade>& facades, const JointParams& params) {
       const Meeting met = meeting_of(facades, grid, i, left, params);
       if (!std::isfinite(met.way)) continue;
       FacadeElement* outline = outline_of(facades[i]);
-      // Each end of the side by itself: the line may lean by what the walls do.
+      // The two ends of the side are moved separately: the line may lean as much as the walls do.
       const EndCorners end = end_of(*outline, left);
       for (const std::size_t corner : {end.low, end.high}) {
         const double m = params.metres_per_unit;
@@ -260,7 +262,8 @@ void close_corners(std::vector<Facade>& facades, const JointParams& params) {
 
 void add_storey_steps(std::vector<Facade>& facades, const JointParams& params) {
   const double m = params.metres_per_unit;
-  // Two of one front lean from each other by less than a tenth: one that goes along by so much is so much nearer.
+  // The directions of two facades of one front differ by a slope of less than a tenth. Therefore one of them may come
+  // nearer by a tenth of its length.
   constexpr double kApart = 0.1;
   BoxGrid grid(kCell / m);
   const auto ground = [&](std::size_t i, const FacadeElement& outline) {
@@ -274,7 +277,7 @@ void add_storey_steps(std::vector<Facade>& facades, const JointParams& params) {
     FacadeElement* own = outline_of(facades[i]);
     if (own == nullptr) continue;
     for (const std::size_t k : grid.near(ground(i, *own).grown((params.most_step + params.reach + kRounding) / m))) {
-      own = outline_of(facades[i]);  // elements may have moved when one was added
+      own = outline_of(facades[i]);  // elements may have moved in memory when one was added
       FacadeElement* other = outline_of(facades[k]);
       if (i == k) continue;
       const Box2 box = box_of(facades[i], *own, m), part = box_of(facades[k], *other, m);

@@ -8,20 +8,20 @@
 namespace ilot {
 namespace {
 
-constexpr double kFrom = 0.12, kTo = 0.88;  // of the depth: between these a face has points of its own
-constexpr double kCorner = 0.1;             // of a side, left out at its ends
-constexpr double kBeside = 0.02;            // metres beside a face that its points are looked for
-constexpr double kLeans = 0.03;             // metres; ends nearer than that below each other are not inclined
-constexpr double kLeastSpread = 0.35;       // of the depth
-constexpr double kDense = 3;                // times as many points as if they were spread evenly
-constexpr double kUpright = 0.05;           // slopes below this are none
-constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of something else lie on any line
-constexpr double kExact = 0.001;                              // metres: clouds without noise are rounded all the same
-constexpr std::uint64_t kMostSamples = 1 << 16;               // of a face: more tell no more
-constexpr double kEdge = 0.01;                                // metres; narrower ends are edges
+constexpr double kFrom = 0.12, kTo = 0.88;  // shares of the depth between which the points belong to the face alone
+constexpr double kCorner = 0.1;             // share of a side that is left out at its ends
+constexpr double kBeside = 0.02;            // metres beside a face in which its points are searched
+constexpr double kLeans = 0.03;             // metres; a face whose ends differ by less does not lean
+constexpr double kLeastSpread = 0.35;       // share of the depth
+constexpr double kDense = 3;                // times the number of points that an even spread would give
+constexpr double kUpright = 0.05;           // a smaller slope counts as zero
+constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of another surface lie on any line
+constexpr double kExact = 0.001;                 // metres; even clouds without noise have rounded coordinates
+constexpr std::uint64_t kMostSamples = 1 << 16;  // points of a face; more do not improve the result
+constexpr double kEdge = 0.01;                   // metres; a narrower end becomes an edge
 
 struct FacePoint {
-  double t, w;  // across the side, growing outwards; out of the wall
+  double t, w;  // across the side, positive outwards; out of the wall
 };
 
 struct FaceLine {
@@ -79,8 +79,8 @@ double spread_of(const std::vector<FacePoint>& points) {
   return high - low;
 }
 
-// The line, moved to where most points lie beside it, without points where there is no such crowd: other faces of the
-// element end near by, and a face that crosses has points everywhere.
+// Moves the line to where most points lie beside it. The result has no points if there is no such cluster: other faces
+// of the element end near by, and a face across it has points everywhere.
 FaceLine moved_to_densest(const std::vector<FacePoint>& points, FaceLine line, double search, double width) {
   std::vector<double> offs;
   for (const FacePoint& p : points)
@@ -98,7 +98,7 @@ FaceLine moved_to_densest(const std::vector<FacePoint>& points, FaceLine line, d
   return line;
 }
 
-// The face through the points beside the line, looked for again beside what was found.
+// The face through the points beside the line. It is searched a second time beside the first result.
 FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double depth, double search, double noise) {
   const double width = std::max(kBeside, 4 * noise);
   line = moved_to_densest(points, line, search, width);
@@ -115,7 +115,8 @@ FaceLine find_face(const std::vector<FacePoint>& points, FaceLine line, double d
   return line;
 }
 
-// From t0 at the wall, or `seen_at` out of it, to t1 at the depth: the one that more points lie on.
+// A face from t0 at the wall, or at `seen_at` out of it, to t1 at the depth. Of the two, the one with more points is
+// taken.
 FaceLine leaning_face(const std::vector<FacePoint>& points, double t0, double t1, double depth, double seen_at,
                       double search, double noise) {
   FaceLine best;

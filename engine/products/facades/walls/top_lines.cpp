@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-// A profile, and which of its columns some line has.
+// A profile, and which of its columns already belong to a line.
 struct Columns {
   std::span<const double> top;
   double cell;
@@ -25,7 +25,7 @@ struct Support {
   std::size_t on = 0, above = 0;
 };
 
-// Of the columns [first, last]; `within` is upright.
+// The support of a line in the columns [first, last]; `within` is a vertical distance.
 Support support_of(const Columns& columns, const TopLine& line, double within) {
   Support s;
   for (std::size_t i = line.first; i <= line.last; ++i) {
@@ -44,7 +44,7 @@ TopLine through(const Columns& columns, std::size_t i, std::size_t j) {
   return line;
 }
 
-// Length of a level metre along the line.
+// The length along the line of one horizontal metre.
 double stretch_of(const TopLine& line) {
   return std::sqrt(1 + line.slope * line.slope);
 }
@@ -54,7 +54,7 @@ double least_columns(const TopLineParams& params, double cell) {
   return std::max(kLeast, params.least_length * cos_degrees(params.most_lean_deg) / cell);
 }
 
-// The line on which most length lies; none: last < first.
+// The line that contains the greatest length; last < first if there is none.
 TopLine best_line(const Columns& columns, const TopLineParams& params) {
   const std::size_t n = columns.top.size();
   const double steepest = std::sqrt(1 / (cos_degrees(params.most_lean_deg) * cos_degrees(params.most_lean_deg)) - 1);
@@ -82,7 +82,7 @@ TopLine best_line(const Columns& columns, const TopLineParams& params) {
   return best;
 }
 
-// Level where that moves its ends by no more than the tolerance.
+// Makes the line level if this moves its ends by at most the tolerance.
 TopLine levelled(const Columns& columns, TopLine line, const TopLineParams& params) {
   const double half = 0.5 * static_cast<double>(line.last - line.first + 1) * columns.cell;
   if (std::abs(line.slope) * half > params.tolerance) return line;

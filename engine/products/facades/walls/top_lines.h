@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The straight lines that the top of a wall follows: level ones, and those of gables.
+// Finds the straight lines that the top of a wall follows: level lines and the lines of gables.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -9,19 +9,19 @@
 
 namespace ilot {
 
-// The highest place of the rings in each of `count` columns: at u = from + (i + 0.5) cell; -infinity where none goes
-// by. Across: the rightmost place in each row, at v; rings turned by the sign, so that -1 gives the lowest or leftmost
-// one (as its negative). O(corners + crossings).
+// Gives the highest place of the rings in each of `count` columns, at u = from + (i + 0.5) cell; it is -infinity where
+// no ring passes. With rows, it gives the rightmost place in each row, at v. The rings are multiplied by the sign: -1
+// gives the lowest or leftmost place, as its negative. O(corners + crossings).
 enum class ProfileOf { columns, rows };
 std::vector<double> ring_profile(std::span<const OutlineRing> rings, ProfileOf of, double sign, double from,
                                  double cell, std::size_t count);
 
 struct TopLineParams {
-  double tolerance = 0.04;      // metres that the profile strays from its lines: about two steps
+  double tolerance = 0.04;      // metres between the profile and its lines, at most: about two steps
   double least_length = 1;      // metres along a line
   double least_support = 0.75;  // share of its columns that lie on it; what hides the rest hides nothing above it
   double most_above = 0.05;     // share of its columns that may lie above it
-  double most_lean_deg = 75;    // steeper lines are no part of a top but sides
+  double most_lean_deg = 75;    // a steeper line is a side and no part of a top
 };
 
 // A line v = at + slope u, through the columns [first, last] of a profile.
@@ -33,10 +33,11 @@ struct TopLine {
   bool level() const { return slope == 0; }
 };
 
-// Of all lines through two columns the one that most length of the profile lies on, then of what is left, until nothing
-// as long as asked is: by place. A line that a turn within the tolerance makes level is level, at the height of the
-// median of its columns. What lies below a line is taken to be hidden there, what lies above it contradicts it.
-// O(lines columns^2) pairs, each O(columns): for a few hundred columns.
+// Takes, of all lines through two columns, the line that contains the greatest length of the profile. Repeats this with
+// the rest of the profile until no line is as long as asked. The result is ordered by place. A line that becomes level
+// with a turn within the tolerance is made level, at the median height of its columns. Where the profile is below a
+// line, the line is taken to be hidden; where it is above, it contradicts the line. O(lines columns^2) pairs, each
+// O(columns): this is for a few hundred columns.
 std::vector<TopLine> top_lines(std::span<const double> profile, double cell, const TopLineParams& params = {});
 
 }  // namespace ilot

@@ -12,17 +12,17 @@
 namespace ilot {
 namespace {
 
-constexpr double kParallelDeg = 5;  // planes of a facade's relief lean less than this from its wall
-constexpr double kCoplanarDeg = 2;  // parts of one wall
-constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
-constexpr double kBelow = 0.5;      // metres above and below a wall that its relief may be
-constexpr double kInside = 0.5;     // share of a plane's width that must lie along the wall for it to be its relief
+constexpr double kParallelDeg = 5;  // greatest angle between a plane of the relief and its wall
+constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
+constexpr double kLargePart = 1;    // m2; a smaller piece beside the plane of the wall is relief
+constexpr double kBelow = 0.5;      // metres above and below a wall in which its relief may be
+constexpr double kInside = 0.5;     // share of the width of a plane that must be along the wall so that it is relief
 
 struct Extent {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
 };
 
-// Of a segment's box in the axes, metres.
+// The box of a segment in the axes, in metres.
 Extent extent_of(const Segment& s, const FacadeAxes& axes, double metres) {
   const Vec3 middle = 0.5 * (s.min + s.max) - axes.origin, half = 0.5 * (s.max - s.min);
   const auto along = [&](Vec3 axis, double& low, double& high) {
@@ -59,7 +59,7 @@ Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 middle) 
   return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
 }
 
-// Without a station a storey that stands back looks where the wall below it looks.
+// Without a station, a storey that is set back faces the same way as the wall below it.
 Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
   for (const WallGroup& wall : walls) {
     const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
@@ -77,13 +77,13 @@ void include(Extent& all, const Extent& e) {
   all.v1 = std::max(all.v1, e.v1);
 }
 
-// Segments by where they stand, so that a wall asks those around it alone.
+// Segments by place, so that a wall looks only at those around it.
 class SegmentGrid {
  public:
   SegmentGrid(std::span<const Segment> segments, std::vector<std::size_t> list, double metres)
       : segments_(segments), list_(std::move(list)), metres_(metres), grid_(kCell / metres) {
-    // A box along the axes of the CRS meets a wall's box only where its middle is within its own half diagonal of it,
-    // along each of the wall's three axes.
+    // A box along the axes of the CRS meets the box of a wall only if its middle is near enough to it: within half of
+    // its own diagonal along each of the three axes of the wall.
     constexpr double kDiagonals = 1.8;
     for (std::size_t k = 0; k < list_.size(); ++k) {
       const Segment& s = segments_[list_[k]];
@@ -93,7 +93,7 @@ class SegmentGrid {
       grid_.add(static_cast<std::uint32_t>(k), box.grown(kDiagonals * 0.5 * norm(s.max - s.min)));
     }
   }
-  // Places in the list, ascending, of what may reach into a box in the axes (metres).
+  // Positions in the list, ascending, of segments that may reach into a box in the axes (metres).
   std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
     constexpr double kRounding = 0.001;  // metres
     FlatBox box = FlatBox::none();
@@ -118,7 +118,7 @@ class SegmentGrid {
   BoxGrid grid_;
 };
 
-// Whether a segment lies on the wall's plane.
+// Whether a segment is on the plane of the wall.
 bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& params) {
   if (std::abs(dot(s.plane.n, group.axes.out)) < cos_degrees(kCoplanarDeg)) return false;
   const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
@@ -129,12 +129,12 @@ bool are_apart(const Extent& e, const Extent& all, double gap) {
   return e.u0 > all.u1 + gap || e.u1 < all.u0 - gap || e.v0 > all.v1 + gap || e.v1 < all.v0 - gap;
 }
 
-// Adds what lies on the wall's plane and goes on along it, until nothing more does: again and again in the order of the
-// grid's list. Returns which segments, and marks them as taken.
+// Adds the segments that lie on the plane of the wall and continue it, until there are no more. Each round goes through
+// them in the order of the list of the grid. Returns the segments and marks them as taken.
 std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
                                        WallGroup& group, Extent& all) {
   std::vector<std::size_t> joined;
-  std::set<std::uint32_t> waiting;  // on the plane and not far
+  std::set<std::uint32_t> waiting;  // on the plane and not far away
   const auto look_around = [&] {
     const Extent around{all.u0 - params.gap, all.u1 + params.gap, all.v0 - params.gap,
                         all.v1 + params.gap, -params.bias,        params.bias};
@@ -168,7 +168,7 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
   return joined;
 }
 
-// Of one segment so far.
+// A group of one segment.
 WallGroup group_of(const Segment& s, Vec3 out) {
   WallGroup group;
   group.axes = axes_of(s, out);
@@ -186,7 +186,7 @@ void set_box(WallGroup& group, const Extent& all, double metres) {
   group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
 }
 
-// Of a front, how much another one covers, seen square to it.
+// The share of a front that another one covers, seen perpendicular to it.
 double common_share(const WallGroup& front, const WallGroup& other, double metres) {
   const Vec3 d = metres * (front.axes.origin - other.axes.origin);
   const double u = dot(d, other.axes.right), v = dot(d, other.axes.up);
@@ -195,8 +195,8 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own. The
-// wall's segments are in order.
+// Claims segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
+// facade. The segments of the wall are in order.
 void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params, WallGroup& group) {
   const double least_cos = cos_degrees(kParallelDeg);
   const Extent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
@@ -215,7 +215,7 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
       continue;
     const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
     if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
-      continue;  // an upper storey that stands back
+      continue;  // an upper storey that is set back
     taken[grid.index(k)] = 1;
     group.parallel.push_back({s.id, s.points});
   }
@@ -262,7 +262,7 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
 
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
                                    std::span<const Vec3> stations, Vec3 middle, WallParams params) {
-  constexpr double kLeast = 0.5;  // of a facade's width and height
+  constexpr double kLeast = 0.5;  // share of the width and height of a facade
   std::vector<std::uint8_t> known(segments.size() + 1, 0);
   for (const WallGroup& wall : walls) {
     for (const std::uint32_t id : wall.segments) known[id] = 1;
@@ -281,12 +281,12 @@ struct DormerFronts::State {
   WallParams params;
   DormerFrontParams dormers;
   SegmentGrid upright;
-  std::vector<char> taken;  // by walls; by fronts while those of one wall are looked for
+  std::vector<char> taken;  // by walls, and by fronts while those of one wall are searched
 };
 
 DormerFronts::DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
                            const DormerFrontParams& dormers) {
-  constexpr double kMostTilt = 0.5;  // sine: walls and what is parallel to them lean far less
+  constexpr double kMostTilt = 0.5;  // sine of an angle: walls and the planes parallel to them lean much less
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (segments[i].area_m2 > 0 && std::abs(segments[i].plane.n.z) <= kMostTilt) list.push_back(i);
@@ -300,9 +300,9 @@ DormerFronts::DormerFronts(std::span<const WallGroup> walls, std::span<const Seg
 
 DormerFronts::~DormerFronts() = default;
 
-// What may be a part of a front, the largest first.
+// The segments that may be part of a front, the largest first.
 std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
-  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
+  constexpr double kOverlap = 0.3;  // metres that they may reach below the top of the wall and beyond its ends
   const State& in = *state_;
   const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
                       -in.dormers.behind, in.params.bias};

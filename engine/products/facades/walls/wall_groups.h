@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which planes are facades: large upright ones, joined along the street.
+// Finds the planes that are facades: large upright planes, joined along the street.
 #pragma once
 #include <memory>
 #include <span>
@@ -12,12 +12,12 @@
 namespace ilot {
 
 struct WallParams {
-  double least_width = 2, least_height = 2;      // metres; smaller walls are parts of something else
-  double least_area = 4;                         // m2 of points
-  double lean_deg = 5;                           // farthest from upright
-  double bias = 0.03;                            // metres; walls on one plane within this are one
+  double least_width = 2, least_height = 2;      // metres; smaller walls are parts of other structures
+  double least_area = 4;                         // m2 that its points cover
+  double lean_deg = 5;                           // greatest angle to the vertical
+  double bias = 0.03;                            // metres; walls whose planes differ by at most this are one wall
   double gap = 3;                                // metres between two parts of a wall
-  double relief_front = 1.5, relief_behind = 1;  // metres; what lies so far from a wall along it is a part of it
+  double relief_front = 1.5, relief_behind = 1;  // metres; a segment along a wall within this is a part of it
   double metres_per_unit = 1;
 };
 
@@ -25,40 +25,41 @@ struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
   std::uint64_t points = 0;
-  std::vector<std::uint32_t> segments;  // ids
-  std::vector<ParallelPlane> parallel;  // ids of what stands before and behind it
-  double above = 0;                     // metres above it that its dormers go up to
+  std::vector<std::uint32_t> segments;  // ids of the segments of the wall
+  std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
+  double above = 0;                     // metres above the wall that its dormers reach
 };
 
-// Walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in the wall;
-// the street side is where most stations stand (each by one over its squared distance), else the side away from
-// `middle`, the middle of all points, or that of a larger wall in line. Segments without an area (no outline) are left
-// out. Each wall asks the segments around it alone; without stations also the walls that there are.
+// Gives the walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in
+// the wall. The street side is where most stations are; each station counts with one over its squared distance. Without
+// stations it is the side away from `middle`, the middle of all points, or the side of a larger wall in line. Segments
+// without an area (no outline) are left out. Each wall looks only at the segments around it, and without stations also
+// at the walls found so far.
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
                                   const WallParams& params);
 
-// Walls of at least half the width and height that are in none of `walls`, nor relief of one: a low storey that stands
-// back is one. Otherwise as find_walls.
+// Gives walls of at least half the width and half the height that are in none of `walls` and are no relief of one of
+// them: a low storey that is set back is such a wall. All else is as in find_walls.
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
                                    std::span<const Vec3> stations, Vec3 middle, WallParams params);
 
 struct DormerFrontParams {
-  double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider ones are storeys that stand back
-  double behind = 3;                                             // metres that they stand back, at most
-  double reach = 6;                                              // metres above the wall's top that they go up to
+  double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider fronts are storeys that are set back
+  double behind = 3;                                             // metres; greatest distance behind the wall
+  double reach = 6;                                              // metres above the top of the wall that they reach
   double gap = 0.3;                                              // metres between parts of one front
 };
 
-// Upright planes in the roof of a wall: along it, above its top, behind it, of none of `walls`; what is behind or
-// before a larger one fills its window or stands before it. Which of them are dormers their openings tell
-// (add_dormers). The segments must outlive it.
+// Finds upright planes in the roof of a wall: along the wall, above its top, behind it, and in none of `walls`. A plane
+// just behind or before a larger one is left out: it fills the window of the larger one or stands before it. The
+// openings of the fronts decide which are dormers (add_dormers). The segments must outlive this object.
 class DormerFronts {
  public:
   DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
                const DormerFrontParams& dormers = {});
   ~DormerFronts();
 
-  // Those of one wall, from left to right. O(segments around it), and fronts^2.
+  // The fronts of one wall, from left to right. O(segments around it), and O(fronts^2).
   std::vector<WallGroup> of(const WallGroup& wall);
 
  private:
@@ -73,7 +74,7 @@ inline std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::spa
   return DormerFronts(walls, segments, params, dormers).of(wall);
 }
 
-// The wall with nothing on it: its rectangle is its one element.
+// The wall without elements on it: its rectangle is its only element.
 Facade bare_facade(const WallGroup& wall, double metres_per_unit);
 
 }  // namespace ilot

@@ -11,12 +11,12 @@
 namespace ilot {
 namespace {
 
-constexpr double kMostColumns = 400;  // of the profile that lines are looked for in
-constexpr double kSteps = 2;          // that boundaries stray from their lines
-constexpr double kFree = 0.2;         // share of the place above an edge that other things may stand in
-constexpr double kCell = 0.1;         // metres: of that place
-constexpr double kLeastSide = 0.3;    // metres that the wall's ends are high
-constexpr double kLeastShadow = 0.3;  // metres of an edge that the rings leave: shorter ones are chance
+constexpr double kMostColumns = 400;  // columns of the profile in which lines are searched
+constexpr double kSteps = 2;          // steps between boundaries and their lines, at most
+constexpr double kFree = 0.2;         // share of the place above an edge in which other parts may stand
+constexpr double kCell = 0.1;         // metres; cell of that place
+constexpr double kLeastSide = 0.3;    // metres; least height of the ends of the wall
+constexpr double kLeastShadow = 0.3;  // metres of an edge without rings; shorter parts are chance
 constexpr double kStepsOfShadow = 3;
 
 // An edge of the top from u0 to u1.
@@ -24,13 +24,13 @@ struct TopEdge {
   TopLine line;
   double u0 = 0, u1 = 0;
   double error = 0, rms = 0;
-  bool known = false;  // some line of the profile; else nothing was seen there
+  bool known = false;  // a line of the profile; otherwise nothing was seen there
 };
 
 struct Wall {
   const FacadeSite& site;
   double cell, tolerance;
-  std::vector<double> fine;  // profile by half steps
+  std::vector<double> fine;  // profile in half steps
   double fine_cell;
 
   double top() const { return site.height; }
@@ -44,7 +44,8 @@ Wall wall_of(const FacadeSite& site) {
   return wall;
 }
 
-// Share of the place between the line and the wall's top that things before the wall or along it stand in.
+// The share of the area between the line and the top of the wall in front of which there are points before the wall or
+// along it.
 double share_filled(const RaySamples& samples, const TopEdge& edge, double relief) {
   const FacadeSite& site = samples.site();
   const double bottom = std::min(edge.line.height(edge.u0), edge.line.height(edge.u1));
@@ -79,7 +80,7 @@ double squared(double a) {
   return a * a;
 }
 
-// How far apart places lie across a line of this slope, as rays lie on the wall.
+// The distance of neighbouring points across a line of this slope.
 double step_across(const RaySamples& samples, const TopEdge& edge) {
   const double u = 0.5 * (edge.u0 + edge.u1);
   const Place2 step = samples.step_at({u, edge.line.height(u)});
@@ -87,7 +88,8 @@ double step_across(const RaySamples& samples, const TopEdge& edge) {
   return std::max(step.u * std::abs(edge.line.slope), step.v) / stretch;
 }
 
-// Total least squares through the profile beside the line, twice; then out by what boundaries lie inside of an edge.
+// Fits a line by total least squares to the profile beside it, twice. Then moves it outwards, because boundaries lie
+// inside of an edge.
 void fit(const RaySamples& samples, const Wall& wall, TopEdge& edge) {
   double within = wall.tolerance;
   for (int round = 0; round < 2; ++round) {
@@ -115,7 +117,7 @@ void fit(const RaySamples& samples, const Wall& wall, TopEdge& edge) {
   edge.error += half_step;
 }
 
-// Those that the top follows: at the wall's own height where they come near it.
+// The edges that the top follows. Edges near the height of the wall get this height.
 std::vector<TopEdge> edges_of(const RaySamples& samples, const Wall& wall, const WallOutlineParams& params) {
   const FacadeSite& site = wall.site;
   const auto count = static_cast<std::size_t>(site.width / wall.cell);
@@ -143,7 +145,7 @@ bool at_top(const TopEdge& edge, const Wall& wall) {
   return edge.line.level() && edge.line.at == wall.top();
 }
 
-// A level edge between higher ones is no step but a gap.
+// Drops level edges between higher ones: these are gaps and no steps.
 void drop_gaps(std::vector<TopEdge>& edges, const Wall& wall) {
   const auto higher_beside = [&](std::size_t i, int way) {
     const double own = edges[i].line.at;
@@ -171,7 +173,7 @@ TopEdge unknown_top(const Wall& wall, double u0, double u1) {
   return edge;
 }
 
-// Where two edges meet, in the gap between them or little beside it.
+// The place where two edges meet, in the gap between them or close to it.
 std::optional<double> meeting_of(const TopEdge& a, const TopEdge& b, double slack) {
   const double turn = a.line.slope - b.line.slope;
   if (turn == 0) return std::nullopt;
@@ -180,8 +182,8 @@ std::optional<double> meeting_of(const TopEdge& a, const TopEdge& b, double slac
   return u;
 }
 
-// From end to end without gaps: edges go on to where they meet, to an upright step, or to a stretch at the wall's top
-// that nothing is known of.
+// Makes the edges cover the top from end to end without gaps. An edge is extended to where it meets the next one, to an
+// upright step, or to a part at the top of the wall of which nothing is known.
 std::vector<TopEdge> without_gaps(std::vector<TopEdge> edges, const Wall& wall, double least) {
   const double slack = 4 * wall.cell;
   std::vector<TopEdge> closed;
@@ -210,13 +212,13 @@ std::vector<TopEdge> without_gaps(std::vector<TopEdge> edges, const Wall& wall, 
   return closed;
 }
 
-// Where the upright side between two edges lies: the rows between them end there.
+// The place of the upright side between two edges: the rows between them end there.
 double side_between(const Wall& wall, const TopEdge& a, const TopEdge& b, double& error) {
   const double u = a.u1, va = a.line.height(u), vb = b.line.height(u);
-  const bool rises = vb > va;  // the wall is to its right
+  const bool rises = vb > va;  // the wall is on its right
   const double low = std::min(va, vb) + wall.tolerance, high = std::max(va, vb) - wall.tolerance;
   const auto count = static_cast<std::size_t>(std::max(0.0, (high - low) / wall.fine_cell));
-  constexpr double kReach = 0.5;  // metres beside the place where the rows may end
+  constexpr double kReach = 0.5;  // metres beside the place in which the rows may end
   const auto ends = ring_profile(wall.site.rings, ProfileOf::rows, rises ? -1 : 1, low, wall.fine_cell, count);
   std::vector<double> at;
   for (const double e : ends)
@@ -234,8 +236,8 @@ void add_corner(WallOutline& outline, Place2 at, const FacadeEdge& edge) {
   outline.edges.push_back(edge);
 }
 
-// The edge from right to left, in stretches that were seen and stretches that were not. Its last corner is the next
-// edge's first.
+// Adds the edge from right to left, divided into parts that were seen and parts that were not. Its last corner is the
+// first corner of the next edge.
 void add_stretches(WallOutline& outline, const Wall& wall, const TopEdge& edge) {
   FacadeEdge seen;
   seen.error_m = edge.error, seen.rms_m = edge.rms;
@@ -246,8 +248,8 @@ void add_stretches(WallOutline& outline, const Wall& wall, const TopEdge& edge) 
   if (edge.line.level()) return add_corner(outline, place(edge.u1), seen);
   const double stretch = std::sqrt(1 + squared(edge.line.slope));
   const double shadow = std::max(kLeastShadow, kStepsOfShadow * wall.site.step);
-  double last = edge.u1;  // of the stretch that was seen
-  double from = edge.u1;  // where the current stretch begins
+  double last = edge.u1;  // end of the part that was seen
+  double from = edge.u1;  // begin of the current part
   for (std::size_t k = wall.fine.size(); k-- > 0;) {
     const double u = (static_cast<double>(k) + 0.5) * wall.fine_cell;
     if (u > edge.u1) continue;

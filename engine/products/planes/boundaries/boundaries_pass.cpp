@@ -18,23 +18,23 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerEdge = 96;  // while a plane's rings are assembled and thinned
+constexpr std::uint64_t kBytesPerEdge = 96;  // while the rings of a plane are assembled and simplified
 constexpr std::size_t kPlanesTogether = 256;
-constexpr std::size_t kLargeBoundary = 1 << 16;  // points; between its steps freed memory goes back to the system
+constexpr std::size_t kLargeBoundary = 1 << 16;  // points; above this, freed memory is returned between the steps
 
 struct RunOfBlock {
   std::uint32_t block = 0;
   SeamRun run;
 };
 
-// The edges of a plane's boundary, its points numbered by rank.
+// The edges of the boundary of a plane, with points numbered by rank.
 struct PlaneEdges {
-  std::vector<std::uint64_t> points;  // that edges start at, ascending, in global order
-  std::vector<Point2> places;         // of these
+  std::vector<std::uint64_t> points;  // points at which edges begin, ascending, in global order
+  std::vector<Point2> places;         // places of these points
   std::vector<BoundaryEdge> edges;
 };
 
-// The seam edges of a plane, from all blocks, by their ends: those of some points at a time.
+// The seam edges of a plane from all blocks, ordered by their ends. Those of some points are read at a time.
 class SeamEdges {
  public:
   SeamEdges(const Store& store, std::span<const RunOfBlock> runs) : store_(store), runs_(runs), left_(runs.size()) {
@@ -50,10 +50,10 @@ class SeamEdges {
   }
 
   std::size_t count() const { return count_; }
-  std::uint32_t regions() const { return regions_; }  // of all blocks
+  std::uint32_t regions() const { return regions_; }  // number of regions of all blocks
 
-  // Some edges, complete with those that have the same ends, in the order of the ends, then of the blocks. Empty: no
-  // more.
+  // Gives some edges together with all edges that have the same ends, in the order of the ends, then of the blocks. The
+  // result is empty when there are no more.
   std::vector<SeamEdge> some() {
     std::uint64_t next = UINT64_MAX;
     for (const Left& l : left_) next = std::min(next, l.next);
@@ -67,7 +67,7 @@ class SeamEdges {
   }
 
  private:
-  static constexpr std::uint64_t kAtOnce = 1 << 16;  // edges, about
+  static constexpr std::uint64_t kAtOnce = 1 << 16;  // approximate number of edges
   struct Left {
     std::uint32_t at = 0, regions = 0;  // edges of the run that were taken; regions of the runs before it
     std::uint64_t next = UINT64_MAX;    // the smaller end of the next edge
@@ -104,8 +104,8 @@ class SeamEdges {
   std::uint32_t regions_ = 0;
 };
 
-// Calls inside(a, b) with the regions of two edges that two blocks give from both sides of one line, and use(edge) for
-// each edge that is given once.
+// Calls inside(a, b) with the regions of two edges that two blocks give from both sides of one line. Calls use(edge)
+// for each edge that is given once.
 template <class Inside, class Use>
 void each_edge(SeamEdges seams, const Inside& inside, const Use& use) {
   for (auto edges = seams.some(); !edges.empty(); edges = seams.some())
@@ -119,8 +119,8 @@ void each_edge(SeamEdges seams, const Inside& inside, const Use& use) {
     }
 }
 
-// The edges are read twice: first for their points and for the regions that are one, then to be numbered. Every point
-// where an edge ends is one where another starts: the edges of a region close.
+// Reads the edges twice: first to find their points and the regions that are one, then to number the edges. Every point
+// where an edge ends is also a point where another edge begins, because the edges of a region form closed rings.
 PlaneEdges edges_of_plane(const Store& store, const std::vector<RunOfBlock>& runs) {
   const SeamEdges seams(store, runs);
   std::vector<std::uint32_t> parent(seams.regions());
@@ -166,7 +166,7 @@ Outline outline_of(const Polygons& polygons, std::span<const Point2> places, con
   return out;
 }
 
-// Points of the store, by number, that are vertices of outlines.
+// Marks the points of the store, by number, that are vertices of outlines.
 class Vertices {
  public:
   explicit Vertices(std::uint64_t points) : marked_(points) {}
@@ -193,7 +193,7 @@ Outline boundary_of(const Store& store, const BoundaryParams& params, std::uint3
   const bool large = places.size() >= kLargeBoundary;
   if (large) trim_memory();
   const bool holes = params.erosion != Erosion::outside;
-  if (holes) marked.mark(std::exchange(plane.points, {}));  // each is on a ring
+  if (holes) marked.mark(std::exchange(plane.points, {}));  // each point is on a ring
   Polygons rings = assemble_rings(plane.edges, places);
   std::vector<BoundaryEdge>().swap(plane.edges);
   if (!holes) {
@@ -219,7 +219,7 @@ void write_flags(const Store& store, const std::vector<std::uint64_t>& first, co
   });
 }
 
-// Per block in parallel, each once: what a killed run has done is not done again.
+// Writes the edges of each block, in parallel. What an interrupted run has completed is not done again.
 void edges_of_blocks(const Store& store, const BoundaryWork& work, const PassContext& context) {
   std::vector<PassTask> tasks(store.blocks().size());
   parallel_for(tasks.size(), [&](std::size_t b) {

@@ -14,13 +14,13 @@
 namespace ilot {
 namespace {
 
-// The step that the distance of the sixth neighbour tells; -1 = there are fewer within `farthest`.
+// The sampling step from the distance of the sixth neighbour; -1 = there are fewer neighbours within `farthest`.
 double measured_step(std::int64_t squared, std::int64_t farthest) {
   const std::int64_t limit = farthest * farthest;
   return raster_step(static_cast<double>(squared < 0 ? limit : std::min(limit, squared)), kStepNeighbours);
 }
 
-// Thresholds of the places of one plane.
+// The thresholds of the places of one plane.
 class Thresholds {
  public:
   Thresholds(const PlanePlaces& places, const BoundaryParams& params)
@@ -46,7 +46,7 @@ class Thresholds {
   }
 
  private:
-  // From the stations; false where none sees the plane there.
+  // Takes the threshold from the stations; returns false where none sees the plane there.
   bool predict(std::uint32_t i, float& reach) const {
     if (stations_.empty()) return false;
     const double step =
@@ -56,7 +56,7 @@ class Thresholds {
     return true;
   }
 
-  // From the distance of the sixth neighbour.
+  // Takes the threshold from the distance of the sixth neighbour.
   void measure(const std::vector<std::uint32_t>& queries, std::vector<float>& reach) const {
     std::int64_t farthest = 1;
     for (const std::uint32_t i : queries) farthest = std::max(farthest, places_.farthest[i]);
@@ -70,7 +70,7 @@ class Thresholds {
   const BoundaryParams& params_;
   const JoinedPlane& joined_;
   PlaneFrame frame_;
-  std::vector<Scanner> stations_;  // relative to the plane's anchor
+  std::vector<Scanner> stations_;  // relative to the anchor of the plane
 };
 
 template <class Wanted>
@@ -81,9 +81,9 @@ std::vector<std::uint32_t> positions_where(std::size_t count, const Wanted& want
   return all;
 }
 
-// What the triangles that a stretch owns are made of.
+// The places that the triangles of a stretch need.
 struct NeededPlaces {
-  PlaneOrder order;  // its indices: points of the view
+  PlaneOrder order;  // its indices are points of the BoundarySurroundings
   std::vector<float> reach;
   std::vector<std::uint8_t> own;
 };
@@ -104,14 +104,14 @@ NeededPlaces needed_places(const PlanePlaces& p, const BoundaryParams& params) {
   return out;
 }
 
-// What a stretch adds to its block.
+// The edges that a stretch adds to its block.
 struct OwnedEdges {
   std::vector<SeamEdge> edges;
   std::vector<Coincident> coincident;
   std::uint32_t regions = 0;
 };
 
-// The edges of triangles whose other side is not among them.
+// Adds the edges of triangles that have no triangle of the list on their other side.
 void add_edges(const BoundarySurroundings& around, std::uint32_t plane, const PlaneOrder& order, const Triangulation& t,
                const std::vector<std::uint32_t>& triangles, OwnedEdges& out) {
   std::vector<std::uint32_t> place(t.triangles(), kNoEdge), parent(triangles.size());
@@ -128,7 +128,7 @@ void add_edges(const BoundarySurroundings& around, std::uint32_t plane, const Pl
         joined.unite(i, o);
       }
     }
-  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // by root
+  std::vector<std::uint32_t> region(triangles.size(), kNoEdge);  // region of each root triangle
   for (const std::uint32_t e : open) {
     const std::uint32_t a = t.corner[e], b = t.corner[next_edge(e)];
     std::uint32_t& r = region[joined.find(place[e / 3])];
@@ -177,7 +177,7 @@ void write_seam_edges(const Store& store, std::uint32_t block, const BoundaryWor
     return std::pair(a.plane, ends_of(a)) < std::pair(b.plane, ends_of(b));
   });
   std::vector<SeamRun> runs;
-  std::vector<std::uint32_t> number(regions, kNoEdge);  // of a region within its run
+  std::vector<std::uint32_t> number(regions, kNoEdge);  // number of each region within its run
   for (std::uint32_t i = 0; i < edges.size(); ++i) {
     if (runs.empty() || runs.back().plane != edges[i].plane) runs.push_back({edges[i].plane, i});
     ++runs.back().count;

@@ -14,7 +14,8 @@
 namespace ilot {
 namespace {
 
-// Of a stretch and its surroundings, and of what of these is triangulated: mostly far less than four times the stretch.
+// The bytes for a stretch with its surroundings, and for the places of these that are triangulated: mostly far fewer
+// than four times the points of the stretch.
 constexpr std::uint64_t kBytesPerPoint = 72, kBytesPerCorner = 208;
 constexpr std::uint64_t kCornersPerPoint = 4;
 
@@ -23,11 +24,11 @@ IndexBox common(const IndexBox& a, const IndexBox& b) {
           {std::min(a.max.x, b.max.x), std::min(a.max.y, b.max.y), std::min(a.max.z, b.max.z)}};
 }
 
-// Cells are cut until they are small enough: compact ones have little around them.
+// Cells are cut until they are small enough. A compact cell has few points around it.
 struct Cutter {
   std::uint32_t number, most;
   std::span<const std::uint64_t> codes;
-  IndexBox box;  // around the points of the block
+  IndexBox box;  // box around the points of the block
   std::vector<BoundaryStretch> out;
 
   void cut(const Node& node, std::uint32_t first, std::uint32_t count) {
@@ -56,7 +57,7 @@ std::vector<BoundaryStretch> cut_block(const Store& store, std::uint32_t block, 
   return std::move(cutter.out);
 }
 
-// Does some stretch hold this place?
+// Whether some stretch contains this place.
 bool is_held(const BoundaryWork& work, Index3 place) {
   const PointKey key = key_of(place);
   const auto after = std::upper_bound(work.stretches.begin(), work.stretches.end(), key,
@@ -66,12 +67,12 @@ bool is_held(const BoundaryWork& work, Index3 place) {
   return after != work.stretches.begin() && std::prev(after)->box.contains(place);
 }
 
-// In the steps of a frame; the search for neighbours takes no more.
+// The length in steps of a frame, with the largest value that the search for neighbours accepts.
 std::int64_t in_steps(std::int64_t units) {
   return std::min(std::int64_t{1} << 22, units * static_cast<std::int64_t>(kPlaneSteps));
 }
 
-// The largest range of a run of points of a block.
+// The largest range in a run of points of a block.
 std::int64_t farthest_of(std::span<const NeighbourRange> ranges, std::uint32_t first, std::uint32_t count) {
   std::int64_t farthest = 1;
   for (const NeighbourRange& r : ranges)
@@ -79,7 +80,8 @@ std::int64_t farthest_of(std::span<const NeighbourRange> ranges, std::uint32_t f
   return farthest;
 }
 
-// What is looked at for a stretch: all that its triangles' circles reach, and the neighbours of what lies there.
+// The view of the points that a stretch needs: all that the circles of its triangles reach, and the neighbours of these
+// points.
 View plan_surroundings(const Store& store, const BoundaryStretch& s, const BoundaryWork& work, IndexBox& box) {
   const auto& ranges = work.params.ranges;
   const Index3 anchor = store.blocks()[s.block].node.min_corner();
@@ -106,7 +108,7 @@ BoundaryWork boundary_work(const Store& store, const BoundaryParams& params, con
   BoundaryWork work{params, 0, {0}, {}, {0}};
   double epsilon = 0;
   for (const JoinedPlane& p : params.planes) epsilon = std::max(epsilon, p.epsilon);
-  work.across = static_cast<std::int64_t>(std::ceil(2 * epsilon)) + 2;  // and a unit for rounding
+  work.across = static_cast<std::int64_t>(std::ceil(2 * epsilon)) + 2;  // plus one unit for rounding
   std::vector<std::vector<BoundaryStretch>> cut(store.blocks().size());
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * sizeof(std::uint64_t), b.points});
@@ -210,7 +212,7 @@ void BoundarySurroundings::each_plane(const std::function<void(const PlanePlaces
     if (!members[p].empty()) use(placed(planes_[p], std::exchange(members[p], {})));
 }
 
-// By where the foot lies; by the point itself where no stretch holds the foot.
+// A point belongs to the stretch that contains its foot, or the point itself if no stretch contains the foot.
 bool BoundarySurroundings::is_own(std::uint32_t i, Index3 foot) const {
   if (stretch_.box.contains(foot)) return true;
   return is_inside(i) && !is_held(work_, foot);

@@ -13,10 +13,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kTogether = 8;        // maps
-constexpr std::uint32_t kMostPixels = 512;  // along a side
+constexpr std::size_t kTogether = 8;        // maps that are made at a time
+constexpr std::uint32_t kMostPixels = 512;  // along one side of a map
 constexpr double kPointsPerPixel = 100;
-constexpr int kPlaces = 4;                    // along a side of a pixel, at which the inside is measured
+constexpr int kPlaces = 4;                    // along a side of a pixel; at these places the inside is measured
 constexpr std::uint64_t kBytesPerPoint = 24;  // code, plane, pixel
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
@@ -30,14 +30,15 @@ double round_width(double least) {
   return 10 * decade;
 }
 
-// A map in the making: where pixels lie on the plane, in lattice units from the plane's anchor.
+// A map that is being made: it has the places of the pixels on the plane, in lattice units from the anchor of the
+// plane.
 struct Draft {
   DensityMap map;
   const JoinedPlane* plane = nullptr;
   PlaneFrame frame;
   double left = 0, top = 0, pixel = 1;
-  std::vector<std::uint32_t> count;  // points, per pixel
-  std::vector<std::uint8_t> inside;  // places, per pixel
+  std::vector<std::uint32_t> count;  // number of points per pixel
+  std::vector<std::uint8_t> inside;  // marks of the places per pixel
   std::size_t pixels() const { return std::size_t{map.width} * map.height; }
 };
 
@@ -65,7 +66,7 @@ std::vector<std::vector<Flat>> flat_rings(const Draft& d, const Outline& outline
   return rings;
 }
 
-// Places and sizes the raster.
+// Sets the place and the size of the raster.
 void frame_raster(Draft& d, const std::vector<std::vector<Flat>>& rings, const DensityRequest& request, double unit,
                   double metres_per_unit) {
   double u0 = std::numeric_limits<double>::infinity(), u1 = -u0, v0 = u0, v1 = -u0;
@@ -87,7 +88,7 @@ void frame_raster(Draft& d, const std::vector<std::vector<Flat>>& rings, const D
   d.map.height = static_cast<std::uint32_t>(std::floor((d.top - v0) / d.pixel)) + 1;
 }
 
-// Marks the places of pixels that lie inside of the rings (an odd number of edges to their left).
+// Marks the places of pixels that are inside of the rings: they have an odd number of edges to their left.
 void measure_inside(Draft& d, const std::vector<std::vector<Flat>>& rings) {
   const double place = d.pixel / kPlaces;
   const std::size_t rows = std::size_t{d.map.height} * kPlaces, columns = std::size_t{d.map.width} * kPlaces;
@@ -95,7 +96,7 @@ void measure_inside(Draft& d, const std::vector<std::vector<Flat>>& rings) {
   for (const auto& ring : rings)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Flat a = ring[i], b = ring[(i + 1) % ring.size()];
-      // Rows whose middle, from the top, lies between the two ends.
+      // The rows, counted from the top, whose middle is between the two ends.
       const double ra = (d.top - a.v) / place - 0.5, rb = (d.top - b.v) / place - 0.5;
       const double first = std::max(0.0, std::ceil(std::min(ra, rb))), last = std::max(ra, rb);
       for (double r = first; r < last && r < static_cast<double>(rows); ++r)
@@ -127,7 +128,7 @@ Draft draft_of(const Store& store, const DensityParams& params, const DensityReq
   return d;
 }
 
-// Pixels of a block's points, each once a point: the map's number and the pixel's.
+// A pixel of a point of a block, as the number of the map and the number of the pixel. There is one for each point.
 struct Hit {
   std::uint32_t map = 0, pixel = 0;
 };

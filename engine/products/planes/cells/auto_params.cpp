@@ -17,8 +17,8 @@ constexpr std::uint32_t kQueries = 512;
 constexpr double kPi = 3.141592653589793;
 
 struct Rule {
-  double steps;         // of connectivity
-  double area_m2;       // of the smallest plane
+  double steps;         // connectivity in steps
+  double area_m2;       // area of the smallest plane
   double fewest, most;  // points of the smallest plane
 };
 constexpr Rule kFromTheAir{4, 1.2, 12, 200}, kFromTheGround{6, 0.005, 30, 200};
@@ -27,19 +27,19 @@ double quantile(std::vector<double> values, double share) {
   return values.empty() ? 0 : lower_quantile(values, share);
 }
 
-// Of every so many points, from the neighbours of each.
+// The sampling from one in `every` points, with the neighbours of each.
 Sampling sampling_of(Points points, std::span<const std::uint32_t> neighbours, std::span<const std::int64_t> reach2,
                      std::size_t every) {
   std::vector<double> steps, noises;
   for (std::size_t q = 0; q < reach2.size(); q += every) {
     if (reach2[q] < 0) continue;
-    // k points on a disc of radius r: each has pi r^2 / k for itself.
+    // There are k points on a disc of radius r, so each has an area of pi r^2 / k.
     steps.push_back(std::sqrt(kPi * static_cast<double>(reach2[q]) / kSamplingNeighbours));
     const Moments m = moments_of(points, neighbours.subspan(q * kSamplingNeighbours, kSamplingNeighbours));
     const double least = std::max(0.0, smallest_eigen(covariance(m)).value);
     noises.push_back(std::sqrt(least * kSamplingNeighbours / (kSamplingNeighbours - 3)));
   }
-  // The flat third of the neighbourhoods; its 30% quantile lies a tenth below the median of pure noise.
+  // The flat third of the neighbourhoods is used. Its 30% quantile is a tenth below the median of pure noise.
   return {quantile(std::move(steps), 0.5), quantile(std::move(noises), 0.3) / 0.9};
 }
 
@@ -78,7 +78,7 @@ PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& 
                                 double unit_metres, std::int64_t reach) {
   constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kMostMetres = 0.5;
   constexpr double kMostAngle = 25, kLeastAngle = 10, kNoisy = 0.3;
-  constexpr double kLeastReach = 4, kMostReach = 0x1p20;  // what euclidean_clusters can do with a cell
+  constexpr double kLeastReach = 4, kMostReach = 0x1p20;  // the range that euclidean_clusters accepts for a cell
   const Rule& rule = from == SeenFrom::air ? kFromTheAir : kFromTheGround;
   PlaneParams p;
   const double surface = std::max(kNoiseFactor * sampling.noise, kLeastSteps * sampling.step);

@@ -7,14 +7,14 @@
 
 namespace ilot {
 
-// Which cell each point of a block lies in: cells are contiguous in a block.
+// The cell of each point of a block. Cells are contiguous in a block.
 struct BlockCells {
   struct Range {
     std::uint32_t first = 0, count = 0;  // points of the block
     std::uint32_t cell = 0;
   };
   std::vector<Range> ranges;             // ascending, covering the block
-  std::int64_t widest_connectivity = 1;  // of its cells, units
+  std::int64_t widest_connectivity = 1;  // largest connectivity of its cells, units
 };
 
 inline std::vector<BlockCells> cells_of_blocks(const Store& store, const std::vector<Cell>& cells,
@@ -30,7 +30,7 @@ inline std::vector<BlockCells> cells_of_blocks(const Store& store, const std::ve
   return result;
 }
 
-// Points that a view of the block and its surroundings within the connectivity holds.
+// The number of points in a view of the block with its surroundings within the connectivity.
 inline std::uint64_t points_around(const Store& store, std::uint32_t block, const BlockCells& cells) {
   const Block& b = store.blocks()[block];
   return plan_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner()).size;

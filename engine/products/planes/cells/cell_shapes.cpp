@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-// Before the shapes, the samples and the labels.
+// The header of the file; the shapes, the samples and the labels follow.
 struct Header {
   std::uint64_t shapes = 0, samples = 0, labels = 0;
 };
@@ -22,7 +22,7 @@ Place place_of(const CellPoints& cp, std::uint32_t i) {
   return {static_cast<std::int32_t>(cp.x[i]), static_cast<std::int32_t>(cp.y[i]), static_cast<std::int32_t>(cp.z[i])};
 }
 
-// What of a shape lies in the cell itself.
+// Adds the part of a shape that is in the cell itself.
 void add_shape(CellShapes& out, const CellPoints& cp, const FoundShape& found,
                const std::vector<std::uint32_t>& members, const PlaneParams& params) {
   CellShape s{found.shape, params.epsilon, params.connectivity};

@@ -19,7 +19,7 @@ void reserve(CellPoints& cp, std::size_t points) {
   cp.core.reserve(points);
 }
 
-// How many points of the plan lie in the box around a cell but not in the cell.
+// The number of points of the view that are in the box around a cell but not in the cell.
 std::uint64_t count_margin(const Store& store, const View& plan, const IndexBox& around, const IndexBox& own) {
   std::uint64_t count = 0;
   for_each_stretch(store, plan.slices, [&](const Stretch& s) {
@@ -37,7 +37,7 @@ int cell_level(double unit_metres) {
   return kTileBits - bits;
 }
 
-// First point of the slice whose code is not below `code`.
+// The first point of the slice whose code is at least `code`.
 std::uint32_t lower_bound(const ColumnReader<std::uint64_t>& codes, const CellSlice& s, std::uint64_t code) {
   std::uint32_t lo = s.first, hi = s.first + s.count;
   while (lo < hi) {
@@ -95,7 +95,7 @@ class Cutter {
   int level_;
 };
 
-// Blocks of one largest cell, or the one block that holds several of them.
+// Groups of blocks that belong to one largest cell; or one block that contains several such cells.
 std::vector<Cell> roots(const Store& store, int level) {
   std::vector<Cell> found;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
@@ -146,7 +146,7 @@ std::uint64_t points_to_load(const Store& store, const Cell& cell) {
 CellPoints load_cell(const Store& store, const Cell& cell, const ColourPalette& palette) {
   const IndexBox own = cell.node.box(), around = own.grown(margin_of(cell));
   const View plan = plan_view(store, around, cell.node.min_corner());
-  std::uint64_t in_margin = plan.size - cell.points;  // at most
+  std::uint64_t in_margin = plan.size - cell.points;  // upper bound
   if (in_margin > kCellPoints) in_margin = count_margin(store, plan, around, own);
   const bool thin = in_margin > kCellPoints;
   const std::uint64_t keep_below = thin ? UINT64_MAX / in_margin * kCellPoints : UINT64_MAX;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Canonical cells: where one connected cloud is everything, planes are found cell by cell. Cells are cubes of a fixed
-// metric size, cut into eight where they hold too many points; they depend on the points alone, never on the blocks.
+// Canonical cells: planes are found cell by cell, because the whole cloud may be one connected part. Cells are cubes of
+// a fixed metric size. A cell that contains too many points is cut into eight. Cells depend on the points alone, never
+// on the blocks.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -24,31 +25,31 @@ struct Cell {
   std::vector<CellSlice> slices;  // its points, in global order
 };
 
-constexpr double kCellMetres = 64;  // largest edge: the power of two of units not above it
+constexpr double kCellMetres = 64;  // greatest edge: the largest power of two of units that does not exceed it
 constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 
-// All cells that hold points, in global order.
+// All cells that contain points, in global order.
 std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit);
 
-// A stretch of a block that what is stored of a cell tells about.
+// A stretch of a block that belongs to one cell.
 struct CellPiece {
-  std::uint32_t cell = 0, offset = 0;  // of its first point among those of the cell
+  std::uint32_t cell = 0, offset = 0;  // offset of its first point among the points of the cell
   CellSlice slice;
 };
 
-// Per block, in the order of the cells.
+// The pieces of each block, in the order of the cells.
 std::vector<std::vector<CellPiece>> pieces_of_blocks(const Store& store, const std::vector<Cell>& cells);
 
-// Depth of the margin around a cell that is looked at along with it: 1/16 of its edge, in units.
+// The depth of the margin around a cell that is read with it: 1/16 of its edge, in units.
 std::int64_t margin_of(const Cell& cell);
 
-// About how many points load_cell gives for a cell, at most: its own, and those of the chunks of its margin. More only
-// where more than kCellPoints of the margin coincide.
+// The approximate greatest number of points that load_cell gives for a cell: its own points and those of the chunks of
+// its margin. There are more only where more than kCellPoints points of the margin coincide.
 std::uint64_t points_to_load(const Store& store, const Cell& cell);
 
-// Points of a cell and of its margin, compact and in global order, as offsets from the cell's corner. A margin of more
-// than kCellPoints points is thinned to about that many by a hash of their codes, so a cell never holds more than twice
-// kCellPoints (unless more coincide). Reads in small batches.
+// The points of a cell and of its margin, compact and in global order, as offsets from the corner of the cell. A margin
+// of more than kCellPoints points is thinned to about that number by a hash of their codes. Therefore a cell never has
+// more than twice kCellPoints points (unless more coincide). The points are read in small batches.
 struct CellPoints : PaddedPoints {
   std::vector<PackedNormal> normals;
   std::vector<std::uint8_t> core;           // 1 = in the cell itself

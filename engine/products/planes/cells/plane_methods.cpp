@@ -24,13 +24,14 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kNeighbours = 16;    // of region growing and of settling
-constexpr std::uint32_t kFewNeighbours = 8;  // of settling from the air, where faces are wide beside epsilon
-// Epsilons within which points count for a plane where noise is wide: 2.3 of 3.5 standard deviations hold 98% of its
-// own points, and far fewer of those of its neighbours', for which a plane would lean towards them.
+constexpr std::uint32_t kNeighbours = 16;    // for region growing and for relabelling
+constexpr std::uint32_t kFewNeighbours = 8;  // for relabelling from the air, where faces are wide compared with epsilon
+// The share of epsilon within which points count for a plane where noise is large. 2.3 of 3.5 standard deviations
+// contain 98% of the points of a plane. They contain far fewer points of its neighbours, which would pull the plane
+// towards them.
 constexpr double kCore = 0.65;
 constexpr int kRelabelRounds = 4;
-constexpr double kLean = 0.2;  // epsilons by which borders lean towards the larger plane, seen from the ground
+constexpr double kLean = 0.2;  // epsilons by which borders move towards the larger plane, seen from the ground
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
 
 PlaneSegments by_ransac(const PlaneSearch& s) {
@@ -125,17 +126,19 @@ ShapeRansacParams shape_params(const PlaneSearch& s, std::uint32_t min_points, u
   return params;
 }
 
-// As thin as the fringe where two planes meet: within four epsilons about a plane for the most part. Along such edges
-// normals are mixtures and turn evenly from one plane to the other, as those of a thin cylinder or a steep cone do.
+// Whether a shape is as thin as the edge strip where two planes meet: most of its points are within four epsilons
+// around a plane. Along such edges, normals are mixtures and turn evenly from one plane to the other, as those of a
+// thin cylinder or a steep cone do.
 bool is_flat(Points points, std::span<const std::uint32_t> members, double epsilon) {
-  constexpr double kEdgeStrip = 2;  // root mean square, in epsilons
+  constexpr double kEdgeStrip = 2;  // root mean square distance, in epsilons
   const Moments m = moments_of(points, members);
   const PlaneFit fit = fit_plane(m);
   return !fit.unique || rms_to_plane(m, fit.plane) <= kEdgeStrip * epsilon;
 }
 
-// The points of two planes that meet, as a cone of 45 degrees touches a wall and the underside of its band: the two
-// largest planes hold nearly all of them. A surface that bends on leaves them.
+// Whether the points belong to two planes that meet. For example, a cone of 45 degrees touches a wall and the underside
+// of its band. Then the two largest planes contain nearly all points. A surface that continues to bend leaves the
+// planes.
 bool is_edge(const OrientedPoints& points, std::span<const std::uint32_t> members, ShapeRansacParams params) {
   constexpr double kShare = 0.9;
   std::array<std::vector<float>, 6> column;
@@ -175,7 +178,7 @@ PlaneSegments by_colour_ransac(const PlaneSearch& s) {
   return colour_ransac(s.points, s.colour_class, params).segments;
 }
 
-// Works on neighbours itself.
+// Whether the method works on neighbours itself.
 bool grows(PlaneMethod method) {
   return method == PlaneMethod::region_growing || method == PlaneMethod::smooth_growing ||
          method == PlaneMethod::roof_ransac;
@@ -211,7 +214,7 @@ PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search) {
   const bool from_the_air = search.from == SeenFrom::air;
   const bool noisy = from_the_air && search.params.noisy;
   const std::uint32_t k = from_the_air && !noisy && !grows(method) ? kFewNeighbours : kNeighbours;
-  std::vector<std::uint32_t> lists;  // made when they are needed: they are as large as what a method has of its own
+  std::vector<std::uint32_t> lists;  // made only when needed: they are as large as the data of a method
   if (grows(method)) lists = neighbours_of_all(search, k);
   PlaneSearch narrow = search;
   if (noisy) narrow.params.epsilon *= kCore;
@@ -231,7 +234,7 @@ ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
   for (std::uint32_t i = 0; i < all.label.size(); ++i)
     if (all.label[i] != 0) members[all.label[i] - 1].push_back(i);
   ShapeSegments curved;
-  std::vector<std::uint32_t> number{0};  // by label: among the curved ones, 0 = a plane
+  std::vector<std::uint32_t> number{0};  // by label: number among the curved shapes, 0 = a plane
   for (std::size_t s = 0; s < all.shapes.size(); ++s) {
     const bool plane = all.shapes[s].shape.kind == ShapeKind::kPlane ||
                        is_flat(search.points.points, members[s], search.params.epsilon) ||

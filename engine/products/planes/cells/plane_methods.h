@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every way to find the planes of a cell, behind one call.
+// All methods that find the planes of a cell, behind one function.
 #pragma once
 #include <cstdint>
 #include <optional>
@@ -14,38 +14,41 @@
 
 namespace ilot {
 
-// The points of a cell as the methods see them. Lengths in lattice units, index over the same points.
+// The points of a cell as input of the methods. Lengths are in lattice units; the index is over the same points.
 struct PlaneSearch {
   OrientedPoints points;
-  std::span<const PackedNormal> normals;  // the same, as they are stored
+  std::span<const PackedNormal> normals;  // the same normals, as they are stored
   const NeighbourIndex& index;
   PlaneParams params;
   SeenFrom from = SeenFrom::air;
   std::span<const std::uint32_t> colour_class;  // per point, 0 = none; empty without colours
   double probability = 0.99;
-  std::uint64_t key = 0;  // of random draws
+  std::uint64_t key = 0;  // key of the random draws
 };
 
-// Labels and planes by the method, then settled (kernels/planes/relabel.h): strays adopted, borders parted, planes
-// fitted anew until nothing changes. No labelled point lies farther than epsilon from its plane.
+// Finds labels and planes with the method. Then the labels are improved (kernels/planes/relabel.h): points without a
+// plane join one, borders are split between planes, and planes are fitted again until nothing changes. No labelled
+// point is farther than epsilon from its plane.
 PlaneSegments find_planes(PlaneMethod method, const PlaneSearch& search);
 
-// Spheres, cylinders and cones with at least so many points, found among planes and these together [Marchand 2018,
-// II.2.1.1]; the points of planes have no label, nor have those of shapes so flat that two planes' common edge explains
-// them. Shapes are numbered from 1 in the order they were taken.
+// Finds spheres, cylinders and cones with at least `min_points` points. They are searched for together with planes
+// [Marchand 2018, II.2.1.1]. The points of planes have no label. Neither have the points of shapes so flat that the
+// common edge of two planes explains them. Shapes are numbered from 1 in the order in which they were taken.
 ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points);
 
-// Whether a cell is searched for them: as asked; else where the method is chosen by itself too and the fewest points of
-// a shape cover a square metre at most, at this sampling step (m). Wider apart, as from the air, corners of roofs pass
-// for cones. False for a step of 0, which is none.
+// Whether a cell is searched for curved shapes. This is as asked in the settings. Otherwise it is true if the method is
+// chosen automatically too and the smallest number of points of a shape covers at most a square metre at this sampling
+// step (m). At a larger step, as from the air, corners of roofs look like cones. False for a step of 0, which means
+// that no step is known.
 bool wants_curved(const PlanesSettings& settings, double step_m);
 
-// Bytes of memory that the method takes for a point of a cell, beside the cell itself; the most where it is not chosen.
+// The bytes of memory that the method needs per point of a cell, in addition to the cell itself; the largest value
+// where no method is chosen.
 std::uint64_t bytes_per_point(std::optional<PlaneMethod> method);
 
-// The method for a cell: the one asked for, else by where it was seen from. From the ground shape_ransac, whose samples
-// are local at every scale and so find sills and bars beside a wall of a million points; from the air ransac, which
-// finds the same roofs in less time (docs/methods.md).
+// The method for a cell: the one asked for, otherwise the one that suits where the cell was seen from. From the ground
+// it is shape_ransac: its samples are local at every scale, so it finds sills and bars beside a wall of a million
+// points. From the air it is ransac, which finds the same roofs in less time (docs/methods.md).
 PlaneMethod choose_method(const PlanesSettings& settings, SeenFrom from);
 
 }  // namespace ilot

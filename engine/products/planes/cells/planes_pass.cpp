@@ -19,17 +19,18 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 48;  // beside what the method takes
+constexpr std::uint64_t kBytesPerPoint = 48;  // in addition to the memory of the method
 
-// Result of one cell as it is kept on disk: this header, then the planes, then the labels of the cell's own points.
+// The result of one cell as it is stored: this header, then the planes, then the labels of the points of the cell
+// itself.
 struct StoredCell {
   std::uint64_t planes = 0;
   std::int64_t connectivity = 1;
   double epsilon = 0, normal_angle = 25, step = 0, noise = 0;
   std::uint32_t min_points = 3;
   SeenFrom from = SeenFrom::air;
-  bool curved = false;        // shapes were looked for
-  std::uint8_t unused[10]{};  // the planes that follow hold 128-bit sums and are aligned
+  bool curved = false;        // whether curved shapes were searched for
+  std::uint8_t unused[10]{};  // the planes that follow contain 128-bit sums and are aligned
 };
 static_assert(sizeof(StoredCell) % alignof(CellPlane) == 0);
 
@@ -54,8 +55,8 @@ Normals unpack(const CellPoints& cp) {
   return n;
 }
 
-// Key of the random draws: a sum over the points, so their order does not matter; relative to the cell, so a shift of
-// whole tiles does not either.
+// The key of the random draws. It is a sum over the points, so their order does not change it. It is relative to the
+// cell, so a shift by whole tiles does not change it either.
 std::uint64_t content_key(const CellPoints& cp, std::uint64_t seed) {
   std::uint64_t sum = seed;
   for (std::size_t i = 0; i < cp.size; ++i) {
@@ -65,7 +66,7 @@ std::uint64_t content_key(const CellPoints& cp, std::uint64_t seed) {
   return mix64(sum);
 }
 
-// Keeps the planes that own points in the cell itself and measures them there; labels of those points, in order.
+// The planes that have points in the cell itself, measured there, and the labels of these points in order.
 struct CellResult {
   StoredCell header;
   std::vector<CellPlane> planes;
@@ -88,17 +89,18 @@ CellResult own_part(const CellPoints& cp, const PlaneSegments& found) {
   return r;
 }
 
-// What a cell's points gave, and what was chosen for them.
+// The planes and shapes of a cell, and the parameters that were chosen.
 struct Solved {
   PlaneSegments found;
   PlaneParams params;
   Sampling sampling;
   SeenFrom from = SeenFrom::air;
   bool searched_curved = false;
-  ShapeSegments curved;  // no labels where none were looked for
+  ShapeSegments curved;  // has no labels where no shapes were searched for
 };
 
-// Epsilon at the knee of the mean squared distance over epsilon, of the largest plane; what it was without a plane.
+// The epsilon at the knee of the mean squared distance as a function of epsilon, for the largest plane. Without a
+// plane, epsilon does not change.
 double epsilon_at_knee(const OrientedPoints& points, const Solved& s) {
   std::vector<std::uint32_t> size(s.found.planes.size(), 0), all(points.points.size);
   if (size.empty()) return s.params.epsilon;
@@ -134,7 +136,7 @@ Solved search(const CellPoints& cp, const NeighbourIndex& index, const Settings&
   return s;
 }
 
-// The spheres, cylinders and cones of a cell; its points with these labels take no part in the search for planes.
+// Finds the spheres, cylinders and cones of a cell. Points with these labels take no part in the search for planes.
 ShapeSegments search_curved(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings,
                             const PlaneParams& params, SeenFrom from) {
   const Normals n = unpack(cp);
@@ -149,7 +151,7 @@ ShapeSegments search_curved(const CellPoints& cp, const NeighbourIndex& index, c
   return find_curved(search, static_cast<std::uint32_t>(settings.planes.curved_points));
 }
 
-// The search over the kept points alone; the others have no plane.
+// Searches the kept points only; the other points have no plane.
 Solved search_kept(const CellPoints& cp, const std::vector<std::uint8_t>& kept, const Settings& settings,
                    double unit_metres, std::int64_t reach) {
   const CellPoints part = only(cp, kept);
@@ -161,7 +163,8 @@ Solved search_kept(const CellPoints& cp, const std::vector<std::uint8_t>& kept, 
   return s;
 }
 
-// Planes of the points that cleaning keeps and no curved shape has, where these are looked for.
+// Finds the planes of the points that cleaning keeps and that have no curved shape, where curved shapes are searched
+// for.
 Solved search_all(const CellPoints& cp, const NeighbourIndex& index, const Settings& settings, double unit_metres,
                   std::int64_t reach) {
   const bool cleaned = settings.planes.cleaning != Cleaning::none;
@@ -227,7 +230,7 @@ void summarise(const Store& store, const std::vector<Cell>& cells, std::uint32_t
   all.cell_of.insert(all.cell_of.end(), header.planes, cell);
 }
 
-// Labels of the cells become one column per block, numbered over all cells.
+// Writes the labels of the cells as one column per block, numbered over all cells.
 void write_segments(const Store& store, const std::vector<Cell>& cells, const CellPlanes& all,
                     const PassContext& context) {
   const auto pieces = pieces_of_blocks(store, cells);
@@ -260,7 +263,7 @@ CellPlanes planes_pass(const Store& store, const std::vector<Cell>& cells, const
   });
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const Cell& cell = cells[i];
-    if (!std::filesystem::exists(cell_path(store, cell)))  // written behind the cell's shapes
+    if (!std::filesystem::exists(cell_path(store, cell)))  // this file is written after the shapes of the cell
       write_cell(store, cell, solve(store, cell, settings, palette, context));
     context.advance(cell.points);
   });

@@ -22,11 +22,11 @@ struct StoredShapeTally {
 
 namespace {
 
-constexpr double kAgreement = 0.5;  // root mean square of each part from the common shape, in epsilons
+constexpr double kAgreement = 0.5;  // root mean square distance of each part from the common shape, in epsilons
 constexpr double kStrictly = 1 - 1e-6;
 constexpr std::uint64_t kBytesPerPoint = 24;
 
-// Shapes of cells that are one.
+// Shapes of different cells that are one shape.
 struct Group {
   Index3 anchor;
   Shape shape;
@@ -35,7 +35,7 @@ struct Group {
   std::vector<Index3> samples;
 };
 
-// A shape of a cell and where it lies.
+// A shape of one cell and its place.
 struct Part {
   std::uint32_t cell = 0;
   IndexBox near;  // its box, grown by half of the connectivity
@@ -109,7 +109,7 @@ class Joiner {
     groups_.push_back(std::move(group));
   }
 
-  // Those with the most points first.
+  // The pairs of shapes that are near each other, those with the most points first.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> near_pairs() const {
     std::vector<std::uint32_t> order(parts_.size());
     std::iota(order.begin(), order.end(), 0u);
@@ -150,11 +150,11 @@ class Joiner {
   }
 
   std::vector<Part> parts_;
-  std::vector<Group> groups_;  // by their first part
+  std::vector<Group> groups_;  // ordered by their first part
   std::vector<std::uint32_t> first_;
 };
 
-// Signed distance of a point from a shape over its epsilon, which it must not exceed.
+// The signed distance of a point from a shape divided by its epsilon; its magnitude must be at most 1.
 double share_of_epsilon(const JoinedShape& j, Index3 p) {
   return view_of(j.shape, {static_cast<double>(p.x - j.anchor.x), static_cast<double>(p.y - j.anchor.y),
                            static_cast<double>(p.z - j.anchor.z)})

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Spheres, cylinders and cones over all cells, and the points that lie on them.
+// Joins spheres, cylinders and cones over all cells, and labels the points that lie on them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// Lengths in lattice units, coordinates relative to `anchor`.
+// Lengths are in lattice units, coordinates are relative to `anchor`.
 struct JoinedShape {
   Index3 anchor;  // corner of its first cell
   Shape shape;
@@ -17,27 +17,28 @@ struct JoinedShape {
 };
 
 struct JoinedShapes {
-  std::vector<JoinedShape> shapes;        // by their first cell, so in global order
-  std::vector<std::uint32_t> of_segment;  // per shape of a cell, one cell after the other: 1 + index into shapes
-  std::vector<std::uint32_t> first;       // per cell: its first shape among these; and their number
+  std::vector<JoinedShape> shapes;        // ordered by their first cell, so in global order
+  std::vector<std::uint32_t> of_segment;  // for each shape of a cell, cell by cell: 1 + index into `shapes`
+  std::vector<std::uint32_t> first;       // per cell: its first shape in `of_segment`; then the number of all
 };
 
-// Joins shapes of one kind from different cells whose boxes come within the connectivity of each other, those with the
-// most points first (ties by index): two groups become one when a shape fitted to samples of both stays within half of
-// its epsilon of each (root mean square). Depends on the cells alone. O(n log n) and a fit for each pair that is near.
+// Joins shapes of one kind from different cells whose boxes are within the connectivity of each other. Shapes with the
+// most points come first (ties by index). Two groups become one if a shape that is fitted to samples of both stays
+// within half of its epsilon of each (root mean square). The result depends on the cells alone. O(n log n), and one fit
+// for each pair of near shapes.
 JoinedShapes join_shapes(const Store& store, const std::vector<Cell>& cells);
 
-// A shape and the points that were labelled with it.
+// A shape and the points that have its label.
 struct ShapeTally {
   std::uint64_t points = 0;
   std::uint64_t content_id = 0;      // a function of the set of points, relative to their tiles
-  std::uint64_t squared_errors = 0;  // of distances, in kErrorUnit of the square of epsilon
+  std::uint64_t squared_errors = 0;  // sum of squared distances, in units of kErrorUnit times the square of epsilon
   IndexBox box{{INT64_MAX, INT64_MAX, INT64_MAX}, {INT64_MIN, INT64_MIN, INT64_MIN}};
 };
 constexpr double kErrorUnit = 0x1p-24;
 
-// Writes the column "shape" (u32 per point: 0 = none, else 1 + index): what the cells found, where the point has no
-// plane (column "plane"), is asked for, and lies within epsilon of the joined shape. Tallies by index.
+// Writes the column "shape" (u32 per point: 0 = none, else 1 + index). A point gets the shape that its cell found if it
+// has no plane (column "plane"), is wanted, and lies within epsilon of the joined shape. Returns the tallies by index.
 std::vector<ShapeTally> shapes_pass(const Store& store, const std::vector<Cell>& cells, const JoinedShapes& joined,
                                     const PassContext& context);
 

@@ -28,13 +28,14 @@ struct Entry {
 
 struct Contacts {
   std::int64_t places = 0;
-  std::int64_t x = 0, y = 0, z = 0;  // sums of the cubes' centres from the cell's corner, in halves of an edge
+  std::int64_t x = 0, y = 0, z = 0;  // sums of the centres of the cubes from the corner of the cell, in half edges
 };
 using ContactMap = std::map<std::pair<std::uint32_t, std::uint32_t>, Contacts>;
 
 constexpr int kAxisBits = 21;
 
-// Cubes of edge 2^bits from the cell's corner, moved by half an edge where asked, and who lies in them.
+// Cubes with an edge of 2^bits from the corner of the cell, moved by half an edge where asked, and the planes that have
+// points in them.
 class Cubes {
  public:
   Cubes(Index3 corner, int bits, bool moved) : corner_(corner), bits_(bits), moved_(moved) {}
@@ -167,7 +168,7 @@ void each_touch(const Store& store, const std::function<void(const Touch&)>& tak
   SortedColumns parts(store, columns::kTouches, [](const Touch& t) { return std::uint64_t{t.a}; });
   while (parts.next() != parts.kEnd) {
     std::vector<Touch> some = parts.until(parts.next() + kPlanesTogether);
-    std::stable_sort(some.begin(), some.end(), ascending);  // of one pair in the order of the cells
+    std::stable_sort(some.begin(), some.end(), ascending);  // the touches of one pair are in the order of the cells
     for (std::size_t i = 0; i < some.size();) {
       Touch sum = some[i++];
       for (; i < some.size() && some[i].a == sum.a && some[i].b == sum.b; ++i) {
@@ -196,7 +197,7 @@ PlaneNeighbours neighbours_of(const Touch& touch, const JoinedPlane& a, const Jo
     n.step_m = (from_a - (c > 0 ? from_b : -from_b)) * unit * metres_per_unit;
     place = centre - from_a * a.plane.n;
   } else {
-    // The foot on both planes at once: centre + s na + t nb.
+    // The foot is on both planes at once: centre + s na + t nb.
     const double s = (c * from_b - from_a) / (1 - c * c), t = (c * from_a - from_b) / (1 - c * c);
     const Vec3 along = cross(a.plane.n, b.plane.n);
     n.direction = upwards((1 / norm(along)) * along);

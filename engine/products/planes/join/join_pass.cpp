@@ -21,19 +21,19 @@ namespace {
 constexpr std::uint64_t kBytesPerPoint = 60;
 constexpr int kNearest = 24;
 constexpr std::uint32_t kLeastContacts = 2;
-constexpr double kAgreement = 0.5;  // root mean square of each part from the common plane, in epsilons
+constexpr double kAgreement = 0.5;  // root mean square distance of each part from the common plane, in epsilons
 
-// Labelled points near the border of their cell: all those that points which may reach another cell can see. With
-// fewer, the nearest would depend on the widest reach in the block, and so on the blocks.
+// The labelled points near the border of their cell: all points in reach of a point that may itself reach another cell.
+// With fewer points, the nearest one would depend on the widest reach in the block, and so on the blocks.
 struct BorderPoints : PaddedPoints {
-  std::vector<std::uint32_t> segment;  // cell plane
-  std::vector<std::uint32_t> own;      // positions of those that belong to the block
+  std::vector<std::uint32_t> segment;  // cell plane of each point
+  std::vector<std::uint32_t> own;      // positions of the points that belong to the block
 };
 
 BorderPoints border_points(const View& view, const std::vector<std::uint32_t>& labels, PointRange own,
                            const std::vector<Cell>& cells, const CellPlanes& planes, std::int64_t reach) {
   BorderPoints border;
-  std::uint32_t last_cell = UINT32_MAX;  // points of a cell follow one another
+  std::uint32_t last_cell = UINT32_MAX;  // the points of a cell are consecutive
   IndexBox box;
   for (std::uint32_t i = 0; i < view.size; ++i) {
     if (labels[i] == 0) continue;
@@ -67,7 +67,8 @@ std::vector<Contact> counted(std::vector<std::uint64_t> pairs) {
   return contacts;
 }
 
-// Cells other than its own of whose planes a border point has points among its nearest, as pairs of planes.
+// Adds pairs of planes: the plane of a border point, and a plane of another cell that has points among the nearest
+// neighbours of the point.
 void add_pairs(std::uint32_t own, std::span<const std::uint32_t> neighbours, const BorderPoints& border,
                const CellPlanes& planes, std::vector<std::uint64_t>& pairs) {
   std::uint32_t seen[kNearest];
@@ -109,7 +110,7 @@ std::vector<Contact> block_contacts(const Store& store, std::uint32_t block, con
 }
 
 struct Group {
-  Moments moments;  // relative to the anchor of the group's first plane
+  Moments moments;  // relative to the anchor of the first plane of the group
   double epsilon = 0;
   std::uint32_t min_points = 3;
 };
@@ -161,7 +162,7 @@ class Joiner {
                             static_cast<std::uint64_t>(groups_[i].moments.n)});
         r.of_segment[i] = static_cast<std::uint32_t>(r.planes.size());
       } else {
-        r.of_segment[i] = r.of_segment[root];  // a root stands before its members
+        r.of_segment[i] = r.of_segment[root];  // a root has a smaller index than its members
       }
     }
     return r;
@@ -176,10 +177,10 @@ class Joiner {
   std::vector<std::uint32_t> parents_;
   UnionFind sets_;
   std::vector<Group> groups_;
-  std::vector<Vec3> normals_;  // of the cell planes
+  std::vector<Vec3> normals_;  // normals of the cell planes
 };
 
-// What all blocks say of each pair, some planes at a time.
+// Sums the contacts of each pair over all blocks, for some planes at a time.
 std::vector<Contact> merged_contacts(const Store& store) {
   constexpr std::uint64_t kPlanesTogether = 1 << 12;
   SortedColumns parts(store, columns::kContacts, [](const Contact& c) { return std::uint64_t{c.a}; });
@@ -212,7 +213,7 @@ std::vector<Contact> contact_pass(const Store& store, const std::vector<Cell>& c
       const auto contacts = block_contacts(store, block, block_cells[block], cells, planes);
       store.write(block, columns::kContacts, contacts);
     }
-    context.advance(store.blocks()[block].points / 2);  // the other half when the labels are decided
+    context.advance(store.blocks()[block].points / 2);  // the other half follows with the labels
   });
   flush_pass(store, Pass::contacts);
   return merged_contacts(store);

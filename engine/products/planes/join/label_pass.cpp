@@ -25,17 +25,17 @@ struct StoredPlaneTally {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 72;
-constexpr int kVoters = 13;                        // the point itself and its 12 nearest
-constexpr int kLeastVotes = 2;                     // for a plane to be a candidate
+constexpr int kVoters = 13;                        // the point itself and its 12 nearest neighbours
+constexpr int kLeastVotes = 2;                     // votes that make a plane a candidate
 constexpr double kAgreeing2 = 0.8213938048432696;  // squared cosine of 25 degrees
-constexpr double kStrictly = 1 - 1e-6;             // rounding of coordinates and of float32 stays within epsilon
+constexpr double kStrictly = 1 - 1e-6;  // so that rounding of coordinates and to float32 stays within epsilon
 
 struct Vote {
   std::uint32_t plane = 0;
   int count = 0;
 };
 
-// Planes of the neighbours, the point itself left out, in the order of the neighbours.
+// Counts the planes of the neighbours without the point itself, in the order of the neighbours.
 int count_votes(std::span<const std::uint32_t> neighbours, std::uint32_t self, const std::vector<std::uint32_t>& plane,
                 std::array<Vote, kVoters>& votes) {
   int kinds = 0;
@@ -89,7 +89,7 @@ class BlockLabels {
     std::map<std::uint32_t, PlaneTally> by_plane;
     const auto codes = store_.read(block_, columns::kCodes);
     const auto normals = store_.read(block_, columns::kNormals);
-    std::uint32_t last = 0;  // neighbours in the list mostly share their plane
+    std::uint32_t last = 0;  // neighbours in the list mostly have the same plane
     PlaneTally* of_last = nullptr;
     PlaneFrame frame;
     for (std::uint32_t i = 0; i < plane_.size(); ++i) {
@@ -122,7 +122,7 @@ class BlockLabels {
   }
 
  private:
-  // Points (of the view, ascending) without a plane of their own.
+  // Labels the points (of the view, ascending) that do not keep the plane of their cell.
   void label_strays(std::span<const std::uint32_t> strays, const NeighbourIndex& index, std::int64_t reach) {
     constexpr std::size_t kBatch = 256;
     std::vector<std::uint32_t> neighbours(kBatch * kVoters);
@@ -178,7 +178,8 @@ class BlockLabels {
     return std::abs(distance(i, plane)) <= joined_.planes[plane - 1].epsilon * kStrictly - context_.rounding;
   }
 
-  // The nearest of the planes that enough neighbours have; ties go to the one seen first, on the nearer neighbour.
+  // The nearest of the planes that enough neighbours have. In a tie it is the plane that comes first, which is that of
+  // the nearer neighbour.
   std::uint32_t nearest(std::uint32_t i, std::span<const std::uint32_t> neighbours) const {
     std::array<Vote, kVoters> votes;
     const int kinds = count_votes(neighbours, i, before_, votes);
@@ -209,8 +210,8 @@ class BlockLabels {
   const ColourPalette& palette_;
   View view_;
   PointRange own_;
-  std::vector<std::uint32_t> before_;  // joined plane per point of the view, as the cells found them
-  std::vector<std::uint32_t> plane_;   // of the block's own points
+  std::vector<std::uint32_t> before_;  // joined plane of each point of the view, as found by the cells
+  std::vector<std::uint32_t> plane_;   // joined plane of each own point of the block
 };
 
 void add(PlaneTally& sum, const PlaneTally& t) {
@@ -252,7 +253,7 @@ void label_pass(const Store& store, const std::vector<Cell>& cells, const CellPl
 
 void each_tally(const Store& store, std::size_t planes,
                 const std::function<void(std::size_t plane, const PlaneTally& tally)>& take) {
-  constexpr std::size_t kPlanesTogether = 256;  // of 400 bytes, from each block that has them
+  constexpr std::size_t kPlanesTogether = 256;  // of 400 bytes each, from each block in which they have points
   SortedColumns parts(store, columns::kTally, [](const StoredPlaneTally& t) { return std::uint64_t{t.plane}; });
   std::vector<PlaneTally> sums;
   for (std::size_t first = 0; first < planes; first += kPlanesTogether) {
