@@ -56,9 +56,9 @@ class StreetTiles {
   // and "accumulation".
   double mean_accumulation() const;
 
-  // Writes "level", the height of the ground in each pixel. Below what stands on the ground, and within `reach` metres
-  // around the ground, it is the height of the nearest ground pixel; beyond that it is kNoHeight. Reads "bare" and
-  // drops it.
+  // Writes "level", the height of the ground. In a pixel of the ground it is the height of "bare", which is the ground
+  // without what stands on it. Within `reach` metres around the ground it is the level of the nearest ground pixel;
+  // beyond that it is kNoHeight. Drops "bare".
   void spread_level(double reach) const;
 
   // Writes three layers. "above": the number of points at least least_height metres above the level. "low": the number

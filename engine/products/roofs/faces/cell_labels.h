@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which plane every cell of a parted outline lies on.
+// Decides on which plane every cell of a divided outline lies.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,12 +11,13 @@
 namespace ilot {
 
 struct CellLabelParams {
-  double border = 0.15;    // m2 of contradicting points that a metre of border between two faces is worth
-  double wall = 0.1;       // m2 that a square metre of wall between them is worth, up to a height of 1 m
-  double overshoot = 0.5;  // metres that a face may rise above its highest point; a steep one three steps' rise
+  double border = 0.15;  // m2 of contradicting points; cost of a metre of border between two faces
+  double wall = 0.1;     // m2; cost of a square metre of wall between them, up to a height of 1 m
+  double overshoot =
+      0.5;  // metres that a face may rise above its highest point; a steep face may rise by that of three steps
 };
 
-// A plane (1 + index) for every cell, so that the sum is least of
+// Returns a plane (1 + index) for every cell so that the sum of these costs is least:
 //  - the points that lie off their cell's plane, each with the area it stands for, twice that from a metre on,
 //  - the borders between cells with different planes, by length and by the height of the wall along them,
 //  - cells whose plane would rise above its points.

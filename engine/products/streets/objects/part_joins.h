@@ -12,7 +12,7 @@ namespace ilot {
 
 struct Join {
   std::uint32_t a = 0, b = 0;
-  double pass = 1;  // over the lower top
+  double pass = 1;  // height of the pass divided by the height of the lower top
 };
 struct Joins {
   std::vector<Join> list;
