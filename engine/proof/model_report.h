@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residuals of models, for people and for programs.
+// Reports the residuals of models as text for people and as JSON for programs.
 #pragma once
 #include <string>
 

@@ -18,6 +18,15 @@ struct CellLabelParams {
 };
 
 // Returns a plane (1 + index) for every cell so that the sum of these costs is least:
+//  - points that lie off their cell's plane: each with the area it stands for, and twice that from a metre on,
+//  - borders between cells with different planes: by length and by the height of the wall along them,
+//  - cells whose plane would rise above its points.
+// The method is alpha-expansion [Boykov, Veksler, Zabih 2001] with integer capacities. Planes are expanded in the order
+// of their numbers until nothing changes, for at most 8 rounds, so the result depends on the input alone. The border's
+// cost is a metric over planes, so every expansion is one minimum cut (least_cut.h). A plane is a candidate only near
+// its points, so the work grows with the size of the roof and not with its square. The result is empty where there are
+// more than 2^18 cells and candidates together (16 MiB).
+// cell_of_point: regions_of() the site's points.
 //  - the points that lie off their cell's plane, each with the area it stands for, twice that from a metre on,
 //  - the borders between cells with different planes, by length and by the height of the wall along them,
 //  - cells whose plane would rise above its points.
