@@ -19,9 +19,8 @@ constexpr double kClearlySmaller =
     0.98;                          // the likelier direction is kept unless another gives an area smaller by this factor
 constexpr double kAligned = 0.1;   // metres between a side and the line onto which it is moved
 constexpr double kReachSteps = 2;  // steps beyond a side; points of others matter within this distance
-constexpr double kLeastRise =
-    0.3;  // least slope of a plane relative to another one at which it ends in their meeting line
-constexpr double kBeyond = 0.01;  // metres past the corners, so that rounding leaves no gap
+constexpr double kLeastRise = 0.3;  // least slope between two planes that end in their meeting line
+constexpr double kBeyond = 0.01;    // metres past the corners, so that rounding leaves no gap
 
 // The sides across `along` (u) and along it (v), the low one of each pair first.
 struct Rectangle {
