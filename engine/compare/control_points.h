@@ -25,7 +25,7 @@ struct ControlGroup {
   std::string name;
   std::uint64_t count = 0;       // true control points
   std::uint64_t drawn = 0;       // control points with a homologous vertex
-  std::uint64_t missed = 0;      // without
+  std::uint64_t missed = 0;      // control points without a homologous vertex
   MeanAndSpread dx_m, dz_m;      // absolute differences along and up the facade, over those drawn
   MeanAndSpread dd_m;            // distances in its plane
   std::uint64_t completed = 0;   // drawn vertices of elements or edges that are completed, not seen

@@ -19,7 +19,7 @@ struct DrawingControlParams {
 // A pair of homologous vertices.
 struct VertexControl {
   double x = 0, z = 0;    // position of the corrected vertex in its drawing
-  double dx = 0, dz = 0;  // ours less corrected
+  double dx = 0, dz = 0;  // ours minus corrected
   double dd = 0;
 };
 

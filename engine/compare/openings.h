@@ -18,7 +18,7 @@ struct OpeningMatching {
 struct OpeningResult {
   std::uint64_t truth = 0, found = 0, matched = 0;
   std::uint64_t invented = 0;  // found openings without a partner
-  double iou_mean = 0;         // over the matched
+  double iou_mean = 0;         // mean over the matched openings
   double ring_distance_m = 0;  // mean, over the matched openings, of the drawn ring's mean distance from the true edge
 };
 
