@@ -32,7 +32,7 @@ enum class ClassSource : std::uint8_t { labels, facade_labels, segments };
 struct PlaneEvaluation {
   PlaneMatching matching;
   std::optional<PlaneErrors> errors;  // where planes.csv and true equations exist
-  std::optional<PlaneSizes> sizes;    // where the truth has polygons
+  std::optional<PlaneSizes> sizes;    // present where the truth has polygons
 };
 
 struct RoofEvaluation {

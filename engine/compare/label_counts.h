@@ -19,7 +19,7 @@ struct LabelCounts {
   LabelPairs facade_labels;   // the truth as labels of facades, label; label 0 counts as other
   LabelPairs objects;         // true_element where it is an object, else 0; object_id
   LabelPairs object_labels;   // object_id, label
-  std::unordered_map<std::uint32_t, std::uint32_t> class_of;         // of true planes, by their first point
+  std::unordered_map<std::uint32_t, std::uint32_t> class_of;         // class of each true plane, from its first point
   std::unordered_map<std::uint32_t, std::uint64_t> points_of_plane;  // true planes
   std::uint64_t points = 0;
   bool has_true_plane = false, has_true_class = false, has_true_element = false;

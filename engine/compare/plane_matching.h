@@ -36,7 +36,7 @@ struct PlaneMatch {
 struct FoundPlane {
   std::uint32_t id = 0, main_truth = 0;
   std::uint64_t points = 0;   // all that carry it
-  std::uint64_t foreign = 0;  // those of true planes other than main_truth (points of no true plane are not foreign)
+  std::uint64_t foreign = 0;  // points of true planes other than main_truth (points of no true plane are not foreign)
   double foreign_share() const { return points == 0 ? 0 : static_cast<double>(foreign) / static_cast<double>(points); }
 };
 
@@ -48,7 +48,7 @@ struct PlaneMatching {
   std::uint64_t over = 0;           // true planes that are the main truth of at least two found planes (over-segmented)
   std::uint64_t under = 0;        // found planes that contain most points of at least two true planes (under-segmented)
   std::uint64_t points = 0;       // points of true planes
-  std::uint64_t carrying = 0;     // those that carry their plane's partner
+  std::uint64_t carrying = 0;     // points that carry the partner of their plane
   std::vector<FoundPlane> found;  // ascending by id
 
   double share() const { return points == 0 ? 0 : static_cast<double>(carrying) / static_cast<double>(points); }

@@ -31,7 +31,7 @@ std::vector<RoofFace> true_roofs(std::span<const TruePlane> planes, Vec3 origin)
 // Returns roof_faces() of the models; the building is the index of the model.
 std::vector<RoofFace> model_roofs(std::span<const PolygonModel> models, Vec3 origin, double metres_per_unit);
 
-bool covers(const RoofFace& face, FlatPoint p);  // by the even-odd rule over all rings of its plan
+bool covers(const RoofFace& face, FlatPoint p);  // uses the even-odd rule over all rings of its plan
 
 // All edges of the plan's rings.
 std::vector<FlatEdge> plan_edges(const RoofFace& face);

@@ -22,17 +22,15 @@ struct RoofParams {
 struct RoofSizeClass {
   double from_m2 = 0;
   std::uint64_t truth = 0, matched = 0;
-  std::uint64_t right_neighbours =
-      0;  // matched faces whose neighbours among matched faces are the same as in the truth
+  std::uint64_t right_neighbours = 0;  // matched, with the same neighbours among matched faces as in the truth
 };
 
 struct RoofResult {
   std::uint64_t true_buildings = 0, found_buildings = 0;  // buildings that have roof faces
   std::uint64_t true_faces = 0, found_faces = 0, matched_faces = 0;
   std::array<RoofSizeClass, 4> classes{RoofSizeClass{10, 0, 0, 0}, {5, 0, 0, 0}, {2, 0, 0, 0}, {0, 0, 0, 0}};
-  double rms_m =
-      0;  // vertical distance of the found roof (the highest face) to the true roof, over the lattice points of both
-  double covered = 0;        // share of the true roof's lattice points with a found roof above or below
+  double rms_m = 0;    // vertical, of the found roof (highest face) to the true one, over the lattice points of both
+  double covered = 0;  // share of the true roof's lattice points with a found roof above or below
   double hausdorff_m = 0;    // largest distance from a sample of one roof to the other, in both directions
   double outline_p95_m = 0;  // 95th percentile of the distance between the outlines of buildings, in both directions
 };

@@ -56,7 +56,7 @@ struct TrueObject {
 };
 
 struct Truth {
-  std::map<std::uint32_t, std::string> classes;  // names of true_class; 0 is never judged
+  std::map<std::uint32_t, std::string> classes;  // names of true_class; class 0 is never judged
   std::vector<TruePlane> planes;
   std::vector<TrueElement> elements;
   std::vector<TrueOpening> openings;

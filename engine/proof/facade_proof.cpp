@@ -71,8 +71,7 @@ FacadeProof::FacadeProof(const Facade& facade, const FacadeProofParams& params)
     add_triangles(f, triangles);
     face_of_.resize(triangles.size(), number(f.element, f.name));
   }
-  for (const std::vector<FlatPoint>& ring :
-       wall_.rings)  // the distance to the wall from beyond its rim is that to the rim
+  for (const std::vector<FlatPoint>& ring : wall_.rings)  // beyond its rim: distance to the rim
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const FlatPoint a = ring[i], b = ring[(i + 1) % ring.size()];
       triangles.push_back({{a.x, a.y, 0}, {b.x, b.y, 0}, {b.x, b.y, 0}});

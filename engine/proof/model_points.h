@@ -27,7 +27,7 @@ struct ModelPoints {
   std::vector<BuildingPoints> buildings;     // by model, then buildings without a model by ascending value of the field
   PointOwner owner = PointOwner::automatic;  // the rule that was used
   std::uint64_t read = 0;                    // points of the class asked for
-  std::uint64_t unassigned = 0;              // those that belong to no building
+  std::uint64_t unassigned = 0;              // of these, points that belong to no building
   std::uint64_t models_without_points = 0;
   double metres_per_unit = 1;
 };

@@ -15,9 +15,8 @@ enum class EvaluatedFaces : std::uint8_t { all, roofs };
 
 struct ModelResidualParams {
   EvaluatedFaces faces = EvaluatedFaces::all;
-  double near_m = 0.2;  // distance up to which a point counts as near, inclusive
-  double kept_share =
-      0.9;  // share of the points of a building, the nearest ones, over which the trimmed RMSE is computed
+  double near_m = 0.2;         // distance up to which a point counts as near, inclusive
+  double kept_share = 0.9;     // share of a building's points that the trimmed RMSE keeps: the nearest ones
   double metres_per_unit = 1;  // metres per unit of the coordinates
 };
 
@@ -47,7 +46,7 @@ struct Percentiles {
 struct ModelResiduals {
   std::vector<BuildingResidual> buildings;                                    // in the order given
   std::uint64_t missing = 0;                                                  // buildings without a model
-  std::uint64_t points = 0;                                                   // of buildings that have a model
+  std::uint64_t points = 0;                                                   // points of buildings that have a model
   double rmse_m = 0, trimmed_rmse_m = 0, near_share = 0;                      // over these points
   Percentiles building_rmse_m, building_trimmed_rmse_m, building_near_share;  // over all buildings, missing ones too
 };

@@ -16,7 +16,7 @@ class FoldedAxis {
   // shortened to widest_gap.
   FoldedAxis(std::span<const std::int64_t> tiles, std::int64_t widest_gap);
 
-  std::int64_t size() const { return size_; }  // tiles from the first to the last, gaps included
+  std::int64_t size() const { return size_; }  // number of tiles from the first to the last, gaps included
   bool is_folded() const { return pieces_.size() > 1; }
 
   // Returns the folded number of a tile of the lattice. It is -1 for a tile that is left out, before the first tile or

@@ -11,7 +11,7 @@ namespace ilot {
 // An image that is packed row by row. Long runs of one value are stored as one value, and heights that are close enough
 // together take two bytes each. Rows can be unpacked without the rows above them.
 struct PackedImage {
-  std::vector<std::uint32_t> rows;   // the word at which each row begins, and the end
+  std::vector<std::uint32_t> rows;   // index of the word at which each row begins, and the end of the last row
   std::vector<std::uint16_t> words;  // of all rows
   Height base = 0;                   // origin of the two-byte values
   bool wide = false;                 // four bytes per value

@@ -10,8 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesOfEntry =
-    160;  // memory of an image beside its rows and words, with the allocator's block headers
+constexpr std::uint64_t kBytesOfEntry = 160;  // bytes of an image beside its rows and words, with block heads
 
 std::uint64_t bytes_of(const PackedImage& packed) {
   return packed.words.size() * sizeof(std::uint16_t) + packed.rows.size() * sizeof(std::uint32_t) + kBytesOfEntry;

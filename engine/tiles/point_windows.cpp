@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostUnsorted = 1 << 14;  // windows of a block that may repeat before they are sorted
+constexpr std::size_t kMostUnsorted = 1 << 14;  // windows of a block, possibly repeated, before they are sorted
 constexpr std::uint64_t kBytesOfTask = (kStretchPoints + 4 * kMostUnsorted) * 16;
 
 void keep_each_once(std::vector<PointWindow>& windows) {

@@ -9,8 +9,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
-constexpr std::size_t kCachedTiles =
-    4;  // points come in Morton order: around the common corner of four tiles they alternate between these tiles
+constexpr std::size_t kCachedTiles = 4;  // in Morton order, points around a common corner alternate between four tiles
 constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 2 + 1) << 20;
 constexpr std::uint32_t kFacade = 0xffffffffu;
 

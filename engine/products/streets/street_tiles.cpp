@@ -18,15 +18,14 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kSide = 512;
-constexpr std::uint64_t kBytesDrawn = 16;            // per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesDrawn = 16;            // bytes per pixel of a tile that is drawn
 constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // memory of points while they are read, with their chunks
 constexpr double kFinestPixel = 0.05;                // metres
 constexpr int kCoarsest = 20;                        // times the finest pixel
-constexpr double kPointsOfPixel =
-    2.302585;  // mean number; for points at random one pixel in ten is then empty: e to the power of minus this
-constexpr double kPointsOfHalfStep = 0.25;  // a quarter of a pixel whose side is the step
-constexpr std::uint32_t kDenseFactor = 4;   // times the median
-constexpr double kMaxDenseShare = 1.0 / 3;  // of the points seen from the air
+constexpr double kPointsOfPixel = 2.302585;  // at random, one pixel in ten is then empty: e to the power of minus this
+constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
+constexpr std::uint32_t kDenseFactor = 4;    // times the median
+constexpr double kMaxDenseShare = 1.0 / 3;   // greatest share of points in dense cells for a view from the air
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>

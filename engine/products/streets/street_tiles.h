@@ -40,7 +40,7 @@ double pixel_for(double density, StreetView view);
 // Receives each image of a tile before a step writes it. It is called from several threads at once.
 using SeeTile = std::function<void(const TileRaster& raster, const char* layer, std::size_t tile, const Image& image)>;
 
-// The raster of a street with pixels of so many metres.
+// Plans the raster of a street with pixels of `pixel_metres`.
 TileRaster street_raster(const Store& store, const PassContext& context, double pixel_metres);
 
 class StreetTiles {

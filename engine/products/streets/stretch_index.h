@@ -10,7 +10,7 @@
 
 namespace ilot {
 
-// The block beside a place: stretch and block from 1, 0 = none.
+// The block beside a place. Stretch and block are numbered from 1; 0 = none.
 struct BlockAddress {
   std::uint32_t stretch = 0, block = 0;
 };

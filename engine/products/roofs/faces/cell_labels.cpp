@@ -270,7 +270,7 @@ class Labelling {
   std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
   std::vector<Reach> reaches_;                      // per plane
   std::vector<std::uint32_t> label_;                // per cell, from 0
-  std::vector<std::uint32_t> node_;                 // per cell: its place among the movable ones, or kNone
+  std::vector<std::uint32_t> node_;                 // per cell: its index among the movable ones, or kNone
   std::vector<std::uint32_t> changed_at_;           // per cell: the expansion that changed it last
   std::uint32_t clock_ = 1;                         // counts expansions
 };

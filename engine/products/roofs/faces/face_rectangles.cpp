@@ -14,13 +14,12 @@ namespace {
 
 constexpr double kSmallFace = 10;  // m2 that the points of a plane stand for
 constexpr double kFilled =
-    0.65;  // share of the rectangle that its points cover, allowing one deviation; triangles do not reach it
-constexpr double kClearlySmaller =
-    0.98;                          // the likelier direction is kept unless another gives an area smaller by this factor
-constexpr double kAligned = 0.1;   // metres between a side and the line onto which it is moved
-constexpr double kReachSteps = 2;  // steps beyond a side; points of others matter within this distance
-constexpr double kLeastRise = 0.3;  // least slope between two planes that end in their meeting line
-constexpr double kBeyond = 0.01;    // metres past the corners, so that rounding leaves no gap
+    0.65;  // share of the rectangle that its points cover, plus one deviation; excludes triangles
+constexpr double kClearlySmaller = 0.98;  // a less likely direction must reduce the area to this share
+constexpr double kAligned = 0.1;          // metres between a side and the line onto which it is moved
+constexpr double kReachSteps = 2;         // steps beyond a side; points of others matter within this distance
+constexpr double kLeastRise = 0.3;        // least slope between two planes that end in their meeting line
+constexpr double kBeyond = 0.01;          // metres past the corners, so that rounding leaves no gap
 
 // The sides across `along` (u) and along it (v), the low one of each pair first.
 struct Rectangle {

@@ -17,9 +17,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::array kReachSteps{
-    2.0, 1.5,
-    1.1};  // steps from one point of a top to the next; smaller values where the larger one joins more than one top
+constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // steps between neighbours; less where tops would be joined
 constexpr std::size_t kFewest = 5;
 constexpr std::size_t kMembersPerOther = 5;  // points of the top per other point within the hull
 constexpr double kLeastCover = 0.25;         // area of the hull divided by the area that its points stand for
@@ -27,7 +25,7 @@ constexpr double kLargestTop = 10;           // m2 that its points stand for; a 
 constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
 constexpr std::int32_t kRowHeight = 1000;    // millimetres; height of the rows in which points are searched
 constexpr std::size_t kMostPairs =
-    1u << 21;  // pairs of near points that are stored: 8 MiB; further ones are searched again each time
+    1u << 21;                    // stored pairs of near points: 8 MiB; further ones are searched again each time
 constexpr double kMostOf = 0.6;  // ... when it takes this share of them, or when the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
@@ -316,8 +314,7 @@ class TopFinder {
   const RoofSite& site_;
   RoofPlanes& planes_;
   std::vector<std::uint8_t> tried_ = std::vector<std::uint8_t>(site_.points.size(), 0);
-  std::vector<std::uint32_t> grown_ =
-      std::vector<std::uint32_t>(site_.points.size(), 0);  // number of the last growth that contains the point
+  std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // last growth with the point
   std::uint32_t growth_ = 0;
   double reach_ = kReachSteps.front() * planes_.step;
   std::vector<Point2> places_;

@@ -158,7 +158,7 @@ class Faces {
 
   const LineNet& net_;
   std::vector<std::uint32_t> first_, spokes_;   // per vertex, and one more entry: where its spokes begin; the halves
-  std::vector<std::uint32_t> place_;            // per half: among the spokes
+  std::vector<std::uint32_t> place_;            // per half: its position among the spokes
   std::vector<std::uint32_t> face_;             // per half: the face on its left
   std::vector<std::uint8_t> around_component_;  // per cycle
   std::vector<std::uint8_t> inside_;            // per face

@@ -259,8 +259,7 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
     const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
     if (a.x == b.x) continue;  // never below
     const Crossing c{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(b.x),
-                     static_cast<double>(b.y),
-                     e.left};  // from < to, so the edge runs towards +x and its left is above it
+                     static_cast<double>(b.y), e.left};  // from < to: it runs towards +x, its left is above it
     const std::size_t last = strip_of(c.bx);
     for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
   }

@@ -34,7 +34,7 @@ void tidy(Partition& partition);
 bool turns_before(Point2 o, Point2 p, Point2 q);
 
 // Cuts the polygon by the lines (metres). Dead ends of lines are dropped. Snap rounding (line_net.h) keeps vertices on
-// the grid, so lines move by up to a millimetre, and so do lines of the outline where a line passes within a
+// the grid, so lines move by up to a millimetre. The edges of the outline move too where a line passes within a
 // millimetre. Without lines the result is the polygon itself as region 1. For a polygon whose rings cross, it is the
 // area that an odd number of rings encloses.
 Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines);

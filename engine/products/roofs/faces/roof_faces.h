@@ -11,10 +11,9 @@
 namespace ilot {
 
 struct RoofFaces {
-  Partition faces;                // regions are faces: connected cells on one plane
-  std::vector<RoofPlane> planes;  // per face
-  std::vector<std::uint32_t>
-      of_point;  // per point of the site: 0 = none, else the face there that has the plane of the point
+  Partition faces;                      // regions are faces: connected cells on one plane
+  std::vector<RoofPlane> planes;        // per face
+  std::vector<std::uint32_t> of_point;  // per point of the site: 0 = none, else the face with its plane there
 };
 
 // Cells of one plane that share an edge become a face. A face that is smaller than least_area (m2) or contains no point

@@ -15,8 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kCreaseSteps =
-    1;  // steps; greatest distance of a seen border from the intersection line of its planes
+constexpr double kCreaseSteps = 1;          // steps; greatest distance of a border from the line of its planes
 constexpr double kLeastSlopeChange = 0.05;  // least difference of slope of two planes whose intersection is a line
 constexpr double kLongestSteps = 8, kLongestMetres = 3;  // longest edges that show a border
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // extension of a line beyond its seen part
@@ -233,7 +232,7 @@ class StepFinder {
   struct Window {
     std::size_t size;
     std::uint32_t direction;
-    std::size_t strip;                       // among those of the direction
+    std::size_t strip;                       // its index among the strips of the direction
     bool operator<(const Window& o) const {  // the top is the largest; ties by position
       return std::tie(size, o.direction, o.strip) < std::tie(o.size, direction, strip);
     }
@@ -315,7 +314,7 @@ class StepFinder {
   double step_;
   std::vector<std::uint8_t> used_;
   std::vector<std::vector<Place>> places_;        // per direction
-  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end
+  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end of the last
   std::priority_queue<Window> windows_;
   mutable std::vector<Place> merged_;  // the result of places_in
 };

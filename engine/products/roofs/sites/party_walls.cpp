@@ -152,7 +152,7 @@ class HeightRows {
   }
 
   struct Jump {
-    double rise = 0, top = 0;  // towards the right; height of the upper side
+    double rise = 0, top = 0;  // `rise`: height gain towards the right; `top`: height of the upper side
   };
 
   // How much higher the right side of a border is than the continued roof of the left side; nullopt where one of them
@@ -222,7 +222,7 @@ class HeightRows {
       const std::size_t r = row(s.y);
       if (r < first || r - first >= jumps.size() || jumps[r - first].rise == 0) continue;
       const Jump& here = jumps[r - first];
-      const double outwards = here.rise > 0 ? -s.x : s.x;  // from the upper side to the lower
+      const double outwards = here.rise > 0 ? -s.x : s.x;  // direction from the upper side to the lower one
       Ends& e = ends[r - first];
       if (p.z > here.top + std::abs(here.rise) / 2) continue;  // it belongs to another step
       if (p.z > here.top - std::abs(here.rise) / 2) {

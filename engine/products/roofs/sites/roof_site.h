@@ -11,7 +11,7 @@
 namespace ilot {
 
 enum class GroundSource : std::uint8_t {
-  measured,      // points of the ground around the outline
+  measured,      // from points of the ground around the outline
   lowest_point,  // there is no such point: the lowest point near the outline
 };
 

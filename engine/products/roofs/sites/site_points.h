@@ -37,7 +37,7 @@ inline double reach_of(const SitePointsParams& params) {
 enum class PointMembership : std::uint8_t {
   none,
   held,    // in the site's outline, or outside of all outlines, within the margin, and nearest to this one
-  ground,  // classified as ground, outside of all outlines and within the ground's reach of the site's
+  ground,  // classified as ground, outside of all outlines and within ground_reach of the site's outline
 };
 
 // Decides point by point. outlines[own] is the site's outline. The others are all outlines within reach_of(params) of

@@ -37,9 +37,7 @@ class PointMeasures {
   std::uint64_t points() const { return points_; }
   double rmse() const;       // of the points on faces, to their planes; NaN without such a point
   double share_off() const;  // share of the points that are on no face
-  ValueCounts& heights() {
-    return on_faces_.count() > 0 ? on_faces_ : off_faces_;
-  }  // of the points on faces, or of all where there are none
+  ValueCounts& heights() { return on_faces_.count() > 0 ? on_faces_ : off_faces_; }  // on faces, else of all points
   const std::map<std::uint32_t, MeasuredFace>& faces() const { return faces_; }
 
  private:

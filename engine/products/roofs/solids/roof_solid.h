@@ -13,7 +13,7 @@ namespace ilot {
 constexpr double kSameHeight = 0.01;  // metres
 
 struct RoofSolid {
-  std::vector<Vec3> vertices;  // metres from the site's anchor; x and y whole millimetres, z whole tenths of one
+  std::vector<Vec3> vertices;  // metres from the site's anchor; x and y are whole millimetres, z whole tenths of one
   std::vector<BuildingSurface> surfaces;  // roof faces by region (plane_id = region), the floor, then the walls
   double floor = 0;                       // metres; it is below `ground` where a face comes near the ground
 };

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesSought = 12;  // per pixel of a window in which lines are sought
+constexpr std::uint64_t kBytesSought = 12;  // bytes per pixel of a window in which lines are sought
 constexpr std::uint32_t kLinesInWindow = 6;
 constexpr double kSameDirection = 0.99966;  // cosine of 1.5 degrees
 constexpr Height kHeaviest = 1 << 20;       // greatest weight of the votes of one pixel
@@ -228,7 +228,7 @@ class BlockFinder {
       }
     const std::vector<Height> profile = profile_of(line, from, to);
     StreetStretch stretch;
-    const double centre = (factor_ - 1) / 2.0;  // of a coarse pixel, in pixels
+    const double centre = (factor_ - 1) / 2.0;  // centre of a coarse pixel, in pixels
     stretch.x = (-line.d * line.nx + from * line.ny) * factor_ + centre;
     stretch.y = (-line.d * line.ny - from * line.nx) * factor_ + centre;
     stretch.dx = line.ny, stretch.dy = -line.nx;
@@ -286,7 +286,7 @@ class BlockFinder {
   const RasterScale& scale_;
   const CityBlocksParams& params_;
   std::uint32_t factor_;
-  double pixel_;         // metres, of the coarse image
+  double pixel_;         // metres; pixel of the coarse image
   std::int64_t window_;  // coarse pixels
   std::map<WindowKey, std::vector<FacadePixel>> windows_;
 };

@@ -8,8 +8,8 @@
 namespace ilot {
 
 struct CityBlocksParams {
-  double pixel = 0.2;         // metres; of the image in which lines are sought
-  double window = 200;        // metres; lines are sought in windows of about this side
+  double pixel = 0.2;         // metres; pixel of the image in which lines are searched
+  double window = 200;        // metres; lines are searched in windows of about this side
   double least_facade = 2.5;  // metres above the ground; lower pixels are no facade
   double half_width = 1;      // metres; pixels within this distance of a line belong to it
   double least_length = 20;   // metres; least length of facade in a stretch

@@ -32,14 +32,13 @@ struct RoleWeights {
 struct ObjectModel {
   std::string recipe;                 // how it was trained, for people: lines without a leading blank
   std::vector<std::size_t> features;  // in the order of their selection
-  std::vector<double> mean, sd;       // of each, after signed_root
+  std::vector<double> mean, sd;       // mean and standard deviation of each feature, after signed_root
   double gamma = 1, cost = 1;
-  std::vector<PointLabel> classes;  // ascending; a single class needs no vectors
-  std::vector<double>
-      min_similarity;  // of each class: a candidate with a smaller kernel to all its vectors is not of this class
-  std::vector<double> prior;  // of each class: how many samples there were for each one that was trained on
+  std::vector<PointLabel> classes;     // ascending; a single class needs no vectors
+  std::vector<double> min_similarity;  // of each class: least kernel to any of its vectors for a member
+  std::vector<double> prior;           // of each class: how many samples there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
-  std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
+  std::vector<std::vector<double>> weights;    // per support vector: one less than there are classes, in libsvm's order
   std::vector<std::uint32_t> class_of_vector;  // index into classes, ascending
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
   RoleTrees trees;

@@ -38,7 +38,7 @@ inline std::size_t pair_index(std::size_t a, std::size_t b, std::size_t k) {
   return a * k - a * (a + 1) / 2 + b - a - 1;
 }
 
-// The class that wins most pairs; ties: the first.
+// The class that wins most pairs (ties: the first).
 inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
   std::vector<int> votes(k, 0);
   for (std::size_t a = 0; a < k; ++a)
@@ -52,7 +52,7 @@ std::string object_class_name(PointLabel label);
 // The logarithms of the shares of the states, before the weights are applied.
 std::array<double, kCandidateStates> state_logs(const KindShares& shares);
 
-// The classes with the greatest share.
+// For each candidate the class with the greatest share.
 std::vector<PointLabel> most_probable_classes(const ObjectModel& model, std::span<const CandidateFeatures> candidates);
 
 }  // namespace ilot

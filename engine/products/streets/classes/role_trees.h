@@ -25,7 +25,8 @@ using CandidateParts = std::array<std::uint32_t, 2>;
 // also uses the result of the first stage for the candidate itself, for its parts and for its partner.
 constexpr std::size_t kRoleStages = 2;
 
-// A column is a feature, or, from kCandidateFeatures on, the logarithm of a share that the first stage gives.
+// The columns and trees of one stage. A column is a feature or, from kCandidateFeatures on, the logarithm of a share
+// that the first stage gives.
 struct RoleStage {
   std::vector<std::size_t> columns;  // indices of the columns that the trees use
   BoostedTrees trees;
@@ -41,7 +42,7 @@ enum class CandidateRelation : std::uint8_t { itself, joined, beside, larger_par
 constexpr std::size_t kCandidateRelations = 5;
 constexpr std::size_t kRoleColumns = kCandidateFeatures + kCandidateRelations * kCandidateKinds;
 
-// "area", or "beside: part".
+// The name of a column, for example "area" or "beside: part".
 std::string role_column_name(std::size_t column);
 
 // For each candidate, the numbers (from 1) of its relatives; 0: there is none. Of two parts with equal area the first

@@ -84,8 +84,7 @@ class Enclosing {
   const char* zones_layer_;
   const TileZones& zones_;
   BorderZones borders_;
-  std::vector<std::vector<std::uint8_t>>
-      open_;  // by tile: for each part on the tile border, whether it reaches the end of the image
+  std::vector<std::vector<std::uint8_t>> open_;  // by tile: of each part on its border: it reaches the image's end
   std::vector<std::uint8_t> joined_open_;
 };
 

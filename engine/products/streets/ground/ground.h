@@ -11,9 +11,9 @@ namespace ilot {
 
 struct GroundParams {
   double flat = 1;           // metres; heights of neighbours on the ground differ by at most this
-  double longest_gap = 0.5;  // metres; between scan lines
-  double gap_step = 0.2;     // metres; between the two sides of such a gap
-  double longest_link = 10;  // metres; over a shadow, between regions of the ground
+  double longest_gap = 0.5;  // metres; longest gap between scan lines that is closed
+  double gap_step = 0.2;     // metres; greatest height difference between the two sides of such a gap
+  double longest_link = 10;  // metres; longest link over a shadow between regions of the ground
 };
 
 // A zone that is more than this many times smaller than the largest one is not the ground.

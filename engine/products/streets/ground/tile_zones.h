@@ -12,7 +12,7 @@ namespace ilot {
 struct GroundOfGroups {
   std::vector<std::uint32_t> of_group;  // number of the zone in the whole image; 0 = no zone
   std::vector<std::uint64_t> taken,
-      left_out;  // pixels; left_out: zones of at least a tenth of the largest one, the largest first
+      left_out;  // pixels; left_out: those of at least a tenth of the largest
 };
 
 // Whether outward_drops are counted. ground() needs them.
@@ -60,7 +60,7 @@ class TileZones {
   const char* layer_;
   BorderZones borders_;
   std::vector<std::vector<Zone>> zones_;  // by tile, then label; [0] unused
-  std::vector<std::uint32_t> first_;      // numbers given to zones of tiles before
+  std::vector<std::uint32_t> first_;      // by tile: the number from which its inner zones are counted
 };
 
 }  // namespace ilot

@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-constexpr Height kModeMetres100 = 5;  // bins of the mode of heights, centimetres
+constexpr Height kModeMetres100 = 5;  // centimetres; size of the bins for the mode of heights
 
 // Sums over the pixels of one candidate.
 struct Tally {

@@ -13,10 +13,10 @@ namespace ilot {
 // The features by which object candidates are classified: first the eleven of the paper [Hernandez and Marcotegui 2008,
 // 5.2], then ours.
 enum class CandidateFeature : std::uint8_t {
-  low_share = kComponentFeatures,  // of its points, those lower than low_height
-  ground_share,                    // of the points in its pixels, those on the ground below it
+  low_share = kComponentFeatures,  // share of its points that are lower than low_height
+  ground_share,                    // share of the points in its pixels that are on the ground below it
   roughness,                       // metres; mean of the highest less the lowest of a pixel and its neighbours
-  length,                          // metres; of the rectangle with the moments of its pixels
+  length,                          // metres; length of the rectangle with the moments of its pixels
   width,
   inner_pass,    // of a join: lowest pass between its parts divided by the lower top; 1 for a separated part
   outer_pass,    // highest pass to another part of its component divided by the lower top; 0 without any

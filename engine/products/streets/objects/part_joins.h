@@ -16,8 +16,7 @@ struct Join {
 };
 struct Joins {
   std::vector<Join> list;
-  std::vector<double>
-      outer;  // for each part and each join, from 1: the highest pass to another one, divided by the lower top
+  std::vector<double> outer;  // of each part and join, from 1: highest pass to another divided by the lower top
 };
 
 // Builds the tree of joins of the labels of a component. First, columns are joined one after the other with the parts
