@@ -12,9 +12,8 @@
 namespace ilot {
 namespace {
 
-constexpr double kSmallFace = 10;  // m2 that the points of a plane stand for
-constexpr double kFilled =
-    0.65;  // share of the rectangle that its points cover, plus one deviation; excludes triangles
+constexpr double kSmallFace = 10;         // m2 that the points of a plane stand for
+constexpr double kFilled = 0.65;          // of the rectangle, by its points plus one deviation; triangles have less
 constexpr double kClearlySmaller = 0.98;  // a less likely direction must reduce the area to this share
 constexpr double kAligned = 0.1;          // metres between a side and the line onto which it is moved
 constexpr double kReachSteps = 2;         // steps beyond a side; points of others matter within this distance

@@ -28,8 +28,7 @@ class Network {
       ++first_[a.from];
       ++first_[a.to];
     }
-    for (std::uint32_t end = 0, v = 0; v < first_.size(); ++v)
-      end = first_[v] += end;  // ends, then moved down to starts
+    for (std::uint32_t end = 0, v = 0; v < first_.size(); ++v) end = first_[v] += end;  // ends, later moved to starts
     for (const CutArc& a : arcs) {
       const std::uint32_t there = --first_[a.from], back = --first_[a.to];
       halves_[there] = {a.to, back, a.capacity};

@@ -12,7 +12,7 @@ namespace ilot {
 struct GroundOfGroups {
   std::vector<std::uint32_t> of_group;  // number of the zone in the whole image; 0 = no zone
   std::vector<std::uint64_t> taken,
-      left_out;  // pixels; left_out: those of at least a tenth of the largest
+      left_out;  // pixels; left_out: at least a tenth of the most, descending
 };
 
 // Whether outward_drops are counted. ground() needs them.

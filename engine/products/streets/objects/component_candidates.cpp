@@ -13,8 +13,8 @@
 namespace ilot {
 namespace {
 
-// The level of each part and each join, as the number of joins below it. Candidates of one level have no pixel in
-// common.
+// The level of each part and each join, which is the greatest number of nested joins in its tree. Candidates of one
+// level have no pixel in common.
 std::vector<std::uint32_t> levels_of(std::uint32_t parts, const std::vector<Join>& joins) {
   std::vector<std::uint32_t> level(parts + joins.size() + 1, 0);
   for (std::uint32_t j = 0; j < joins.size(); ++j)

@@ -29,7 +29,7 @@ enum class CandidateFeature : std::uint8_t {
   joined_fill,   // `fill` of the join that contains it
   joined_length,
   upright_share,  // share of the height bins up to its top that contain a point of its pixels; 0 with no occupancy
-  evenness,       // over its bins: mean number of pixels with a point divided by the greatest number
+  evenness,       // over the bins up to its top: mean number of pixels with a point divided by the greatest
   free_run,       // metres; longest run of bins in which it has points and touches nothing
   touch_share,    // share of its bins in which it touches another candidate
   joint_share,    // of a join: share of the bins of the part with fewer bins in which its two parts touch; else 1
