@@ -33,8 +33,7 @@ class PointLabeller {
 
   bool level_ = false;
   std::vector<Wall> walls_;
-  double low_x_ = 0, low_y_ = 0, high_x_ = -1, high_y_ = -1,
-         cell_ = 1;  // area of the walls; side of a cell
+  double low_x_ = 0, low_y_ = 0, high_x_ = -1, high_y_ = -1, cell_ = 1;  // area of the walls; side of a cell
   std::size_t columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> first_, of_cell_;  // per cell the walls that may be near it
 };

@@ -57,7 +57,7 @@ struct CandidateClass {
 
 // Classifies candidates. The probabilities of the classes are pairwise probabilities coupled by the second method of
 // Wu, Lin and Weng (2004), times the frequencies of the classes. A candidate is called an object where the weight of
-// being an object is greater than that of being none; its class is then the most probable one. An object that is
+// being an object is not less than that of being none; its class is then the most probable one. An object that is
 // farther from its class than anything in the training set gets the class `other`, with the probability 1 / (number of
 // classes). `parts` has one entry per candidate, or is empty where no candidate joins others. Many candidates in one
 // call are several times faster than single calls, with the same bits. O(candidates (support vectors + trees)), on the

@@ -10,9 +10,8 @@
 namespace ilot {
 
 struct GroundOfGroups {
-  std::vector<std::uint32_t> of_group;  // number of the zone in the whole image; 0 = no zone
-  std::vector<std::uint64_t> taken,
-      left_out;  // pixels; left_out: at least a tenth of the most, descending
+  std::vector<std::uint32_t> of_group;         // number of the zone in the whole image; 0 = no zone
+  std::vector<std::uint64_t> taken, left_out;  // pixels; left_out: at least a tenth of the largest, the largest first
 };
 
 // Whether outward_drops are counted. ground() needs them.
