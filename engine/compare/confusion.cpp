@@ -21,10 +21,10 @@ std::optional<double> ratio(std::uint64_t part, std::uint64_t whole) {
   return static_cast<double>(part) / static_cast<double>(whole);
 }
 
-// The class each segment speaks for.
+// The class for which each segment counts.
 std::map<std::uint32_t, std::uint32_t> majority_classes(std::span<const LabelPair> pairs) {
   std::map<std::uint32_t, std::pair<std::uint64_t, std::uint32_t>> best;  // segment -> points, class
-  for (const LabelPair& pair : pairs) {                                   // by rising class
+  for (const LabelPair& pair : pairs) {                                   // ascending by class
     if (pair.truth == 0 || pair.found == 0) continue;
     auto& [points, truth] = best[pair.found];
     if (pair.points <= points) continue;
@@ -65,7 +65,7 @@ ConfusionMatrix confusion_of_labels(std::span<const LabelPair> pairs, const Clas
     if (place.try_emplace(name, m.classes.size()).second) m.classes.push_back(name);
   };
   std::map<std::uint32_t, bool> found_numbers;
-  for (const LabelPair& pair : pairs) {  // by rising true class
+  for (const LabelPair& pair : pairs) {  // ascending by true class
     if (pair.truth == 0) continue;
     add_class(name_of(pair.truth, true_names));
     if (pair.found != 0) found_numbers[pair.found] = true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Drawn vertices against the true ones. [Marchand 2018, II.5.3]
+// Compares drawn vertices with the true ones. [Marchand 2018, II.5.3]
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,8 +12,8 @@
 namespace ilot {
 
 struct ControlPointParams {
-  double limit_m = 0.3;  // a drawn vertex farther than this, in the plane of the facade, is not homologous
-  double depth_m = 0.5;  // nor is one farther in front of or behind the true one
+  double limit_m = 0.3;  // a drawn vertex farther away than this, in the plane of the facade, is not homologous
+  double depth_m = 0.5;  // a drawn vertex farther than this in front of or behind the true one is not homologous
   double metres_per_unit = 1;
 };
 
@@ -24,24 +24,25 @@ struct MeanAndSpread {
 struct ControlGroup {
   std::string name;
   std::uint64_t count = 0;       // true control points
-  std::uint64_t drawn = 0;       // with a homologous vertex
-  std::uint64_t missed = 0;      // without
+  std::uint64_t drawn = 0;       // control points with a homologous vertex
+  std::uint64_t missed = 0;      // control points without a homologous vertex
   MeanAndSpread dx_m, dz_m;      // absolute differences along and up the facade, over those drawn
   MeanAndSpread dd_m;            // distances in its plane
   std::uint64_t completed = 0;   // drawn vertices of elements or edges that are completed, not seen
   MeanAndSpread completed_dd_m;  // of these alone
 };
 
-// Groups in the order of their first control point. A group's name tells the kind of element its vertices are sought
-// on, before the first underscore: window_top on windows (and on elements of kind `opening`). Every vertex serves one
-// control point of a group, pairs in the order of their distance (ties: the earlier control point, then the earlier
-// vertex). A control point without a vertex within the limit is missed. Occluded elements draw nothing. Facades may be
-// several; each control point is measured in the axes of the facade whose vertex it gets. O(c v) a group.
+// Returns groups in the order of their first control point. The name of a group before the first underscore gives the
+// kind of element on which its vertices are searched: window_top on windows (and on elements of kind `opening`). Every
+// vertex serves at most one control point of a group. Pairs are made in the order of their distance (ties: the earlier
+// control point, then the earlier vertex). A control point without a vertex within the limit is missed. Occluded
+// elements have no drawn vertices. There may be several facades; each control point is measured in the axes of the
+// facade of its vertex. O(c v) per group.
 std::vector<ControlGroup> evaluate_control_points(std::span<const TrueControlPoint> truth,
                                                   std::span<const Facade> facades,
                                                   const ControlPointParams& params = {});
 
-// Mean and sample standard deviation.
+// The mean and the sample standard deviation of the values.
 MeanAndSpread mean_and_spread(std::span<const double> values);
 
 }  // namespace ilot

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kSamePlace = 1e-5, kMoved = 1e-4;  // metres
 constexpr std::size_t kMostReported = 20;           // vertices in the table
-constexpr std::size_t kMostCandidates = 64;         // of one vertex, the nearest
+constexpr std::size_t kMostCandidates = 64;         // candidates of one vertex, the nearest ones
 
-// Different places, by x, then y.
+// The different positions, sorted by x, then y.
 std::vector<FlatPoint> vertices_of(const DxfDrawing& drawing, const std::set<std::string>& layers) {
   std::set<std::pair<std::int64_t, std::int64_t>> steps;
   const auto add = [&](double x, double y) {

@@ -38,7 +38,7 @@ LabelCounts count_all(const ResultFiles& files, const Truth& truth, const Evalua
   return counts;
 }
 
-// Names of true_class, from the planes where the truth has no list of them.
+// The names of true_class. Where the truth has no list of them, they come from the planes.
 ClassNames class_names(const LabelCounts& counts, const Truth& truth) {
   ClassNames names = truth.classes;
   for (const TruePlane& plane : truth.planes) {
@@ -86,7 +86,7 @@ void evaluate_planes(const ResultFiles& files, const LabelCounts& counts, const 
   evaluation.planes = std::move(planes);
 }
 
-// Points of the true planes that are matched and have polygons, and of their partners.
+// Collects the points of the true planes that are matched and have polygons, and of their partners.
 class BoundaryCollector {
  public:
   BoundaryCollector(const std::vector<PlaneMatch>& matches, const Truth& truth) {

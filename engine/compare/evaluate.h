@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A result against the truth: everything that both of them hold.
+// Compares a result with the truth, in everything that both of them contain.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -26,18 +26,18 @@ struct EvaluateParams {
   double control_point_limit_m = 0.3;
 };
 
-// How the classes of the confusion matrix came about.
+// The source of the classes in the confusion matrix.
 enum class ClassSource : std::uint8_t { labels, facade_labels, segments };
 
 struct PlaneEvaluation {
   PlaneMatching matching;
-  std::optional<PlaneErrors> errors;  // where planes.csv and true equations are at hand
-  std::optional<PlaneSizes> sizes;    // where the truth has polygons
+  std::optional<PlaneErrors> errors;  // where planes.csv and true equations exist
+  std::optional<PlaneSizes> sizes;    // present where the truth has polygons
 };
 
 struct RoofEvaluation {
   RoofResult result;
-  std::uint64_t models = 0, closed = 0;  // buildings found, those of them whose shells are closed
+  std::uint64_t models = 0, closed = 0;  // found buildings, and those of them whose shells are closed
 };
 
 struct Evaluation {
@@ -47,25 +47,25 @@ struct Evaluation {
   ClassSource class_source = ClassSource::segments;
   std::optional<PlaneEvaluation> planes;
   std::optional<BoundaryCounts> boundary;
-  std::uint64_t boundary_planes = 0;  // over which it was summed
+  std::uint64_t boundary_planes = 0;  // number of planes over which it is summed
   std::optional<std::vector<ControlGroup>> control_points;
   std::optional<OpeningResult> openings;
   std::optional<RoofEvaluation> roofs;
   std::optional<ObjectResult> objects;
-  std::vector<std::string> notes;  // what the truth asks for and the result does not hold
+  std::vector<std::string> notes;  // what the truth contains and the result does not
 };
 
-// What lies in an output folder of a run, or the one file given: a labelled cloud, or models of roofs.
+// The files in an output folder of a run, or the one file that is given: a labelled cloud, or models of roofs.
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
   std::optional<std::filesystem::path> planes_csv, roofs;
 };
 ResultFiles find_results(const std::filesystem::path& result);
 
-// Judges `result`, an output folder, a labelled cloud or a file of models, by the truth. Points carry their truth in
-// the extra bytes true_class, true_plane and true_element, so none is matched by place. Two passes over the clouds;
-// memory grows with the number of labels and, where boundaries are judged, by 32 bytes a point. Error when there is
-// nothing to judge.
+// Judges `result` by the truth; it is an output folder, a labelled cloud or a file of models. Points carry their truth
+// in the extra bytes true_class, true_plane and true_element, so no point is matched by position. Two passes over the
+// clouds. Memory grows with the number of labels and, where boundaries are judged, by 32 bytes per point. Throws Error
+// when there is nothing to judge.
 Evaluation evaluate(const std::filesystem::path& result, const Truth& truth, const EvaluateParams& params = {});
 
 }  // namespace ilot

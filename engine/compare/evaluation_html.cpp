@@ -34,7 +34,7 @@ std::string metres(double v) {
   return std::isfinite(v) ? fmt::format("{:.4f}", v) : "–";
 }
 
-// A bar of `share` of its rail, which is 120 pixels long.
+// A bar with a length of `share` of its rail, which is 120 pixels long.
 std::string bar(double share) {
   const double length = 120 * std::clamp(share, 0.0, 1.0);
   return fmt::format(R"(<svg width="120" height="10" role="img" aria-label="{0:.1f} %"><rect class="rail" width="120" )"
@@ -42,7 +42,7 @@ std::string bar(double share) {
                      100 * share, length);
 }
 
-// A bar as long as the mean with its standard deviation on top, in a rail of `most` metres.
+// A bar with the length of the mean and the standard deviation on top, in a rail of `most` metres.
 std::string spread_bar(const MeanAndSpread& v, double most) {
   const double scale = most > 0 ? 160 / most : 0;
   return fmt::format(R"(<svg width="160" height="12" role="img" aria-label="{0:.4f} m"><rect class="rail" width="160" )"
@@ -51,7 +51,7 @@ std::string spread_bar(const MeanAndSpread& v, double most) {
                      v.mean, scale * v.mean, scale * std::max(0.0, v.mean - v.sd), scale * (v.mean + v.sd));
 }
 
-// Darker the more of its row the cell holds; what is right in one hue, what is wrong in another.
+// A cell of the matrix. It is darker the larger its share of the row is; right and wrong results have different hues.
 std::string cell(std::uint64_t count, std::uint64_t row, bool right) {
   const double share = row ? static_cast<double>(count) / static_cast<double>(row) : 0;
   if (count == 0) return "<td>0</td>";

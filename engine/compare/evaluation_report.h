@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An evaluation for people, for programs and for the report.
+// Writes an evaluation as text for people, as JSON for programs and as HTML for the report.
 #pragma once
 #include <string>
 
@@ -7,20 +7,22 @@
 
 namespace ilot {
 
-// Aligned tables, rows truth, columns found, as the documents print them.
+// Aligned tables as the papers print them: rows are the truth, columns are what was found.
 std::string evaluation_text(const Evaluation& evaluation);
 
-// Keys as in docs/outputs.md; groups that could not be judged are left out, figures that do not exist are null.
+// JSON with the keys of docs/outputs.md. Groups that could not be judged are left out; values that do not exist are
+// null.
 std::string evaluation_json(const Evaluation& evaluation);
 
-// One <section> with its own style: tables and bars, readable on light and dark grounds, no scripts, nothing from
-// outside. For a page of its own it needs nothing more than a title around it.
+// One <section> with its own style: tables and bars, readable on light and dark backgrounds, without scripts and
+// external resources. A page of its own needs only a title around it.
 std::string evaluation_html(const Evaluation& evaluation);
 
-// "by label": how points came to their classes.
+// How points got their classes, for example "by label".
 std::string words_for(ClassSource source);
 
-// The found plane with the greatest share of foreign points, or nullptr; and how many have more than a hundredth.
+// The found plane with the greatest share of foreign points, or nullptr; and the number of found planes with a share
+// above a hundredth.
 struct ForeignPoints {
   const FoundPlane* worst = nullptr;
   std::uint64_t impure = 0;

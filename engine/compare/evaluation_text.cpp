@@ -23,12 +23,12 @@ std::string centimetres(const MeanAndSpread& v, std::uint64_t n) {
   return n ? fmt::format("{:.2f} ({:.2f})", 100 * v.mean, 100 * v.sd) : "-";
 }
 
-// Bytes that start a character: what a column's width counts.
+// The width of a cell in characters: the number of bytes that start a character.
 std::size_t width_of(const std::string& cell) {
   return static_cast<std::size_t>(std::count_if(cell.begin(), cell.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-// The first column to the left, the others to the right, two blanks between.
+// A table whose first column is aligned to the left and the others to the right, with two blanks between columns.
 std::string table(const std::vector<Row>& rows) {
   std::vector<std::size_t> widths;
   for (const Row& row : rows) {

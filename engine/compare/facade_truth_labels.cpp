@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-// Kinds of elements and names of classes alike.
+// The label for a kind of element or for the name of a class.
 std::optional<PointLabel> word_for(const std::string& name) {
   static const std::map<std::string, PointLabel> words{
       {"window", PointLabel::window},   {"opening", PointLabel::window},  {"door", PointLabel::door},

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The truth of points of a facade in the words of a facade's labels, so that like is judged with like.
+// Converts the truth of a facade's points to the labels of facades, so that equal classes are compared.
 #pragma once
 #include <unordered_map>
 
@@ -8,17 +8,18 @@
 
 namespace ilot {
 
-// Labels of facades name what is built: facade, window, door, sill, balcony; the truth's classes name surfaces (wall,
-// reveal, moulding) and its elements what they are of.
+// Labels of facades name what is built: facade, window, door, sill, balcony. The classes of the truth name surfaces
+// (wall, reveal, moulding), and its elements name the objects to which the surfaces belong.
 struct FacadeTruthLabels {
   std::unordered_map<std::uint32_t, PointLabel> of_element, of_class;
 
-  // A point's, by its element where it has one that there is a word for, else by its class; `none` for class 0.
+  // The label of a point: by its element where that has a label, otherwise by its class; `none` for class 0.
   PointLabel of(std::uint32_t true_class, std::uint32_t true_element) const;
 };
 
-// Windows, doors (shops are doors), sills and balconies with all their surfaces, and what was seen through openings, by
-// element; other parts of the facade (bands, surrounds, joints, stones) are facade; all else is `other`.
+// Windows, doors (shops are doors), sills and balconies with all their surfaces, and what was seen through openings,
+// get their labels by element. Other parts of the facade (bands, surrounds, joints, stones) are facade. Everything else
+// is `other`.
 FacadeTruthLabels facade_truth_labels(const Truth& truth);
 
 }  // namespace ilot

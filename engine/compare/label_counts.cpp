@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-// An integer field that may be missing: then every value is 0.
+// An integer field that may be missing. If it is missing, every value is 0.
 class OptionalField {
  public:
   OptionalField(const RecordLayout& layout, const std::string& name) : field_(find_integer_field(layout, name)) {}
@@ -19,13 +19,15 @@ class OptionalField {
   std::optional<ExtraField> field_;
 };
 
-// A plane, or a sphere, cylinder or cone, which are numbered by themselves; a point has one of them at most. 0 = none.
+// The number of a plane, or of a sphere, cylinder or cone; these shapes have numbers of their own. A point has at most
+// one of them. 0 = none.
 std::uint32_t segment_of(std::uint32_t plane, std::uint32_t shape) {
   constexpr std::uint32_t kShape = 1u << 31;
   return plane != 0 || shape == 0 ? plane : kShape | shape;
 }
 
-// A facade's run says nothing of what is no facade.
+// Counts a point by the labels of facades. A run for facades gives no label to what is no facade, so a found label 0
+// counts as other.
 void add_in_words(const FacadeTruthLabels& words, std::uint32_t kind, std::uint32_t element, std::uint32_t label,
                   LabelCounts& counts) {
   constexpr auto kOther = static_cast<std::uint32_t>(PointLabel::other);

@@ -10,7 +10,7 @@ constexpr std::uint32_t kUnlabelled = 256;  // above every label
 
 std::map<std::uint32_t, std::uint32_t> main_labels(std::span<const LabelPair> labels) {
   std::map<std::uint32_t, std::pair<std::uint64_t, std::uint32_t>> best;  // object -> points, label
-  for (const LabelPair& pair : labels) {                                  // by rising object, then label
+  for (const LabelPair& pair : labels) {                                  // ascending by object, then label
     if (pair.truth == 0 || pair.found == 0) continue;
     auto& [points, label] = best[pair.truth];
     if (pair.points <= points) continue;
@@ -22,7 +22,7 @@ std::map<std::uint32_t, std::uint32_t> main_labels(std::span<const LabelPair> la
   return main;
 }
 
-// Numbers for the true objects' classes, from 1 in alphabetical order.
+// Numbers the classes of the true objects from 1 in alphabetical order.
 std::map<std::string, std::uint32_t> class_numbers(std::span<const TrueObject> truth) {
   std::map<std::string, std::uint32_t> numbers;
   for (const TrueObject& object : truth) numbers.emplace(object.class_name, 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things on the street: were they detected, and as what? [Hernandez and Marcotegui 2008]
+// Judges objects on the street: whether they were detected, and with which class. [Hernandez and Marcotegui 2008]
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,18 +10,18 @@
 namespace ilot {
 
 struct ObjectResult {
-  std::uint64_t truth = 0;        // true objects that points lie on
+  std::uint64_t truth = 0;        // true objects with points
   std::uint64_t unseen = 0;       // true objects without points: not judged
   std::uint64_t found = 0;        // found objects
   std::uint64_t detected = 0;     // true objects with a partner
   std::uint64_t false_found = 0;  // found objects without one
-  ConfusionMatrix confusion;  // objects: true class, class of the partner; a partner without a class is `unlabelled`
+  ConfusionMatrix confusion;  // of objects: true class, class of the partner; a partner without a class is `unlabelled`
 };
 
-// `pairs`: points by true object (0 = none) and found object (0 = none). A true and a found object are partners when
-// their common points are at least half of the points of both together; at most one to one, the greater intersection
-// first. `labels`: points by found object and label (0 = none); an object has the label that most of its points have,
-// `none` aside (ties: the smaller).
+// `pairs` are numbers of points by true object (0 = none) and found object (0 = none). A true and a found object are
+// partners when their common points are at least half of the points of both together. They are matched at most one to
+// one, the greater intersection first. `labels` are numbers of points by found object and label (0 = none). The label
+// of an object is the one of most of its points, without `none` (ties: the smaller label).
 ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
                               std::span<const LabelPair> labels, const ClassNames& label_names);
 

@@ -24,14 +24,14 @@ GeosOwned linear_ring(std::span<const FlatPoint> ring) {
   return checked(GEOSGeom_createLinearRing_r(geos_context(), corners));
 }
 
-// A ring's inside; of one that crosses itself, what GEOS makes of it.
+// The inside of a ring. If the ring crosses itself, it is repaired by GEOS.
 GeosOwned inside_of(std::span<const FlatPoint> ring) {
   GeosOwned made = checked(GEOSGeom_createPolygon_r(geos_context(), linear_ring(ring).release(), nullptr, 0));
   if (GEOSisValid_r(geos_context(), made.get()) == 1) return made;
   return checked(GEOSMakeValid_r(geos_context(), made.get()));
 }
 
-// Holes are taken away one by one: they may touch the outer ring, or run along it.
+// Holes are subtracted one by one, because they may touch the outer ring or run along it.
 GeosOwned polygon_of(const FlatPolygon& polygon) {
   GeosOwned made = inside_of(polygon.ring);
   for (const std::vector<FlatPoint>& hole : polygon.holes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Areas in a plane over each other, by GEOS. Rings that cross themselves are repaired (MakeValid).
+// Overlay of areas in a plane by GEOS. Rings that cross themselves are repaired (MakeValid).
 #pragma once
 #include <memory>
 #include <span>
@@ -14,11 +14,11 @@ struct FlatPolygon {
   std::vector<std::vector<FlatPoint>> holes;
 };
 
-// Polygons, made ready for comparison. Copies share; not for two threads at once.
+// Polygons that are prepared for comparison. Copies share their data. Not for use by two threads at once.
 class FlatArea {
  public:
-  // The union of the polygons; rings with fewer than three corners are left out. `grid` > 0 moves corners onto
-  // multiples of it first, so that neighbours that miss each other by less than that become one.
+  // Builds the union of the polygons; rings with fewer than three corners are left out. A `grid` > 0 first moves
+  // corners onto multiples of it, so that neighbours with a gap smaller than that become one.
   explicit FlatArea(std::span<const FlatPolygon> polygons, double grid = 0);
 
   double area() const;
@@ -30,7 +30,7 @@ class FlatArea {
   std::shared_ptr<const Geometry> geometry_;
 };
 
-// Common area over the area of both together; 0 when both are empty.
+// The common area divided by the area of both together; 0 when both are empty.
 double intersection_over_union(const FlatArea& a, const FlatArea& b);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far found planes lean and lie from the true ones they are matched with.
+// Measures the angles and offsets between found planes and the true planes with which they are matched.
 #pragma once
 #include <span>
 
@@ -14,12 +14,12 @@ struct ErrorSummary {
 };
 
 struct PlaneErrors {
-  std::uint64_t planes = 0;  // matched pairs of which both equations are known
-  ErrorSummary angle_deg;    // between the normals, either way round
+  std::uint64_t planes = 0;  // matched pairs with both equations known
+  ErrorSummary angle_deg;    // between the normals without regard to their sign
   ErrorSummary offset_m;     // distance of the found plane's centroid from the true plane
 };
 
-// Of the matched pairs; those without an equation on either side are passed over. O((m + t + f) log).
+// Computes the errors of the matched pairs. Pairs without an equation on either side are skipped. O((m + t + f) log).
 PlaneErrors plane_errors(std::span<const PlaneMatch> matches, std::span<const TruePlane> truth,
                          std::span<const Segment> found, double metres_per_unit = 1);
 

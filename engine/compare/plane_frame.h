@@ -7,14 +7,15 @@
 
 namespace ilot {
 
-// Right-handed axes u, v in a plane, about a near origin.
+// Right-handed axes u, v in a plane, with an origin nearby.
 struct FlatFrame {
   Vec3 origin, u, v;
 
   FlatPoint flat(Vec3 p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
 };
 
-// `normal` of unit length. u lies across the coordinate axis that the normal leans on least.
+// The frame of a plane. `normal` has unit length. u is perpendicular to the coordinate axis along which the normal has
+// its smallest component.
 inline FlatFrame plane_frame(Vec3 normal, Vec3 origin) {
   const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
   const Vec3 axis = z <= x && z <= y ? Vec3{0, 0, 1} : x <= y ? Vec3{1, 0, 0} : Vec3{0, 1, 0};

@@ -12,7 +12,7 @@ namespace {
 using Totals = std::map<std::uint32_t, std::uint64_t>;
 using Judged = std::function<bool(std::uint32_t)>;
 
-// Points, main truth and foreign points of every found plane.
+// Computes points, main truth and foreign points of every found plane.
 std::vector<FoundPlane> describe_found(std::span<const LabelPair> pairs) {
   std::map<std::uint32_t, FoundPlane> planes;
   std::map<std::uint32_t, std::uint64_t> main_points;
@@ -63,7 +63,7 @@ std::vector<PlaneMatch> match_one_to_one(std::span<const LabelPair> pairs, const
   return matches;
 }
 
-// Found planes that hold most of two true planes or more.
+// Counts the found planes that contain most points of at least two true planes.
 std::uint64_t count_under(std::span<const LabelPair> pairs, const Totals& true_points) {
   std::map<std::uint32_t, int> under_segmented;
   for (const LabelPair& pair : pairs)

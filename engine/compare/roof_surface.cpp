@@ -10,9 +10,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kUpright = 0.01;  // a unit normal's z below which a face has no plan worth comparing
+constexpr double kUpright = 0.01;  // a face whose unit normal has a smaller z has no usable plan
 
-// A face as a model of its own, so that rings in space and faces of models go one way.
+// A face as a model of its own, so that true rings and faces of models are processed in the same way.
 struct FaceShape {
   std::uint32_t building = 0;
   PolygonModel model;

@@ -19,7 +19,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNoPartner = 0xffffffffu;
 
-// Faces by their left end, so that those whose boxes meet another box are found without looking at all.
+// Faces sorted by their left end, so that the faces whose boxes meet another box are found without examining all faces.
 class FacesByPlace {
  public:
   explicit FacesByPlace(std::span<const RoofFace> faces) : faces_(faces), order_(faces.size()) {
@@ -55,7 +55,7 @@ bool lean_alike(const RoofFace& a, const RoofFace& b, double most_angle_deg) {
   return dot(a.normal, b.normal) >= cos_degrees(most_angle_deg) * norm(a.normal) * norm(b.normal);
 }
 
-// Number of the found partner of each true face, or kNoPartner.
+// The index of the found partner of each true face, or kNoPartner.
 std::vector<std::uint32_t> match_faces(std::span<const RoofFace> truth, std::span<const RoofFace> found,
                                        const FacesByPlace& places, const RoofParams& params) {
   std::vector<std::vector<Pair>> per_face(truth.size());
@@ -82,7 +82,7 @@ std::vector<std::uint32_t> match_faces(std::span<const RoofFace> truth, std::spa
   return partner;
 }
 
-// Length of the first face's plan edges that run within reach of the second's.
+// The length of the first face's plan edges that run within reach of the second face's edges.
 double shared_length(const RoofFace& a, const RoofFace& b, double reach) {
   const std::vector<FlatEdge> others = plan_edges(b);
   double shared = 0;
@@ -109,7 +109,7 @@ std::vector<std::set<std::uint32_t>> neighbours_of(std::span<const RoofFace> fac
     const RoofFace& face = faces[i];
     places.meeting(face.box.grown(reach), [&](std::uint32_t j) {
       if (j == i || faces[j].building != face.building) return;
-      const bool first = i < j;  // measured along the same face from both sides
+      const bool first = i < j;  // both directions are measured along the same face
       if (shared_length(faces[first ? i : j], faces[first ? j : i], reach) >= least) neighbours[i].insert(j);
     });
   });
@@ -139,7 +139,7 @@ void count_classes(std::span<const RoofFace> truth, std::span<const RoofFace> fo
   }
 }
 
-// Lattice points under a face, in the order of rows.
+// Visits the lattice points under a face, row by row.
 template <class Visit>
 void each_sample(const RoofFace& face, double step, Visit visit) {
   for (double row = std::ceil(face.box.min.y / step); row * step <= face.box.max.y; ++row)
@@ -175,7 +175,7 @@ void compare_heights(std::span<const RoofFace> truth, std::span<const RoofFace> 
   result.covered = all.samples ? static_cast<double>(all.covered) / static_cast<double>(all.samples) : 0;
 }
 
-// Largest distance from samples and corners of `from` to `to`.
+// The largest distance from samples and corners of `from` to `to`.
 double farthest(std::span<const RoofFace> from, const ClosestPoint& to, double step) {
   std::vector<double> most(from.size());
   parallel_for(from.size(), [&](std::size_t i) {
@@ -193,7 +193,7 @@ ClosestPoint surface_of(std::span<const RoofFace> faces) {
   return ClosestPoint(std::move(triangles));
 }
 
-// Outlines of buildings in plan.
+// The outlines of buildings in plan.
 std::vector<FlatEdge> outlines(std::span<const RoofFace> faces) {
   std::map<std::uint32_t, std::vector<FlatPolygon>> buildings;
   for (const RoofFace& face : faces) {

@@ -17,7 +17,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A value and where it stands, for messages.
+// A value and its position in the file, for messages.
 struct TruthNode {
   const Json& json;
   std::string place;
@@ -120,7 +120,7 @@ std::map<std::uint32_t, std::string> classes_of(const TruthNode& node) {
 template <class Item, class Make>
 void read_list(const TruthNode& root, const char* key, std::vector<Item>& out, bool& present, Make make) {
   present = root.has(key) && root.json[key].is_array();
-  if (root.has(key) && (present || key != std::string_view("buildings")))  // once a count stood under `buildings`
+  if (root.has(key) && (present || key != std::string_view("buildings")))  // in old files `buildings` is a count
     root.at(key).each([&](const TruthNode& node) { out.push_back(make(node)); });
 }
 

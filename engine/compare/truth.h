@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is true of a scene: NAME.truth.json as the virtual scanner writes it, or anyone by hand.
+// The truth of a scene: NAME.truth.json as the virtual scanner writes it, or as anyone writes it by hand.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -23,7 +23,7 @@ struct TruePolygon {
 };
 
 struct TruePlane {
-  std::uint32_t id = 0;  // as in true_plane
+  std::uint32_t id = 0;  // the value of true_plane
   std::string class_name;
   Plane plane;  // world coordinates; unit normal
   std::vector<TruePolygon> polygons;
@@ -34,9 +34,9 @@ struct TrueOpening {
   Ring3 ring;
 };
 
-// What is on a facade. Files by hand may lack all but the number and the kind.
+// An element of a facade. Files that are written by hand may contain only the id and the kind.
 struct TrueElement {
-  std::uint32_t id = 0, facade = 0;  // id as in true_element; facade 0 = of none
+  std::uint32_t id = 0, facade = 0;  // `id` is the value of true_element; facade 0 = no facade
   std::string kind;
   std::uint32_t row = 0, column = 0;
   Ring3 ring;
@@ -50,13 +50,13 @@ struct TrueControlPoint {
 };
 
 struct TrueObject {
-  std::uint32_t id = 0;  // as in true_element
+  std::uint32_t id = 0;  // the value of true_element
   std::string class_name;
   std::uint64_t points = 0;
 };
 
 struct Truth {
-  std::map<std::uint32_t, std::string> classes;  // names of true_class; 0 is never judged
+  std::map<std::uint32_t, std::string> classes;  // names of true_class; class 0 is never judged
   std::vector<TruePlane> planes;
   std::vector<TrueElement> elements;
   std::vector<TrueOpening> openings;
@@ -66,13 +66,13 @@ struct Truth {
   bool has_openings = false, has_control_points = false, has_objects = false, has_buildings = false;
 };
 
-// Arrays that the file has not are empty; keys beyond those above are passed over. What is there must have its shape:
-// an Error names file and place. Memory some ten times the file's size.
+// Arrays that are not in the file are empty; other keys than those above are ignored. What is in the file must have its
+// form: otherwise an Error names file and position. Memory is some ten times the file's size.
 Truth read_truth(const std::filesystem::path& path);
 Truth parse_truth(std::string_view text, const std::string& name);
 
-// True models of buildings as the truth: their roofs (roof_faces()) become planes of class `roof`, ids from 1 in the
-// order of models and faces, buildings likewise.
+// Uses true models of buildings as the truth. Their roofs (roof_faces()) become planes of class `roof`. The ids of
+// planes are from 1 in the order of models and faces, and buildings are numbered in the same way.
 Truth truth_of_models(std::span<const PolygonModel> models);
 
 }  // namespace ilot

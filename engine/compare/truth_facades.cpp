@@ -12,7 +12,7 @@ namespace ilot {
 namespace {
 
 constexpr double kOnPlane = 0.01, kSamePlane = 0.2;      // CRS units
-constexpr double kParallel = 0.9962, kUpright = 0.0872;  // cosine of 5 degrees, its sine
+constexpr double kParallel = 0.9962, kUpright = 0.0872;  // cosine and sine of 5 degrees
 
 bool is_opening(const std::string& kind) {
   return kind == "window" || kind == "door" || kind == "shop" || kind == "opening";
@@ -39,10 +39,10 @@ const TruePlane* wall_of(const Truth& truth, const std::vector<const TrueElement
   return best;
 }
 
-// The longest run of corners on one circle, where a ring has one of many: an arch, which the truth has as chords.
+// The longest run of corners on one circle in a ring of many corners. It is an arch, which the truth stores as chords.
 std::optional<FacadeArc> arc_of(const Ring3& ring, const Facade& facade) {
-  constexpr std::size_t kLeast = 6;   // corners: fewer are no arch
-  constexpr double kOnCircle = 5e-4;  // CRS units: chords are written to a tenth of a millimetre
+  constexpr std::size_t kLeast = 6;   // corners; fewer are no arch
+  constexpr double kOnCircle = 5e-4;  // CRS units: the corners of chords are written to a tenth of a millimetre
   const std::size_t n = ring.size();
   std::vector<PlanePoint> corners;
   for (const Vec3& p : ring)
@@ -84,7 +84,7 @@ FacadeElement element_of(const TrueElement& given, const Facade& facade) {
   return e;
 }
 
-// The axes, and the rectangle about the wall's polygons.
+// The axes of the facade and the rectangle around the wall's polygons.
 Facade bare_wall(std::uint32_t id, const TruePlane& wall) {
   Facade f;
   f.id = id;

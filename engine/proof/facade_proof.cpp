@@ -12,15 +12,16 @@ namespace ilot {
 namespace {
 
 constexpr double kBin = 0.25;         // metres
-constexpr double kMicrometres = 1e6;  // a metre
-constexpr double kDigits = 1e5;       // figures are whole hundredths of a millimetre
+constexpr double kMicrometres = 1e6;  // micrometres in a metre
+constexpr double kDigits = 1e5;       // figures are rounded to hundredths of a millimetre
 constexpr std::uint32_t kNames = static_cast<std::uint32_t>(kFaceNames.size());
 
 std::uint32_t key_of(std::uint32_t element, FaceName name) {
   return kNames * element + static_cast<std::uint32_t>(name);
 }
 
-// A front by its outline seen from the street, which may be under an arch; sides and triangles are convex.
+// Adds the triangles of a face. A front is triangulated by its outline as seen from the street, which may be below an
+// arch. Sides and triangles are convex.
 void add_triangles(const SurfaceFace& face, std::vector<Triangle3>& triangles) {
   const std::vector<Vec3>& c = face.corners;
   if (face.name != FaceName::front || c.size() < 4) {
@@ -66,11 +67,11 @@ FacadeProof::FacadeProof(const Facade& facade, const FacadeProofParams& params)
     return static_cast<std::uint32_t>(at - faces_.begin());
   };
   std::vector<Triangle3> triangles;
-  for (const SurfaceFace& f : surfaces) {  // before the wall: what lies on both is of the element
+  for (const SurfaceFace& f : surfaces) {  // before the wall: a point on both belongs to the element
     add_triangles(f, triangles);
     face_of_.resize(triangles.size(), number(f.element, f.name));
   }
-  for (const std::vector<FlatPoint>& ring : wall_.rings)  // beyond its rim the wall is as near as its rim
+  for (const std::vector<FlatPoint>& ring : wall_.rings)  // beyond its rim: distance to the rim
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const FlatPoint a = ring[i], b = ring[(i + 1) % ring.size()];
       triangles.push_back({{a.x, a.y, 0}, {b.x, b.y, 0}, {b.x, b.y, 0}});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What measured points say for each edge and face of a facade's plan.
+// Compares each edge and face of a facade's plan with the measured points.
 #pragma once
 #include <span>
 
@@ -9,38 +9,38 @@
 namespace ilot {
 
 struct FacadeProofParams {
-  double reach_m = 0.03;       // from its surfaces, beyond which a point says nothing for them, inclusive
-  double edge_reach_m = 0.03;  // from an edge, of points that say something for it, inclusive
+  double reach_m = 0.03;       // greatest distance of a point from the surfaces that it supports, inclusive
+  double edge_reach_m = 0.03;  // greatest distance of a point from an edge that it supports, inclusive
   double metres_per_unit = 1;
 };
 
-// Points and their squared distances, in whole micrometres: sums that no order changes.
+// Numbers of points and sums of their squared distances in whole micrometres. The sums do not depend on the order.
 struct ProofTally {
   struct Sum {
     std::uint64_t points = 0, squares = 0;
-    std::uint64_t stretches = 0;  // of an edge: a bit for each of up to 64 that has a point
+    std::uint64_t stretches = 0;  // of an edge: a bit for each of up to 64 stretches, set where it has a point
   };
   std::vector<Sum> edges, faces;
 
   void add(const ProofTally& other);
 };
 
-// Each point goes to the nearest surface of the plan, the wall or a face of an element (Embree's closest point): it
-// supports that face, and of what that face is a part of every edge that it lies near to. A point of the wall speaks
-// for edges of every element, a point of an element for its own edges and the outline's. An edge that is drawn at the
-// wrong place, if only by millimetres, is left with points that lie off the surfaces which meet in it; one that is
-// drawn on nothing has no points. Several threads may ask at once. O(log faces) a point.
+// Assigns each point to the nearest surface of the plan, which is the wall or a face of an element (Embree's closest
+// point). The point supports that face, and every near edge of the element to which the face belongs. A point of the
+// wall supports edges of every element; a point of an element supports its own edges and those of the outline. If an
+// edge is drawn at a wrong place, even by millimetres, its points lie off the surfaces that meet in it. If an edge is
+// drawn where there is no surface, it has no points. Several threads may call add() at once. O(log faces) per point.
 class FacadeProof {
  public:
   explicit FacadeProof(const Facade& facade, const FacadeProofParams& params = {});
 
   ProofTally no_points() const;
 
-  // Points in metres in the axes of the facade.
+  // Adds points in metres, in the axes of the facade.
   void add(std::span<const Vec3> points, ProofTally& tally) const;
 
-  // Support, root mean square and cover into the edges and faces of the facade. An outline without edges gets them,
-  // known to the error of its size.
+  // Writes support, root mean square and covered share to the edges and faces of the facade. An outline without edges
+  // gets edges, with the error of its size.
   void write(const ProofTally& tally, Facade& facade) const;
 
  private:
@@ -57,13 +57,13 @@ class FacadeProof {
 
   FacadeProofParams params_;
   WallSurface wall_;
-  std::vector<std::uint32_t> faces_;    // per tally: 5 * element + name, ascending
-  std::vector<std::uint32_t> face_of_;  // of each triangle, in faces_; the wall's first
+  std::vector<std::uint32_t> faces_;    // per tally entry: 5 * element + name, ascending
+  std::vector<std::uint32_t> face_of_;  // index in faces_ of each triangle; the wall comes first
   ClosestPoint closest_;
   std::vector<Edge> edges_;
   double u0_ = 0, v0_ = 0;
   std::int64_t columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::uint32_t>> bins_;  // edges that are near
+  std::vector<std::vector<std::uint32_t>> bins_;  // per bin the edges near it
 };
 
 }  // namespace ilot

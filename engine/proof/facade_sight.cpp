@@ -23,7 +23,7 @@ struct SightTally {
   }
 };
 
-// One facade seen from the stations.
+// One facade as seen from the stations.
 class FacadeView {
  public:
   FacadeView(const Facade& facade, std::span<const Vec3> stations, const LineOfSight& faces,
@@ -35,7 +35,7 @@ class FacadeView {
     }
   }
 
-  // A place in the axes of the wall, of something that looks to `visible`.
+  // Returns true where a station sees a place, in the axes of the wall, on a surface that looks to `visible`.
   bool seen(Vec3 place, Vec3 visible) const {
     const Vec3 before = place + params_.margin_m * visible;
     for (std::size_t s = 0; s < eyes_.size(); ++s)
@@ -80,7 +80,7 @@ class FacadeView {
     return facade_.origin + units * (p.x * facade_.right + p.y * facade_.up + p.z * facade_.out);
   }
 
-  // The middles of a grid's cells over the ring's box, those inside of the region.
+  // Adds the centres of a grid's cells over the ring's box that lie inside of the region.
   template <class Place>
   void add_places(const std::vector<FlatPoint>& ring, const BandedRegion& region, Vec3 visible, const Place& place,
                   SightTally& tally) const {
@@ -109,8 +109,8 @@ class FacadeView {
   std::vector<Vec3> eyes_;  // in the axes of the wall
 };
 
-// Beyond an outline other walls begin: what lies within is looked at. Where a body stands on the wall its edges there
-// are looked at beside it.
+// The direction in which the places along an edge are shifted. Beyond an outline other walls begin, so places inside
+// the outline are tested. Where a body stands on the wall, places beside its edges there are tested.
 double shift_sign(const FacadeElement& e, const std::vector<Vec3>& ring) {
   if (e.region == FacadeRegion::facade) return 1;
   double out = 0;
@@ -137,7 +137,7 @@ void measure_sight(std::span<const Vec3> stations, const LineOfSight& faces, con
   const FacadeView view(facade, stations, faces, params);
   const std::vector<SurfaceFace> surfaces = facade_surfaces(facade, params.metres_per_unit);
   const WallSurface wall = wall_surface(facade, params.metres_per_unit);
-  std::vector<std::size_t> first{0};  // of each element's surfaces
+  std::vector<std::size_t> first{0};  // index of each element's first surface
   for (std::uint32_t i = 0; i < facade.elements.size(); ++i) {
     std::size_t end = first.back();
     while (end < surfaces.size() && surfaces[end].element == i) ++end;

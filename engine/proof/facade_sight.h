@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which share of the edges and faces of a facade's plan no station could see.
+// Computes the share of each edge and face of a facade's plan that no station could see.
 #pragma once
 #include <span>
 
@@ -9,16 +9,16 @@
 namespace ilot {
 
 struct FacadeSightParams {
-  double margin_m = 0.015;  // before what is looked at, that a line of sight may end: what is measured is no better
-  double edge_spacing_m = 0.04;  // of places along an edge, 4 to 64 of them
+  double margin_m = 0.015;  // a line of sight may end this far before its target: measurements are no more accurate
+  double edge_spacing_m = 0.04;  // metres between places along an edge; 4 to 64 places
   double metres_per_unit = 1;
 };
 
-// Lines of sight from every station (CRS) to places along each edge and across each face; a face is seen from the side
-// that it looks to alone. What stands between them are `faces`: planes of the whole cloud and the elements of its
-// facades, this one's too. Shares are of places, to a thousandth. Fills `occluded_share` of the edges and faces there
-// are (FacadeProof::write makes faces); nothing without stations. In parallel over elements. O(places x stations)
-// lines.
+// Tests lines of sight from every station (CRS) to places along each edge and across each face. A face is seen only
+// from the side to which it looks. `faces` can block a line: they are the planes of the whole cloud and the elements of
+// its facades, including this one. Shares are shares of places, to a thousandth. Fills `occluded_share` of the existing
+// edges and faces (FacadeProof::write makes the faces). Without stations nothing is written. Parallel over elements.
+// O(places x stations) lines.
 void measure_sight(std::span<const Vec3> stations, const LineOfSight& faces, const FacadeSightParams& params,
                    Facade& facade);
 

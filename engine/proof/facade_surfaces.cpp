@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kFrontLeast = 0.7;  // of its normal's share out of the wall
+constexpr double kFrontLeast = 0.7;  // least component of a front's normal out of the wall
 
 Vec3 local(const Facade& f, Vec3 place, double metres) {
   const Vec3 d = metres * (place - f.origin);
@@ -38,7 +38,8 @@ double mean_out(const std::vector<Vec3>& corners) {
   return sum / static_cast<double>(corners.size());
 }
 
-// The faces of a closed solid but those at the wall: of two that look along its normal the farther one is the front.
+// Adds the faces of a closed solid except those at the wall. Of two faces that look along the wall's normal, the
+// farther one is the front.
 void add_solid(const FacadeSolid& solid, const Facade& facade, std::uint32_t element, bool hollow, double metres,
                std::vector<SurfaceFace>& faces) {
   const std::size_t before = faces.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The surfaces that a facade's plan claims, in the axes of its wall, for judging them.
+// The surfaces that a facade's plan describes, in the axes of its wall, so that they can be judged.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,28 +10,28 @@
 
 namespace ilot {
 
-// `front`: what is square to the street, the wall itself, the face of a sill, what fills an opening. The others by
-// where they lie around it: of an opening `left` is its left reveal.
+// `front` is parallel to the wall: the wall itself, the face of a sill, or the fill of an opening. The other names give
+// the position around it: of an opening, `left` is its left reveal.
 enum class FaceName : std::uint8_t { front, bottom, right, top, left };
 inline constexpr std::array<const char*, 5> kFaceNames{"front", "bottom", "right", "top", "left"};
 
-// A flat polygon: metres along the wall from the facade's origin, up and out.
+// A flat polygon in metres from the facade's origin: along the wall, up and out.
 struct SurfaceFace {
   std::uint32_t element = 0;  // its number in the list of elements
   FaceName name = FaceName::front;
-  std::vector<Vec3> corners;  // the last not repeated
-  Vec3 visible;               // of unit length, to the side that it is seen from
+  std::vector<Vec3> corners;  // the last corner is not repeated
+  Vec3 visible;               // unit vector to the side from which the face is seen
 };
 
-// Corners of an element's ring in those axes.
+// The corners of an element's ring in those axes.
 std::vector<Vec3> local_ring(const Facade& facade, const FacadeElement& element, double metres_per_unit);
 
-// Of every element with a depth the faces that stand off the wall, of one without (a stone of the wall) its front, of
-// irregularities the triangles. Openings of no depth, what is occluded and the outline have none. In the elements'
-// order.
+// Returns the surfaces in the order of the elements. An element with a depth has the faces that stand off the wall, one
+// without a depth (a stone of the wall) has its front, and an irregularity has its triangles. Openings without depth,
+// occluded elements and the outline have no surface.
 std::vector<SurfaceFace> facade_surfaces(const Facade& facade, double metres_per_unit);
 
-// The wall itself: inside of its outline and of no opening that is drawn.
+// The wall itself: the region inside of its outline and outside of all drawn openings.
 struct WallSurface {
   static constexpr std::uint32_t kNone = 0xffffffffu;
   std::uint32_t element = kNone;  // the outline's number; kNone: the facade has no wall

@@ -14,7 +14,7 @@ namespace {
 
 struct CloudPoints {
   std::vector<Vec3> positions;
-  std::vector<std::int64_t> values;  // of the field, where there is one
+  std::vector<std::int64_t> values;  // values of the field, where there is one
 };
 
 CloudPoints read_points(PointReader& reader, const ModelPointsParams& params, const std::optional<ExtraField>& field) {
@@ -31,7 +31,7 @@ CloudPoints read_points(PointReader& reader, const ModelPointsParams& params, co
   return points;
 }
 
-// Models by the whole number that is their name, or follows "building-" in it.
+// The models by the integer that is their name or that follows "building-" in it.
 std::map<std::int64_t, std::uint32_t> models_by_number(std::span<const PolygonModel> models) {
   std::map<std::int64_t, std::uint32_t> numbers;
   for (std::uint32_t m = 0; m < models.size(); ++m) {

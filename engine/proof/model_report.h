@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Residuals of models, for people and for programs.
+// Reports the residuals of models as text for people and as JSON for programs.
 #pragma once
 #include <string>
 
@@ -17,10 +17,10 @@ struct ModelEvaluation {
 
 std::string model_text(const ModelEvaluation& evaluation);
 
-// Keys: models, cloud, points_of, faces, points.{read,judged,unassigned}, buildings.{judged,missing,without_points},
-// over_points.{rmse_m,trimmed_rmse_m,near_share}, over_buildings.{rmse_m,trimmed_rmse_m,near_share} each with
-// p10, median, p90, p95, largest; list[] of {name,points,faces,rmse_m,trimmed_rmse_m,near_share,largest_m}. A missing
-// model's distances are null.
+// JSON with these keys: models, cloud, points_of, faces, points.{read,judged,unassigned},
+// buildings.{judged,missing,without_points}, over_points.{rmse_m,trimmed_rmse_m,near_share},
+// over_buildings.{rmse_m,trimmed_rmse_m,near_share} each with p10, median, p90, p95, largest; list[] of
+// {name,points,faces,rmse_m,trimmed_rmse_m,near_share,largest_m}. The distances of a missing model are null.
 std::string model_json(const ModelEvaluation& evaluation);
 
 }  // namespace ilot

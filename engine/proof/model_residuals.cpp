@@ -11,7 +11,7 @@ namespace ilot {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr std::size_t kGrain = 4096;  // points assigned by one item of work
+constexpr std::size_t kGrain = 4096;  // points that one task assigns
 
 std::vector<Triangle3> judged_triangles(const PolygonModel& model, const ModelResidualParams& params,
                                         std::uint64_t& faces) {
@@ -40,7 +40,7 @@ double near_share(std::span<const double> sorted, double near) {
   return sorted.empty() ? 0 : static_cast<double>(end - sorted.begin()) / static_cast<double>(sorted.size());
 }
 
-// Sorted distances in metres; none when the building has no model.
+// The sorted distances in metres; empty when the building has no model.
 std::vector<double> distances_of(std::span<const PolygonModel> models, const BuildingPoints& building,
                                  const ModelResidualParams& params, BuildingResidual& residual) {
   residual = {building.name, building.points.size(), 0, kInfinity, kInfinity, 0, kInfinity};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any models of buildings judged against the points of a cloud.
+// Judges models of buildings against the points of a cloud.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -16,11 +16,12 @@ enum class EvaluatedFaces : std::uint8_t { all, roofs };
 struct ModelResidualParams {
   EvaluatedFaces faces = EvaluatedFaces::all;
   double near_m = 0.2;         // distance up to which a point counts as near, inclusive
-  double kept_share = 0.9;     // of the points of a building, those the trimmed RMSE keeps: the nearest
-  double metres_per_unit = 1;  // of the coordinates
+  double kept_share = 0.9;     // share of a building's points that the trimmed RMSE keeps: the nearest ones
+  double metres_per_unit = 1;  // metres per unit of the coordinates
 };
 
-// Points that belong to one building. `model` is a number in the list of models, or kNoModel: that building is missing.
+// The points that belong to one building. `model` is an index into the list of models, or kNoModel where the model of
+// that building is missing.
 struct BuildingPoints {
   std::string name;
   std::uint32_t model = 0;
@@ -31,7 +32,7 @@ constexpr std::uint32_t kNoModel = 0xffffffffu;
 struct BuildingResidual {
   std::string name;
   std::uint64_t points = 0;
-  std::uint64_t faces = 0;  // judged ones; 0 = the model is missing, and the figures below are those of a failure
+  std::uint64_t faces = 0;  // judged faces; 0 = the model is missing, and the values below are those of a failure
   double rmse_m = 0;        // distance of points to the model; infinite when it is missing
   double trimmed_rmse_m = 0;
   double near_share = 0;
@@ -45,24 +46,24 @@ struct Percentiles {
 struct ModelResiduals {
   std::vector<BuildingResidual> buildings;                                    // in the order given
   std::uint64_t missing = 0;                                                  // buildings without a model
-  std::uint64_t points = 0;                                                   // of buildings that have a model
+  std::uint64_t points = 0;                                                   // points of buildings that have a model
   double rmse_m = 0, trimmed_rmse_m = 0, near_share = 0;                      // over these points
   Percentiles building_rmse_m, building_trimmed_rmse_m, building_near_share;  // over all buildings, missing ones too
 };
 
-// Distances from each point to the nearest point of its building's faces. Sums run over sorted distances: the order of
-// points does not show. Percentiles are values that occur: the smallest that at least so large a share of buildings
-// does not exceed (for shares of near points, the p10 is the low end). Buildings in parallel. Buildings without points
-// are left out.
+// Computes the distance from each point to the nearest point of its building's faces. Sums run over sorted distances,
+// so the order of points has no effect. A percentile is a value that occurs: the smallest value that at least this
+// share of the buildings does not exceed (for shares of near points, the p10 is the low end). Buildings are processed
+// in parallel. Buildings without points are left out.
 ModelResiduals evaluate_building_models(std::span<const PolygonModel> models, std::span<const BuildingPoints> buildings,
                                         const ModelResidualParams& params = {});
 
-// For each point the model whose plan lies nearest within `margin` (closed, CRS units), or kNoModel; in ties the model
-// that comes first. The plan of a model is the projection of its faces along z. O(log faces) a point, in parallel.
+// Returns for each point the model whose plan is nearest within `margin` (closed, CRS units), or kNoModel. Ties: the
+// first model. The plan of a model is the projection of its faces along z. O(log faces) per point, in parallel.
 std::vector<std::uint32_t> assign_by_plan(std::span<const PolygonModel> models, std::span<const Vec3> points,
                                           double margin);
 
-// Values by the definition above; `values` are sorted in place. Zeros when there are none.
+// Percentiles by the definition above; `values` are sorted in place. All are zero when there are no values.
 Percentiles percentiles(std::vector<double> values);
 
 }  // namespace ilot

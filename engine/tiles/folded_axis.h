@@ -6,22 +6,24 @@
 
 namespace ilot {
 
-// Tiles along one axis, numbered anew from 0 so that long stretches without any are left out: a second site 50 km away,
-// or a point at the origin, then costs a few numbers and not all those between. The order stays, and so do all
+// The tiles along one axis, renumbered from 0 so that long stretches without tiles are left out. A second site 50 km
+// away, or a point at the origin, then costs a few numbers and not all those between. The order stays, and so do all
 // distances up to the widest gap that is kept.
 class FoldedAxis {
  public:
   FoldedAxis() = default;
-  // tiles: numbers on the lattice in rising order, each once or more. Gaps of more than widest_gap tiles become as
-  // wide.
+  // `tiles` are numbers on the lattice in ascending order, each once or more. Gaps of more than widest_gap tiles are
+  // shortened to widest_gap.
   FoldedAxis(std::span<const std::int64_t> tiles, std::int64_t widest_gap);
 
-  std::int64_t size() const { return size_; }  // tiles from the first to the last, gaps included
+  std::int64_t size() const { return size_; }  // number of tiles from the first to the last, gaps included
   bool is_folded() const { return pieces_.size() > 1; }
 
-  // Of a tile of the lattice; -1 where it was left out, before the first and behind the last. O(log gaps).
+  // Returns the folded number of a tile of the lattice. It is -1 for a tile that is left out, before the first tile or
+  // after the last. O(log gaps).
   std::int64_t folded(std::int64_t lattice_tile) const;
-  // The way back; tiles before the first and behind the last go on. O(log gaps).
+  // Returns the lattice number of a folded tile. Tiles before the first and after the last are numbered on. O(log
+  // gaps).
   std::int64_t lattice(std::int64_t folded_tile) const;
 
  private:

@@ -4,9 +4,10 @@
 
 namespace ilot {
 
-// Which of the cells of so many lattice units side by side holds a coordinate, counted from the first cell's corner:
-// a multiplication for each point in place of a division. Half a unit is added, so that the true quotient is at least
-// half a unit away from any whole number, farther than the product can be off: exact for 0 <= v < 2^50.
+// Computes which cell contains a coordinate, counted from the corner of the first cell. The cells lie side by side and
+// are `units` lattice units wide. It multiplies for each point and does not divide. Half a unit is added, so that the
+// true quotient is at least half a unit away from any whole number, which is more than the error of the product. The
+// result is exact for 0 <= v < 2^50.
 class LatticeCells {
  public:
   explicit LatticeCells(std::int64_t units) : per_unit_(1 / static_cast<double>(units)) {}

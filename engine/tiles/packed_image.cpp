@@ -10,11 +10,12 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kEight = 8;   // values looked at together
-constexpr Height kMiddle = 0x7fff;  // of the codes
+constexpr std::size_t kEight = 8;   // values that are compared together
+constexpr Height kMiddle = 0x7fff;  // middle of the codes
 
-// A word 2 n + 1 and a value: n times the value; a word 2 n: n values follow. The codes of values: two bytes above
-// `base`, or four as they are. put: whether all values have a code.
+// The format of a row: a word 2 n + 1 and a value stand for n times the value; a word 2 n stands for the n values that
+// follow. The code of a value is two bytes relative to `base`, or four bytes as it is. put() returns whether all values
+// have a code.
 struct Narrow {
   static constexpr std::size_t kWords = 1;
   Height base;
@@ -49,7 +50,8 @@ class RowPacker {
   RowPacker(const Code& code, std::span<const Height> row, std::vector<std::uint16_t>& words)
       : code_(code), row_(row), words_(words) {}
 
-  // A run is found by the eight values that it must hold from a multiple of eight on. False: a value has no code.
+  // Packs a row. A run is found by the eight equal values that it must contain from a multiple of eight on. Returns
+  // false when a value has no code.
   bool pack() {
     std::size_t literal = 0;  // first value that is not yet written
     bool all = true;
@@ -85,7 +87,7 @@ class RowPacker {
   std::vector<std::uint16_t>& words_;
 };
 
-// Values [from, from + length) of a row.
+// Unpacks the values [from, from + length) of a row.
 template <class Code>
 void unpack_row(const Code& code, std::span<const std::uint16_t> words, std::size_t from, std::size_t length,
                 Height* out) {
@@ -117,7 +119,7 @@ Height lowest(const Image& image) {
   return low;
 }
 
-// False: a value has no code.
+// Returns false when a value has no code.
 template <class Code>
 bool pack_rows(const Code& code, const Image& image, PackedImage& packed) {
   packed.rows.clear();
@@ -133,7 +135,8 @@ bool pack_rows(const Code& code, const Image& image, PackedImage& packed) {
   return true;
 }
 
-// Values around the first height, those from the least on, or all.
+// Packs the image with two-byte values around the first height. If that fails, it packs two-byte values from the least
+// height on, and then four-byte values.
 void pack_somehow(const Image& image, PackedImage& packed) {
   for (const Height v : image.values) {
     if (v == kNoHeight || v == kAboveAll) continue;

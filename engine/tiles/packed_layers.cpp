@@ -10,13 +10,13 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesOfEntry = 160;  // of an image in memory, its blocks' heads included
+constexpr std::uint64_t kBytesOfEntry = 160;  // bytes of an image beside its rows and words, with block heads
 
 std::uint64_t bytes_of(const PackedImage& packed) {
   return packed.words.size() * sizeof(std::uint16_t) + packed.rows.size() * sizeof(std::uint32_t) + kBytesOfEntry;
 }
 
-// Rows and words as they stand in the file, rows [first, end] of them.
+// Loads rows [first, end] and their words as they are in the file.
 PackedImage loaded(const ScratchFile& file, std::uint64_t offset, std::uint32_t height, const TileFrame& part) {
   PackedImage packed;
   packed.rows.resize(std::size_t{part.height} + 1);
@@ -39,7 +39,7 @@ PackedLayers::~PackedLayers() {
   layers_.clear();
   std::error_code ignored;
   std::filesystem::remove_all(folder_, ignored);
-  trim_memory();  // rows are small blocks that the allocator would keep, and --memory counts them
+  trim_memory();  // the allocator would keep the small blocks of rows, and they count for --memory
 }
 
 std::shared_ptr<ScratchFile> PackedLayers::file_of(const std::string& layer) {

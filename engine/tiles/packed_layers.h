@@ -13,8 +13,8 @@
 
 namespace ilot {
 
-// Images of tiles by layer, packed row by row, in memory up to a budget and beyond it in a file for each layer. Memory
-// beside the budget: 40 bytes a tile and layer. Called from several threads at once.
+// Images of tiles by layer, packed row by row: in memory up to a budget, and beyond it in one file per layer. Memory
+// beside the budget: 40 bytes per tile and layer. May be called from several threads at once.
 class PackedLayers {
  public:
   PackedLayers(std::filesystem::path folder, std::uint64_t budget_bytes);
@@ -26,15 +26,15 @@ class PackedLayers {
   void read(const char* layer, std::size_t tile, const TileFrame& part, const PixelRows& out) const;
   void drop(const char* layer);
 
-  // What the budget leaves for images to come.
+  // The bytes of the budget that are left for further images.
   std::uint64_t unused() const;
-  // Lowers the budget: what is in memory moves to the files until so many bytes are given back, or none is left.
+  // Lowers the budget: images in memory move to the files until `bytes` bytes are released, or none is left.
   void spill(std::uint64_t bytes);
 
  private:
   struct Entry {
-    std::shared_ptr<const PackedImage> image;  // empty: in the file
-    std::uint64_t offset = 0;                  // there, of its rows, which its words follow
+    std::shared_ptr<const PackedImage> image;  // empty: the image is in the file
+    std::uint64_t offset = 0;                  // position of its rows in the file; its words follow them
     std::uint32_t height = 0;
     Height base = 0;
     bool wide = false;

@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostUnsorted = 1 << 14;  // windows of a block that may repeat before they are sorted
+constexpr std::size_t kMostUnsorted = 1 << 14;  // windows of a block, possibly repeated, before they are sorted
 constexpr std::uint64_t kBytesOfTask = (kStretchPoints + 4 * kMostUnsorted) * 16;
 
 void keep_each_once(std::vector<PointWindow>& windows) {
@@ -19,7 +19,7 @@ void keep_each_once(std::vector<PointWindow>& windows) {
   windows.erase(std::unique(windows.begin(), windows.end()), windows.end());
 }
 
-// The windows of a block. Its points come in Morton order, so that most are in the window of the one before.
+// The windows of a block. Its points come in Morton order, so most points are in the same window as the point before.
 std::vector<PointWindow> windows_of(const Store& store, std::uint32_t block, std::int64_t side) {
   const Block& b = store.blocks()[block];
   const PointWindow low{floor_divided(b.box.min.y, side), floor_divided(b.box.min.x, side)};

@@ -15,9 +15,10 @@ struct PointWindow {
   friend auto operator<=>(const PointWindow&, const PointWindow&) = default;
 };
 
-// The windows of `side` lattice units that hold a point of the store, row by row: those of the points themselves and
-// not of their bounding boxes, so that a point far from all others adds one window. Reads the codes of blocks that
-// reach over the border of a window. O(points); memory: 16 bytes a window, and a stretch of points a thread.
+// Returns the windows of `side` lattice units that contain a point of the store, row by row. They are the windows of
+// the points themselves and not of bounding boxes, so a point far from all others adds one window. Reads the codes of
+// blocks that reach over the border of a window. O(points). Memory: 16 bytes per window and a stretch of points per
+// thread.
 std::vector<PointWindow> windows_with_points(const Store& store, const PassContext& context, std::int64_t side);
 
 }  // namespace ilot

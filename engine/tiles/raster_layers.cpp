@@ -4,7 +4,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kShareOfLayers = 0.15;  // of the budget, for packed layers
+constexpr double kShareOfLayers = 0.15;  // share of the budget for packed layers
 
 }  // namespace
 

@@ -11,8 +11,8 @@
 
 namespace ilot {
 
-// A raster with its layers, packed in memory and, beyond a share of the budget, in files of `folder`; and the work on
-// its tiles within --memory. `what` stands in front of what an Error says.
+// A raster with its layers, which are packed in memory and, beyond a share of the budget, in files of `folder`. It also
+// runs the work on its tiles within --memory. The text of an Error begins with `what`.
 class RasterLayers {
  public:
   RasterLayers(const PassContext& context, const std::filesystem::path& folder, TileRaster raster,

@@ -15,10 +15,10 @@
 namespace ilot {
 namespace {
 
-// Tiles between two sites, at least: far more than any step looks beyond a tile (links of 10 m, lines of facades that
-// go on in the next window of 200 m), whatever the pixel; at 5 cm 1.6 km.
+// The least number of tiles between two sites. It is far more than any step examines beyond a tile (links of 10 m,
+// lines of facades that continue in the next window of 200 m), for any pixel; at 5 cm it is 1.6 km.
 constexpr std::int64_t kWidestGap = 64;
-constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;  // in a direction
+constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;  // in one direction
 
 }  // namespace
 

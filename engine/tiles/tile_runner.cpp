@@ -14,28 +14,29 @@
 namespace ilot {
 namespace {
 
-// Tasks between two looks at what the process holds: tables of 32 KB a tile grow by 2 MB in that time.
+// Tasks between two measurements of the memory of the process: tables of 32 KB per tile grow by 2 MB in that time.
 constexpr std::size_t kRound = 64;
-// What is kept free: growth of tables within a round, stacks, the allocator's pools (a sixteenth of the whole at most).
+// Memory that is kept free for the growth of tables within a round, stacks and the allocator's pools (at most a
+// sixteenth of the whole).
 constexpr std::uint64_t kMargin = 6u << 20;
-constexpr std::uint64_t kShareOfMargin = 24;  // of --memory one part in so many besides
-constexpr double kShareOfBudget = 0.35;       // where nobody says how much the process may take: of the pass's budget
+constexpr std::uint64_t kShareOfMargin = 24;  // a further 1/24 of --memory is kept free
+constexpr double kShareOfBudget = 0.35;       // share of the pass's budget, where no limit for the process is given
 
 }  // namespace
 
-// Below 0: too much is held already.
+// The free memory. A value below 0 means that too much is already in use.
 std::int64_t TileRunner::free_bytes() const {
   if (memory_ == 0) return static_cast<std::int64_t>(kShareOfBudget * static_cast<double>(budget_));
   const std::uint64_t taken = resident_bytes() + layers_.unused() + kMargin + memory_ / kShareOfMargin;
   return static_cast<std::int64_t>(memory_) - static_cast<std::int64_t>(taken);
 }
 
-// At least `least`, at most `wanted`.
+// Makes memory free and returns its size: at least `least`, at most `wanted`.
 std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) const {
   const auto want = static_cast<std::int64_t>(wanted);
   std::int64_t free = free_bytes();
   if (free < want) {
-    trim_memory();  // what lies freed between packed rows goes back to the system, which --memory counts
+    trim_memory();  // gives memory that is free between packed rows back to the system, because it counts for --memory
     free = free_bytes();
   }
   if (free < want && memory_ > 0) {
@@ -44,7 +45,7 @@ std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) c
     free = free_bytes();
   }
   if (free >= static_cast<std::int64_t>(least)) return static_cast<std::uint64_t>(std::min(free, want));
-  if (memory_ == 0) return least;  // runs alone
+  if (memory_ == 0) return least;  // the task runs alone
   const std::uint64_t enough = memory_ + least - static_cast<std::uint64_t>(std::max<std::int64_t>(0, free));
   throw Error(
       fmt::format("{}: this raster needs about {} MiB of memory at once, --memory allows {} MiB: give "

@@ -11,16 +11,16 @@
 
 namespace ilot {
 
-// Runs the work on tiles within --memory as the process stands: what tables, layers, libraries and the allocator hold
-// is measured before each round of tasks, not estimated, and the tasks of the round share what is left. Where that is
-// too little, layers move to their files first; where it is too little for a single task, an Error says how much memory
-// would do. What is computed depends on none of this.
+// Runs the work on tiles within --memory. The memory of tables, layers, libraries and the allocator is measured before
+// each round of tasks and not estimated. The tasks of the round share what is left. Where that is too little, layers
+// are first moved to their files. Where it is too little for a single task, an Error names the memory that would be
+// enough. The results do not depend on any of this.
 class TileRunner {
  public:
   TileRunner(const PassContext& context, PackedLayers& layers, std::string what)
       : memory_(context.memory_bytes), budget_(context.budget_bytes), layers_(layers), what_(std::move(what)) {}
 
-  // RunTasks and NeedBytes of a TileGrid.
+  // The functions RunTasks and NeedBytes of a TileGrid.
   void run(std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) const;
   void need(std::uint64_t bytes) const;
 
@@ -30,7 +30,7 @@ class TileRunner {
 
   std::uint64_t memory_, budget_;
   PackedLayers& layers_;
-  std::string what_;  // runs: in front of what an Error says
+  std::string what_;  // beginning of the text of an Error
 };
 
 }  // namespace ilot

@@ -7,9 +7,9 @@
 
 namespace ilot {
 
-// How the rings of a polygon, each simple, lie to each other: 0 = as they should, 201 they cross or share a piece of an
-// edge, 202 two are the same, 205 they cut the inside in two, 206 a hole lies outside, 207 a hole lies in another one,
-// 999 anything else. The judge is GEOS; rings may touch in points.
+// Returns the fault in the relation of a polygon's rings, each of which is simple. 0 = no fault, 201 rings cross or
+// share a piece of an edge, 202 two rings are the same, 205 the rings cut the inside in two, 206 a hole is outside, 207
+// a hole is in another hole, 999 any other fault. GEOS decides; rings may touch in points.
 int ring_relation_fault(std::span<const std::vector<Point2>> rings);
 
 }  // namespace ilot

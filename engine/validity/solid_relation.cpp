@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeastArea = 100.0 * 100.0;  // of a piece, steps squared
+constexpr double kLeastArea = 100.0 * 100.0;  // least area of a piece; steps squared
 constexpr double kOnSurface = 2;              // steps
 
 IndexTriangle corners_of(const SolidBoundary& s, std::size_t t) {
@@ -35,7 +35,7 @@ Vec3 area_vector(const IndexTriangle& t) {
   return cross(real(t.b) - real(t.a), real(t.c) - real(t.a));
 }
 
-// The coordinate plane that leaves out an axis, and the way back onto a triangle's plane.
+// A projection that drops one axis, and the way back onto the plane of a triangle.
 struct Drop {
   int axis;
   Vec3 corner, normal;
@@ -51,7 +51,7 @@ struct Drop {
   }
 };
 
-// Where triangle s meets the plane of t: its edges on it, or the segment across.
+// Appends the set where triangle s meets the plane of t: the edges of s on it, or the segment across.
 void append_trace(const IndexTriangle& s, const IndexTriangle& t, const Drop& drop, std::vector<FlatEdge>& lines) {
   const std::array<Index3, 3> corner{s.a, s.b, s.c};
   std::array<int, 3> side;
@@ -70,14 +70,15 @@ void append_trace(const IndexTriangle& s, const IndexTriangle& t, const Drop& dr
     lines.push_back({drop.flat(ends[0]), drop.flat(ends[1])});
 }
 
-// Side of p, moved by an infinitesimal along x and a smaller one along y, of the line from a to b seen from above.
+// The side of p relative to the line from a to b, as seen from above. p is moved by an infinitesimal along x and a
+// smaller one along y.
 int nudged_side(Index3 a, Index3 b, Index3 p) {
   if (const int s = orient2d_sign(a, b, p, 2)) return s;
   if (a.y != b.y) return b.y < a.y ? 1 : -1;
   return b.x > a.x ? 1 : b.x < a.x ? -1 : 0;
 }
 
-// Crossings of the surface straight above p, counted with their direction: out of the solid +1, into it -1.
+// Counts crossings of the surface straight above p with their direction: out of the solid +1, into it -1.
 bool is_inside(Index3 p, const SolidBoundary& solid) {
   int crossings = 0;
   for (std::size_t i = 0; i < solid.triangles.size(); ++i) {
@@ -109,7 +110,7 @@ Place place_of(Vec3 p, Vec3 normal, const SolidBoundary& solid, const std::vecto
   return is_inside({std::llround(p.x), std::llround(p.y), std::llround(p.z)}, solid) ? Place::inside : Place::outside;
 }
 
-// Where the pieces of one triangle of a lie.
+// The places of the pieces of one triangle of a.
 std::vector<Place> places_of(const IndexTriangle& t, const SolidBoundary& b, const std::vector<std::size_t>& near) {
   const int axis = widest_axis(t);
   if (axis < 0) return {};

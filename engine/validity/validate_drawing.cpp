@@ -20,7 +20,7 @@ std::string called(const DxfEntity& e) {
   return e.type + (e.handle.empty() ? "" : " " + e.handle) + " in line " + std::to_string(e.line);
 }
 
-// Counts what breaks a rule and remembers the first.
+// Counts the entities that break a rule and remembers the first.
 class Count {
  public:
   void add(const DxfEntity& e) {
@@ -47,7 +47,7 @@ bool is_round(const DxfEntity& e) {
   return e.type == "ARC" || e.type == "CIRCLE";
 }
 
-// Some corner is where the one before it is.
+// Returns true where a corner is at the same place as the one before it.
 bool has_zero_length(const DxfEntity& e) {
   if (is_round(e)) return e.radius <= kSamePlace;
   for (std::size_t i = 0; i + 1 < e.corners.size(); ++i)
@@ -93,7 +93,7 @@ void check_layers(const DxfDrawing& drawing, std::vector<Finding>& findings) {
       count.report("layer", "on the layer '" + clean_text(name) + "' that is not declared", findings);
 }
 
-// Equal for duplicates and for nothing else.
+// A key that is equal for duplicates and for nothing else.
 using Key = std::pair<std::string, std::vector<std::int64_t>>;
 
 Key key_of(const DxfEntity& e) {

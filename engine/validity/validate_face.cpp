@@ -30,7 +30,7 @@ bool triangle_has_area(const LatticeVertices& v, const std::vector<std::uint32_t
   return widest_axis({v.points[ring[0]], v.points[ring[1]], v.points[ring[2]]}) >= 0;
 }
 
-// 104 of inner rings does not end it: the rings that are right go on.
+// A fault 104 of an inner ring does not stop the check: it goes on with the valid rings.
 Faults validate_flat(std::vector<std::vector<Point2>> flat) {
   if (!is_simple_ring(flat[0])) return {{104, "outer ring"}};
   Faults faults;

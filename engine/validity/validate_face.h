@@ -10,13 +10,15 @@
 
 namespace ilot {
 
-// Faults of one face but 204, which needs all faces of a shell to be right: `where` is the size of the fault, or empty.
-// Rings that are too short (101) or have equal corners in a row (102) end it, then a plane (least squares) too far away
-// (203), then an outer ring that crosses itself or has no area on that plane (104), then rings of one orientation
-// (208), then how rings lie to each other (201, 202, 205, 206, 207: GEOS).
+// Returns the faults of one face except 204, which is checked when all faces of a shell are valid. `where` is the size
+// of the fault, or empty. The checks run in this order, and a fault stops the later ones: rings that are too short
+// (101) or have equal consecutive corners (102); distance from the least-squares plane (203); an outer ring that
+// crosses itself or has no area on that plane (104); rings of the same orientation (208); the relation of the rings
+// (201, 202, 205, 206, 207: GEOS).
 Faults validate_face(const LatticeVertices& vertices, const FaceRings& rings, const ValidityParams& params);
 
-// Cosine of the largest angle between the first triangle's normal and another's; 1 for fewer than two with areas.
+// The cosine of the largest angle between the first triangle's normal and that of another one; 1 for fewer than two
+// triangles with areas.
 double least_normals_cosine(const LatticeVertices& vertices, std::span<const TriangleCorners> triangles);
 
 }  // namespace ilot

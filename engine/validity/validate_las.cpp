@@ -18,7 +18,7 @@ namespace {
 struct Measured {
   std::uint64_t points = 0;
   std::array<std::uint64_t, 16> returns{};  // by return number
-  std::uint64_t beyond_their_pulse = 0;     // return number above the number of returns
+  std::uint64_t beyond_their_pulse = 0;     // points with a return number above the number of returns
   std::uint64_t times_not_finite = 0;
   std::array<std::int32_t, 3> min{INT32_MAX, INT32_MAX, INT32_MAX}, max{INT32_MIN, INT32_MIN, INT32_MIN};
 };
@@ -99,7 +99,7 @@ void check_box_range(Case& c) {
     for (const double value : {c.claims.min[axis], c.claims.max[axis]}) {
       const double raw = (value - offset) / scale;
       const bool fits = raw > INT32_MIN - 1.0 && raw < INT32_MAX + 1.0;
-      const bool unset = value == 0 && c.claims.min[axis] == c.claims.max[axis];  // the box itself is judged later
+      const bool unset = value == 0 && c.claims.min[axis] == c.claims.max[axis];  // the box itself is checked later
       if (fits || unset) continue;
       c.severe("box-range", fmt::format("{} of the box is {}, which no 32-bit coordinate reaches (scale {}, offset {})",
                                         "xyz"[axis], value, scale, offset));
@@ -156,7 +156,7 @@ void check_time(Case& c) {
     c.severe("gps-time", fmt::format("{} points have a GPS time that is not finite", c.measured.times_not_finite));
 }
 
-// Half a step, and what rounding of raw * scale + offset may add.
+// Half a scale step, and the possible rounding error of raw * scale + offset.
 double box_tolerance(double scale, double offset, double value) {
   return 0.5 * scale + 8 * std::numeric_limits<double>::epsilon() * (std::abs(offset) + std::abs(value));
 }

@@ -12,7 +12,7 @@ ModelsValidity validate_models(const std::filesystem::path& path,
                                const std::function<void(const ObjectValidity&)>& invalid,
                                const ValidityParams& params) {
   ModelsValidity sum;
-  std::map<std::string, std::vector<std::string>> format;  // by object, until it comes
+  std::map<std::string, std::vector<std::string>> format;  // by object, until the object is read
   const auto object = [&](const CityObject& given) {
     ObjectValidity found{given.id, {}, validate_object(given, params)};
     std::vector<std::string> ids = given.parts;

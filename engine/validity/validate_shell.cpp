@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kMostSteps = 68719476736.0;  // 2^36
 
-// Vertices in order of use, near ones as one. Distances are between doubles, as they are where the rule comes from:
-// many a file has vertices that are exactly one tolerance apart.
+// Numbers the vertices in order of use; near ones become one. Distances are computed in double precision, as in
+// val3dity, because many files have vertices that are exactly one tolerance apart.
 class Snapping {
  public:
   Snapping(std::span<const Vec3> vertices, const ValidityLattice& lattice, double snap)
@@ -38,7 +38,7 @@ class Snapping {
   }
 
  private:
-  // Heights stay as they are: shifted, they would round to other doubles.
+  // Heights are not shifted, because they would round to other doubles.
   Vec3 shifted(Vec3 p) const { return {p.x - lattice_.origin.x, p.y - lattice_.origin.y, p.z}; }
 
   bool near(Vec3 a, Vec3 b) const {
@@ -65,7 +65,7 @@ class Snapping {
   std::unordered_map<std::uint32_t, std::uint32_t> known_;
 };
 
-// A shell as it is looked at: step by step, until one finds faults.
+// Checks a shell step by step, until a step finds faults.
 class ShellCheck {
  public:
   ShellCheck(const SolidShell& shell, const ValidityLattice& lattice, const ValidityParams& params,
@@ -160,7 +160,7 @@ class ShellCheck {
     if (!open.empty()) fault(302, place(out_.vertices.points[open[0].first]));
   }
 
-  // A vertex where two sheets touch has more than one edge of the border coming in.
+  // Checks that the shell is one sheet. A vertex where two sheets touch has more than one incoming edge of the border.
   void check_one_sheet() {
     if (pieces() > 1) return fault(305, fmt::format("{} pieces", pieces()));
     std::map<std::uint32_t, int> border;

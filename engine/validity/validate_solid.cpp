@@ -25,7 +25,7 @@ void append(SolidBoundary& to, const SolidBoundary& more) {
   for (const auto& [a, b, c] : more.triangles) to.triangles.push_back({a + first, b + first, c + first});
 }
 
-// An inner shell, as the solid that it cuts out, against the solid within the outer one.
+// Compares an inner shell, as the solid that it cuts out, with the solid within the outer shell.
 int inner_shell_fault(const SolidBoundary& outer, const SolidBoundary& inner) {
   const SolidRelation r = relate_solids(outer, inner);
   if (r.b_outside_a || r.share_opposite) return r.interiors_overlap() ? 401 : 403;
@@ -38,7 +38,7 @@ int inner_shells_fault(const SolidBoundary& a, const SolidBoundary& b) {
   return r.interiors_overlap() || r.share_opposite ? 401 : 0;
 }
 
-// The shells, each sound by itself: their directions, then how they lie to each other.
+// Checks the shells, each of which is valid by itself: first their orientations, then how they lie to each other.
 Faults check_shells(const std::vector<SolidBoundary>& shells, const std::string& name) {
   Faults faults;
   for (std::size_t i = 0; i < shells.size(); ++i)
@@ -79,7 +79,8 @@ CheckedSolid check_solid(std::span<const Vec3> vertices, const SolidShells& shel
   return out;
 }
 
-// Pairs that are the same end it, then pairs that overlap; a composite hangs together by surfaces.
+// Checks the solids of a composite. Equal pairs stop the check, then overlapping pairs. The solids of a composite must
+// be connected by common surfaces.
 Faults check_composite(const std::vector<SolidBoundary>& solids, const std::string& name) {
   Faults same, overlaps;
   std::vector<std::uint32_t> parents(solids.size());

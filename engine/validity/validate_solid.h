@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Primitives: shells within a solid (401 to 405), solids within a composite (501 to 503), empty ones (902), solids of
-// one building (601).
+// Checks primitives: shells within a solid (401 to 405), solids within a composite (501 to 503), empty primitives (902)
+// and solids of one building (601).
 #pragma once
 #include <span>
 #include <string>
@@ -13,7 +13,7 @@ namespace ilot {
 
 struct CheckedPrimitive {
   Faults faults;
-  std::vector<SolidBoundary> solids;  // of solids and composites of them, when there is no fault
+  std::vector<SolidBoundary> solids;  // solids of the primitive, when there is no fault
 };
 
 CheckedPrimitive check_primitive(std::span<const Vec3> vertices, const Primitive& primitive,

@@ -46,7 +46,7 @@ constexpr CodeName kCodes[] = {{101, "TOO_FEW_POINTS"},
                                {902, "EMPTY_PRIMITIVE"},
                                {903, "WRONG_INPUT_PARAMETERS"}};
 
-constexpr double kFarthest = 1e12;  // CRS units: beyond it a double has no tenth of a millimetre
+constexpr double kFarthest = 1e12;  // CRS units: beyond it a double does not resolve a tenth of a millimetre
 
 bool overlap(const std::vector<SolidBoundary>& a, const std::vector<SolidBoundary>& b) {
   for (const SolidBoundary& s : a)
@@ -59,7 +59,7 @@ bool takes_room(const Primitive& p) {
   return p.kind == PrimitiveKind::solid || p.kind == PrimitiveKind::composite_solid;
 }
 
-// Solids of one level of detail of a building and its parts, all of them sound.
+// Checks for overlaps the solids of one level of detail of a building and its parts, all of which are valid.
 Faults check_overlaps(const CityObject& object, const std::vector<CheckedPrimitive>& checked) {
   Faults faults;
   const std::vector<Primitive>& all = object.primitives;

@@ -22,7 +22,7 @@ constexpr double kCountingCell = 2.1;   // metres, at most
 constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 256;
 constexpr std::int64_t kMillimetresPerMetre = 1000;
 
-// Building points of a block and the squares of the plan that hold them.
+// The building points of a block, and the squares of the plan that contain them.
 struct Occupied {
   std::uint64_t points = 0;
   std::vector<std::pair<std::int64_t, std::int64_t>> cells;
@@ -44,7 +44,7 @@ Occupied occupied_of(const Store& store, std::uint32_t block, int cell_bits) {
   return o;
 }
 
-// Metres between building points: the root of the area that they occupy per point.
+// The distance between building points in metres: the square root of the area that they occupy per point.
 double sampling_step(const Store& store, const PassContext& context) {
   const double unit = store.unit() * context.metres_per_unit;
   int cell_bits = 0;
@@ -67,7 +67,8 @@ double sampling_step(const Store& store, const PassContext& context) {
   return points == 0 ? 0 : std::sqrt(static_cast<double>(count) * side * side / static_cast<double>(points));
 }
 
-// In steps of a factor of the root of two, so that part of a cloud and the whole of it agree.
+// The distance is a multiple of kLeastDistance by a power of the square root of two, so that a part of a cloud and the
+// whole cloud give the same value.
 double distance_for(double step) {
   double distance = kLeastDistance;
   while (distance < kStepsOfDistance * step) distance *= std::sqrt(2.0);
@@ -85,8 +86,8 @@ double choose_distance(const Store& store, const RoofsSettings& settings, const 
   return distance;
 }
 
-// As many as cover a small building, fewer in a sparse cloud; from the distance, so that part of a cloud and the whole
-// of it agree.
+// The least number of points of a cluster: as many as cover a small building, and fewer in a sparse cloud. It is
+// computed from the distance, so that a part of a cloud and the whole cloud give the same value.
 std::uint64_t choose_points(double distance, const RoofsSettings& settings, RunRecord& record) {
   if (settings.cluster_points) return static_cast<std::uint64_t>(*settings.cluster_points);
   constexpr double kSmallBuilding = 10;  // m2
@@ -130,7 +131,7 @@ class Outliner {
  private:
   std::int64_t grid(std::int64_t v) const { return std::llround(static_cast<double>(v) * millimetres_); }
 
-  // Outlines of the cluster, parted where buildings adjoin.
+  // The outlines of a cluster, split where buildings adjoin.
   std::vector<SitePolygon> buildings_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     const std::vector<Vec3> points = points_of(cluster, x, y);
     std::vector<Point2> places;
@@ -146,7 +147,7 @@ class Outliner {
     return buildings;
   }
 
-  // Metres from the anchor on its grid of millimetres: all points of the cluster, or a sample.
+  // All points of the cluster, or a sample of them, in metres from the anchor on its grid of millimetres.
   std::vector<Vec3> points_of(std::uint32_t cluster, std::int64_t x, std::int64_t y) const {
     const auto of_cluster = [&](const Stretch& s) {
       return [cluster, of = s.read(store_, columns::kCluster)](const StretchPoint& p) {
@@ -165,7 +166,7 @@ class Outliner {
 
   const Store& store_;
   const std::vector<CloudCluster>& clusters_;
-  double millimetres_;  // of a lattice unit
+  double millimetres_;  // millimetres of a lattice unit
   ClusterOutlineParams params_;
 };
 

@@ -11,9 +11,10 @@
 
 namespace ilot {
 
-// The sites of a cloud without footprints: clusters of the points whose column "role" is building, each with the
-// outline of its points; ids tell where their first points lie, in steps of the lattice. Clusters of too few points are
-// counted in the record. The distance that parts clusters is chosen for the whole cloud.
+// Plans the sites of a cloud without footprints. They are clusters of the points whose column "role" is building, each
+// with the outline of its points. An id is made from the position of the first point of the cluster, in steps of the
+// lattice. Clusters with too few points are counted in the record. The distance that separates clusters is chosen for
+// the whole cloud.
 std::vector<PlannedSite> plan_clusters(const Store& store, const RoofsSettings& settings, const PassContext& context,
                                        Progress& progress, RunRecord& record);
 

@@ -10,7 +10,7 @@ namespace ilot {
 
 namespace {
 
-// The extent of the store's points in the millimetres of outlines.
+// The extent of the store's points in millimetres, the unit of outlines.
 GridBox extent_of(const Store& store, const PassContext& context) {
   constexpr std::int64_t kFar = std::numeric_limits<std::int64_t>::max();
   const double mm = store.unit() * context.metres_per_unit * 1000;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is said of footprints that came to nothing.
+// Reports on footprints from which no building was made.
 #pragma once
 #include <span>
 #include <string>
@@ -12,13 +12,14 @@
 
 namespace ilot {
 
-// Says which footprints were skipped. Those wholly outside of the cloud's extent are no fault, as footprints of a whole
-// town are usual: they move from record.skipped to record.footprints->outside and become one line.
+// Reports which footprints were skipped. A footprint that lies wholly outside of the cloud's extent is no fault,
+// because footprints of a whole town are usual. Such footprints move from record.skipped to record.footprints->outside
+// and are reported in one line.
 void resolve_skipped_footprints(const Store& store, std::span<const PlannedSite> sites, const PassContext& context,
                                 Progress& progress, RunRecord& record);
 
-// Why roofs found nothing to build: half a sentence. `sites` are those of the footprints, `given`: there is a file of
-// them, `area`: products are asked for in a part only.
+// Returns half a sentence that explains why there are no roofs to build. `sites` are those of the footprints; `given`:
+// there is a file of footprints; `area`: products are wanted in a part only.
 std::string why_no_building(std::span<const PlannedSite> sites, bool given, bool area);
 
 }  // namespace ilot

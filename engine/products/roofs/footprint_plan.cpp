@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kSharedArea = 1;  // m2; less is how outlines were drawn
+constexpr double kSharedArea = 1;  // m2; smaller overlaps come from imprecise drawing
 
 }  // namespace
 

@@ -11,12 +11,12 @@
 
 namespace ilot {
 
-// The sites that a file of footprints asks for, in the order in which they are written; what was found and mended goes
-// into the record and to the progress. Error of ExitCode::usage when the file cannot be used.
+// Plans the sites of a file of footprints, in the order in which they are written. What is found and repaired goes to
+// the record and to the progress. Throws an Error of ExitCode::usage when the file cannot be used.
 std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const Crs& crs, Progress& progress,
                                          RunRecord& record);
 
-// The other sites that share at least a square metre with it, ascending.
+// Returns the other sites that share at least one square metre with this site, ascending.
 std::vector<std::uint32_t> overlapping(std::span<const PlannedSite> sites, const OutlineMap& map, std::size_t site);
 
 }  // namespace ilot

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kGridMetres = 0.001;
 constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
-constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model, points to show
+constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model and the points to show
 
 std::vector<std::size_t> wanted_sites(std::span<const PlannedSite> sites, const Store& store,
                                       const PassContext& context) {
@@ -46,7 +46,7 @@ std::vector<PassTask> costs_of(const SiteWork& work, std::span<const std::size_t
   return tasks;
 }
 
-// Memory of what is known of every site all the time: outlines, the map of them, costs, labels' places.
+// The memory of all data that stay for every site: outlines, their map, costs and the positions of labels.
 std::uint64_t bytes_of_tables(std::span<const PlannedSite> sites) {
   constexpr std::uint64_t kBytesOfSiteRow = sizeof(PlannedSite) + 200;
   std::uint64_t bytes = sites.size() * kBytesOfSiteRow;
@@ -55,7 +55,7 @@ std::uint64_t bytes_of_tables(std::span<const PlannedSite> sites) {
   return bytes;
 }
 
-// What sites in work may take beside the tables and two batches of results.
+// The memory that sites in work may take beside the tables and two batches of results.
 struct RoofBudget {
   std::uint64_t tasks = 0;
   std::size_t together = kFewestTogether;
@@ -77,11 +77,11 @@ struct RoofBudget {
   }
 };
 
-// How far the outlines lie beside the points, from at most 64 of them, evenly spread.
+// Measures how far the outlines lie beside the points, from at most 64 outlines, evenly spread.
 void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
                           const RoofBudget& budget, Progress& progress, FootprintsRecord& record) {
   constexpr std::size_t kMost = 64;
-  constexpr double kWorthMoving = 0.02;  // share of the points that would come to lie inside
+  constexpr double kWorthMoving = 0.02;  // least share of the points that a move would bring inside
   std::vector<std::size_t> sample;
   std::vector<PassTask> tasks;
   for (std::size_t n = 0; n < kMost; ++n) {
@@ -109,7 +109,7 @@ void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sit
   progress.warn(text);
 }
 
-// Consecutive sites and what became of them.
+// Consecutive sites and their results.
 struct Batch {
   std::size_t first = 0, end = 0;
   std::vector<SiteResult> results;
@@ -128,8 +128,8 @@ void deliver(Batch& batch, RoofSink& sink) {
   }
 }
 
-// Sites in the order of ids, some at a time: worked on in parallel, taken in order. While one batch is worked on, one
-// thread takes the one before.
+// Models the sites in batches in the order of ids. The sites of a batch are processed in parallel, and their results
+// are taken in order. While one batch is processed, one thread takes the results of the batch before.
 void model_sites(const SiteModeller& modeller, std::span<const std::size_t> sites, std::span<const PassTask> costs,
                  const RoofBudget& budget, const PassContext& context, RoofSink& sink) {
   Batch before;
@@ -147,14 +147,14 @@ void model_sites(const SiteModeller& modeller, std::span<const std::size_t> site
   deliver(before, sink);
 }
 
-// How many sites share ground with another.
+// The number of sites that share ground with another one.
 std::uint64_t count_overlapping(std::span<const PlannedSite> sites, const OutlineMap& map) {
   std::atomic<std::uint64_t> count{0};
   parallel_for(sites.size(), [&](std::size_t i) { count += !overlapping(sites, map, i).empty(); });
   return count;
 }
 
-// Points of no building: those that the cloud says are ground.
+// The labels of points of no building: those that the cloud classifies as ground are labelled ground.
 std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext& context, std::uint32_t block) {
   const auto roles = work.store.read(block, columns::kRole);
   const auto codes = context.wanted ? work.store.read(block, columns::kCodes) : std::vector<std::uint64_t>{};

@@ -13,11 +13,11 @@
 
 namespace ilot {
 
-// Sites to buildings, of a store with the column "role" (PointRole): gathers the points of each, models it, writes
-// folder/roofs.city.jsonl (and .json when it is not too large) in the order of the sites and the column "roof"
-// (RoofLabel) of every block. Sites are worked on in parallel, the largest of some hundred first; each depends on its
-// own points and its neighbours' outlines alone. With `context.wanted` those whose first vertex is wanted. Adds the
-// stage "roofs" and the counts.
+// Turns sites into buildings, from a store with the column "role" (PointRole). It gathers the points of each site,
+// models it, and writes folder/roofs.city.jsonl (and .json when it is not too large) in the order of the sites, and the
+// column "roof" (RoofLabel) of every block. Sites are processed in parallel, in batches of some hundred with the
+// largest first. Each result depends only on the site's own points and its neighbours' outlines. With `context.wanted`,
+// only sites whose first vertex is wanted are processed. Adds the stage "roofs" and the counts.
 void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
                 const PassContext& context, const std::filesystem::path& folder, Progress& progress, RunRecord& record);
 

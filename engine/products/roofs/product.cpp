@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeastDensity = 1;                        // last returns a square metre: a hundred on a small house
+constexpr double kLeastDensity = 1;                        // last returns per square metre: a hundred on a small house
 constexpr std::size_t kBuilding = 6, kBuildingParts = 67;  // class codes of the LAS standard
 
 Suitability suits(const CloudInfo& info, const CloudMeasure& measure) {
@@ -29,7 +29,8 @@ std::string summary(const RunRecord& record) {
   return record.roofs ? grouped(record.roofs->buildings) + " buildings" : "";
 }
 
-// What each point is to buildings: as the cloud says, or, where it says nothing of buildings, found by shape.
+// Writes the role of each point: as the cloud classifies it, or, where the cloud has no class for buildings, found by
+// shape.
 void make_roles(ProductRun& run) {
   const auto& classes = run.settings.classes;
   auto roles = point_roles(classes.building, classes.ground);

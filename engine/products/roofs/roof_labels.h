@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What buildings say of their points, on its way back to the blocks: buildings come in the order of their ids, blocks
-// want their points in theirs.
+// Transfers the labels of points from buildings to blocks. Buildings come in the order of their ids, while each block
+// needs the labels in the order of its points.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -22,7 +22,7 @@ struct RoofLabel {
   std::uint8_t unused[3] = {};  // written to disk
 };
 
-// What a building says of a point of a block before the numbers of the units and planes before it are known.
+// The label that a building gives to a point of a block, before the numbers of the earlier units and planes are known.
 struct SitePointLabel {
   std::uint32_t point = 0;
   std::uint32_t plane = 0;  // of the building, from 1; 0 = none
@@ -30,26 +30,26 @@ struct SitePointLabel {
   std::uint8_t unused[3] = {};  // written to disk
 };
 
-// Labels that were put aside: where they are in the file.
+// A run of stored labels: its position in the file.
 struct LabelRun {
   std::uint32_t block = 0, count = 0;
   std::uint64_t first = 0;
 };
 
-// Labels of all buildings, in one file of the store's folder "roofs". In memory 24 bytes a run of them.
+// The labels of all buildings, in one file of the store's folder "roofs". Memory: 24 bytes per run of labels.
 class RoofLabels {
  public:
   explicit RoofLabels(const Store& store);
 
-  // Puts labels of a building for points of one block aside. From any thread.
+  // Stores the labels of a building for points of one block. May be called from any thread.
   LabelRun store_labels(std::uint32_t block, std::span<const SitePointLabel> labels);
 
-  // A building's runs, units in ascending order; its plane 1 is first_plane. Of two labels of a point the smaller
-  // unit's counts.
+  // Adds the runs of a building. Units come in ascending order. Plane 1 of the building gets the number first_plane. If
+  // a point has two labels, that of the smaller unit counts.
   void add(std::uint32_t unit, std::uint32_t first_plane, std::span<const LabelRun> runs);
 
-  // Writes the column "roof" (RoofLabel) of every block: the labels that were added, and `of_others` (block, point)
-  // for the rest. Once, when all were added.
+  // Writes the column "roof" (RoofLabel) of every block: the labels that were added, and for the other points the
+  // labels that `of_others` gives for the block. Call it once, when all labels are added.
   void write_columns(const PassContext& context,
                      const std::function<std::vector<PointLabel>(std::uint32_t block)>& of_others);
 

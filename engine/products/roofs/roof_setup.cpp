@@ -6,7 +6,8 @@
 namespace ilot {
 namespace {
 
-// A corner of the CRS's own raster of 100 km, near the least corner of the whole cloud: the same for each part of it.
+// A corner of the CRS's own raster of 100 km near the least corner of the whole cloud. It is the same for each part of
+// the cloud.
 Vec3 origin_near(Index3 least, double unit, double metres_per_unit) {
   const double raster = 100000 / metres_per_unit;
   const auto corner = [&](std::int64_t v) { return std::round(static_cast<double>(v) * unit / raster) * raster; };

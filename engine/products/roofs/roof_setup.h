@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What all buildings of a run are modelled with.
+// The data and settings that the modelling of all buildings of a run shares.
 #pragma once
 #include <span>
 
@@ -10,7 +10,7 @@
 
 namespace ilot {
 
-// Refers to the store and the sites.
+// The setup refers to the store and the sites, which must outlive it.
 struct RoofSetup {
   RoofSetup(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
             const PassContext& context);

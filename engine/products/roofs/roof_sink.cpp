@@ -39,7 +39,7 @@ void RoofSink::count(const SiteResult& result) {
   counts.valid += result.status != RoofStatus::footprint_only;  // others are not delivered
   if (result.status != RoofStatus::footprint_only) return;
   ++counts.footprint_only;
-  if (!record_.footprints) progress_.unit_skipped(result.levels[0].id, result.reason);  // else when all are known
+  if (!record_.footprints) progress_.unit_skipped(result.levels[0].id, result.reason);  // else later
   record_.skipped.push_back({"unit", result.levels[0].id, result.reason});
 }
 

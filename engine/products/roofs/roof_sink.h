@@ -11,7 +11,7 @@
 
 namespace ilot {
 
-// Takes results in the order of ids: numbers them, writes them, counts them.
+// Takes results in the order of ids, and numbers, writes and counts them.
 class RoofSink {
  public:
   RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs, RoofLabels& labels,

@@ -28,7 +28,7 @@ IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
   return column_over(low(box.min_x), low(box.min_y), high(box.max_x), high(box.max_y));
 }
 
-// The site's outline and those within reach of it, seen from its anchor; `own` is its place among them.
+// The site's outline and the outlines within reach of it, seen from its anchor; `own` is the site's index among them.
 std::vector<SitePolygon> outlines_around(const SiteWork& work, std::size_t number, std::size_t& own) {
   const PlacedOutline& outline = work.sites[number].outline;
   const auto reach_mm = static_cast<std::int64_t>(std::ceil(reach_of(work.params) / kGridMetres));
@@ -69,8 +69,8 @@ SiteReader::SiteReader(const SiteWork& work, std::size_t site)
       y_(planned_.outline.y, lattice_step(work)),
       filter_(filter_of(work, site)) {}
 
-// The building's points. Which they are is known only after the last point around them, so both kinds that they may be
-// of are collected, as long as these are not too many.
+// Collects the building's points. Their class is known only after the last point around them is read. So points of both
+// possible classes are collected as long as there are not too many.
 UnitSample SiteReader::sample(GatheredSite& gathered) {
   SiteMeasure measure(filter_);
   UnitCollector building(work_.most_points), unclassified(work_.most_points);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A building's points out of the store, wherever they are and however many.
+// Gathers the points of one building from the store, wherever they are and however many.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -17,16 +17,17 @@
 
 namespace ilot {
 
-// Points of a building that its model is made from; of more a thinned sample is taken (units/thinning.h). An airborne
-// cloud of 60 points per square metre has so many on a roof of 2,200 m2, one of 15 on 8,700 m2. So many at
-// kBytesOfSitePoint are 32 MiB: a run of one thread with --memory 96M has them beside what the program itself takes.
+// The greatest number of points from which a building is modelled. Of more points a thinned sample is taken
+// (units/thinning.h). An airborne cloud of 60 points per square metre has this many on a roof of 2,200 m2, a cloud of
+// 15 on 8,700 m2. This many points at kBytesOfSitePoint take 32 MiB, so that a run of one thread with --memory 96M has
+// room for them beside the memory of the program itself.
 constexpr std::size_t kMostSitePoints = 1u << 17;
 
-// What all sites of a run share. The store has the column "role" (PointRole).
+// The data that all sites of a run share. The store has the column "role" (PointRole).
 struct SiteWork {
   const Store& store;
   std::span<const PlannedSite> sites;
-  const OutlineMap& map;  // of their outlines
+  const OutlineMap& map;  // map of the outlines of the sites
   SitePointsParams params;
   double metres_per_unit = 1;
   std::size_t most_points = kMostSitePoints;
@@ -38,10 +39,10 @@ struct GatheredSite {
   bool by_class = true;             // see SiteRule
   bool thinned = false;             // the site has a sample
   std::uint64_t points = 0;         // of the building
-  std::uint64_t points_around = 0;  // of any class, over the outline and within reach of it
+  std::uint64_t points_around = 0;  // points of any class over the outline and within reach of it
 };
 
-// A point around a site, as the decision about it sees it.
+// A point around a site, as SiteMeasure and SiteRule use it.
 struct AroundPoint {
   StorePlace place;
   Vec3 at;  // metres from the site's anchor; heights from 0 of the CRS
@@ -49,43 +50,44 @@ struct AroundPoint {
   PointMembership membership{};
 };
 
-// Points that are around the site: what reading it costs. 0 without an outline.
+// The number of points around the site, which is the cost of reading it. 0 without an outline.
 std::uint64_t points_to_read(const SiteWork& work, std::size_t site);
 
-// A site with an outline. Nothing that it gives depends on blocks.
+// Reads the points of a site that has an outline. The results do not depend on blocks.
 class SiteReader {
  public:
   SiteReader(const SiteWork& work, std::size_t site);
 
-  // Reads the columns over the outline once; three times where the building has more points than work.most_points.
+  // Reads the columns over the outline once, or three times where the building has more points than work.most_points.
   GatheredSite gather();
 
-  // All points that gather() looks at, of any role, in global order, at most so many: of more every second, third ...
+  // Returns the points that gather() examines, of any role, in global order, at most `most` of them. Of more points it
+  // returns every second, every third and so on.
   std::vector<AroundPoint> points_around(std::size_t most) const;
 
-  // Calls visit(block, points, at) for all points of the building in global order, some thousands of one block at a
-  // time: their numbers in the block and where they are, as in RoofSite. After gather().
+  // Calls visit(block, points, at) for all points of the building in global order, with some thousands of points of one
+  // block at a time: their numbers in the block, and their positions as in RoofSite. Call it after gather().
   using Visit =
       std::function<void(std::uint32_t block, std::span<const std::uint32_t> points, std::span<const Vec3> at)>;
   void for_each_stretch(const Visit& visit) const;
 
-  // Points of buildings around the site, whosever they are, thinned where they are too many.
+  // Returns the points of all buildings around the site, thinned where there are too many.
   UnitSample buildings_around() const;
 
-  // Where a point is from the site's anchor; heights from 0 of the CRS.
+  // The position of a point relative to the site's anchor; heights from 0 of the CRS.
   Vec3 metres(Index3 p) const { return {x_.metres(p.x), y_.metres(p.y), static_cast<double>(p.z) * x_.step}; }
 
  private:
   // One axis of the lattice as seen from the site's anchor.
   struct Axis {
     std::int64_t from = 0;      // lattice coordinate nearest to the anchor
-    double rest = 0, step = 1;  // metres: where that is from the anchor; a lattice unit
+    double rest = 0, step = 1;  // metres; `rest`: position of `from` relative to the anchor; `step`: a lattice unit
 
     Axis(std::int64_t anchor_mm, double unit_metres);
     double metres(std::int64_t v) const { return static_cast<double>(v - from) * step + rest; }
   };
 
-  // For sample_unit(): which points of a stretch are the building's.
+  // Argument for sample_unit(): decides which points of a stretch belong to the building.
   auto building_points() const {
     return [this](const Stretch& s) {
       return [this, roles = s.read(work_.store, columns::kRole)](const StretchPoint& p) {
@@ -118,7 +120,7 @@ class SiteReader {
   double anchor_z_ = 0;
 };
 
-// Counts the points of buildings around the site for a raster of shifts of the outlines.
+// Counts, for a raster of shifts of the outlines, the points of buildings around the site that lie inside.
 ShiftCounts shifts_around(const SiteWork& work, std::size_t site);
 
 }  // namespace ilot

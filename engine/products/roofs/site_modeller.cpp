@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-// Roof faces numbered from 1, whatever numbers the model gave them; the last number.
+// Numbers the roof faces from 1, whatever numbers the model gave them, and returns the last number.
 std::uint32_t number_planes(RoofModel& model) {
   std::map<std::uint32_t, std::uint32_t> numbers{{0, 0}};
   for (const BuildingSurface& s : model.lod22.surfaces)
@@ -31,7 +31,7 @@ std::uint32_t number_planes(RoofModel& model) {
   return last;
 }
 
-// val3dity's tolerances are metres.
+// The tolerances of val3dity are metres; they are converted to CRS units.
 ValidityParams tolerances(double metres_per_unit) {
   ValidityParams params;
   params.snap /= metres_per_unit;
@@ -39,7 +39,7 @@ ValidityParams tolerances(double metres_per_unit) {
   return params;
 }
 
-// The first fault as a reason; empty without one.
+// Returns the first fault as a reason; empty if there is no fault.
 std::string fault_of(const Faults& faults) {
   if (faults.empty()) return {};
   return "the solid is not valid: " + std::to_string(faults[0].code) + " " + validity_code_name(faults[0].code) + ", " +

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One site to one building: its points gathered, modelled, labelled and measured.
+// Turns one site into one building: its points are gathered, modelled, labelled and measured.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace ilot {
 
-// A building as it is written, but for the numbers that depend on those before it.
+// A building as it is written, except for the numbers that depend on the buildings before it.
 struct SiteResult {
   std::vector<Building> levels;  // the first has id and attributes
   RoofStatus status = RoofStatus::footprint_only;
@@ -20,18 +20,19 @@ struct SiteResult {
   bool thinned = false;          // modelled from a sample of its points
   std::uint32_t planes = 0;      // plane_id of the levels and labels: 1 to this, or 0
   std::vector<LabelRun> labels;  // of its points
-  std::vector<Vec3> points;      // some of the building's, coordinates of the CRS
-  double share_off = 0;          // of its points that lie on no face
+  std::vector<Vec3> points;      // some points of the building, in coordinates of the CRS
+  double share_off = 0;          // share of its points that lie on no face
 };
 
-// What was found on the way to a SiteResult, for whoever looks for the step that went wrong.
+// The intermediate results of a SiteResult, for anyone who looks for the step that went wrong.
 struct SiteSteps {
   GatheredSite gathered;
   RoofSteps roof;
-  std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else the plane_id that SiteResult has
+  std::vector<std::uint32_t> face_of_point;  // per point of the site: 0 = none, else the plane_id in SiteResult
 };
 
-// Memory of a site in work, whatever the number of its points; kBytesOfSitePoint more a point of its model.
+// kBytesOfSite is the memory to process a site, for any number of points. kBytesOfSitePoint is added for each point of
+// its model.
 constexpr std::uint64_t kBytesOfSite = 1u << 18, kBytesOfSitePoint = 256;
 
 class SiteModeller {
@@ -39,9 +40,9 @@ class SiteModeller {
   SiteModeller(const SiteWork& work, const RoofModelParams& params, const CityJsonParams& file, RoofLabels& labels)
       : work_(work), params_(params), file_(file), labels_(labels) {}
 
-  // A building of more points than work.most_points is modelled from a sample of them; then each of its points is
-  // labelled by the face above or below it (faces_at), and heights, rmse and counts are of all its points.
-  // Where `steps` are given they are filled; the result is the same.
+  // Models one site. A building with more points than work.most_points is modelled from a sample of them. Then each of
+  // its points is labelled by the face above or below it (faces_at), and the heights, the rmse and the counts are over
+  // all its points. If `steps` is given, it is filled; the result is the same.
   SiteResult model(std::size_t site, SiteSteps* steps = nullptr) const;
 
  private:

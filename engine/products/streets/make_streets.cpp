@@ -19,9 +19,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kStepsOfGap = 5;          // pixels that a gap between scan lines may have at least
-constexpr std::uint64_t kLeastPoints = 3;  // of an object [Hernandez and Marcotegui 2008, 5.3]
-constexpr double kCandidatePixels = 4;     // of a thing at least
+constexpr double kStepsOfGap = 5;          // pixels; least limit for the width of a gap between scan lines
+constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an object [Hernandez and Marcotegui 2008, 5.3]
+constexpr double kCandidatePixels = 4;     // least number of pixels of a candidate
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
   return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
@@ -36,7 +36,7 @@ ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterSca
 }
 
 Vec3 place_of(const TileRaster& raster, double x, double y, Height z) {
-  return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels at whole numbers
+  return {raster.crs_x(x + 0.5), raster.crs_y(y + 0.5), z * raster.unit};  // centres of pixels are at whole numbers
 }
 
 StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, const ObjectCandidate& candidate,
@@ -101,7 +101,7 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
                      air ? "what is upright was hardly seen" : "what is upright or near was seen best")});
 }
 
-// Says that ground may have been left out, as behind a bridge.
+// Reports that ground may have been left out, for example behind a bridge.
 void report_left_out_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
   if (ground.left_out.empty()) return;
   double area = 0;

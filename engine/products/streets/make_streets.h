@@ -18,7 +18,7 @@
 
 namespace ilot {
 
-// A street taken apart, before anything is called by its name.
+// A street that is segmented but not yet classified.
 struct FoundStreet {
   std::unique_ptr<StreetTiles> tiles;       // all layers
   std::vector<ObjectCandidate> candidates;  // by number in the layer "candidates", from 1
@@ -28,12 +28,12 @@ struct FoundStreet {
   StreetView view = StreetView::street;  // where it was scanned from
 };
 
-// From the images to the features of all that stands there (Hernandez and Marcotegui 2008, 2.2 to 5.2). Works in tiles
-// on disk; memory is that of a few tiles and of their borders.
+// Runs all steps from the images to the features of the object candidates [Hernandez and Marcotegui 2008, 2.2 to 5.2].
+// It works in tiles on disk. The memory is that of a few tiles and of the borders of all tiles.
 FoundStreet find_street(const Store& store, const StreetsSettings& settings, const PassContext& context,
                         const SeeTile& see = {});
 
-// Metres of a pixel of a street's raster, and what it was chosen by.
+// The size of a pixel of a street's raster, and the values from which it was chosen.
 struct StreetPixel {
   PointDensity density;
   StreetView view = StreetView::street;
@@ -41,28 +41,27 @@ struct StreetPixel {
 };
 StreetPixel street_pixel(const Store& store, const StreetsSettings& settings, const PassContext& context);
 
-// What things on streets are, to learn from.
+// The training data for the classes of objects on streets.
 struct StreetTraining {
-  std::filesystem::path places;  // or a model that a run wrote; empty = none
-  TrainObjectModel learn;        // how places become a model; empty: only models are read
+  std::filesystem::path places;  // places of known objects, or a model that a run wrote; empty = none
+  TrainObjectModel learn;        // trains a model from places; empty: only models are read
 };
 
-// What was found on the way to a StreetPlan, for whoever looks for the step that went wrong.
+// The intermediate results of a StreetPlan, for anyone who looks for the step that went wrong.
 struct StreetSteps {
-  SeeTile see;  // given; the images as they are written
+  SeeTile see;  // input; receives the images as they are written
   std::optional<TileRaster> raster;
-  std::vector<ObjectCandidate> candidates;  // parts, then what joins them (find_object_candidates)
+  std::vector<ObjectCandidate> candidates;  // parts, then their joins (find_object_candidates)
   std::vector<CandidateClass> classes;
-  std::vector<std::uint8_t> taken;  // per thing: it is whole
-  std::vector<std::uint32_t>
-      candidate_of_part;                 // per number in the layer "candidates" the thing that was taken; [0] = 0
-  std::vector<std::uint32_t> object_of;  // per thing + 1: the object that it is, 0 for none
+  std::vector<std::uint8_t> taken;               // per candidate: 1 = it is selected as whole
+  std::vector<std::uint32_t> candidate_of_part;  // per number in the layer "candidates": the taken candidate; [0] = 0
+  std::vector<std::uint32_t> object_of;          // per candidate + 1: its object, 0 for none
   std::vector<StreetObject> objects;
 };
 
-// find_street, the class of each thing by the default model or as learnt from `train` (street_classes), and all that is
-// written: the files of `folder` (streets/) and the column "street" (StreetLabel) of every block. Objects whose base is
-// not wanted are left out. Where `steps` are given they are filled.
+// Runs find_street, classifies each candidate by the default model or by one that is trained from `train`
+// (street_classes), and writes all results: the files of `folder` (streets/) and the column "street" (StreetLabel) of
+// every block. Objects whose base lies outside of the wanted area are left out. If `steps` is given, it is filled.
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
                   const PassContext& context, const std::filesystem::path& folder, Progress& progress,
                   RunRecord& record, StreetSteps* steps = nullptr);

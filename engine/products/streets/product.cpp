@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kMostStep = 0.5;  // metres: a bollard or a car's roof gets a few points
+constexpr double kMostStep = 0.5;  // metres: at this step a bollard or the roof of a car still gets a few points
 constexpr const char* kNoObject = "nothing was found that stands on the ground";
 
 Suitability suits(const CloudInfo&, const CloudMeasure& measure) {

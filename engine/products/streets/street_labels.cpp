@@ -9,7 +9,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
-constexpr std::size_t kCachedTiles = 4;  // points come in Morton order: around a corner of tiles, in turn from these
+constexpr std::size_t kCachedTiles = 4;  // in Morton order, points around a common corner alternate between four tiles
 constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 2 + 1) << 20;
 constexpr std::uint32_t kFacade = 0xffffffffu;
 
@@ -36,14 +36,14 @@ class Verdict {
 
  private:
   struct CachedTile {
-    std::int64_t x = 0, y = 0;          // of its first pixel, lattice units
-    Image level = {}, candidates = {};  // kFacade in things: where nothing stands and the mask has ended
+    std::int64_t x = 0, y = 0;          // lattice units; its first pixel
+    Image level = {}, candidates = {};  // kFacade in candidates: no candidate, outside of the mask
     bool contains(Index3 p, std::int64_t units) const {
       return level.size() > 0 && p.x >= x && p.y >= y && p.x - x < units && p.y - y < units;
     }
   };
 
-  // The one used last comes first.
+  // The tile that was used last is moved to the front.
   const CachedTile& tile_over(Index3 p) {
     if (cached_[0].contains(p, units_)) return cached_[0];
     std::size_t i = 1;
@@ -67,7 +67,7 @@ class Verdict {
   const ObjectLabels& candidates_;
   Height least_;
   std::uint32_t side_;
-  std::int64_t units_;  // of a tile's side
+  std::int64_t units_;  // side of a tile in lattice units
   LatticeCells pixel_of_;
   CachedTile cached_[kCachedTiles];
 };

@@ -17,7 +17,7 @@ namespace {
 constexpr float kNone = -9999;  // pixels without a height
 constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;
 
-// Tiles of the lattice from the first row and column to the last, closed.
+// A box of tiles of the lattice from the first row and column to the last, inclusive.
 struct TileBox {
   std::int64_t first_row = INT64_MAX, first_column = INT64_MAX, last_row = INT64_MIN, last_column = INT64_MIN;
 
@@ -29,7 +29,7 @@ struct TileBox {
   std::int64_t columns() const { return last_column - first_column + 1; }
 };
 
-// What becomes one file.
+// The tiles that are written to one file.
 struct Sheet {
   TileBox box;
   std::vector<std::size_t> tiles;
@@ -51,7 +51,7 @@ std::vector<Sheet> sheets_of(const TileRaster& raster, TileBox& whole) {
   return sheets;
 }
 
-// What a layer is written as: the value of each pixel of a tile.
+// How a layer is written: `values` gives the value of each pixel of a tile.
 struct RasterLayer {
   const char* name;
   RasterValue kind;

@@ -18,14 +18,14 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kSide = 512;
-constexpr std::uint64_t kBytesDrawn = 16;            // per pixel of a tile that is drawn
-constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // of points as they are read, their chunks included
+constexpr std::uint64_t kBytesDrawn = 16;            // bytes per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // memory of points while they are read, with their chunks
 constexpr double kFinestPixel = 0.05;                // metres
-constexpr int kCoarsest = 20;                        // times that
-constexpr double kPointsOfPixel = 2.302585;  // at random: one pixel in ten is empty then, e to the power of minus this
+constexpr int kCoarsest = 20;                        // times the finest pixel
+constexpr double kPointsOfPixel = 2.302585;  // at random, one pixel in ten is then empty: e to the power of minus this
 constexpr double kPointsOfHalfStep = 0.25;   // a quarter of a pixel whose side is the step
 constexpr std::uint32_t kDenseFactor = 4;    // times the median
-constexpr double kMaxDenseShare = 1.0 / 3;   // of the points seen from the air
+constexpr double kMaxDenseShare = 1.0 / 3;   // greatest share of points in dense cells for a view from the air
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>
@@ -40,8 +40,8 @@ std::int64_t whole_units(const Store& store, const PassContext& context, double 
   return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
 }
 
-// The level of each pixel of a tile that has none, from the nearest that has one within so many steps. `around`: the
-// tile and one more pixel on all sides than that.
+// The level of each pixel of a tile. A pixel without a level takes it from the nearest pixel with one within `reach`
+// steps. `around` is the tile with reach + 1 pixels on all sides.
 Image spread(const Image& around, std::uint32_t reach) {
   const std::uint32_t halo = reach + 1;
   return with_nearest_keys(around, reach, [&](const auto& nearest) {
@@ -55,7 +55,7 @@ Image spread(const Image& around, std::uint32_t reach) {
   });
 }
 
-// Cells by their number of points, of so many square metres each.
+// The density from the number of cells (of `area` square metres each) by number of points.
 PointDensity density_of(const std::map<std::uint32_t, std::uint64_t>& cells, double area) {
   std::uint64_t all = 0, below = 0, points = 0, dense_share = 0;
   for (const auto& [n, count] : cells) all += count, points += n * count;
@@ -75,7 +75,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
   const std::int64_t cell = whole_units(store, context, 1), side = cell * kCells;
   const LatticeCells cell_of(cell);
   const std::vector<PointWindow> windows = windows_with_points(store, context, side);
-  std::map<std::uint32_t, std::uint64_t> all;  // cells by their number of points
+  std::map<std::uint32_t, std::uint64_t> all;  // number of cells by their number of points
   std::mutex mutex;
   const std::vector<PassTask> tasks(windows.size(), {kBytesOfStretch, 0});
   run_pass(tasks, context.budget_bytes / 4, [&](std::size_t i) {
@@ -121,7 +121,7 @@ StreetTiles::StreetTiles(const Store& store, const PassContext& context, double 
   run_tasks(raster().grid, bytes, [&](std::size_t tile) { draw(tile); });
 }
 
-// take(pixel in the tile, z)
+// Calls take(pixel in the tile, z) for each point of a tile.
 template <class Take>
 void StreetTiles::for_points(std::size_t tile, const Take& take) const {
   const Index3 corner = raster().corner(tile);

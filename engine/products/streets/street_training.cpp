@@ -15,14 +15,14 @@ namespace ilot {
 namespace {
 
 constexpr std::string_view kOldModel = "ilot things 2";  // the first words of a model of version 2
-constexpr double kNear = 0.5;                            // metres from a place to its thing
-constexpr double kGroupMetres = 25;                      // things of one such square are never parted by a fold
+constexpr double kNear = 0.5;                            // metres; greatest distance from a place to its candidate
+constexpr double kGroupMetres = 25;  // side of a square in metres; candidates in one square are always in the same fold
 
 std::string name_of(PointLabel label) {
   return label == PointLabel::none ? "none" : point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
-// The separated thing nearest to a place; 0 = none.
+// The separated part nearest to a place; 0 = none.
 std::uint32_t part_at(const FoundStreet& street, Vec3 place) {
   const TileRaster& raster = street.tiles->raster();
   const auto pixel_of = [&](double v) {
@@ -123,7 +123,7 @@ bool is_model(const std::filesystem::path& path) {
   return first.starts_with("ilot objects") || first.starts_with(kOldModel);
 }
 
-// A model as version 2 wrote it, in the words of version 3.
+// Converts a model that version 2 wrote to the words of version 3.
 std::string in_new_words(std::string text) {
   text.replace(0, kOldModel.size(), "ilot objects 3");
   constexpr std::string_view kOldWord = ": several";

@@ -6,20 +6,22 @@
 
 namespace ilot {
 
-// What things are called by: a model of its own, or the default one with another's classes.
+// The models that give object candidates their classes: a base model and, where one was trained, a second model with
+// its classes.
 struct StreetClasses {
-  const ObjectModel* base = nullptr;        // says what is whole, and what is no object
-  std::optional<ObjectModel> trained = {};  // says what objects are called
+  const ObjectModel* base = nullptr;        // decides which candidates are whole and which are no objects
+  std::optional<ObjectModel> trained = {};  // decides the class of each object
 
   std::vector<CandidateClass> of(const std::vector<ObjectCandidate>& candidates) const;
 };
 
-// The library's model for clouds scanned from there.
+// The model of the library for clouds with this view.
 const ObjectModel& library_model(StreetView view);
 
-// Learns from the places of `train` what the things of this street are called, or reads a model that a run wrote
-// (objects.model); empty: the library's model. A place belongs to the thing at it, or within half a metre; of what
-// joins that with others the largest that holds no other place. Error(usage) where nothing can be learnt.
+// Trains the classes of this street's objects on the places in `train`, or reads a model that an earlier run wrote
+// (objects.model). If `train` is empty, the model of the library is used. A place belongs to the separated candidate at
+// that place, or to the nearest one within half a metre. Of the joins that contain this candidate, the largest one that
+// contains no other place is the sample. Throws Error(usage) where nothing can be trained.
 StreetClasses street_classes(const FoundStreet& street, const StreetTraining& train, const Crs& crs, Progress& progress,
                              RunRecord& record);
 

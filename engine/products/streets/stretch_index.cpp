@@ -7,9 +7,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarFromStreet = 30;  // metres from a line of facades; objects beyond are of no block
+constexpr double kFarFromStreet = 30;  // metres from a line of facades; objects farther away belong to no block
 constexpr double kCell = 64;           // metres
-constexpr double kStep = 16;           // metres along a line from one look at the cells around to the next
+constexpr double kStep = 16;           // metres along a line between the places whose surrounding cells are examined
 
 }  // namespace
 

@@ -10,18 +10,18 @@
 
 namespace ilot {
 
-// The block beside a place: stretch and block from 1, 0 = none.
+// The block beside a place. Stretch and block are numbered from 1; 0 = none.
 struct BlockAddress {
   std::uint32_t stretch = 0, block = 0;
 };
 
-// Lines of facades by where they are, so that a place looks at those near to it only.
+// An index of the lines of facades by position, so that a query examines only the lines near it.
 class StretchIndex {
  public:
   StretchIndex(const std::vector<StreetStretch>& stretches, const RasterScale& scale);
 
-  // Of pixels of the whole: the nearest line of facades within 30 m, of equally near ones the first, and of its blocks
-  // the one nearest along it. O(log cells + lines near by).
+  // The address of a place in pixels of the whole image: the nearest line of facades within 30 m (ties: the first), and
+  // the nearest of its blocks along that line. O(log cells + lines near by).
   BlockAddress address(double x, double y) const;
 
  private:
@@ -30,7 +30,7 @@ class StretchIndex {
 
   const std::vector<StreetStretch>& stretches_;
   double pixel_;                                     // metres
-  std::map<Cell, std::vector<std::uint32_t>> near_;  // of each cell the lines within reach of it, rising
+  std::map<Cell, std::vector<std::uint32_t>> near_;  // for each cell the lines within reach of it, ascending
 };
 
 }  // namespace ilot

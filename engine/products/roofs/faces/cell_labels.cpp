@@ -16,20 +16,20 @@ constexpr double kCostPerM2 = 1e4;
 constexpr double kNearPlane = 3;    // metres around a plane's points where it is a candidate
 constexpr double kTallestWall = 1;  // metres
 constexpr Cost kForbidden = Cost{1} << 40;
-constexpr double kForeign = 0.3;     // share of a point's area that lying on another plane within epsilon costs
-constexpr double kFar = 1;           // shares more that a point costs per metre off, up to one metre
+constexpr double kForeign = 0.3;     // share of a point's area; cost of a point on another plane within epsilon
+constexpr double kFar = 1;           // further shares that a point costs per metre off the plane, up to one metre
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
-constexpr double kBareTipSteps = 3;  // a tip that long holds nine points or more, were it as wide: one is seen
+constexpr double kBareTipSteps = 3;  // a tip of this length and width would contain nine points or more, so one is seen
 constexpr int kRounds = 8;
-constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; with what hangs on them 64 bytes each
+constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; 64 bytes each with all that belongs to them
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-// As far apart along each axis as `by` at most.
+// Returns true where the boxes are at most `by` apart along each axis.
 bool near(const FlatBox& a, const FlatBox& b, double by) {
   return a.min.x - by <= b.max.x && b.min.x - by <= a.max.x && a.min.y - by <= b.max.y && b.min.y - by <= a.max.y;
 }
 
-// A plane that a cell may have and what it costs.
+// A plane that a cell may have, and its cost.
 struct Candidate {
   std::uint32_t plane;
   Cost cost;
@@ -41,7 +41,7 @@ struct Border {
   double length;
 };
 
-// Cells that a plane is a candidate of, and the borders of these.
+// The cells for which a plane is a candidate, and the borders of these cells.
 struct Reach {
   std::vector<std::uint32_t> cells, borders;
   std::uint32_t done_at = 0;  // the last expansion
@@ -51,12 +51,12 @@ FlatPoint metres(Point2 p) {
   return {p.x / 1000.0, p.y / 1000.0};
 }
 
-// Of an area from 0, rounded.
+// The rounded cost of an area of 0 or more.
 Cost cost_of(double square_metres) {
   return static_cast<Cost>(square_metres * kCostPerM2 + 0.5);
 }
 
-// The share of its area that a point costs on a plane; `lean`: of the plane's normal that rises by 1, its length.
+// The share of its area that a point costs on a plane. `lean` is the length of the plane's normal whose z is 1.
 double misfit(const RoofPlane& plane, double lean, Vec3 p, bool labelled, double epsilon) {
   const double gap = std::abs(p.z - plane.at(p.x, p.y)), off = gap / (lean * epsilon);
   if (!labelled) return off <= 1 ? 0 : kUnlabelled * std::min(1.0, (off - 1) / 2);
@@ -75,7 +75,7 @@ class Labelling {
     forbid_overshoot();
   }
 
-  // Empty where there are too many candidates.
+  // The result is empty where there are too many candidates.
   std::vector<std::uint32_t> solve() {
     if (candidates_.empty()) return {};
     label_.resize(cells_.regions);
@@ -130,7 +130,7 @@ class Labelling {
 
   void add_points(std::span<const std::uint32_t> region) {
     const double area = planes_.step * planes_.step;
-    std::vector<double> lean;  // per plane: length of the normal that rises by 1
+    std::vector<double> lean;  // per plane: length of the normal whose z is 1
     for (const RoofPlane& p : planes_.planes) lean.push_back(std::sqrt(1 + p.gx * p.gx + p.gy * p.gy));
     for (std::size_t i = 0; i < region.size(); ++i) {
       if (region[i] == kOutside || planes_.on_wall[i]) continue;
@@ -142,8 +142,8 @@ class Labelling {
     }
   }
 
-  // Metres that a face may rise above its highest point: its tip, or a face that has narrowed to nothing, is as steep
-  // as the rest and may be without a point for some steps.
+  // How far a face may rise above its highest point, in metres. Its tip, or a face that has narrowed to nothing, is as
+  // steep as the rest and may be without a point for some steps.
   double overshoot(const RoofPlane& plane) const {
     const double slope = std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy);
     return std::max(params_.overshoot, kBareTipSteps * planes_.step * slope);
@@ -187,7 +187,7 @@ class Labelling {
     return cost_of(border.length * (params_.border + params_.wall * height));
   }
 
-  // What an expansion of each plane can change and what that depends on.
+  // Finds the cells that an expansion of each plane can change, and the borders on which that depends.
   void find_reaches() {
     reaches_.resize(planes_.planes.size());
     for (std::uint32_t r = 0; r < cells_.regions; ++r)
@@ -200,7 +200,8 @@ class Labelling {
     }
   }
 
-  // Whether a cell that an expansion looks at has changed since the last one, which left nothing to gain.
+  // Returns true where a cell that this expansion examines has changed since the last expansion, which left nothing to
+  // gain.
   bool has_changed(const Reach& reach) const {
     return std::any_of(reach.cells.begin(), reach.cells.end(),
                        [&](std::uint32_t r) { return changed_at_[r] > reach.done_at; }) ||
@@ -209,7 +210,8 @@ class Labelling {
            });
   }
 
-  // One expansion of a plane: the cheapest set of cells to take it, among all sets. True when a cell changed.
+  // Expands one plane: of all sets of cells that could take the plane, it finds the cheapest. Returns true when a cell
+  // changed.
   bool expand(std::uint32_t alpha) {
     Reach& reach = reaches_[alpha];
     std::vector<std::uint32_t> movable;
@@ -232,10 +234,10 @@ class Labelling {
     return changed;
   }
 
-  // Per movable cell whether it takes the plane; empty: none does.
+  // Returns a flag per movable cell: 1 = it takes the plane. Empty: no cell does.
   std::vector<std::uint8_t> cells_to_take(std::uint32_t alpha, std::span<const std::uint32_t> movable,
                                           std::span<const std::uint32_t> borders) const {
-    std::vector<Cost> gain(movable.size());  // of staying over moving
+    std::vector<Cost> gain(movable.size());  // gain of staying compared with moving
     for (std::size_t i = 0; i < movable.size(); ++i)
       gain[i] = candidate(movable[i], alpha)->cost - candidate(movable[i], label_[movable[i]])->cost;
     std::vector<CutArc> arcs;
@@ -268,7 +270,7 @@ class Labelling {
   std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
   std::vector<Reach> reaches_;                      // per plane
   std::vector<std::uint32_t> label_;                // per cell, from 0
-  std::vector<std::uint32_t> node_;                 // per cell: its place among the movable ones, or kNone
+  std::vector<std::uint32_t> node_;                 // per cell: its index among the movable ones, or kNone
   std::vector<std::uint32_t> changed_at_;           // per cell: the expansion that changed it last
   std::uint32_t clock_ = 1;                         // counts expansions
 };

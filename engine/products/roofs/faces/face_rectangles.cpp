@@ -13,14 +13,14 @@ namespace ilot {
 namespace {
 
 constexpr double kSmallFace = 10;         // m2 that the points of a plane stand for
-constexpr double kFilled = 0.65;          // of the rectangle, by its points give or take a deviation: triangles do not
-constexpr double kClearlySmaller = 0.98;  // the likelier direction unless another saves so much
-constexpr double kAligned = 0.1;          // metres between a side and the line that it is taken to lie on
-constexpr double kReachSteps = 2;         // beyond a side, where the points of others bear on it
-constexpr double kLeastRise = 0.3;        // of a plane over another that ends where it meets it
+constexpr double kFilled = 0.65;          // of the rectangle, by its points plus one deviation; triangles have less
+constexpr double kClearlySmaller = 0.98;  // a less likely direction must reduce the area to this share
+constexpr double kAligned = 0.1;          // metres between a side and the line onto which it is moved
+constexpr double kReachSteps = 2;         // steps beyond a side; points of others matter within this distance
+constexpr double kLeastRise = 0.3;        // least slope between two planes that end in their meeting line
 constexpr double kBeyond = 0.01;          // metres past the corners, so that rounding leaves no gap
 
-// Sides across `along` (u) and along it (v), each the low one first.
+// The sides across `along` (u) and along it (v), the low one of each pair first.
 struct Rectangle {
   FlatPoint along;
   std::array<double, 2> u{INFINITY, -INFINITY}, v{INFINITY, -INFINITY};
@@ -83,7 +83,7 @@ class Drawer {
     for (const double u : best.u) sides_.push_back({best.at(u, best.v[0] - kBeyond), best.at(u, best.v[1] + kBeyond)});
   }
 
-  // What lies beyond one side of a box of points: how far off, and whether it is the higher.
+  // The surroundings beyond one side of a box of points: how far away they are, and whether they are higher.
   struct Beyond {
     double gap = INFINITY;
     bool higher = false;
@@ -113,7 +113,7 @@ class Drawer {
     return r;
   }
 
-  // How far beyond its outermost point a side lies.
+  // How far a side lies beyond its outermost point.
   double margin(const Beyond& beyond, double length, double reach) const {
     const double spacing = std::min(planes_.step / 2, planes_.step * planes_.step / std::max(length, planes_.step));
     if (beyond.gap > reach) return spacing;
@@ -121,7 +121,7 @@ class Drawer {
     return beyond.higher ? beyond.gap - share : share;
   }
 
-  // How far beyond a side the plane runs into one that rises outwards, parallel to the side.
+  // How far beyond a side the plane meets another plane that rises outwards, parallel to the side.
   std::optional<double> meeting(std::uint32_t plane, const std::set<std::uint32_t>& others, FlatEdge side,
                                 FlatPoint outwards, double gap) const {
     const RoofPlane& own = planes_.planes[plane - 1];
@@ -167,7 +167,7 @@ class Drawer {
     if (s > ends[1] && s - ends[1] < sides[1].gap) sides[1] = {s - ends[1], higher};
   }
 
-  // Moves sides that the line runs along onto it.
+  // Moves sides along which the line runs onto the line.
   static void align(const FlatEdge& line, Rectangle& r) {
     const FlatPoint d{line.b.x - line.a.x, line.b.y - line.a.y};
     const double length = std::sqrt(dot(d, d));
@@ -191,7 +191,7 @@ class Drawer {
   const RoofPlanes& planes_;
   std::span<const FlatPoint> directions_;
   std::span<const FlatEdge> lines_;
-  std::vector<std::vector<FlatPoint>> members_;  // per plane, of small ones
+  std::vector<std::vector<FlatPoint>> members_;  // per plane, only for small planes
   std::vector<std::uint32_t> by_x_;              // points with a plane
   std::vector<FlatEdge> sides_;
 };

@@ -8,13 +8,14 @@ namespace {
 
 constexpr std::uint32_t kNever = 0xffffffffu;
 
-// One direction of an arc; the other one is `twin`.
+// One direction of an arc; the other direction is `twin`.
 struct Half {
   std::uint32_t to = 0, twin = 0;
   std::int64_t residual = 0;
 };
 
-// Source and sink are kept as what a node still has to give (above 0) or can still take (below).
+// Source and sink are stored as the excess of each node: what it still has to give (above 0) or can still take (below
+// 0).
 class Network {
  public:
   Network(std::span<const std::int64_t> gain, std::span<const CutArc> arcs)
@@ -27,7 +28,7 @@ class Network {
       ++first_[a.from];
       ++first_[a.to];
     }
-    for (std::uint32_t end = 0, v = 0; v < first_.size(); ++v) end = first_[v] += end;  // ends, moved down to starts
+    for (std::uint32_t end = 0, v = 0; v < first_.size(); ++v) end = first_[v] += end;  // ends, later moved to starts
     for (const CutArc& a : arcs) {
       const std::uint32_t there = --first_[a.from], back = --first_[a.to];
       halves_[there] = {a.to, back, a.capacity};
@@ -35,7 +36,7 @@ class Network {
     }
   }
 
-  // Sends all that can be sent and tells who can then still reach the sink.
+  // Sends all the flow that can be sent, and returns which nodes can then still reach the sink.
   std::vector<std::uint8_t> sink_side() {
     while (measure_levels()) {
       std::copy(first_.begin(), first_.end() - 1, current_.begin());
@@ -49,8 +50,8 @@ class Network {
   }
 
  private:
-  // Arcs to the nearest node that can take something. True when a node that has something to give is among those that
-  // reach one.
+  // Computes for each node the number of arcs to the nearest node that can take flow. Returns true when a node that has
+  // flow to give can reach such a node.
   bool measure_levels() {
     std::fill(level_.begin(), level_.end(), kNever);
     queue_.clear();
@@ -73,7 +74,7 @@ class Network {
     return any;
   }
 
-  // Sends along one way down the levels; false when none is left.
+  // Sends flow along one path down the levels. Returns false when there is no such path.
   bool send_from(std::uint32_t start) {
     path_.clear();
     std::uint32_t v = start;
@@ -85,7 +86,7 @@ class Network {
       if (h < first_[v + 1]) {
         path_.push_back(h);
         v = halves_[h].to;
-      } else {  // a dead end: back, and past the arc that led here
+      } else {  // a dead end: go back and skip the arc that led here
         if (path_.empty()) return false;
         v = halves_[halves_[path_.back()].twin].to;
         path_.pop_back();
@@ -104,14 +105,14 @@ class Network {
   }
 
   std::vector<std::int64_t> excess_;
-  std::vector<std::uint32_t> first_;  // per node: its first half; one more than there are nodes
+  std::vector<std::uint32_t> first_;  // per node: its first half; one entry more than there are nodes
   std::vector<Half> halves_;
   std::vector<std::uint32_t> level_, current_;
   std::vector<std::uint32_t> queue_, path_;
 };
 
-// Most nodes gain more by staying than all their arcs could cost: they stay whatever the others do, so their arcs
-// become gains of those that they lead to, and what is left is a small network or none.
+// Reduces the network. Most nodes gain more by staying than all their arcs could cost. They stay whatever the others
+// do, so their arcs become gains of the nodes at the other ends. What is left is a small network, or none.
 class Core {
  public:
   Core(std::span<const std::int64_t> gain, std::span<const CutArc> arcs)
@@ -138,7 +139,7 @@ class Core {
   }
 
  private:
-  // One sweep over nodes and arcs; true when a node was found to stay.
+  // Makes one sweep over nodes and arcs. Returns true when a node was found to stay.
   bool remove_decided() {
     outgoing_capacity_.assign(gain_.size(), 0);
     for (const CutArc& a : arcs_) outgoing_capacity_[a.from] += a.capacity;

@@ -17,20 +17,20 @@
 namespace ilot {
 namespace {
 
-constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // of one point of a top to the next; less where that joins several
+constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // steps between neighbours; less where tops would be joined
 constexpr std::size_t kFewest = 5;
-constexpr std::size_t kMembersPerOther = 5;  // within the hull
-constexpr double kLeastCover = 0.25;         // of the hull, of what its points stand for
-constexpr double kLargestTop = 10;           // m2 that its points stand for; more would be a plane by itself
+constexpr std::size_t kMembersPerOther = 5;  // points of the top per other point within the hull
+constexpr double kLeastCover = 0.25;         // area of the hull divided by the area that its points stand for
+constexpr double kLargestTop = 10;           // m2 that its points stand for; a larger one would be a plane by itself
 constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
-constexpr std::int32_t kRowHeight = 1000;    // millimetres; of the rows that points are found in
+constexpr std::int32_t kRowHeight = 1000;    // millimetres; height of the rows in which points are searched
 constexpr std::size_t kMostPairs =
-    1u << 21;                    // of points near each other that are kept: 8 MiB; beyond, found anew each time
-constexpr double kMostOf = 0.6;  // ... when it takes so much of them or the plane is no surface
+    1u << 21;                    // stored pairs of near points: 8 MiB; further ones are searched again each time
+constexpr double kMostOf = 0.6;  // ... when it takes this share of them, or when the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
 
-// Points in rows along x, each by x, so that those in a box are found without looking at all.
+// Points in rows along x, each row sorted by x, so that the points in a box are found without examining all points.
 class Rows {
  public:
   Rows(const std::vector<Point2>& places, const Indices& which, std::int32_t height)
@@ -82,7 +82,7 @@ class Rows {
   const std::vector<Point2>& places_;
   std::int32_t height_, low_y_ = 0;
   std::int64_t rows_ = 0;
-  std::vector<std::uint32_t> first_;  // per row and one more: where it begins
+  std::vector<std::uint32_t> first_;  // per row, and one more entry: where it begins
   std::vector<Placed> order_;
 };
 
@@ -98,7 +98,7 @@ class TopFinder {
   }
 
   void run() {
-    std::vector<std::pair<std::size_t, std::uint32_t>> seeds;  // by the points around them
+    std::vector<std::pair<std::size_t, std::uint32_t>> seeds;  // with the number of points around them
     for (const std::uint32_t i : everyone()) {
       if (free_[i] == 0) continue;
       std::size_t around = 0;
@@ -118,7 +118,7 @@ class TopFinder {
         top.clear();
         break;
       }
-      for (const std::uint32_t i : top) tried_[i] = 1;  // what grows from them is much the same
+      for (const std::uint32_t i : top) tried_[i] = 1;  // the tops that grow from them are nearly the same
     }
   }
 
@@ -136,7 +136,7 @@ class TopFinder {
     return places;
   }
 
-  // Without a plane, or on one so small that it may be a top seen badly.
+  // Returns true for a point without a plane, or on a plane so small that it may be a top that is badly seen.
   bool is_free(std::uint32_t i) const {
     if (planes_.on_wall[i] != 0) return false;
     const std::uint32_t plane = planes_.of_point[i];
@@ -148,7 +148,8 @@ class TopFinder {
     return planes_.planes[plane - 1].points * planes_.step * planes_.step < kSmallPlane;
   }
 
-  // Small planes with many points off them in the midst of their own: tops of several boxes taken for one.
+  // Returns the small planes that have many points off them in the midst of their own: such a plane joins the tops of
+  // more than one box.
   std::set<std::uint32_t> torn() const {
     std::map<std::uint32_t, Indices> members;
     for (const std::uint32_t i : everyone())
@@ -167,7 +168,7 @@ class TopFinder {
     return hull;
   }
 
-  // Who is free and, of these, who lies within the farthest reach of whom.
+  // Finds which points are free and, for each of these, the free points within the farthest reach of it.
   void find_neighbours() {
     Indices free = everyone();
     std::erase_if(free, [&](std::uint32_t i) { return !is_free(i); });
@@ -191,7 +192,7 @@ class TopFinder {
 
   std::int32_t box_reach() const { return static_cast<std::int32_t>(std::ceil(std::min(reach_ * 1000 + 1, 1e6))); }
 
-  // Points within reach that were free at the beginning.
+  // Visits the points within reach that were free at the beginning.
   template <class Visit>
   void for_each_near(std::uint32_t i, Visit visit) const {
     const Point2 p = places_[i];
@@ -212,7 +213,7 @@ class TopFinder {
     return z;
   }
 
-  // Free points around one of them, at a height.
+  // Visits the free points around one of them at a height.
   template <class Visit>
   void level_around(std::uint32_t i, double height, Visit visit) const {
     const auto look_at = [&](std::uint32_t j) {
@@ -227,7 +228,7 @@ class TopFinder {
     return static_cast<double>(top.size()) * planes_.step * planes_.step > kLargestTop;
   }
 
-  // Until it is too large.
+  // Grows a top from a seed until it is complete or too large.
   Indices grown_from(std::uint32_t seed, double height) {
     Indices top{seed};
     grown_[seed] = ++growth_;
@@ -251,7 +252,7 @@ class TopFinder {
     return others_within(hull, level) * kMembersPerOther <= top.size();
   }
 
-  // Points off the plane.
+  // Counts the points within the hull that are off the plane.
   std::size_t others_within(std::span<const Point2> hull, const RoofPlane& plane) const {
     Point2 low = hull[0], high = low;
     for (const Point2 v : hull) {
@@ -270,7 +271,7 @@ class TopFinder {
     return others;
   }
 
-  // Points of every plane in the top.
+  // Counts the points of every plane in the top.
   std::map<std::uint32_t, std::uint32_t> taken_by(const Indices& top) const {
     std::map<std::uint32_t, std::uint32_t> taken;
     for (const std::uint32_t i : top)
@@ -289,7 +290,7 @@ class TopFinder {
     });
   }
 
-  // A plane that lost most of its points to it loses the others too.
+  // Adds the plane of a top. A plane that lost most of its points to the top loses its other points too.
   void add(const Indices& top) {
     for (const auto& [plane, points] : taken_by(top)) {
       if (is_majority(plane, points)) std::replace(planes_.of_point.begin(), planes_.of_point.end(), plane, 0u);
@@ -313,15 +314,15 @@ class TopFinder {
   const RoofSite& site_;
   RoofPlanes& planes_;
   std::vector<std::uint8_t> tried_ = std::vector<std::uint8_t>(site_.points.size(), 0);
-  std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // the last growth with it
+  std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // last growth with the point
   std::uint32_t growth_ = 0;
   double reach_ = kReachSteps.front() * planes_.step;
   std::vector<Point2> places_;
   Rows all_;
   std::set<std::uint32_t> no_surface_;  // planes
-  std::vector<std::uint8_t> free_;      // per point: may be of a top
-  std::optional<Rows> rows_;            // of the points that were free at the beginning
-  Indices first_, others_;              // per free point those around it; empty where these are too many to keep
+  std::vector<std::uint8_t> free_;      // per point: it may belong to a top
+  std::optional<Rows> rows_;            // rows of the points that were free at the beginning
+  Indices first_, others_;              // per free point its neighbours; empty where there are too many to store
 };
 
 void drop_empty_planes(RoofPlanes& planes) {

@@ -11,7 +11,7 @@ namespace {
 
 using Wide = __int128;
 
-// From left to right, as vertices ascend.
+// Directs the segments from left to right, as vertices ascend, and sorts them.
 std::vector<NetSegment> directed(std::span<const NetSegment> segments) {
   std::vector<NetSegment> sorted;
   sorted.reserve(segments.size());
@@ -23,7 +23,7 @@ std::vector<NetSegment> directed(std::span<const NetSegment> segments) {
   return sorted;
 }
 
-// a / b for b > 0, halves up.
+// The quotient a / b for b > 0, rounded to the nearest integer, halves up.
 std::int32_t rounded_quotient(Wide a, Wide b) {
   const Wide n = 2 * a + b, d = 2 * b;
   Wide q = n / d;
@@ -35,7 +35,7 @@ bool overlap_along_y(const NetSegment& s, const NetSegment& t) {
   return std::max(s.a.y, s.b.y) >= std::min(t.a.y, t.b.y) && std::max(t.a.y, t.b.y) >= std::min(s.a.y, s.b.y);
 }
 
-// Where the insides of two segments cross, rounded. Segments that meet in an end need no other vertex.
+// Adds the rounded point where the interiors of two segments cross. Segments that meet in an end need no other vertex.
 void add_crossing(const NetSegment& s, const NetSegment& t, std::vector<Point2>& vertices) {
   const std::int64_t a = orient2d(s.a, s.b, t.a), b = orient2d(s.a, s.b, t.b);
   if (a == 0 || b == 0 || (a > 0) == (b > 0)) return;
@@ -59,8 +59,8 @@ std::vector<Point2> vertices_of(const std::vector<NetSegment>& segments) {
   return vertices;
 }
 
-// Whether a segment passes through the square of half a unit around a point, its left and its lower side included. The
-// segment's box must reach the square's.
+// Returns true where a segment passes through the square of half a unit around a point, its left and its lower side
+// included. The segment's box must reach the square's box.
 bool passes(const NetSegment& s, Point2 p) {
   const std::int64_t dx = std::int64_t{s.b.x} - s.a.x, dy = std::int64_t{s.b.y} - s.a.y;
   const std::int64_t off = orient2d(s.a, s.b, p), width = std::abs(dx) + std::abs(dy);  // twice the corners' offsets
@@ -89,7 +89,7 @@ class Rounding {
   }
 
  private:
-  // Vertices on the way ascend with the way made.
+  // Adds the edges of a segment. The vertices on a segment ascend in its direction.
   void add(const NetSegment& s) {
     on_way_.clear();
     const std::int32_t low = std::min(s.a.y, s.b.y), high = std::max(s.a.y, s.b.y);

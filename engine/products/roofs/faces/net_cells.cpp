@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffu;
 
-// Edge e of the net as two halves, 2 e from its lesser vertex to the greater and 2 e + 1 back, each with the face on
-// its left.
+// Edge e of the net has two halves: 2 e from its lesser vertex to the greater one, and 2 e + 1 back. Each half has a
+// face on its left.
 class Faces {
  public:
   explicit Faces(const LineNet& net) : net_(net) {
@@ -42,7 +42,7 @@ class Faces {
   }
   std::uint32_t end(std::uint32_t half) const { return start(half ^ 1); }
 
-  // Halves that start at each vertex, counter-clockwise from the direction of +x.
+  // Finds the halves that start at each vertex, counter-clockwise from the direction of +x.
   void find_spokes() {
     first_.assign(net_.vertices.size() + 1, 0);
     for (const NetEdge& e : net_.edges) ++first_[e.from], ++first_[e.to];
@@ -59,13 +59,14 @@ class Faces {
     }
   }
 
-  // Along the face on the left: of what leaves the end, the last before the way back, counter-clockwise.
+  // The next half along the face on the left. Of the halves that leave the end, it is the last one before the way back,
+  // counter-clockwise.
   std::uint32_t next(std::uint32_t half) const {
     const std::uint32_t v = end(half), i = place_[half ^ 1];
     return spokes_[i == first_[v] ? first_[v + 1] - 1 : i - 1];
   }
 
-  // Cycles of halves; one that turns left goes around a face, any other around a component.
+  // Traces the cycles of halves. A cycle that turns left goes around a face, any other around a component.
   void trace() {
     face_.assign(spokes_.size(), kNone);
     for (std::uint32_t h = 0; h < face_.size(); ++h) {
@@ -83,8 +84,8 @@ class Faces {
     }
   }
 
-  // The face below the least vertex of a component is the one around it. Components begin with their least vertices,
-  // and what lies below one begins before it.
+  // Finds the face around each component: it is the face below the component's least vertex. Components begin with
+  // their least vertices, and the component below another one begins before it.
   void place_components() {
     std::vector<std::uint32_t> parents(net_.vertices.size());
     UnionFind components(parents);
@@ -101,14 +102,14 @@ class Faces {
     for (std::uint32_t& face : face_) face = stands_for[face];
   }
 
-  // The cycle around a component passes its least vertex, and there is one alone.
+  // Returns the cycle around a component. It passes the component's least vertex, and there is only one.
   std::uint32_t cycle_around(std::uint32_t least) const {
     std::uint32_t i = first_[least];
     while (!around_component_[face_[spokes_[i]]]) ++i;
     return face_[spokes_[i]];
   }
 
-  // The nearest edge of another component straight below a vertex.
+  // Returns the nearest edge of another component straight below a vertex.
   std::uint32_t edge_below(std::uint32_t v, UnionFind& components) const {
     const Point2 p = net_.vertices[v];
     std::uint32_t nearest = kNone;
@@ -148,7 +149,7 @@ class Faces {
 
   std::vector<std::uint32_t> numbered(std::uint32_t& regions) const {
     std::vector<std::uint32_t> region(outside_ + 1, kOutside);
-    for (const std::uint32_t h : spokes_) {  // by the vertices that they start from
+    for (const std::uint32_t h : spokes_) {  // in the order of the vertices where they start
       const std::uint32_t face = face_[h];
       if (inside_[face] != 0 && region[face] == kOutside) region[face] = ++regions;
     }
@@ -156,8 +157,8 @@ class Faces {
   }
 
   const LineNet& net_;
-  std::vector<std::uint32_t> first_, spokes_;   // per vertex and one more: where its spokes begin; halves
-  std::vector<std::uint32_t> place_;            // per half: among the spokes
+  std::vector<std::uint32_t> first_, spokes_;   // per vertex, and one more entry: where its spokes begin; the halves
+  std::vector<std::uint32_t> place_;            // per half: its position among the spokes
   std::vector<std::uint32_t> face_;             // per half: the face on its left
   std::vector<std::uint8_t> around_component_;  // per cycle
   std::vector<std::uint8_t> inside_;            // per face

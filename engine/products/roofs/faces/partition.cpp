@@ -16,7 +16,7 @@
 namespace ilot {
 namespace {
 
-// Vertices in the middle of straight borders of the same two regions, by walking from junction to junction.
+// Removes vertices in the middle of straight borders between the same two regions. It walks from junction to junction.
 class Straightener {
  public:
   Straightener(Partition& partition, std::span<const std::uint8_t> fixed) : p_(partition), fixed_(fixed) {}
@@ -56,7 +56,7 @@ class Straightener {
     const std::size_t last = chain.size() - 1;
     if (chain.front() != chain.back()) {
       straighten(chain, 0, last, left, right);
-    } else {  // a closed border: from its far side on, so that it does not fall to a line
+    } else {  // a closed border: it starts at the far side, so that it does not collapse to a line
       const auto far =
           static_cast<std::size_t>(std::max_element(chain.begin(), chain.end(),
                                                     [&](std::uint32_t a, std::uint32_t b) {
@@ -69,7 +69,7 @@ class Straightener {
     }
   }
 
-  // Douglas and Peucker within the bound that snap rounding leaves straight lines in.
+  // Simplifies by Douglas and Peucker with the tolerance to which snap rounding can bend straight lines.
   void straighten(const std::vector<std::uint32_t>& chain, std::size_t from, std::size_t to, std::uint32_t left,
                   std::uint32_t right) {
     constexpr double kTolerance = 1.5;  // millimetres
@@ -100,7 +100,7 @@ class Straightener {
   std::vector<PartitionEdge> edges_;
 };
 
-// Vertices in their order, one for those at one place.
+// Sorts the vertices and keeps one of those at the same place.
 void join_vertices(Partition& p) {
   std::vector<Point2> places = p.vertices;
   std::sort(places.begin(), places.end());
@@ -115,7 +115,7 @@ void join_vertices(Partition& p) {
   p.vertices = std::move(places);
 }
 
-// Vertices that no edge uses go; the others keep their order.
+// Removes vertices that no edge uses; the others keep their order.
 void drop_unused_vertices(Partition& p) {
   std::vector<std::uint32_t> number(p.vertices.size(), 0);
   for (const PartitionEdge& e : p.edges) number[e.from] = number[e.to] = 1;
@@ -132,7 +132,7 @@ void drop_unused_vertices(Partition& p) {
   }
 }
 
-// Edges inside that pass a vertex within reach (metres) go through it.
+// Makes inner edges that pass a vertex within reach (metres) go through it.
 void pass_through_near_vertices(Partition& p, double reach) {
   const double reach_mm = reach * 1000;
   const auto edges = static_cast<std::uint32_t>(p.edges.size());
@@ -195,7 +195,7 @@ void tidy(Partition& p) {
     } else if (kept.back().left == e.right) {
       kept.back().left = e.left;
     } else {
-      kept.push_back(e);  // regions that overlap: no plane subdivision, but every region still closes
+      kept.push_back(e);  // regions overlap: this is no planar subdivision, but every region is still closed
     }
     if (kept.back().left == kept.back().right) kept.pop_back();
   }
@@ -243,7 +243,7 @@ Partition part(const SitePolygon& outline, std::span<const FlatEdge> lines) {
 std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<const FlatPoint> points) {
   std::vector<std::uint32_t> regions(points.size(), kOutside);
   if (partition.edges.empty()) return regions;
-  // Vertices ascend by x: strips across, each with the edges that cross it.
+  // Vertices ascend by x. Strips across x each contain the edges that cross them.
   const auto strips = static_cast<std::size_t>(4 * std::sqrt(static_cast<double>(partition.edges.size()))) + 1;
   const double low = partition.vertices.front().x, high = partition.vertices.back().x;
   const double width = (high - low) / static_cast<double>(strips) + 1;
@@ -259,7 +259,7 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
     const Point2 a = partition.vertices[e.from], b = partition.vertices[e.to];
     if (a.x == b.x) continue;  // never below
     const Crossing c{static_cast<double>(a.x), static_cast<double>(a.y), static_cast<double>(b.x),
-                     static_cast<double>(b.y), e.left};  // from < to, so towards +x, and its left is above it
+                     static_cast<double>(b.y), e.left};  // from < to: it runs towards +x, its left is above it
     const std::size_t last = strip_of(c.bx);
     for (std::size_t s = strip_of(c.ax); s <= last; ++s) crossing[s].push_back(c);
   }

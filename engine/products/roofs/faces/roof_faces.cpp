@@ -15,7 +15,7 @@ double length_of(const Partition& p, const PartitionEdge& e) {
   return std::sqrt(static_cast<double>(squared_distance(p.vertices[e.from], p.vertices[e.to]))) / 1000;
 }
 
-// Cells of one label that hang together, numbered from 1 in the order of their first cells.
+// Connected cells of one label, numbered from 1 in the order of their first cells.
 struct Components {
   std::vector<std::uint32_t> of_cell;
   std::uint32_t count = 0;
@@ -34,7 +34,7 @@ Components components_of(const Partition& cells, std::span<const std::uint32_t> 
   return c;
 }
 
-// Points of every cell on every plane.
+// The number of points of every cell on every plane.
 using PointCounts = std::vector<std::map<std::uint32_t, std::uint32_t>>;
 
 PointCounts count_points(const RoofPlanes& planes, std::span<const std::uint32_t> cell_of_point, std::uint32_t cells) {
@@ -44,7 +44,7 @@ PointCounts count_points(const RoofPlanes& planes, std::span<const std::uint32_t
   return counts;
 }
 
-// Gives the smallest face that cannot stay to its neighbour. False when all can.
+// Gives the smallest face that cannot stay to its neighbour. Returns false when all faces can stay.
 bool give_one_away(const Partition& cells, const std::vector<double>& areas, const PointCounts& counts,
                    double least_area, std::vector<std::uint32_t>& label) {
   const Components c = components_of(cells, label);

@@ -15,15 +15,15 @@
 namespace ilot {
 namespace {
 
-constexpr double kCreaseSteps = 1;          // farthest, in steps, that a border is seen beside the line of its planes
-constexpr double kLeastSlopeChange = 0.05;  // of two planes that cross in a line worth drawing
-constexpr double kLongestSteps = 8, kLongestMetres = 3;  // of edges that show a border
-constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // of a line beyond what was seen of it
-constexpr double kFarthest = 15;                         // metres that a line goes on to meet another
+constexpr double kCreaseSteps = 1;          // steps; greatest distance of a border from the line of its planes
+constexpr double kLeastSlopeChange = 0.05;  // least difference of slope of two planes whose intersection is a line
+constexpr double kLongestSteps = 8, kLongestMetres = 3;  // longest edges that show a border
+constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // extension of a line beyond its seen part
+constexpr double kFarthest = 15;                         // metres; greatest extension of a line to meet another one
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
 constexpr double kLeastRunSteps = 1;
-constexpr double kAligned = 0.1;           // metres between a step and the line that it is taken to lie on
-constexpr double kGapSteps = 4;            // a line ends where nothing is seen of it for so long
+constexpr double kAligned = 0.1;           // metres between a step and the line onto which it is moved
+constexpr double kGapSteps = 4;            // steps; a line ends where nothing of it is seen over this length
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
 
@@ -77,7 +77,7 @@ class BorderFinder {
     const FlatPoint upper = flat(site_.points[p]), lower = flat(site_.points[q]);
     if (crosses) {
       borders_.creases.push_back({flat(middle), a, b, upper, lower});
-    } else {  // half a step from the upper point: what lies farther may be its shadow
+    } else {  // half a step from the upper point: what is farther away may be its shadow
       const double share = std::min(0.5, 0.5 * planes_.step / length);
       const FlatPoint at{upper.x + share * (lower.x - upper.x), upper.y + share * (lower.y - upper.y)};
       borders_.steps.push_back({at, a, b, upper, lower});
@@ -97,7 +97,7 @@ double extension(const RoofPlanes& planes) {
   return std::max(kExtendSteps * planes.step, kExtendMetres);
 }
 
-// Where two planes have the same height: point and direction of unit length.
+// The line where two planes have the same height: a point and a direction of unit length.
 struct Line {
   FlatPoint at, along;
 };
@@ -109,7 +109,7 @@ Line crossing(const RoofPlane& a, const RoofPlane& b, FlatPoint near) {
   return {{near.x - difference * g.x / slope2, near.y - difference * g.y / slope2}, {-g.y / slope, g.x / slope}};
 }
 
-// A crease for every pair of planes that were seen to cross, as far as that was seen.
+// Adds a crease for every pair of planes that were seen to cross, as far as the crossing was seen.
 void add_creases(std::vector<BorderSample> seen, const RoofPlanes& planes, std::vector<FlatEdge>& lines) {
   std::stable_sort(seen.begin(), seen.end(), [](const BorderSample& s, const BorderSample& t) {
     return std::tie(s.a, s.b) < std::tie(t.a, t.b);
@@ -144,8 +144,8 @@ std::vector<FlatEdge> outline_edges(const SitePolygon& outline) {
   return edges;
 }
 
-// Directions in which steps are likely to run, the likeliest first: those of the outline and across it, by length; then
-// down the planes and along them.
+// Returns the directions in which steps are likely to run, the likeliest first: those of the outline and across it, by
+// length; then those down the planes and along them.
 std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes& planes) {
   std::vector<std::pair<double, FlatPoint>> weighted;  // by length
   const auto add = [&](FlatPoint d, double weight) {
@@ -183,7 +183,7 @@ std::vector<FlatPoint> likely_directions(const RoofSite& site, const RoofPlanes&
   return directions;
 }
 
-// Consecutive sightings of one straight step.
+// Consecutive samples of one straight step.
 struct Run {
   std::vector<std::uint32_t> members;
   FlatPoint along;
@@ -194,9 +194,9 @@ FlatPoint on(const Run& run, double t) {
   return {t * run.along.x - run.offset * run.along.y, t * run.along.y + run.offset * run.along.x};
 }
 
-// Takes runs, those with the most sightings first, each sighting once. Sightings lie in strips of half a step along
-// every direction; a run lies in two neighbouring strips. What a window of two strips can give only shrinks as
-// sightings are taken, so a window is looked at again only when it comes to the top.
+// Takes runs, those with the most samples first, and each sample once. Samples lie in strips of half a step along every
+// direction; a run lies in two neighbouring strips. The best run of a window of two strips can only shrink while
+// samples are taken. So a window is examined again only when it is at the top of the queue.
 class StepFinder {
  public:
   StepFinder(std::vector<BorderSample> seen, std::vector<FlatPoint> directions, double step)
@@ -232,8 +232,8 @@ class StepFinder {
   struct Window {
     std::size_t size;
     std::uint32_t direction;
-    std::size_t strip;                       // among those of the direction
-    bool operator<(const Window& o) const {  // the top is the largest, ties by place
+    std::size_t strip;                       // its index among the strips of the direction
+    bool operator<(const Window& o) const {  // the top is the largest; ties by position
       return std::tie(size, o.direction, o.strip) < std::tie(o.size, direction, strip);
     }
   };
@@ -261,7 +261,8 @@ class StepFinder {
     }
   }
 
-  // Places of a strip and of the next one, along them, that are not taken. Valid until the next call.
+  // The samples of a strip and of the next one that are not taken, in order along the strips. Valid until the next
+  // call.
   const std::vector<Place>& places_in(const Window& window) const {
     const std::vector<Place>& places = places_[window.direction];
     const std::vector<std::size_t>& starts = starts_[window.direction];
@@ -279,7 +280,8 @@ class StepFinder {
     return merged;
   }
 
-  // The most sightings of a window without a gap; none when they lie too close together to give a direction.
+  // The longest sequence of samples of a window without a gap. It is empty when the samples are too close together to
+  // give a direction.
   Run longest(const Window& window) const {
     const std::vector<Place>& places = places_in(window);
     std::size_t best_first = 0, best_last = 0, first = 0;
@@ -299,7 +301,7 @@ class StepFinder {
     return run;
   }
 
-  // Across its direction, between the points that it parts.
+  // Sets the offset of the run, across its direction, between the points that it separates.
   void place(Run& run) const {
     std::vector<StepGap> gaps;
     for (const std::uint32_t i : run.members)
@@ -312,13 +314,13 @@ class StepFinder {
   double step_;
   std::vector<std::uint8_t> used_;
   std::vector<std::vector<Place>> places_;        // per direction
-  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end
+  std::vector<std::vector<std::size_t>> starts_;  // per direction: where its strips begin, and the end of the last
   std::priority_queue<Window> windows_;
-  mutable std::vector<Place> merged_;  // what places_in gives
+  mutable std::vector<Place> merged_;  // the result of places_in
 };
 
-// Runs that a wall of the outline or a longer run continues lie on its line: between the two nothing but slivers would
-// be left.
+// Moves a run onto the line of a wall of the outline or of a longer run that it continues. Otherwise only slivers would
+// lie between the two lines.
 void align(std::vector<Run>& runs, const std::vector<FlatEdge>& outline) {
   std::vector<Line> known;
   for (const FlatEdge& e : outline) {
@@ -352,7 +354,7 @@ void add_steps(const std::vector<Run>& runs, double extend, std::vector<FlatEdge
   }
 }
 
-// How far a ray of unit direction runs until it meets an edge; nothing when it does not.
+// The length of a ray of unit direction until it meets an edge; nullopt when it does not.
 std::optional<double> distance_along(FlatPoint from, FlatPoint direction, const FlatEdge& edge) {
   const FlatPoint along{edge.b.x - edge.a.x, edge.b.y - edge.a.y}, to{edge.a.x - from.x, edge.a.y - from.y};
   const double turn = cross(direction, along);
@@ -362,7 +364,7 @@ std::optional<double> distance_along(FlatPoint from, FlatPoint direction, const 
   return t;
 }
 
-// Both ends of every line go on to the next line or to the outline, where one is near enough.
+// Extends both ends of every line to the next line or to the outline, where one is near enough.
 std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, const std::vector<FlatEdge>& outline) {
   constexpr double kBeyond = 0.01;  // metres past what is met, so that rounding leaves no gap
   std::vector<FlatEdge> longer = lines;

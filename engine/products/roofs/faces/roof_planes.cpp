@@ -26,17 +26,17 @@ constexpr double kUnit = 0.001;  // metres per unit of the kernels' points
 constexpr std::uint32_t kNeighbours = kSamplingNeighbours;
 constexpr int kVoters = 20;
 constexpr double kPi = 3.141592653589793;
-constexpr double kVoteDeviation = 0.12;  // fewer votes than by default: half the time, the same roofs
+constexpr double kVoteDeviation = 0.12;  // gives fewer votes than the default: half the time, the same roofs
 constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
 constexpr double kLeastFaceArea = 0.5;  // m2 that the points of the smallest face cover
 constexpr int kFewestPoints = 6;
 constexpr double kGapSteps = 3, kLeastGap = 0.6;     // metres
-constexpr int kFirstRounds = 1, kRelabelRounds = 3;  // before and after planes that are alike become one
+constexpr int kFirstRounds = 1, kRelabelRounds = 3;  // rounds before and after similar planes are joined
 constexpr double kSteepest = 0.25881904510252074;    // cosine of 75 degrees
 constexpr double kSameAngle = 3.5;                   // degrees
 constexpr double kNormalAngle = 25;                  // degrees
 
-// A site's points as the kernels want them: whole millimetres from their lowest corner, padded.
+// A site's points in the form that the kernels need: whole millimetres from their lowest corner, padded.
 struct Cloud : PaddedOrientedPoints {
   Vec3 corner;  // metres
 };
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> neighbours_of_all(const NeighbourIndex& index, std::v
   return lists;
 }
 
-// The normal of the flattest neighbour of i, itself included, whose plane passes within epsilon of i.
+// The normal of the flattest neighbour of i (i included) whose plane passes within epsilon of i.
 PackedNormal borrowed(const NeighbourLists& neighbours, std::span<const PackedNormal> normals, double epsilon,
                       const Cloud& c, std::uint32_t i) {
   PackedNormal best = normals[i];
@@ -88,15 +88,16 @@ PackedNormal borrowed(const NeighbourLists& neighbours, std::span<const PackedNo
   return best;
 }
 
-// Normals of principal components. A point beside an edge, where these would average over both faces, borrows the
-// normal of the flattest neighbour whose plane holds it; where no neighbour is flat either, its neighbours vote.
+// Computes normals by principal components. Beside an edge these would average over both faces, so a point there takes
+// the normal of the flattest neighbour whose plane contains it. Where no neighbour is flat either, its neighbours vote.
 void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours, std::span<const std::int64_t> reach2,
                   double step, double epsilon, Cloud& c) {
   std::vector<std::uint32_t> points(c.size);
   std::iota(points.begin(), points.end(), 0u);
   std::vector<PackedNormal> own(c.size);
   normals_of_neighbours(c.points(), points, kNeighbours, neighbours.indices, reach2, own);
-  // On a plane with noise of a third of epsilon: l0 / (l0 + l1 + l2), l1 = l2 = a quarter of the squared radius.
+  // The curvature on a plane with noise of a third of epsilon: l0 / (l0 + l1 + l2), where l1 = l2 = a quarter of the
+  // squared radius.
   const double noise2 = epsilon * epsilon / 9, spread2 = kNeighbours * step * step / (4 * kPi);
   const double flat = std::min(1.0, 3 * noise2 / (noise2 + 2 * spread2)) * 65535;
   std::vector<PackedNormal> given(own);
@@ -127,7 +128,7 @@ std::vector<Moments> moments_of_planes(const Cloud& c, const PlaneSegments& s) {
   return moments;
 }
 
-// Pairs of planes by how often points of one have points of the other for neighbours, most often first.
+// Pairs of planes whose points are neighbours, the pairs with the most such neighbours first.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts(const NeighbourLists& neighbours,
                                                               const PlaneSegments& s) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> count;
@@ -144,7 +145,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts(const NeighbourLis
   return pairs;
 }
 
-// Planes that touch, lean alike and stay within half of epsilon of their common plane become one.
+// Joins planes that touch, have similar normals and stay within half of epsilon of their common plane.
 void join_alike(const Cloud& c, const NeighbourLists& neighbours, double epsilon, PlaneSegments& s) {
   std::vector<Moments> moments = moments_of_planes(c, s);
   std::vector<std::uint32_t> parents(s.planes.size());
@@ -188,7 +189,7 @@ RoofPlane roof_plane(const Plane& plane, Vec3 corner) {
   return r;
 }
 
-// Planes of the segments that a roof can have, and who lies on them.
+// Keeps the planes that a roof can have, and the labels of the points on them.
 void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, RoofPlanes& r) {
   std::vector<std::uint32_t> number(s.planes.size() + 1, 0);
   std::vector<std::uint8_t> used(s.planes.size() + 1, 0);
@@ -210,7 +211,7 @@ void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, Roof
   }
 }
 
-// Without superstructures only planes stay that cover a good part of what the largest one does.
+// Without superstructures, only planes stay that cover a good part of the area of the largest one.
 void drop_superstructures(double area_per_point, const Cloud& c, PlaneSegments& s) {
   constexpr double kLargest = 12, kShare = 0.15;  // m2; of the largest plane
   std::vector<std::uint32_t> size(s.planes.size() + 1, 0);

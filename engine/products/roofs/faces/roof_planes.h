@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The planes of one roof and which of its points lie on them.
+// The planes of one roof, and which of its points lie on them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -12,7 +12,7 @@ namespace ilot {
 // z = x * gx + y * gy + c: a plane that a roof face can lie on. Metres from the site's anchor.
 struct RoofPlane {
   double gx = 0, gy = 0, c = 0;
-  double lowest = 0, highest = 0;  // of its points
+  double lowest = 0, highest = 0;  // lowest and highest z of its points
   std::uint32_t points = 0;
   double at(double x, double y) const { return gx * x + gy * y + c; }
 };
@@ -25,9 +25,10 @@ struct RoofPlanes {
   double epsilon = 0;                   // metres; no labelled point lies farther from its plane
 };
 
-// RANSAC [Marchand 2018, II.2.1.1] over normals that stay sharp beside edges [Boltcheva et al. 2019, 3.2.1], borders
-// settled by neighbours; planes that are one within the noise are joined. Planes steeper than 75 degrees are walls.
-// With superstructures, level tops too small for that are added (level_tops.h). O(n log n).
+// Finds the planes by RANSAC [Marchand 2018, II.2.1.1] on normals that stay sharp beside edges [Boltcheva et al. 2019,
+// 3.2.1]. Neighbours then decide the labels of points at borders, and planes that are equal within the noise are
+// joined. Planes steeper than 75 degrees are walls. With superstructures, level tops that are too small for this method
+// are added (level_tops.h). O(n log n).
 RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params);
 
 }  // namespace ilot

@@ -17,7 +17,7 @@ constexpr std::int32_t kThinning = 100;  // millimetres
 constexpr double kStepsOfTolerance = 1.25;
 constexpr double kLeastTolerance = 100, kMostTolerance = 1000;  // millimetres
 
-// Sorted, each place once, thinned where there are very many.
+// Returns the positions sorted, each once, and thinned where there are very many.
 std::vector<Point2> places_of(std::span<const Point2> points) {
   std::vector<Point2> places(points.begin(), points.end());
   std::sort(places.begin(), places.end());
@@ -39,7 +39,7 @@ double area_of_shape(const Triangulation& t, std::span<const Point2> places, std
   return twice / 2;
 }
 
-// The rings of one polygon as positions, holes below an area left out.
+// The rings of one polygon as positions, without holes smaller than an area.
 SitePolygon polygon_of(const Polygons& all, std::uint32_t polygon, std::span<const Point2> places, double least_hole) {
   SitePolygon rings;
   for (const auto& r : all.rings) {

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMillimetre = 0.001;
 
-// Cells of the raster whose centres some outline holds.
+// Marks the cells of the raster whose centres lie in an outline.
 class Raster {
  public:
   Raster(std::span<const SitePolygon> outlines, double min_x, double min_y, double max_x, double max_y)
@@ -27,7 +27,7 @@ class Raster {
   static std::int64_t cell(double v) { return static_cast<std::int64_t>(std::floor(v / kShiftStep)); }
 
  private:
-  // Row by row between the crossings of its edges.
+  // Fills an outline row by row, between the crossings of its edges.
   void fill(const SitePolygon& outline) {
     std::vector<double> crossings;
     for (std::int64_t row = 0; row < height_; ++row) {

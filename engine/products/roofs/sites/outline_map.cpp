@@ -10,7 +10,7 @@ namespace ilot {
 namespace {
 
 constexpr std::int64_t kCell = 65536;      // millimetres
-constexpr std::int64_t kCellsOfOne = 256;  // outlines over more cells are looked at one by one
+constexpr std::int64_t kCellsOfOne = 256;  // outlines over more cells are compared one by one
 
 struct CellRange {
   std::int64_t row0, row1, column0, column1;

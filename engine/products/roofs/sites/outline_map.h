@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where outlines stand on the ground, so that each finds its neighbours.
+// A map of the positions of outlines, which finds the neighbours of each.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +10,8 @@
 
 namespace ilot {
 
-// Closed box on the millimetre grid of the CRS: a coordinate of the CRS in metres, times 1,000, rounded.
+// A closed box on the millimetre grid of the CRS. A grid coordinate is a coordinate of the CRS in metres, times 1,000,
+// rounded.
 struct GridBox {
   std::int64_t min_x = 0, min_y = 0, max_x = -1, max_y = -1;
 
@@ -22,24 +23,25 @@ struct GridBox {
 };
 
 struct PlacedOutline {
-  std::int64_t x = 0, y = 0;  // of the anchor on the grid: whole metres
+  std::int64_t x = 0, y = 0;  // position of the anchor on the grid; whole metres
   SitePolygon polygon;        // from the anchor; empty = none
   GridBox box;                // of the polygon, on the grid
 };
 
-// The polygon from an anchor of its own: the whole metre at or below its lower corner. Vertices on the grid; they lie
-// within 500 km of each other.
+// Gives the polygon an anchor of its own: the whole metre at or below its lower corner. The vertices are on the grid
+// and within 500 km of each other.
 PlacedOutline place_outline(const std::vector<std::vector<std::pair<std::int64_t, std::int64_t>>>& rings);
 
-// The polygon as seen from another anchor.
+// The polygon relative to another anchor.
 SitePolygon seen_from(const PlacedOutline& outline, std::int64_t x, std::int64_t y);
 
 class OutlineMap {
  public:
-  // Boxes of outlines, empty ones of sites without an outline. 32 bytes an outline and 24 a cell of 65 m that it is in.
+  // Takes the boxes of outlines; the box of a site without an outline is empty. Memory: 32 bytes per outline, and 24
+  // for each cell of 65 m in which it lies.
   explicit OutlineMap(std::vector<GridBox> boxes);
 
-  // Those whose boxes meet the box, ascending. About O(answers) for boxes of the size of buildings.
+  // Returns the outlines whose boxes meet the box, ascending. About O(answers) for boxes of the size of buildings.
   std::vector<std::uint32_t> near(const GridBox& box) const;
 
  private:

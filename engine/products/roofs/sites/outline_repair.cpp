@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::int64_t kLeastEdge = 2;  // millimetres: ends of a shorter one are one vertex to validators
+constexpr std::int64_t kLeastEdge = 2;  // millimetres: validators regard the ends of a shorter edge as one vertex
 
 using Ring = std::vector<Point2>;
 
@@ -34,8 +34,8 @@ std::int64_t twice_area(const Ring& ring) {
   return static_cast<std::int64_t>(doubled_area(ring));
 }
 
-// Without the greater of any two vertices in a row that lie nearer than kLeastEdge, the same one wherever the ring
-// starts and whichever way it runs, so that neighbours lose the same.
+// Removes the greater of any two consecutive vertices that lie nearer than kLeastEdge. The same one is removed wherever
+// the ring starts and whichever way it runs, so that neighbours lose the same vertices.
 Ring without_repeats(const Ring& ring) {
   const auto near = [](Point2 p, Point2 q) { return squared_distance(p, q) < kLeastEdge * kLeastEdge; };
   Ring result;
@@ -49,7 +49,7 @@ Ring without_repeats(const Ring& ring) {
   return result;
 }
 
-// From the smallest vertex, turned the way asked for.
+// Returns the ring from its smallest vertex, in the orientation asked for.
 Ring oriented(Ring ring, bool counter_clockwise) {
   if ((twice_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
@@ -116,7 +116,7 @@ std::vector<SitePolygon> rebuilt(const Geos& geos, const GEOSGeometry* broken) {
   return polygons;
 }
 
-// The same polygon where it would not be valid without them.
+// Removes short edges. Returns the same polygon where it would not be valid without them.
 SitePolygon without_short_edges(const Geos& geos, const SitePolygon& polygon) {
   SitePolygon shorter;
   for (const Ring& ring : polygon) {

@@ -8,21 +8,21 @@
 namespace ilot {
 
 struct RepairedOutline {
-  std::vector<SitePolygon> polygons;  // valid, the largest first; none when nothing with an area is left
-  std::string repair;                 // what was wrong and has been mended, or why nothing is left; empty = nothing
+  std::vector<SitePolygon> polygons;  // valid, the largest first; none when no part with an area is left
+  std::string repair;                 // what was wrong and is repaired, or why no polygon is left; empty = no repair
 };
 
-// Polygons on the millimetre grid that are valid as ISO 19107 asks: simple rings, holes inside, interior connected,
-// outer rings counter-clockwise and holes clockwise, vertices in a row 2 mm apart or more: validators take nearer ones
-// for one. A valid polygon keeps its other vertices; others are rebuilt by GEOS (MakeValid, then noded on the grid),
-// and parts below `least_area` (m2) are left out. The ring's vertices are whole millimetres from an anchor. Depends on
-// the vertices alone.
+// Returns polygons on the millimetre grid that are valid in the sense of ISO 19107: simple rings, holes inside,
+// interior connected, outer rings counter-clockwise and holes clockwise. Consecutive vertices are 2 mm apart or more,
+// because validators take nearer ones for one. A valid polygon keeps its other vertices. Other polygons are rebuilt by
+// GEOS (MakeValid, then noded on the grid), and parts below `least_area` (m2) are left out. The vertices of the rings
+// are whole millimetres from an anchor. The result depends on the vertices alone.
 RepairedOutline repair_outline(const SitePolygon& rings, double least_area);
 
-// In square metres, holes taken out.
+// The area in square metres without the holes.
 double area_of(const SitePolygon& polygon);
 
-// Square metres that two valid polygons with a common anchor share.
+// The area in square metres that two valid polygons with a common anchor share.
 double shared_area(const SitePolygon& a, const SitePolygon& b);
 
 }  // namespace ilot

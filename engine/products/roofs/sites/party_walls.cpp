@@ -16,23 +16,23 @@
 namespace ilot {
 namespace {
 
-constexpr double kShortestEdge = 0.003;    // metres: a cut that ends so near a corner ends there
-constexpr double kCellSteps = 1.6;         // side of the cells in which heights are compared: two or three points each
+constexpr double kShortestEdge = 0.003;  // metres: a cut that ends this near to a corner ends in the corner
+constexpr double kCellSteps = 1.6;  // steps; side of the cells in which heights are compared: two or three points each
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 4;
-constexpr double kSeenRows = 0.6;  // share of a wall's length where both sides have points
+constexpr double kSeenRows = 0.6;  // least share of a wall's length where both sides have points
 constexpr std::size_t kMostTried = 16;
-constexpr double kBeyond = 0.05;  // metres that a cut goes on past the outline
+constexpr double kBeyond = 0.05;  // metres that a cut continues past the outline
 constexpr double kEmpty = -std::numeric_limits<double>::infinity();
 
-// Where an upright line of the frame could part the outline, and the clearness of that.
+// A line along v of the frame that could divide the outline, and how clear it is.
 struct Wall {
   FlatEdge cut;
-  double clearness = 0;  // metres with a step less those without
+  double clearness = 0;  // metres with a step minus those without
   double length = 0;
 };
 
-// Directions of the outline and across them, the longest first.
+// The directions of the outline and across them, the longest first.
 std::vector<FlatPoint> directions_of(const SitePolygon& outline) {
   std::vector<std::pair<double, FlatPoint>> weighted;
   for (const auto& ring : outline)
@@ -64,7 +64,7 @@ std::vector<FlatPoint> directions_of(const SitePolygon& outline) {
   return directions;
 }
 
-// Heights over an outline in a frame of its own: v along a direction, u to the right of it.
+// The heights over an outline in a frame of its own: v along a direction, u to the right of it.
 class HeightRows {
  public:
   HeightRows(const SitePolygon& outline, std::span<const Vec3> points, FlatPoint along, double cell)
@@ -92,7 +92,7 @@ class HeightRows {
       inside_.push_back(intervals(low_.y + (static_cast<double>(r) + 0.5) * cell));
   }
 
-  // All that could be walls between two columns.
+  // Adds all possible walls between two columns.
   void add_walls(double step, const PartyWallParams& params, std::vector<Wall>& walls) const {
     for (std::size_t c = 0; c + 1 < columns_; ++c) {
       for (std::size_t r = 0; r < rows_;) {
@@ -114,7 +114,7 @@ class HeightRows {
   std::size_t column(double u) const { return std::min(columns_ - 1, static_cast<std::size_t>((u - low_.x) / cell_)); }
   double border(std::size_t c) const { return low_.x + static_cast<double>(c + 1) * cell_; }
 
-  // Where a line across the frame runs inside of the outline.
+  // The intervals in which a line along u at height v of the frame runs inside of the outline.
   std::vector<double> intervals(double v) const {
     std::vector<double> crossings;
     for (const auto& ring : rings_)
@@ -126,7 +126,7 @@ class HeightRows {
     return crossings;
   }
 
-  // Whether both sides of a column's right border lie inside, for a cell at least.
+  // Returns true where both sides of a column's right border lie inside for at least one cell.
   bool is_split_between(std::size_t r, std::size_t c) const {
     const std::vector<double>& ends = inside_[r];
     for (std::size_t i = 0; i + 1 < ends.size(); i += 2)
@@ -134,7 +134,7 @@ class HeightRows {
     return false;
   }
 
-  // Whether the outline goes on so far to either side, on average.
+  // Returns true where the outline continues at least this far to both sides, on average.
   bool deep(std::size_t c, std::size_t first, std::size_t last, double least) const {
     double left = 0, right = 0;
     for (std::size_t r = first; r < last; ++r)
@@ -152,11 +152,12 @@ class HeightRows {
   }
 
   struct Jump {
-    double rise = 0, top = 0;  // towards the right; height of the upper side
+    double rise = 0, top = 0;  // `rise`: height gain towards the right; `top`: height of the upper side
   };
 
-  // How much higher the right side of a border is than the roof of the left side goes on to be; nothing where one of
-  // them has no point. Cells that hold both sides show the upper one, so a step is looked for one cell farther too.
+  // How much higher the right side of a border is than the continued roof of the left side; nullopt where one of them
+  // has no point. Cells that contain points of both sides show the upper one, so a step is also searched one cell
+  // farther.
   std::optional<Jump> jump(std::size_t r, std::size_t c) const {
     const auto left = static_cast<std::ptrdiff_t>(c);
     std::optional<Jump> largest;
@@ -198,7 +199,7 @@ class HeightRows {
         {back({u, v0 - kBeyond}), back({u, v1 + kBeyond})}, 2 * static_cast<double>(stepped) * cell_ - length, length};
   }
 
-  // Where an upright line of the frame meets the outline.
+  // Where a line along v of the frame meets the outline.
   std::vector<double> crossings(double u) const {
     std::vector<double> all;
     for (const auto& ring : rings_)
@@ -209,7 +210,7 @@ class HeightRows {
     return all;
   }
 
-  // Across the wall, between the upper and the lower points beside it.
+  // The position of the wall along u, between the upper and the lower points beside it.
   double place(std::size_t c, std::size_t first, const std::vector<Jump>& jumps, double step) const {
     struct Ends {
       double upper = kEmpty, lower = kEmpty;  // towards the other side
@@ -221,9 +222,9 @@ class HeightRows {
       const std::size_t r = row(s.y);
       if (r < first || r - first >= jumps.size() || jumps[r - first].rise == 0) continue;
       const Jump& here = jumps[r - first];
-      const double outwards = here.rise > 0 ? -s.x : s.x;  // from the upper side to the lower
+      const double outwards = here.rise > 0 ? -s.x : s.x;  // direction from the upper side to the lower one
       Ends& e = ends[r - first];
-      if (p.z > here.top + std::abs(here.rise) / 2) continue;  // of another step
+      if (p.z > here.top + std::abs(here.rise) / 2) continue;  // it belongs to another step
       if (p.z > here.top - std::abs(here.rise) / 2) {
         e.upper = std::max(e.upper, outwards);
       } else {
@@ -240,9 +241,9 @@ class HeightRows {
     return step_offset(gaps, step * step / (static_cast<double>(gaps.size()) * cell_));
   }
 
-  static constexpr double kSteepest = 1.2;  // slopes beyond are steps of their own
+  static constexpr double kSteepest = 1.2;  // steeper slopes are steps of their own
   static constexpr double kNearCells = 2;
-  static constexpr double kLongerCells = 6;  // at either end of a wall, where the outline leaves no room to see it
+  static constexpr double kLongerCells = 6;  // cells at either end of a wall where the outline leaves no room to see it
 
   FlatPoint along_;
   double cell_;
@@ -254,7 +255,7 @@ class HeightRows {
   std::vector<std::vector<double>> inside_;  // per row
 };
 
-// Both parts of a polygon, if the cut makes two that are buildings.
+// Returns both parts of a polygon if the cut makes two parts that can be buildings.
 std::vector<SitePolygon> parts_of(const SitePolygon& polygon, const Wall& wall, const PartyWallParams& params) {
   const Partition cells = part(polygon, std::span(&wall.cut, 1));
   if (cells.regions != 2) return {};

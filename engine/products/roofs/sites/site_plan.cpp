@@ -11,8 +11,8 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeastArea = 0.01;             // m2: less is no building
-constexpr std::int64_t kLargest = 100'000'000;  // millimetres: an outline that spans more is a mistake
+constexpr double kLeastArea = 0.01;             // m2: a smaller outline is no building
+constexpr std::int64_t kLargest = 100'000'000;  // millimetres: a larger outline is a mistake
 constexpr double kMillimetresPerMetre = 1000;
 
 bool is_number(const std::string& id) {
@@ -43,7 +43,7 @@ PlacedOutline placed_again(const SitePolygon& polygon, const PlacedOutline& from
   return place_outline(rings);
 }
 
-// The sites of one footprint, without ids but for its own.
+// The sites of one footprint. Their ids are still only that of the footprint.
 std::vector<PlannedSite> sites_of(const Footprint& footprint, double metres_per_unit) {
   std::vector<PlannedSite> sites;
   std::string fault = footprint.fault;

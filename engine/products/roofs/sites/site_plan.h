@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From ground plans to the sites of a run: valid outlines with ids, in the order in which everything is written.
+// Turns footprints into the sites of a run: valid outlines with ids, in the order in which everything is written.
 #pragma once
 #include <span>
 #include <string>
@@ -11,20 +11,21 @@
 namespace ilot {
 
 struct PlannedSite {
-  std::string id;         // of the footprint; further parts of it have -2, -3 ... behind it
-  PlacedOutline outline;  // empty polygon: see reason
-  std::string reason;     // why nothing can be built on it
-  std::string repair;     // what was mended
+  std::string id;         // of the footprint; its further parts have the suffixes -2, -3 ...
+  PlacedOutline outline;  // an empty polygon: see `reason`
+  std::string reason;     // why no building can be made on it
+  std::string repair;     // what was repaired
 };
 
-// One site a part of each footprint, and one for each footprint that gives no outline: none is lost. Ordered by id,
-// numbers by value: a function of the footprints alone.
+// Returns one site for each part of each footprint, and one for each footprint that gives no outline, so that none is
+// lost. The sites are ordered by id, with numbers in ids compared by value. The result is a function of the footprints
+// alone.
 std::vector<PlannedSite> plan_sites(std::span<const Footprint> footprints, double metres_per_unit);
 
-// By id, numbers by value.
+// Sorts the sites by id, with numbers in ids compared by value.
 void order_sites(std::vector<PlannedSite>& sites);
 
-// Square metres that two outlines share.
+// The area in square metres that two outlines share.
 double shared_area(const PlacedOutline& a, const PlacedOutline& b);
 
 }  // namespace ilot

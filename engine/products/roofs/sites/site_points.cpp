@@ -37,7 +37,7 @@ bool SiteFilter::EdgeSet::contains(Vec3 p) const {
   return inside;
 }
 
-// Squared distance to the nearest edge; infinite when it is surely beyond reach.
+// The squared distance to the nearest edge; infinite when it is surely beyond reach.
 double SiteFilter::EdgeSet::distance2(Vec3 p, double reach) const {
   if (!near(p, reach)) return kInfinity;
   double best = kInfinity;

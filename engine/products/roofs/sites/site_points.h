@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which of the points around an outline are the building's, and how high the ground is there.
+// Decides which of the points around an outline belong to the building, and how high the ground is there.
 #pragma once
 #include <array>
 #include <cmath>
@@ -22,27 +22,28 @@ struct Surroundings {
 };
 
 struct SitePointsParams {
-  double margin = 0.5;        // metres; points outside all outlines but so near to one are its own
-  double ground_reach = 4;    // metres around the outline in which ground is looked for
-  double ground_share = 0.1;  // of the ground's points there lie below the site's ground
-  double clearance = 1;       // metres above measured ground; lower points of no class are not the building's
+  double margin = 0.5;        // metres; points outside all outlines and this near to one belong to it
+  double ground_reach = 4;    // metres around the outline in which ground is searched
+  double ground_share = 0.1;  // share of the ground points there that lie below the site's ground
+  double clearance = 1;       // metres above measured ground; lower unclassified points do not belong to the building
 };
 
-// Metres around an outline in which points and other outlines matter.
+// The distance in metres around an outline within which points and other outlines matter.
 inline double reach_of(const SitePointsParams& params) {
   return params.ground_reach > 2 * params.margin ? params.ground_reach : 2 * params.margin;
 }
 
-// Where a point belongs, by its place alone.
+// Where a point belongs, by its position alone.
 enum class PointMembership : std::uint8_t {
   none,
-  held,    // in the site's outline, or outside of all within the margin and nearest to it
-  ground,  // classified as ground, outside of all outlines and within the ground's reach of the site's
+  held,    // in the site's outline, or outside of all outlines, within the margin, and nearest to this one
+  ground,  // classified as ground, outside of all outlines and within ground_reach of the site's outline
 };
 
-// Decides point by point. outlines[own] is the site's, the others are all those within reach_of(params) of it, in the
-// order of ids, seen from the same anchor. A point that an outline holds belongs to it (to both where two overlap),
-// borders to one side; of the others those within the margin belong to the nearest outline, ties to the first.
+// Decides point by point. outlines[own] is the site's outline. The others are all outlines within reach_of(params) of
+// it, in the order of ids, seen from the same anchor. A point inside an outline belongs to it, and to both where two
+// outlines overlap; a point on a border counts for one side. A point outside of all outlines belongs to the nearest one
+// if it is within the margin (ties: the first).
 class SiteFilter {
  public:
   SiteFilter(std::span<const SitePolygon> outlines, std::size_t own, const SitePointsParams& params = {});
@@ -50,13 +51,14 @@ class SiteFilter {
   // O(corners of the outlines near the point).
   PointMembership of(Vec3 p, PointRole role) const;
 
-  // Whether a point is within the margin of the site's own edges.
+  // Returns true where a point is within the margin of the site's own edges.
   bool at_edge(Vec3 p) const;
 
   const SitePointsParams& params() const { return params_; }
 
  private:
-  // In metres. From the lower end to the upper one, so that neighbours see a common edge with the same bits.
+  // The edges are in metres. Each runs from its lower end to its upper one, so that neighbours see a common edge with
+  // the same bits.
   struct EdgeSet {
     std::vector<FlatEdge> edges;
     FlatBox box = FlatBox::none();
@@ -73,22 +75,23 @@ class SiteFilter {
   std::vector<EdgeSet> sets_;
 };
 
-// Which of the points that a site holds are the building's, and its ground.
+// Decides which points of a site belong to the building, and gives the ground of the site.
 struct SiteRule {
   double ground = 0;  // metres above the anchor; 0 without any point
   GroundSource ground_source = GroundSource::measured;
-  bool by_class = true;       // false: no point had the building's class, those of no class are taken
-  double lowest = -HUGE_VAL;  // of the building's points
+  bool by_class = true;       // false: no point has the class of buildings, and the unclassified points are taken
+  double lowest = -HUGE_VAL;  // metres above the anchor; lower points do not belong to the building
 
   bool takes(PointRole role, double z) const {
     return role == (by_class ? PointRole::building : PointRole::unclassified) && z >= lowest;
   }
 };
 
-// Finds the rule from all points around a site, each added once, in any order. Of the points that the site holds those
-// of the building's class are the building's; without one the unclassified ones, where ground was measured those that
-// rise from it. The ground is a low quantile of ground points within reach outside of all outlines; without such the
-// lowest point within the margin of the outline's edges, without such the lowest. Memory is bounded (value_counts.h).
+// Finds the rule from all points around a site, each added once, in any order. Of the points that belong to the site's
+// outline, those with the class of buildings belong to the building. Without such points the unclassified ones are
+// taken; where ground was measured, only those that rise above it. The ground is a low quantile of the ground points
+// within reach and outside of all outlines. Without such points it is the lowest point within the margin of the
+// outline's edges, and without these the lowest point. Memory is bounded (value_counts.h).
 class SiteMeasure {
  public:
   explicit SiteMeasure(const SiteFilter& filter) : filter_(filter) {}

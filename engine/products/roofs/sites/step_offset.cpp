@@ -13,9 +13,9 @@ struct Range {
   double low = 0, high = 0;
 };
 
-// Where most of the gaps overlap.
+// The range where most of the gaps overlap.
 Range most_overlap(std::span<const StepGap> gaps) {
-  std::vector<std::pair<double, int>> ends;  // gaps open before others close
+  std::vector<std::pair<double, int>> ends;  // at one place, gaps open before others close
   for (const StepGap& g : gaps) {
     ends.emplace_back(std::min(g.upper, g.lower), -1);
     ends.emplace_back(std::max(g.upper, g.lower), 1);

@@ -17,7 +17,8 @@ Vec3 from_anchor(Vec3 p, const RoofSite& site, double metres_per_unit) {
   return metres_per_unit * (p - site.anchor);
 }
 
-// Newell's normal, twice the area long, and a plane through the ring's mean; metres from the anchor.
+// The plane of a face by Newell's normal, whose length is twice the area, through the mean of the ring; metres from the
+// anchor.
 MeasuredFace face_of(const Building& building, const BuildingSurface& surface, const RoofSite& site,
                      double metres_per_unit) {
   Vec3 normal{0, 0, 0}, mean{0, 0, 0};
@@ -63,7 +64,7 @@ void add_heights(const RoofSite& site, ValueCounts& z, double metres_per_unit, B
   out.emplace_back("h_roof_max", height(quantile(z, 1)));
 }
 
-// Share of the outline's cells that hold a point; cells two sampling steps wide.
+// The share of the outline's cells that contain a point; cells are two sampling steps wide.
 double coverage_of(const RoofSite& site, double area) {
   if (site.points.empty() || !(area > 0)) return 0;
   const double cell = std::max(0.5, 2 * std::sqrt(area / static_cast<double>(site.points.size())));

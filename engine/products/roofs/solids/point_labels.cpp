@@ -49,7 +49,7 @@ std::size_t PointLabeller::row(double y) const {
   return std::min(rows_ - 1, static_cast<std::size_t>((y - low_y_) / cell_));
 }
 
-// Cells that a wall's box and its surroundings meet.
+// Visits the cells that a wall's box and its surroundings meet.
 template <class Visit>
 void PointLabeller::for_each_cell(const Wall& w, const Visit& visit) const {
   const double x0 = std::min(w.x, w.x + w.dx) - kReach, x1 = std::max(w.x, w.x + w.dx) + kReach;

@@ -9,14 +9,15 @@
 
 namespace ilot {
 
-// What the points of a building are: roof where one has a face; wall where it has none and is within 0.3 m of a wall of
-// the model, not above it; else none, or roof where the model is one level block. Any number of walls: a map of them
-// with cells of a metre, wider ones where those would be more than 2^16.
+// Labels the points of a building. A point that has a face is roof. A point without a face that is within 0.3 m of a
+// wall of the model, and not above it, is wall. Any other point is none, or roof where the model is one level block.
+// There may be any number of walls: they are in a map with cells of a metre, or wider cells where there would be more
+// than 2^16.
 class PointLabeller {
  public:
   PointLabeller(const RoofSite& site, const RoofModel& model, double metres_per_unit);
 
-  // Metres from the site's anchor; the point's face or 0.
+  // Labels a point in metres from the site's anchor; `face` is its face or 0.
   PointLabel label(Vec3 p, std::uint32_t face) const;
 
  private:
@@ -32,9 +33,9 @@ class PointLabeller {
 
   bool level_ = false;
   std::vector<Wall> walls_;
-  double low_x_ = 0, low_y_ = 0, high_x_ = -1, high_y_ = -1, cell_ = 1;  // of the walls and their surroundings
+  double low_x_ = 0, low_y_ = 0, high_x_ = -1, high_y_ = -1, cell_ = 1;  // area of the walls; side of a cell
   std::size_t columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> first_, of_cell_;  // per cell the walls that may be near
+  std::vector<std::uint32_t> first_, of_cell_;  // per cell the walls that may be near it
 };
 
 }  // namespace ilot

@@ -20,11 +20,11 @@ namespace ilot {
 namespace {
 
 constexpr double kLeastFaceArea = 0.25;  // m2
-constexpr double kBlockHeight = 0.7;     // quantile of the points' heights that a block of LoD1.2 ends at
+constexpr double kBlockHeight = 0.7;     // quantile of the points' heights; top of a block of LoD1.2
 constexpr double kLeastOutline = 0.01;   // m2
 constexpr std::size_t kFewestPoints = 3;
-constexpr int kAttempts = 4;       // to raise a roof, each time with larger faces only ...
-constexpr double kFewerFaces = 4;  // ... by this factor of their area
+constexpr int kAttempts = 4;       // attempts to raise a roof, each time with larger faces only ...
+constexpr double kFewerFaces = 4;  // ... larger by this factor in area
 
 Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {
   Building b;
@@ -46,7 +46,7 @@ RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
   return plane;
 }
 
-// The outline parted and every cell given to a plane.
+// The divided outline, with a plane for every cell.
 struct LabelledCells {
   std::vector<FlatEdge> lines;
   Partition cells;
@@ -64,7 +64,8 @@ LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes) {
   return c;
 }
 
-// How vertices are shared: faces whose heights agree within same_height, ends of edges below shortest (metres).
+// How vertices are shared: faces whose heights agree within same_height share a vertex, and so do the ends of edges
+// shorter than `shortest` (metres).
 struct Sharing {
   double same_height, shortest;
 };
@@ -74,9 +75,9 @@ constexpr Sharing kSharing[]{{kSameHeight, 0.003},
                              {0.15 * kSameHeight, 0.02},
                              {0.15 * kSameHeight, 0.06}};
 
-// Faces raised so that the check lets them pass, one way of sharing vertices after the other: a face that shares them
-// bends, by little in metres but, where it is narrow, by much in degrees. Nothing when none passes; `reason` then says
-// what the first one failed.
+// Raises the faces so that the check accepts the solid. It tries one way of sharing vertices after the other: a face
+// that shares vertices bends, by little in metres but by much in degrees where it is narrow. Returns nullopt when the
+// check accepts none; `reason` is then the fault of the first one.
 std::optional<Building> raised(const RoofSite& site, const Partition& faces, std::span<const RoofPlane> planes,
                                const char* lod, double metres_per_unit, const SolidCheck& check, std::string& reason) {
   for (const Sharing& sharing : kSharing) {
@@ -94,7 +95,7 @@ std::optional<Building> raised(const RoofSite& site, const Partition& faces, std
   return std::nullopt;
 }
 
-// Raises the block; false, with the reason, when there is none.
+// Raises the block. Returns false, with the reason, when there is none.
 bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per_unit, const SolidCheck& check,
                RoofModel& model) {
   const Partition whole = part(site.outline, {});
@@ -110,7 +111,7 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
   return true;
 }
 
-// The faces of the roof raised; where the check refuses that, with ever more of the small ones given to their
+// Raises the faces of the roof. If the check refuses the solid, more and more of the small faces are given to their
 // neighbours.
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
                const SolidCheck& check, RoofModel& model, RoofSteps* steps) {

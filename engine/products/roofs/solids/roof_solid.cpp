@@ -12,9 +12,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeastHeight = 0.1;  // metres of the lowest eave over the floor
-constexpr double kCorner = 20;        // millimetres of the corners that part pinched faces
-constexpr double kLeastStep = 0.002;  // metres between vertices of one place: two on any grid of millimetres
+constexpr double kLeastHeight = 0.1;  // metres; least height of the lowest eave over the floor
+constexpr double kCorner = 20;        // millimetres; size of the corners that separate pinched faces
+constexpr double kLeastStep = 0.002;  // metres between vertices at one place: two steps on any grid of millimetres
 constexpr double kHeightGrid = 1e4;   // steps a metre
 
 // A spoke of a vertex: an edge seen from it, with the region on the left of the outward direction.
@@ -58,7 +58,7 @@ class Solid {
           if (r != kOutside) floor_ = std::min(floor_, height(r, p_.vertices[v]) - kLeastHeight);
   }
 
-  // Above 0: the left face is higher. 0: they meet.
+  // Above 0: the left face is higher. 0: the faces have the same height.
   int order_at(const PartitionEdge& e, std::uint32_t v) const {
     const std::vector<double> groups = heights_around(v);
     const std::size_t left = nearest(groups, height(e.left, p_.vertices[v]));
@@ -96,7 +96,7 @@ class Solid {
       });
   }
 
-  // Heights of the faces around a vertex, ascending, one for those that agree.
+  // The heights of the faces around a vertex, ascending, one value for those that agree.
   std::vector<double> heights_around(std::uint32_t v) const {
     std::vector<double> all;
     for (const Spoke& s : spokes_[v]) all.push_back(height(s.left, p_.vertices[v]));
@@ -124,7 +124,7 @@ class Solid {
     return z - groups[i - 1] <= groups[i] - z ? i - 1 : i;
   }
 
-  // Whether faces above some height and faces below it take turns around the vertex.
+  // Returns true where faces above some height and faces below it alternate around the vertex.
   bool pinched(std::uint32_t v) const {
     if (spokes_[v].size() < 4) return false;
     const std::vector<double> groups = heights_around(v);
@@ -152,7 +152,8 @@ class Solid {
     return lowest;
   }
 
-  // Every spoke is cut short of the vertex; the polygon of its new ends belongs to the lowest face.
+  // Resolves a pinched vertex. Every spoke is cut short of the vertex; the polygon of its new ends belongs to the
+  // lowest face.
   void part_pinch(std::uint32_t v) {
     const std::vector<Spoke>& spokes = spokes_[v];
     const std::uint32_t lowest = lowest_around(v);
@@ -193,7 +194,7 @@ class Solid {
     }
   }
 
-  // Vertex of the solid where a face passes a vertex of the partition.
+  // The vertex of the solid where a face passes a vertex of the partition.
   std::uint32_t vertex(std::uint32_t v, std::uint32_t region) const {
     return first_[v] + static_cast<std::uint32_t>(nearest(heights_[v], height(region, p_.vertices[v])));
   }
@@ -256,13 +257,14 @@ class Solid {
     for (const PartitionEdge& e : p_.edges) {
       const std::uint32_t from_left = vertex(e.from, e.left), from_right = vertex(e.from, e.right);
       const std::uint32_t to_left = vertex(e.to, e.left), to_right = vertex(e.to, e.right);
-      // Vertices of one place ascend with height.
+      // Vertices at one place ascend with height.
       if (from_left > from_right || to_left > to_right) add_wall(from_right, from_left, to_right, to_left);
       if (from_left < from_right || to_left < to_right) add_wall(to_left, to_right, from_left, from_right);
     }
   }
 
-  // Seen from outside: along the lower border, up, back along the upper one and down, through all vertices on the way.
+  // Adds a wall as seen from outside: along the lower border, up, back along the upper one and down, through all
+  // vertices on the way.
   void add_wall(std::uint32_t from_low, std::uint32_t from_high, std::uint32_t to_low, std::uint32_t to_high) {
     BuildingSurface wall;
     wall.kind = SurfaceKind::wall;

@@ -13,18 +13,18 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesSought = 12;  // per pixel of a window in which lines are sought
+constexpr std::uint64_t kBytesSought = 12;  // bytes per pixel of a window in which lines are sought
 constexpr std::uint32_t kLinesInWindow = 6;
 constexpr double kSameDirection = 0.99966;  // cosine of 1.5 degrees
-constexpr Height kHeaviest = 1 << 20;       // of a pixel's votes
+constexpr Height kHeaviest = 1 << 20;       // greatest weight of the votes of one pixel
 
 // A pixel of the coarse image that shows a facade.
 struct FacadePixel {
-  std::int32_t x, y;  // coarse pixels of the whole
+  std::int32_t x, y;  // in coarse pixels of the whole image
   Height weight, height;
 };
 
-// Weighted sums over the pixels of a line, about the middle of the whole; coarse pixels.
+// Weighted sums over the pixels of a line, in coarse pixels about the middle of the whole image.
 struct LineSums {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   void add(double px, double py, double w) {
@@ -39,12 +39,12 @@ struct Line {
   double along(double x, double y) const { return ny * x - nx * y; }
 };
 
-// Orthogonal least squares; ny > 0 or ny = 0 < nx.
+// The orthogonal least squares line, with ny > 0, or ny = 0 < nx.
 Line line_of(const LineSums& s) {
   const double mx = s.x / s.n, my = s.y / s.n;
   const double a = s.xx / s.n - mx * mx, b = s.xy / s.n - mx * my, c = s.yy / s.n - my * my;
   const double half = (a - c) / 2, root = std::sqrt(half * half + b * b);
-  // The eigenvector of the greater value, from the better conditioned of two forms.
+  // This is the eigenvector of the greater eigenvalue, computed by the better conditioned of two forms.
   double dx = half + root, dy = b;
   if (half < 0) dx = b, dy = root - half;
   const double length = std::sqrt(dx * dx + dy * dy);
@@ -176,7 +176,7 @@ class BlockFinder {
     }
   }
 
-  // Whether each goes on in the other: the nearer ends lie on the other's line.
+  // Returns true where each line continues the other: its nearer end lies on the other line.
   bool goes_on(const WindowLine& a, const WindowLine& b) const {
     if (std::abs(a.row - b.row) > 1 || std::abs(a.column - b.column) > 1) return false;
     if (std::abs(a.line.nx * b.line.nx + a.line.ny * b.line.ny) < kSameDirection) return false;
@@ -228,7 +228,7 @@ class BlockFinder {
       }
     const std::vector<Height> profile = profile_of(line, from, to);
     StreetStretch stretch;
-    const double centre = (factor_ - 1) / 2.0;  // of a coarse pixel, in pixels
+    const double centre = (factor_ - 1) / 2.0;  // centre of a coarse pixel, in pixels
     stretch.x = (-line.d * line.nx + from * line.ny) * factor_ + centre;
     stretch.y = (-line.d * line.ny - from * line.nx) * factor_ + centre;
     stretch.dx = line.ny, stretch.dy = -line.nx;
@@ -254,7 +254,7 @@ class BlockFinder {
     return running_median(profile, static_cast<std::uint32_t>(std::lround(params_.smoothing / pixel_)));
   }
 
-  // Blocks and gaps of a profile; none where there is too little facade.
+  // Writes the blocks and gaps of a profile. There are none where the length of facade is too small.
   void cut(const std::vector<Height>& profile, StreetStretch& stretch) const {
     const Height least = scale_.units(params_.least_facade);
     const auto facade = std::count_if(profile.begin(), profile.end(), [&](Height h) { return h >= least; });
@@ -270,7 +270,7 @@ class BlockFinder {
     for (const ProfileCut& c : profile_cuts(profile, scale_.units(params_.depth))) {
       const double width = (c.to - c.from + 1) * pixel_;
       if (c.floor >= least || width < params_.least_gap) continue;
-      if (c.from < begin) {  // valleys that overlap are one: a low top between them belongs to both
+      if (c.from < begin) {  // overlapping valleys are merged: a low top between them belongs to both
         begin = std::max<std::size_t>(begin, c.to + 1);
         stretch.gaps.back().to = static_cast<double>(begin) * pixel_;
         continue;
@@ -286,7 +286,7 @@ class BlockFinder {
   const RasterScale& scale_;
   const CityBlocksParams& params_;
   std::uint32_t factor_;
-  double pixel_;         // metres, of the coarse image
+  double pixel_;         // metres; pixel of the coarse image
   std::int64_t window_;  // coarse pixels
   std::map<WindowKey, std::vector<FacadePixel>> windows_;
 };

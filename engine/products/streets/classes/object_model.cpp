@@ -16,7 +16,7 @@ namespace ilot {
 namespace {
 
 constexpr const char* kFirstLine = "ilot objects 3";
-constexpr double kLeastShare = 1e-4;  // nothing is less probable
+constexpr double kLeastShare = 1e-4;  // lower bound of a probability
 
 }  // namespace
 
@@ -26,7 +26,7 @@ std::string object_class_name(PointLabel label) {
 
 namespace {
 
-// Reads a model line by line: a word, then what belongs to it.
+// Reads a model line by line. Each line is a keyword and its values.
 class ModelReader {
  public:
   ModelReader(std::string_view text, const std::string& name) : text_(std::string(text)), name_(name) {}
@@ -147,7 +147,7 @@ class ModelReader {
   RoleTreesReader trees_;
 };
 
-// What a machine without trees says: all things are whole.
+// The shares of the kinds for a model without trees. All candidates count as whole.
 KindShares nature_of(const ObjectModel& model, const std::vector<double>& share) {
   KindShares out{};
   for (std::size_t c = 0; c < share.size(); ++c) {
@@ -160,7 +160,8 @@ KindShares nature_of(const ObjectModel& model, const std::vector<double>& share)
   return out;
 }
 
-// The most probable class on one side of being an object, its share of that side, and whether the thing is like it.
+// The most probable class among the objects or among the others, its share within that group, and whether the candidate
+// is similar enough to it.
 struct MostProbable {
   PointLabel label = PointLabel::none;
   double share = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What things are: objects by a support vector machine [Hernandez and Marcotegui 2008, 5.3], and which things are whole
-// by boosted trees. Plain arithmetic: the same on every machine. training/ learns them.
+// The classes of object candidates. A support vector machine classifies objects [Hernandez and Marcotegui 2008, 5.3],
+// and boosted trees decide which candidates are whole. All of it is plain arithmetic that gives the same result on
+// every machine. The code in training/ trains the models.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,60 +16,64 @@
 
 namespace ilot {
 
-// What a thing is in a cut through a tree of joins: whole and an object, whole and none (or vegetation), below, above.
+// The state of a candidate in a cut through a tree of joins: whole and an object; whole and no object (or vegetation);
+// a part of an object; merged from more than one object.
 enum class CandidateState : std::uint8_t { object, rest, part, merged };
 constexpr std::size_t kCandidateStates = 4;
 
-// How much the states count where all things of a tree are weighed together: exp(bias) p^power.
+// The weights of the states where all candidates of a tree are weighed together: exp(bias) p^power.
 struct RoleWeights {
   std::array<double, kCandidateStates> power{1, 1, 1, 1}, bias{};
 };
 
-// A trained machine: one against one, radial kernel exp(-gamma d^2) on standardised features; and, where the samples
-// had roles, trees that say what is whole and an object. The machine has learnt from objects alone then.
+// A trained support vector machine (one against one, radial kernel exp(-gamma d^2) on standardised features). Where the
+// samples had roles, the model also has trees that decide what is whole and an object. The machine is then trained on
+// objects only.
 struct ObjectModel {
   std::string recipe;                 // how it was trained, for people: lines without a leading blank
   std::vector<std::size_t> features;  // in the order of their selection
-  std::vector<double> mean, sd;       // of each, after signed_root
+  std::vector<double> mean, sd;       // mean and standard deviation of each feature, after signed_root
   double gamma = 1, cost = 1;
-  std::vector<PointLabel> classes;             // rising; a single one needs no vectors
-  std::vector<double> min_similarity;          // of each class: what has a smaller kernel to all its vectors is none
-  std::vector<double> prior;                   // of each class: how many there were for each one that was trained on
+  std::vector<PointLabel> classes;     // ascending; a single class needs no vectors
+  std::vector<double> min_similarity;  // of each class: least kernel to any of its vectors for a member
+  std::vector<double> prior;           // of each class: how many samples there were for each one that was trained on
   std::vector<std::vector<double>> vectors;    // support vectors, standardised
-  std::vector<std::vector<double>> weights;    // per support vector: classes - 1, as libsvm orders them
-  std::vector<std::uint32_t> class_of_vector;  // index into classes, rising
+  std::vector<std::vector<double>> weights;    // per support vector: one less than there are classes, in libsvm's order
+  std::vector<std::uint32_t> class_of_vector;  // index into classes, ascending
   std::vector<double> rho, slope, offset;      // per pair of classes: (0, 1), (0, 2) ... (1, 2) ...
   RoleTrees trees;
   RoleWeights roles;
 };
 
-// What a thing is if it is whole, and how probable that is then; and how much speaks for each role: how probable it is,
-// weighed by the model's RoleWeights. Vegetation and what is no thing may be parted and joined at will: they count for
-// every role. A model without trees knows no roles: to it all things are whole.
+// The class of a candidate if it is whole, and the probability of that class; and the weight of each role: its
+// probability, weighed by the model's RoleWeights. Vegetation and candidates that are no objects may be split and
+// joined freely: they count for every role. A model without trees knows no roles and regards all candidates as whole.
 struct CandidateClass {
   PointLabel label = PointLabel::other;
   double probability = 0;
   double whole = 1, part = 0, merged = 0;
-  double object = 0;  // how much speaks for an object over what speaks for none, as a logarithm
+  double object = 0;  // logarithm of the weight of being an object over the weight of being none
 };
 
-// Classes: pairwise probabilities coupled as Wu, Lin and Weng (2004) do it in their second method, times how common the
-// classes are. Called an object where its weight is greater than that of being none, then by the most probable class.
-// Objects that are farther from their class than anything that the machine was trained on are `other`, as probable as
-// any class. `parts` of each thing, or none where no thing joins others. Many at once are several times faster than one
-// by one, and get the same bits. O(things (support vectors + trees)), on the threads of the calling arena.
+// Classifies candidates. The probabilities of the classes are pairwise probabilities coupled by the second method of
+// Wu, Lin and Weng (2004), times the frequencies of the classes. A candidate is called an object where the weight of
+// being an object is not less than that of being none; its class is then the most probable one. An object that is
+// farther from its class than anything in the training set gets the class `other`, with the probability 1 / (number of
+// classes). `parts` has one entry per candidate, or is empty where no candidate joins others. Many candidates in one
+// call are several times faster than single calls, with the same bits. O(candidates (support vectors + trees)), on the
+// threads of the calling arena.
 std::vector<CandidateClass> classify_candidates(const ObjectModel& model, std::span<const CandidateFeatures> candidates,
                                                 std::span<const CandidateParts> parts = {});
 CandidateClass classify_candidate(const ObjectModel& model, const CandidateFeatures& features);
 
-// The model as text and back; parse throws Error naming `name` and the line.
+// Converts the model to text and back. parse_object_model throws Error, which names `name` and the line.
 std::string object_model_text(const ObjectModel& model);
 ObjectModel parse_object_model(std::string_view text, const std::string& name);
 
-// What ships with ilot: trained on the virtual scanner's streets. Its recipe stands in it.
+// The model that is part of ilot. It was trained on streets of the virtual scanner; its recipe is recorded in it.
 const ObjectModel& default_object_model();
 
-// The same for clouds from the air: trained on streets that the virtual scanner saw from flight lines.
+// The same for clouds from the air. It was trained on streets that the virtual scanner saw from flight lines.
 const ObjectModel& air_object_model();
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the things' machine: what training and use share.
+// Internal to the classifier of candidates: functions that training and use share.
 #pragma once
 #include <cmath>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// Features span decades, and differences count less where they are large.
+// The signed square root of a feature. Features span decades, and a difference counts less where the values are large.
 inline double signed_root(double v) {
   return v < 0 ? -std::sqrt(-v) : std::sqrt(v);
 }
@@ -33,12 +33,12 @@ inline double sigmoid(double v) {
                 : 1 / (1 + natural_exp(std::max(v, -701.0)));
 }
 
-// Of the pair (a, b), a < b, of k classes.
+// The index of the pair (a, b), a < b, of k classes.
 inline std::size_t pair_index(std::size_t a, std::size_t b, std::size_t k) {
   return a * k - a * (a + 1) / 2 + b - a - 1;
 }
 
-// The class that wins most pairs; ties: the first.
+// The class that wins most pairs (ties: the first).
 inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
   std::vector<int> votes(k, 0);
   for (std::size_t a = 0; a < k; ++a)
@@ -46,13 +46,13 @@ inline std::size_t voted(const std::vector<double>& decisions, std::size_t k) {
   return static_cast<std::size_t>(std::max_element(votes.begin(), votes.end()) - votes.begin());
 }
 
-// As the model's text has it.
+// The name of a class in the text of a model.
 std::string object_class_name(PointLabel label);
 
-// Logarithms of the shares of each state, before they are weighed.
+// The logarithms of the shares of the states, before the weights are applied.
 std::array<double, kCandidateStates> state_logs(const KindShares& shares);
 
-// The classes with the greatest share.
+// For each candidate the class with the greatest share.
 std::vector<PointLabel> most_probable_classes(const ObjectModel& model, std::span<const CandidateFeatures> candidates);
 
 }  // namespace ilot

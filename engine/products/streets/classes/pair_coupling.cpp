@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSurest = 1e-7;
 
-// Rows of equations, each with its right side last.
+// The rows of a system of equations. The last value of a row is its right side.
 using Equations = std::vector<std::vector<double>>;
 
 std::vector<double> solved(Equations e) {
@@ -39,7 +39,7 @@ std::vector<double> solved(Equations e) {
 }  // namespace
 
 std::vector<double> coupled_pairs(const std::vector<double>& first, std::size_t k) {
-  Equations e(k + 1, std::vector<double>(k + 2, 0));  // the last unknown is the multiplier of the sum
+  Equations e(k + 1, std::vector<double>(k + 2, 0));  // the last unknown is the Lagrange multiplier of the sum
   for (std::size_t a = 0; a < k; ++a)
     for (std::size_t b = a + 1; b < k; ++b) {
       const double ab = std::clamp(first[pair_index(a, b, k)], kSurest, 1 - kSurest), ba = 1 - ab;

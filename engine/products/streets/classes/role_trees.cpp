@@ -11,9 +11,9 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kGrain = 512;   // things
-constexpr double kLeastShare = 1e-6;  // nothing is less probable
-constexpr double kNoRelation = -1e6;  // below all logarithms of shares
+constexpr std::size_t kGrain = 512;   // candidates
+constexpr double kLeastShare = 1e-6;  // lower bound of a probability
+constexpr double kNoRelation = -1e6;  // value for a missing relative; below all logarithms of shares
 constexpr const char* kKindNames[] = {"nothing", "vegetation", "part", "merged", "object"};
 constexpr const char* kRelations[] = {"itself", "joined", "beside", "larger part", "lesser part"};
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostDepth = 7;
 
-// The whole of a word as a number; the word must be one.
+// Parses the whole word as a number. Returns false where the word is not exactly one number.
 template <class Number>
 bool number_of(std::string_view word, Number& value) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
@@ -25,7 +25,7 @@ bool next_number(std::istringstream& words, Number& value) {
   return words >> word && number_of(word, value);
 }
 
-// "-", or a column and a limit of the stage.
+// Parses "-", or a column and one of its limits in this stage.
 bool split_of(const std::string& word, const RoleStage& stage, TreeSplit& split) {
   split = {0, kNoSplit};
   if (word == "-") return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the things' machine: its trees as lines of its text.
+// Internal to the classifier of candidates: its trees as lines of text.
 #pragma once
 #include <sstream>
 #include <string>
@@ -8,12 +8,12 @@
 
 namespace ilot {
 
-// For each stage a line "stage", its depth and where the sums of all natures begin; a line "column" with the limits and
-// the name of each; and a line "tree" for each tree: its nodes as column:limit, or "-", then its leaves. Nothing for no
-// trees.
+// Writes the trees as text. For each stage there is a line "stage" with its depth and the initial sums of all kinds; a
+// line "column" for each column with its limits and its name; and a line "tree" for each tree with its nodes as
+// column:limit, or "-", then its leaves. The text is empty if there are no trees.
 std::string role_trees_text(const RoleTrees& model);
 
-// Reads these lines one by one. What is wrong with them, or nothing.
+// Reads these lines one by one. The functions return a description of the error, or an empty string.
 class RoleTreesReader {
  public:
   std::string take(const std::string& line);

@@ -11,10 +11,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kGrain = 256;  // things
+constexpr std::size_t kGrain = 256;  // candidates
 
-// The support vectors of one class, side by side. What they weigh against another class is shared by all pairs: each
-// kernel is worked out once.
+// The support vectors of one class in one array. All pairs share the kernels: each kernel is computed once, and its
+// weights against the other classes are applied to it.
 struct ClassVectors {
   std::vector<double> vectors, weights;
 };
@@ -29,7 +29,7 @@ std::vector<ClassVectors> vectors_by_class(const ObjectModel& model) {
   return out;
 }
 
-// Of the things from `first` on, as many as there is room for.
+// Computes the decisions for `candidates` into `of` and `nearest`.
 void decide(const ObjectModel& model, const std::vector<ClassVectors>& classes,
             std::span<const CandidateFeatures> candidates, std::span<double> of, std::span<double> nearest) {
   const std::size_t k = classes.size(), pairs = model.rho.size(), n = candidates.size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the things' machine: what it says of many things at once.
+// Internal to the classifier of candidates: the decisions of the support vector machine for many candidates at once.
 #pragma once
 #include <span>
 #include <vector>
@@ -8,17 +8,17 @@
 
 namespace ilot {
 
-// Decisions of the machine, thing by thing: one for each pair of classes (0, 1), (0, 2) ... (1, 2) ..., above 0 for the
-// first, as libsvm decides but for rounding; and for each class the kernel to the nearest support vector of it. On the
-// threads of the calling arena.
+// The decisions of the machine, candidate by candidate. There is one value for each pair of classes (0, 1), (0, 2) ...
+// (1, 2) ..., above 0 for the first class, as libsvm decides up to rounding. For each class there is also the kernel to
+// its nearest support vector. Runs on the threads of the calling arena.
 struct PairDecisions {
   std::size_t pairs = 0;
-  std::vector<double> of;       // pairs for each thing
-  std::vector<double> nearest;  // classes for each thing
+  std::vector<double> of;       // `pairs` values for each candidate
+  std::vector<double> nearest;  // one value per class for each candidate
 };
 PairDecisions pair_decisions(const ObjectModel& model, std::span<const CandidateFeatures> candidates);
 
-// Shares of all classes, which sum to 1; and the kernels to their nearest support vectors.
+// The shares of all classes, which sum to 1, and the kernels to their nearest support vectors.
 struct ClassShares {
   std::vector<double> share, nearest;
 };

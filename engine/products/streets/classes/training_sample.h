@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a model of things is learnt from.
+// The samples on which a model of candidates is trained.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -9,20 +9,20 @@
 
 namespace ilot {
 
-// What a thing is of what stands there: parts are joined to wholes, and these to several in one.
+// The role of a candidate: parts are joined to whole objects, and these are joined to merged candidates.
 enum class CandidateRole : std::uint8_t { whole, part, merged };
 
-// A thing whose class is known. `none`: a remnant that is no thing at all.
+// A candidate whose class is known. `none` means a remnant that is no object at all.
 struct TrainingSample {
   CandidateFeatures features{};
   PointLabel label = PointLabel::none;
-  std::uint32_t group = 0;  // things of one group are never parted by a fold: the number of a block
+  std::uint32_t group = 0;  // samples of one group always fall in the same fold; the number of a block
   CandidateRole role = CandidateRole::whole;
-  CandidateParts parts{};  // places in the list of samples, from 1, of those it joins; 0: none
+  CandidateParts parts{};  // positions in the list of samples, from 1, of the two that it joins; 0: none
 };
 
-// Learns a model from samples (training/object_model_training.h has one). Error(usage) where nothing can be learnt from
-// them.
+// Trains a model on samples (training/object_model_training.h has such a function). Throws Error(usage) where nothing
+// can be trained on them.
 using TrainObjectModel = std::function<ObjectModel(std::span<const TrainingSample>)>;
 
 }  // namespace ilot

@@ -9,9 +9,9 @@ namespace ilot {
 
 struct ArtefactParams {
   double least_height = 0.1;  // metres above the ground around
-  double ring_reach = 5;      // metres in which the ring around the ground looks for the local ground height
-  double highest_kerb = 0.3;  // metres; lower plateaus
-  double least_plateau = 1;   // of so many square metres are pavement
+  double ring_reach = 5;      // metres; the ring around the ground takes the lowest ground within this distance
+  double highest_kerb = 0.3;  // metres; greatest height of a plateau that is pavement
+  double least_plateau = 1;   // square metres; least area of a plateau that is pavement
 };
 
 }  // namespace ilot

@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-// Codes of the mask until all parts are known: those of a part that reaches the border of its tile, with a height and
+// Codes of the mask while parts are undecided: pixels of a part that reaches the border of its tile, with a height and
 // without one.
 constexpr Height kUndecided = 2, kUndecidedMissing = 3;
 
@@ -15,7 +15,7 @@ class Enclosing {
   Enclosing(const TileLayers& layers, const char* zones_layer, const TileZones& zones)
       : layers_(layers), zones_layer_(zones_layer), zones_(zones), borders_(layers.grid), open_(layers.grid.count()) {}
 
-  // The ground of a tile, and what it encloses within it.
+  // Finds the ground of a tile and what it encloses within the tile.
   void find(std::size_t tile, std::uint32_t ground) {
     const std::vector<std::uint32_t> numbers = zones_.numbers_of(tile);
     const Image labels = layer_tile(layers_, zones_layer_, tile);
@@ -48,7 +48,8 @@ class Enclosing {
         joined_open_[borders_.number(t, part)] |= open_[t][part];
   }
 
-  // The parts that are left are those on the border, in the order in which they were told.
+  // Decides the remaining parts, which are those on the border of the tile. They come in the order in which find()
+  // recorded them.
   void decide(std::size_t tile) const {
     if (open_[tile].size() < 2) return;
     Image mask = layer_tile(layers_, "mask", tile);
@@ -83,7 +84,7 @@ class Enclosing {
   const char* zones_layer_;
   const TileZones& zones_;
   BorderZones borders_;
-  std::vector<std::vector<std::uint8_t>> open_;  // by tile: of each part on its border, whether the image ends there
+  std::vector<std::vector<std::uint8_t>> open_;  // by tile: of each part on its border: it reaches the image's end
   std::vector<std::uint8_t> joined_open_;
 };
 

@@ -38,7 +38,7 @@ void TileZones::join(Height lambda) {
     first_.push_back(first_.back() + static_cast<std::uint32_t>(zones.size()));
 }
 
-// Of zones on borders that of what they are joined to, of others one of their own.
+// A zone on a border has the number of the zone to which it is joined. Another zone has a number of its own.
 std::uint32_t TileZones::number(std::size_t tile, std::size_t zone) const {
   const std::uint32_t on_border = zones_[tile][zone].on_border;
   return on_border != 0 ? borders_.number(tile, on_border) + 1 : first_[tile] + static_cast<std::uint32_t>(zone);
@@ -55,7 +55,7 @@ std::vector<std::uint32_t> TileZones::numbers_at(std::int64_t row, std::int64_t 
   return tile == kNoTile ? std::vector<std::uint32_t>{} : numbers_of(tile);
 }
 
-// Whether some tiles hold two zones or more.
+// Returns true where the tiles of this range contain two zones or more.
 bool TileZones::has_two_zones(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
                               std::int64_t to_row) const {
   std::uint32_t seen = 0;
@@ -95,7 +95,8 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
   return image;
 }
 
-// All zones on borders, joined; of the others those that are not far smaller than something else in their tile.
+// All zones on tile borders, joined, and those of the other zones that are not far smaller than the largest zone of
+// their tile.
 std::vector<TileZones::Candidate> TileZones::candidates(const TileGroups& groups) const {
   std::vector<Candidate> all;
   for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.drops(n), 0, 0});

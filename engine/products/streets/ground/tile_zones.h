@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_ground_tiled: the flat zones of a street that is too large to hold.
+// Internal to find_ground_tiled: the flat zones of a street that is too large for the memory.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -10,33 +10,35 @@
 namespace ilot {
 
 struct GroundOfGroups {
-  std::vector<std::uint32_t> of_group;         // number in the whole; 0 = no zone
-  std::vector<std::uint64_t> taken, left_out;  // pixels; left out: at least a tenth of the largest, the largest first
+  std::vector<std::uint32_t> of_group;         // number of the zone in the whole image; 0 = no zone
+  std::vector<std::uint64_t> taken, left_out;  // pixels; left_out: at least a tenth of the largest, the largest first
 };
 
-// Whether outward_drops are counted, which ground() asks for.
+// Whether outward_drops are counted. ground() needs them.
 enum class OutwardDrops : std::uint8_t { left_out, counted };
 
-// Flat zones of tiles, joined where they touch. In order: find of all tiles, join, then the rest. Different tiles from
-// several threads at once. Memory: 24 bytes a zone of a tile, 8 a pixel of their borders.
+// The flat zones of tiles, joined where they touch. The order of calls is: find() for all tiles, then join(), then the
+// rest. Several threads may work on different tiles at once. Memory: 24 bytes per zone of a tile and 8 bytes per pixel
+// of the tile borders.
 class TileZones {
  public:
-  // Labels of tiles are kept in `layer`.
+  // The labels of the tiles are stored in `layer`.
   TileZones(const TileLayers& layers, const char* layer);
 
   void find(std::size_t tile, const Image& image, Height lambda, OutwardDrops drops_wanted);
   void join(Height lambda);
 
-  // The numbers in the whole of the labels of a tile; [0] = 0.
+  // For each label of a tile, the number of its zone in the whole image; [0] = 0.
   std::vector<std::uint32_t> numbers_of(std::size_t tile) const;
-  // Those of the pixels of a tile and around it, kNoHeight outside of the image; empty where there are not two.
+  // The zone number of each pixel of a tile and of the halo around it; kNoHeight outside of the image. The image is
+  // empty where it would contain fewer than two zones.
   Image around(std::size_t tile, std::uint32_t halo) const;
-  // The ground of each group of tiles, as ground_zone chooses it, where falls were counted.
+  // The ground of each group of tiles, chosen by ground_rank. Outward drops must have been counted.
   GroundOfGroups ground(const TileGroups& groups) const;
 
  private:
   struct Zone {
-    std::uint64_t first = 0;  // pixel in the whole
+    std::uint64_t first = 0;  // first pixel, as an index in the whole image
     std::uint32_t pixels = 0;
     std::uint32_t on_border = 0;
     std::int32_t drops = 0;  // within the tile
@@ -47,7 +49,7 @@ class TileZones {
     std::uint32_t group, number;
   };
   std::uint32_t number(std::size_t tile, std::size_t zone) const;
-  // Empty where the tile is absent.
+  // The result is empty where the tile is absent.
   std::vector<std::uint32_t> numbers_at(std::int64_t row, std::int64_t column) const;
   std::vector<Candidate> candidates(const TileGroups& groups) const;
   bool has_two_zones(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
@@ -57,7 +59,7 @@ class TileZones {
   const char* layer_;
   BorderZones borders_;
   std::vector<std::vector<Zone>> zones_;  // by tile, then label; [0] unused
-  std::vector<std::uint32_t> first_;      // numbers given to zones of tiles before
+  std::vector<std::uint32_t> first_;      // by tile: the number from which its inner zones are counted
 };
 
 }  // namespace ilot

@@ -12,7 +12,7 @@
 namespace ilot {
 namespace {
 
-// The ground and what stands on it around a tile, kNoHeight elsewhere.
+// The heights of the ground and of what stands on it, in and around a tile; kNoHeight elsewhere.
 Image inside_around(const TileLayers& layers, std::size_t tile, std::uint32_t halo) {
   Image inside = layer_around(layers, "filled", tile, halo);
   const Image mask = layer_around(layers, "mask", tile, halo);
@@ -21,7 +21,7 @@ Image inside_around(const TileLayers& layers, std::size_t tile, std::uint32_t ha
   return inside;
 }
 
-// Whether one of the nine pixels around and at p has a height, without branches.
+// Returns whether p or one of its eight neighbours has a height. The function has no branches.
 int touches(const Height* p, std::ptrdiff_t stride) {
   int any = 0;
   for (const Height* row : {p - stride, p, p + stride})
@@ -29,7 +29,7 @@ int touches(const Height* p, std::ptrdiff_t stride) {
   return any;
 }
 
-// Upside down, with the ring at the local ground height; outside of it kNoHeight.
+// The ground image upside down, with the ring at the local ground height; kNoHeight outside of the ring.
 Image over_of(const TileLayers& layers, std::size_t tile, std::uint32_t reach) {
   const std::uint32_t halo = reach + 1;
   const Image inside = inside_around(layers, tile, halo), around = box_minimum_within(inside, reach);
@@ -46,7 +46,7 @@ Image over_of(const TileLayers& layers, std::size_t tile, std::uint32_t reach) {
   return over;
 }
 
-// Spills of tiles as a layer: three rows, the first column says how many there are.
+// Stores the spills of tiles as a layer of three rows. The first column is their number.
 SpillStore spills_in(const TileLayers& layers) {
   const auto write = [&layers](std::size_t tile, const std::vector<SpillEdge>& spills) {
     Image image = filled_image(static_cast<std::uint32_t>(spills.size()) + 1, 3, static_cast<Height>(spills.size()));
@@ -71,13 +71,13 @@ SpillStore spills_in(const TileLayers& layers) {
   return {write, read};
 }
 
-// What the steps know of a tile beside its layers.
+// What the steps keep for a tile beside its layers.
 struct TilePlateaus {
-  std::vector<std::uint32_t> on_border;  // of each plateau its number on the tile's border; 0 = not on it
-  std::vector<std::uint32_t> pixels;     // of each plateau
+  std::vector<std::uint32_t> on_border;  // for each plateau its number on the tile's border; 0 = not on the border
+  std::vector<std::uint32_t> pixels;     // for each plateau
 };
 
-// Filling of the ground upside down, and draining of low plateaus.
+// Fills the ground image that is upside down, and drains low plateaus.
 class Draining {
  public:
   Draining(const TileLayers& layers, Height least, Height most, std::uint32_t area)
@@ -108,7 +108,7 @@ class Draining {
     borders_.join(0, Adjacency::four);
   }
 
-  // Lets water out over every pixel of large low plateaus.
+  // Lowers the filling to the ground on all pixels of large low plateaus, so that water runs off there.
   void drain() {
     const std::vector<std::uint64_t> joined = joined_sizes();
     for_each_tile(layers_.grid, [&](std::size_t tile) {
@@ -123,8 +123,8 @@ class Draining {
     filling_.join_drained();
   }
 
-  // Into "height": how much the filling raises each pixel of the ground; kNoHeight where that is little. Into "bare":
-  // the ground without what stands there; kNoHeight outside of it.
+  // Writes two layers. "height": how much the filling raises each pixel of the ground; kNoHeight where that is little.
+  // "bare": the ground without what stands on it; kNoHeight outside of the ground.
   void measure() {
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       const Image over = layer_tile(layers_, "over", tile), mask = layer_tile(layers_, "mask", tile);
@@ -141,12 +141,12 @@ class Draining {
   }
 
  private:
-  // kNoHeight outside of the ground.
+  // Returns kNoHeight outside of the ground.
   static Height depth_at(const Image& raised, const Image& over, const Image& mask, std::size_t i) {
     return mask.values[i] == 1 ? raised.values[i] - over.values[i] : kNoHeight;
   }
 
-  // Where the filling is of a plateau's depth.
+  // The regions in which the depth of the filling is that of a plateau.
   ZoneRuns plateaus_of(const Image& raised, const Image& over, const Image& mask) const {
     std::vector<std::uint8_t> low(raised.size());
     for (std::size_t i = 0; i < low.size(); ++i) {
@@ -181,7 +181,7 @@ class Draining {
     return large;
   }
 
-  // The filling, as low as the ground itself on plateaus that are `large`.
+  // The marker for the next filling. It is the filling, lowered to the ground on plateaus that are `large`.
   Image marker_of(const Image& raised, const Image& over, const Image& mask,
                   const std::vector<std::uint8_t>& large) const {
     Image marker = raised;

@@ -5,14 +5,16 @@
 
 namespace ilot {
 
-// What stands on the ground [Hernandez and Marcotegui 2008, 4]: top-hat of hole filling. The ground image upside down
-// has a hole where something stands; around the mask runs a ring at the local ground height, the lowest within
-// ring_reach, so that what stands at its edge is a hole too, and a sloping street none. Holes at least least_height
-// deep are artefacts. Ours: where the ring and the road close off a pavement, all of it is a shallow hole. Plateaus no
-// higher than highest_kerb and no smaller than least_plateau are drained, and the filling is done again, so that what
-// stands on them rises from them. At the border of the image the ground goes on. From the layers "filled" and "mask" to
-// "height" (above the ground around; kNoHeight where nothing stands) and "bare": the ground below it, kNoHeight outside
-// of the mask; pixel by pixel the same whatever the tiles.
+// Finds what stands on the ground by the top hat of the hole filling [Hernandez and Marcotegui 2008, 4]. In the ground
+// image upside down, an object is a hole. A ring around the mask gets the local ground height, which is the lowest
+// height within ring_reach. So an object at the edge of the mask is a hole too, and a sloping street is none. Holes
+// that are at least least_height deep are artefacts.
+// Our addition: where the ring and the road enclose a pavement, the whole pavement is a shallow hole. Plateaus that are
+// at most highest_kerb high and at least least_plateau large are drained, and the filling is repeated, so that objects
+// on a plateau rise from it.
+// At the border of the image the ground is taken to continue. Reads the layers "filled" and "mask". Writes "height"
+// (above the ground around; kNoHeight where nothing stands) and "bare" (the ground below; kNoHeight outside of the
+// mask). Each pixel is the same for any tiles.
 void find_artefacts_tiled(const TileLayers& layers, const RasterScale& scale, const ArtefactParams& params = {});
 
 }  // namespace ilot

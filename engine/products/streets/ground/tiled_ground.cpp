@@ -16,7 +16,7 @@ constexpr const char* kZones = "zones";
 
 using Links = std::vector<std::vector<LinkPixel>>;  // by tile
 
-// Draws the links of the tiles that a rectangle of the whole touches.
+// Draws the links of all tiles that a rectangle of the whole image touches.
 void draw_links(const TileGrid& grid, const Links& links, std::int64_t x, std::int64_t y, Image& part) {
   const std::int64_t side = grid.side;
   for (std::int64_t row = std::max<std::int64_t>(0, y / side); row * side < y + part.height; ++row)
@@ -33,7 +33,8 @@ void draw_links(const TileGrid& grid, const Links& links, std::int64_t x, std::i
     }
 }
 
-// From "range" to the flat zones of "filled", in two rounds: gaps and holes; links, and the holes that they close.
+// Computes the flat zones of "filled" from "range" in two rounds: first gaps and holes are filled, then links and the
+// holes that they close.
 class GroundFilling {
  public:
   GroundFilling(const TileLayers& layers, const RasterScale& scale, const GroundParams& params)
@@ -65,7 +66,8 @@ class GroundFilling {
                        [&](std::size_t tile, std::uint32_t halo) { return zones.around(tile, halo); });
   }
 
-  // Fills what is missing in tiles that `read` gives with a pixel around them into a layer; its zones.
+  // Fills the missing pixels of tiles and writes them to a layer. `read` gives a tile with one pixel around it. Returns
+  // the zones of the layer.
   TileZones filled(const ReadTile& read, std::uint32_t halo, const char* layer, OutwardDrops drops) const {
     TiledMissing missing(layers_.grid);
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write(layer, tile, missing.fill(tile, read(tile))); },

@@ -9,12 +9,12 @@
 namespace ilot {
 namespace {
 
-constexpr Height kModeMetres100 = 5;  // bins of the mode of heights, centimetres
+constexpr Height kModeMetres100 = 5;  // centimetres; size of the bins for the mode of heights
 
-// Sums over the pixels of one thing.
+// Sums over the pixels of one candidate.
 struct Tally {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;  // pixels
-  double low = 0, low_x = 0, low_y = 0;                // points, and where they are
+  double low = 0, low_x = 0, low_y = 0;                // low points, and the sums of their positions
   double above = 0, points = 0, slope = 0;
   Height ground = kAboveAll;
 };
@@ -78,7 +78,7 @@ class Describer {
     const double xx = t.xx / n - x * x, xy = t.xy / n - x * y, yy = t.yy / n - y * y;
     const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
     const auto side = [&](double variance) {
-      return scale_.pixel * std::sqrt(12 * std::max(0.0, variance) + 1);  // a single pixel is one wide
+      return scale_.pixel * std::sqrt(12 * std::max(0.0, variance) + 1);  // a single pixel has the width 1
     };
     out.length = side(half + root);
     out.width = side(half - root);

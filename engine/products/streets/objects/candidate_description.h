@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: what labelled pixels look like.
+// Internal to find_object_candidates: the features of labelled pixels.
 #pragma once
 #include <vector>
 
@@ -8,13 +8,14 @@
 
 namespace ilot {
 
-// A component as it is worked on: `own` and `slope`, its heights and their gradient, are as large as the patch.
+// The images of one component. `own` (its heights) and `slope` (their gradient) have the size of the patch.
 struct ComponentImages {
   const Patch& patch;
   Image own, slope;
 };
 
-// The things that the labels are, in their order; passes and parts are left to the caller.
+// Describes the candidate of each label, in the order of the labels. The features of passes and parts are left to the
+// caller.
 std::vector<ObjectCandidate> describe(const PixelLabels& labels, const ComponentImages& images,
                                       const RasterScale& scale, const ObjectCandidateParams& params);
 

@@ -17,7 +17,7 @@ void set(ObjectCandidate& candidate, CandidateFeature f, double value) {
   candidate.features[static_cast<std::size_t>(f)] = value;
 }
 
-// A thing that nothing is joined with and that joins none.
+// Sets the features of a candidate that is in no join and joins no others.
 void set_single(ObjectCandidate& t) {
   const double box = of(t, CandidateFeature::length) * of(t, CandidateFeature::width);
   set(t, CandidateFeature::fill, box > 0 ? of(t, ComponentFeature::area) / box : 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: things beside what they are joined from and with.
+// Internal to find_object_candidates: each candidate compared with its parts and with its partner in a join.
 #pragma once
 #include <span>
 
@@ -7,7 +7,8 @@
 
 namespace ilot {
 
-// Sets the features from `fill` on of things whose other features are known; parts by their place here, from 1. O(n).
+// Sets the features from `fill` on. The other features of the candidates are already set. `parts` are positions in this
+// list, from 1. O(n).
 void relate_candidates(std::span<ObjectCandidate> candidates);
 
 }  // namespace ilot

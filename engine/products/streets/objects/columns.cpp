@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::int64_t kTouching = 2;  // pixels: the sampling step
 
-// Pixels that hang together, and the bins that any of them has.
+// Connected pixels, and the bins in which any of them has a point.
 struct Group {
   std::vector<std::size_t> pixels;
   Occupancy bins = 0;
@@ -50,7 +50,8 @@ class Columns {
   }
 
  private:
-  // What hangs together with the first pixels, in the bins wanted; no further once it is longer than `most`.
+  // The pixels connected to the pixels of `first` in the wanted bins. The search stops once the group is longer than
+  // `most`.
   Group group_from(const std::vector<std::size_t>& first, const std::vector<Occupancy>& bins, Occupancy wanted,
                    std::size_t most) const {
     Group group;

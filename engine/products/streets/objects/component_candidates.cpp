@@ -13,7 +13,8 @@
 namespace ilot {
 namespace {
 
-// How many joins deep each part and each join is; what is of one level has no pixel in common.
+// The level of each part and each join, which is the greatest number of nested joins in its tree. Candidates of one
+// level have no pixel in common.
 std::vector<std::uint32_t> levels_of(std::uint32_t parts, const std::vector<Join>& joins) {
   std::vector<std::uint32_t> level(parts + joins.size() + 1, 0);
   for (std::uint32_t j = 0; j < joins.size(); ++j)
@@ -21,7 +22,8 @@ std::vector<std::uint32_t> levels_of(std::uint32_t parts, const std::vector<Join
   return level;
 }
 
-// Gives pixels the numbers of what joins them in one level, and those that changed labels of their own: `who` is each.
+// Gives pixels the numbers of the joins of one level. Joins that are new at this level get labels of their own in the
+// result; `who` is the join of each label.
 PixelLabels join_level(const std::vector<std::uint32_t>& becomes, PixelLabels& of, std::vector<std::uint32_t>& who) {
   PixelLabels joined{of.width, of.height, 0, std::vector<std::uint32_t>(of.of.size(), 0)};
   std::vector<std::uint32_t> number(becomes.size(), 0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: one component, taken apart and joined again.
+// Internal to find_object_candidates: one connected component is separated into parts, and the parts are joined again.
 #pragma once
 #include <vector>
 
@@ -9,15 +9,15 @@
 namespace ilot {
 
 struct ComponentCandidates {
-  PixelLabels labels;  // of the patch: the parts as they were separated
-  std::vector<ObjectCandidate>
-      candidates;  // those parts, then what joins two of these or of those; parts by their place here, from 1
+  PixelLabels labels;                       // of the patch; the parts as separation gave them
+  std::vector<ObjectCandidate> candidates;  // the separated parts, then joins of two earlier candidates; `parts` are
+                                            // positions in this list, from 1
 };
 
-// Half of the gap over which parts may be one thing, pixels.
+// Half of the widest gap over which two parts may still be one object, in pixels.
 std::uint32_t gap_reach(const RasterScale& scale, const ObjectCandidateParams& params);
 
-// The things of the component of that number in the layer "components".
+// The object candidates of the component with this number in the layer "components".
 ComponentCandidates candidates_of_component(const Patch& patch, std::uint32_t component, const RasterScale& scale,
                                             const ObjectCandidateParams& params);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: a rectangle cut out of all layers at once.
+// Internal to find_object_candidates: a rectangle that is cut out of all layers at once.
 #pragma once
 #include <algorithm>
 #include <cstdint>

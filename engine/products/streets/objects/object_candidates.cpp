@@ -14,10 +14,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kBytesPerPixel = 80;  // of what a component is worked on with
-constexpr std::uint32_t kBytesOfPatch = 36;   // per pixel of a tile: seven layers, numbers, and what is read around it
-// Of a component that is worked on whole, pixels: as many as a tile has (655 m2 at 5 cm). The largest of the clouds at
-// hand has 57,000.
+constexpr std::uint32_t kBytesPerPixel = 80;  // memory to process a component
+constexpr std::uint32_t kBytesOfPatch = 36;  // per pixel of a tile: seven layers, numbers, and the halo around the tile
+// Pixels in the largest box of a component that is processed as a whole: as many as a tile has (655 m2 at 5 cm). The
+// largest component in our test clouds has 57,000.
 constexpr std::uint64_t kLargestBox = 1u << 18;
 constexpr std::uint32_t kLongestBox = 1u << 14;  // packed images are no wider than 2^15
 
@@ -25,7 +25,7 @@ PixelRect rect_of(const TileFrame& f) {
   return {f.x, f.y, std::int64_t{f.x} + f.width - 1, std::int64_t{f.y} + f.height - 1};
 }
 
-// The layer "standing": heights of what points were seen on, or near.
+// Writes the layer "standing": the heights of pixels that have a point, or that are near one.
 void find_standing(const TileLayers& layers, std::uint32_t reach) {
   for_each_tile(layers.grid,
                 [&](std::size_t tile) {
@@ -40,7 +40,7 @@ void find_standing(const TileLayers& layers, std::uint32_t reach) {
                 {24, reach});
 }
 
-// What a tile holds of a component.
+// The part of a component that one tile contains.
 struct Seen {
   std::uint32_t component = 0;
   std::size_t tile = 0;
@@ -57,8 +57,8 @@ std::uint64_t area_of(const PixelRect& box) {
   return std::uint64_t{box.width()} * box.height();
 }
 
-// Components whose boxes are too large to be worked on whole are cut along the borders of tiles: what each tile holds
-// of one becomes a component of its own, numbered behind all others.
+// Cuts components whose boxes are too large to be processed as a whole. They are cut along the borders of tiles: the
+// part in each tile becomes a component of its own, numbered after all others.
 void cut_largest(const TileLayers& layers, std::vector<Seen> seen, Components& found) {
   std::erase_if(seen, [&](const Seen& s) {
     const PixelRect& box = found.boxes[s.component];
@@ -66,7 +66,7 @@ void cut_largest(const TileLayers& layers, std::vector<Seen> seen, Components& f
   });
   std::sort(seen.begin(), seen.end(),
             [](const Seen& a, const Seen& b) { return std::tie(a.component, a.tile) < std::tie(b.component, b.tile); });
-  std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> new_numbers;  // by tile, of components
+  std::map<std::size_t, std::map<std::uint32_t, std::uint32_t>> new_numbers;  // by tile and component
   for (const Seen& s : seen) {
     found.pixels[s.component] = 0;
     new_numbers[s.tile][s.component] = static_cast<std::uint32_t>(found.pixels.size());
@@ -82,7 +82,7 @@ void cut_largest(const TileLayers& layers, std::vector<Seen> seen, Components& f
   }
 }
 
-// Components of what stands there, joined over gaps of up to twice `reach` pixels.
+// Finds the connected components of what stands on the ground, joined over gaps of up to twice `reach` pixels.
 Components find_components(const TileLayers& layers, std::uint32_t reach) {
   Components found;
   std::mutex mutex;
@@ -95,7 +95,7 @@ Components find_components(const TileLayers& layers, std::uint32_t reach) {
   const auto write = [&](std::size_t tile, const PixelLabels& labels) {
     const TileFrame frame = tile_frame(layers.grid, tile);
     const Image height = layer_tile(layers, "standing", tile);
-    std::vector<Seen> runs;  // one a run of a row
+    std::vector<Seen> runs;  // one entry per run of a row
     Image image{labels.width, labels.height, std::vector<Height>(labels.of.size(), 0)};
     for (std::uint32_t y = 0; y < labels.height; ++y) {
       for (std::uint32_t x = 0; x < labels.width; ++x) {
@@ -169,7 +169,7 @@ class CandidateFinder {
         std::count_if(candidates.begin(), candidates.end(), [](const ObjectCandidate& t) { return t.parts[0] == 0; }));
   }
 
-  // The joined things of a component, their parts by number in the whole.
+  // Appends the joins of a component. Their parts become numbers in the list of all candidates.
   static void add_joined(const std::vector<ObjectCandidate>& candidates, std::uint32_t first,
                          std::vector<ObjectCandidate>& all) {
     const std::uint32_t parts = separated(candidates), joined = static_cast<std::uint32_t>(all.size());
@@ -183,7 +183,7 @@ class CandidateFinder {
     return components_.pixels[component] >= std::max(1u, scale_.area(params_.separation.least_area));
   }
 
-  // Components that lie in one tile, by tile; the others are set aside.
+  // Returns by tile the components that lie in one tile. The others are recorded in spanning_.
   std::vector<std::vector<std::uint32_t>> share_out() {
     std::vector<std::vector<std::uint32_t>> of_tile(layers_.grid.count());
     for (std::uint32_t c = 1; c < components_.pixels.size(); ++c) {
@@ -199,7 +199,7 @@ class CandidateFinder {
     return of_tile;
   }
 
-  // A tile's layers and what is found in it, and the component that is worked on.
+  // The memory for each tile: its layers, its results, and the largest component that is processed.
   std::vector<std::uint64_t> bytes_of_tiles(const std::vector<std::vector<std::uint32_t>>& of_tile) const {
     const std::uint64_t side = layers_.grid.side;
     std::vector<std::uint64_t> bytes;
@@ -236,7 +236,7 @@ class CandidateFinder {
     layers_.write("shared", i, {labels.width, labels.height, {labels.of.begin(), labels.of.end()}});
   }
 
-  // Labels of a box with a pixel around it, where they lie in a tile.
+  // Writes the labels of a box, which has one pixel around it, to the pixels that lie in a tile.
   static void put(const PixelLabels& labels, const PixelRect& box, const TileFrame& frame, Image& tile) {
     for (std::int64_t y = std::max<std::int64_t>(box.y0, frame.y); y <= box.y1 && y < frame.y + frame.height; ++y) {
       for (std::int64_t x = std::max<std::int64_t>(box.x0, frame.x); x <= box.x1 && x < frame.x + frame.width; ++x) {
@@ -248,7 +248,7 @@ class CandidateFinder {
     }
   }
 
-  // The labels of a component of several tiles, where its box lies in this one.
+  // Writes the labels of a component that spans more than one tile, where its box lies in this tile.
   void put_shared(std::uint32_t s, const TileFrame& frame, Image& tile) const {
     const PixelRect &box = components_.boxes[spanning_[s]], own = rect_of(frame);
     const PixelRect part{std::max(box.x0, own.x0), std::max(box.y0, own.y0), std::min(box.x1, own.x1),
@@ -264,7 +264,7 @@ class CandidateFinder {
         if (labels[i] != 0) tile.values[static_cast<std::size_t>((y - own.y0) * frame.width + x - own.x0)] = labels[i];
   }
 
-  // The components of several tiles that reach into each tile, by their places in spanning_.
+  // For each tile, the components that span more than one tile and reach into it, as indices into spanning_.
   std::vector<std::vector<std::uint32_t>> shared_of_tiles() const {
     std::vector<std::vector<std::uint32_t>> of_tile(layers_.grid.count());
     const std::uint32_t side = layers_.grid.side;

@@ -10,74 +10,75 @@
 
 namespace ilot {
 
-// What a thing is told by: the document's eleven [Hernandez and Marcotegui 2008, 5.2], then ours.
+// The features by which object candidates are classified: first the eleven of the paper [Hernandez and Marcotegui 2008,
+// 5.2], then ours.
 enum class CandidateFeature : std::uint8_t {
-  low_share = kComponentFeatures,  // of its points, those lower than low_height
-  ground_share,                    // of the points in its pixels, those on the ground below it
+  low_share = kComponentFeatures,  // share of its points that are lower than low_height
+  ground_share,                    // share of the points in its pixels that are on the ground below it
   roughness,                       // metres; mean of the highest less the lowest of a pixel and its neighbours
-  length,                          // metres; of the rectangle with the moments of its pixels
+  length,                          // metres; length of the rectangle with the moments of its pixels
   width,
-  inner_pass,    // of a joined thing: the lowest pass between its parts over the lower top; 1 of one that was separated
-  outer_pass,    // the highest pass to another part of its component over the lower top; 0 without any
-  fill,          // area over that of the rectangle with the moments of its pixels
-  lesser_share,  // of a joined thing's area, that of its lesser part; 0 of one that was separated
+  inner_pass,    // of a join: lowest pass between its parts divided by the lower top; 1 for a separated part
+  outer_pass,    // highest pass to another part of its component divided by the lower top; 0 without any
+  fill,          // area divided by that of the rectangle with the moments of its pixels
+  lesser_share,  // of a join: share of its area that its smaller part has; 0 for a separated part
   top_step,      // metres between the tops of its two parts
   mean_step,     // metres between their mean heights
-  joined_share,  // of the area of what joins it with another, its own; 1 where nothing does
-  rise,          // metres that its top is above that of the other
-  joined_fill,   // of what joins them
+  joined_share,  // its share of the area of the join that contains it; 1 where there is none
+  rise,          // metres; its top less the top of its partner in the join
+  joined_fill,   // `fill` of the join that contains it
   joined_length,
-  upright_share,  // of the bins of height up to its top, those with a point in any of its pixels; 0 with no occupancy
-  evenness,       // of what it fills from above, bin by bin: mean number of pixels with a point over the greatest
-  free_run,       // metres over which it stands and touches nothing, bin upon bin
-  touch_share,    // of the bins that it stands in, those in which it touches another
-  joint_share,    // of a joined thing: of the bins of the part with fewer, those in which its two parts touch; else 1
+  upright_share,  // share of the height bins up to its top that contain a point of its pixels; 0 with no occupancy
+  evenness,       // over the bins up to its top: mean number of pixels with a point divided by the greatest
+  free_run,       // metres; longest run of bins in which it has points and touches nothing
+  touch_share,    // share of its bins in which it touches another candidate
+  joint_share,    // of a join: share of the bins of the part with fewer bins in which its two parts touch; else 1
 };
 constexpr std::size_t kCandidateFeatures = kComponentFeatures + 20;
 using CandidateFeatures = std::array<double, kCandidateFeatures>;
 const char* candidate_feature_name(std::size_t feature);
 
-// Something that stands on the ground.
+// An object candidate: a separated part, or a join of two candidates.
 struct ObjectCandidate {
   CandidateFeatures features{};
-  double x = 0, y = 0;                            // base point, pixels of the whole; centres of pixels at whole numbers
+  double x = 0, y = 0;  // base point, in pixels of the whole image; centres of pixels are at whole numbers
   double middle_x = 0, middle_y = 0;              // of its pixels
   Height ground = 0;                              // lowest ground below it
   double length = 0, width = 0, heading_deg = 0;  // metres; heading of the length, from x towards y, 0 to below 180
   std::uint64_t points = 0;                       // above the ground
   std::uint32_t pixels = 0;
-  std::uint32_t parts[2] = {0, 0};  // numbers of the things that this one joins; 0: a thing as it was separated
+  std::uint32_t parts[2] = {0, 0};  // numbers of the candidates that this one joins; 0: a separated part
 };
 
 struct ColumnParams {
-  double widest = 0.4;     // metres, of a column
-  double apart = 0.15;     // metres around it that are free
-  double least_run = 0.6;  // metres of height over which it is free
+  double widest = 0.4;     // metres; greatest width of a column
+  double apart = 0.15;     // metres; width of the empty ring around it
+  double least_run = 0.6;  // metres; least height over which the ring is empty
 };
 
 struct ObjectCandidateParams {
   SeparationParams separation;
   ColumnParams columns;
-  double largest = 40;           // square metres; parts are joined to no larger things
-  double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one thing
+  double largest = 40;           // square metres; no join is larger
+  double nearest_apart = 0.2;    // metres; parts with a narrower gap between them may be one object
   double low_height = 2;         // metres above the ground
-  double seen_within = 0.25;     // metres; what is farther from every point was filled in, and nothing stands there
-  double mean_accumulation = 1;  // points of a pixel of the ground that has any: accumulations are in multiples of it
+  double seen_within = 0.25;     // metres; pixels farther from every point were filled in and are left out
+  double mean_accumulation = 1;  // mean points of a ground pixel that has any; accumulations are multiples of it
 };
 
-// Things that touch told apart [Hernandez and Marcotegui 2008, 5.1] and described [Hernandez and Marcotegui 2008, 5.2]:
-// from the layers "height", "range", "accumulation", "above" (points above the ground) and "low" (those lower than
-// low_height) to the layer "candidates": numbers from 1 in the order of the components' first pixels, and within a
-// component as separate_artefacts numbers them; 0 = none. Pixel by pixel what separate_artefacts makes of the whole.
-// Accumulation and heights are of the pixels with points, the area of all. A component is worked on whole: memory some
-// 80 bytes a pixel of its box.
+// Separates objects that touch [Hernandez and Marcotegui 2008, 5.1] and describes them [Hernandez and Marcotegui 2008,
+// 5.2]. Reads the layers "height", "range", "accumulation", "above" (points above the ground) and "low" (those lower
+// than low_height). Writes the layer "candidates": numbers from 1 in the order of the first pixels of the components,
+// and within a component as separate_artefacts numbers them; 0 = none. Each pixel is the same as if separate_artefacts
+// worked on the whole image. Accumulation and heights are computed over the pixels with points, the area over all
+// pixels. A component is processed as a whole: memory is some 80 bytes per pixel of its box.
 //
-// Ours: heights that are no nearer to a point than seen_within are left out: links of the ground over shadows climb to
-// what stands at their ends, and would join it. A watershed also parts what is one, as a bicycle from saddle to
-// handlebar. Behind the parts as they were separated come the things that join two of them or of those: in each
-// component the two whose pass is highest beside the lower top, again and again, then those that a gap of less than
-// nearest_apart parts, up to `largest`. Components are joined over such gaps too. Which of them are things, classes
-// tell: select_objects.
+// Our additions: heights farther than seen_within from every point are left out, because links of the ground over
+// shadows climb to the objects at their ends and would join them. A watershed also splits single objects, such as a
+// bicycle between saddle and handlebar. So after the separated parts come joins of two candidates: in each component
+// the two candidates whose pass is highest relative to the lower top are joined, again and again. Then candidates with
+// a gap of less than nearest_apart between them are joined. No join is larger than `largest`. Components are joined
+// over such gaps too. select_objects then decides from the classes which candidates are objects.
 std::vector<ObjectCandidate> find_object_candidates(const TileLayers& layers, const RasterScale& scale,
                                                     const ObjectCandidateParams& params = {});
 

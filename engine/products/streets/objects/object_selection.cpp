@@ -10,7 +10,7 @@ namespace ilot {
 
 namespace {
 
-constexpr double kLeast = 1e-30;  // no weight is less
+constexpr double kLeast = 1e-30;  // lower bound of a weight
 
 double weight_of(double probability) {
   return natural_log(std::max(kLeast, probability));
@@ -20,7 +20,8 @@ double weight_of(double probability) {
 
 std::vector<std::uint8_t> select_objects(std::span<const ObjectCandidate> candidates,
                                          std::span<const CandidateClass> classes) {
-  // Of each thing the weight of all below it being parts, itself included; and the best that can be made of it.
+  // For each candidate, `parts` is the weight of the case that it and all candidates below it are parts; `best` is the
+  // greatest weight of any cut through its tree.
   std::vector<double> parts(candidates.size(), 0), best(candidates.size(), 0);
   std::vector<std::uint8_t> better(candidates.size(), 1), taken(candidates.size(), 0), inside(candidates.size(), 0);
   for (std::size_t i = 0; i < candidates.size(); ++i) {  // parts come first

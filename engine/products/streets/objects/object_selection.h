@@ -6,13 +6,15 @@
 
 namespace ilot {
 
-// Which of the things are whole, where parts and what joins them are given (find_object_candidates): a cut through each
-// tree of joins, on it what is whole, below it parts, above it several in one. The cut under which the roles of all
-// things together are most probable, each by itself; ties: the joined one. For each thing whether it was taken. O(n).
+// Selects the candidates that are whole objects. `candidates` are parts and their joins, as find_object_candidates
+// gives them. The selection is a cut through each tree of joins: the candidates on the cut are whole, those below it
+// are parts, and those above it are merged. Of all cuts, the one with the greatest probability of the roles of all
+// candidates together is taken, with the candidates regarded as independent (ties: the joined candidate). The result
+// has one flag per candidate: 1 = taken. O(n).
 std::vector<std::uint8_t> select_objects(std::span<const ObjectCandidate> candidates,
                                          std::span<const CandidateClass> classes);
 
-// Of each thing that was separated the number of the thing taken that holds it; [0] = 0.
+// For each separated part, the number of the taken candidate that contains it; [0] = 0.
 std::vector<std::uint32_t> candidate_of_part(std::span<const ObjectCandidate> candidates,
                                              std::span<const std::uint8_t> taken);
 

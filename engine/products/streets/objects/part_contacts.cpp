@@ -15,7 +15,7 @@ constexpr int kReach = 2;  // pixels: the sampling step
 
 struct PartBins {
   Occupancy bins = 0;
-  std::array<double, kOccupancyBins> pixels{};  // with a point in that bin
+  std::array<double, kOccupancyBins> pixels{};  // by bin: number of pixels with a point in it
   std::map<std::uint32_t, Occupancy> touching;
 
   Occupancy touched() const {
@@ -30,7 +30,8 @@ double share(Occupancy part, Occupancy of, double none) {
   return of == 0 ? none : static_cast<double>(std::popcount(part & of)) / std::popcount(of);
 }
 
-// The parts, and where they touch: half of the pixels around each, so each pair once.
+// Finds the bins of the parts and the bins in which they touch. Half of the pixels around each pixel are examined, so
+// each pair is seen once.
 BinsByPart bins_of_parts(const PixelLabels& parts, const std::vector<Occupancy>& occupancy) {
   std::vector<PartBins> bins_by_part(std::size_t{parts.count} + 1);
   const auto w = static_cast<int>(parts.width), h = static_cast<int>(parts.height);
@@ -58,7 +59,7 @@ BinsByPart bins_of_parts(const PixelLabels& parts, const std::vector<Occupancy>&
   return out;
 }
 
-// Puts the two in place of which `number` stands from now on together.
+// Replaces the two candidates of a join by their union, which has `number` from now on.
 const PartBins& join(const Join& pair, std::uint32_t number, BinsByPart& bins_by_part) {
   PartBins whole = std::move(bins_by_part.at(pair.a));
   const PartBins other = std::move(bins_by_part.at(pair.b));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: at which heights things stand, and at which they touch.
+// Internal to find_object_candidates: the heights at which candidates stand, and the heights at which they touch.
 #pragma once
 #include <span>
 #include <vector>
@@ -11,9 +11,9 @@
 
 namespace ilot {
 
-// Sets the features of things that the occupancy of their pixels gives, from upright_share on: `parts` of a component,
-// then what the joins make of them. Two parts touch in a bin where both have a point in it no farther apart than the
-// sampling step, two pixels. O(n + joins parts log parts).
+// Sets the features of candidates that come from the occupancy of their pixels, from upright_share on. `candidates` are
+// the parts of a component, then the candidates that the joins make. Two parts touch in a bin where both have a point
+// in that bin and these points are at most the sampling step (two pixels) apart. O(n + joins parts log parts).
 void set_contacts(const PixelLabels& parts, const std::vector<Occupancy>& occupancy, std::span<const Join> joins,
                   const RasterScale& scale, std::span<ObjectCandidate> candidates);
 

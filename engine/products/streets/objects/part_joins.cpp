@@ -11,7 +11,7 @@ namespace {
 struct Side {
   Height top = kNoHeight;
   double pixels = 0;
-  std::map<std::uint32_t, Height> passes;  // to those beside it; below 0: the gap in pixels, turned over
+  std::map<std::uint32_t, Height> passes;  // passes to its neighbours; below 0: minus the gap in pixels
 };
 using Sides = std::map<std::uint32_t, Side>;
 
@@ -19,7 +19,7 @@ double ratio_of(Height pass, const Side& a, const Side& b) {
   return static_cast<double>(pass) / std::min(a.top, b.top);
 }
 
-// Parts with ground between them, seen from every pixel on an edge.
+// Adds pairs of parts with ground between them. The search starts from every pixel on the edge of a part.
 void add_gaps(const PixelLabels& labels, std::int64_t reach, Sides& sides) {
   const auto w = std::int64_t{labels.width}, h = std::int64_t{labels.height};
   if (labels.count < 2) return;
@@ -44,7 +44,7 @@ void add_gaps(const PixelLabels& labels, std::int64_t reach, Sides& sides) {
     }
 }
 
-// The parts and where they touch.
+// Collects the parts and the passes where they touch.
 Sides sides_of(const PixelLabels& labels, const Image& heights) {
   Sides sides;
   const std::size_t w = labels.width;
@@ -73,7 +73,8 @@ double highest_pass(const Sides& sides, const Side& side) {
   return highest;
 }
 
-// The two whose pass is highest beside the lower top, no larger together than `largest` pixels; none: a = 0.
+// The pair whose pass is highest relative to the lower top, among pairs with together no more than `largest` pixels. If
+// there is none, a = 0.
 Join best_join(const Sides& sides, double largest) {
   Join best;
   double highest = -1;
@@ -86,14 +87,14 @@ Join best_join(const Sides& sides, double largest) {
   return best;
 }
 
-// What was cut, together again; a pass of 0 where the two do not touch.
+// The join of a column with the rest of the part from which it was cut. The pass is 0 where the two do not touch.
 Join cut_join(const Sides& sides, std::uint32_t rest, std::uint32_t column) {
   const Side& side = sides.at(rest);
   const auto pass = side.passes.find(column);
   return {rest, column, pass == side.passes.end() ? 0 : ratio_of(pass->second, side, sides.at(column))};
 }
 
-// Puts the two in place of which `number` stands from now on together.
+// Replaces the two candidates of a join by their union, which has `number` from now on.
 const Side& join(const Join& pair, std::uint32_t number, Sides& sides) {
   Side whole = sides.at(pair.a);
   const Side& other = sides.at(pair.b);
@@ -126,7 +127,7 @@ Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t re
     joins.list.push_back(pair);
     joins.outer.push_back(highest_pass(sides, join(pair, ++next, sides)));
   };
-  std::map<std::uint32_t, std::uint32_t> together;  // what a part and its columns are by now
+  std::map<std::uint32_t, std::uint32_t> together;  // the current join of a part and its columns
   for (const ColumnCut& cut : cuts) {
     const std::uint32_t rest = together.try_emplace(cut.rest, cut.rest).first->second;
     add(cut_join(sides, rest, together.try_emplace(cut.column, cut.column).first->second));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of find_object_candidates: which parts of a component are joined, and in which order.
+// Internal to find_object_candidates: which parts of a component are joined, and in which order.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,17 +12,18 @@ namespace ilot {
 
 struct Join {
   std::uint32_t a = 0, b = 0;
-  double pass = 1;  // over the lower top
+  double pass = 1;  // height of the pass divided by the height of the lower top
 };
 struct Joins {
   std::vector<Join> list;
-  std::vector<double> outer;  // of each part and each join, from 1: the highest pass to another over the lower top
+  std::vector<double> outer;  // of each part and join, from 1: highest pass to another divided by the lower top
 };
 
-// The tree of joins of the labels of a component: columns with what they were cut from first, one after the other, so
-// that the tree holds all that it would hold without them; then the two whose pass is highest beside the lower top,
-// again and again, then those that a gap of at most `reach` pixels parts, to no more than `largest` pixels. What join j
-// (from 0) makes has the number labels.count + 1 + j.
+// Builds the tree of joins of the labels of a component. First, columns are joined one after the other with the parts
+// from which they were cut, so that the tree contains all nodes that it would contain without the cuts. Then the two
+// candidates whose pass is highest relative to the lower top are joined, again and again. Then candidates that are
+// separated by a gap of at most `reach` pixels are joined. No join has more than `largest` pixels. Join j (from 0)
+// gives the candidate with the number labels.count + 1 + j.
 Joins joins_of(const PixelLabels& labels, const Image& heights, std::uint32_t reach, double largest,
                std::span<const ColumnCut> cuts = {});
 
