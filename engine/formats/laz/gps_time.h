@@ -44,7 +44,7 @@ class GpsTimeCodec {
   struct Sequence {
     std::uint64_t time = 0;
     std::int32_t step = 0;
-    std::uint32_t extremes = 0;  // number of consecutive steps that differ much from `step`
+    std::uint32_t extremes = 0;  // steps that differ much from `step`, consecutive or nearly so
   };
   static constexpr std::uint32_t kRepeat = 511;
   static constexpr std::uint32_t kFull = kMayRepeat ? 512 : 511;
