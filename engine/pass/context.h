@@ -16,8 +16,7 @@ struct PassContext {
   double rounding = 0;                 // CRS units; greatest distance of a point of the store from its input
   Index3 corner;                       // near the smallest coordinates of all points, also of those outside the area
   std::function<bool(Index3)> wanted;  // points for which products are asked; empty = all
-  std::function<void(std::uint64_t)> advance = [](std::uint64_t) {
-  };  // points that are done; may be called from any thread
+  std::function<void(std::uint64_t)> advance = [](std::uint64_t) {};  // points done; from any thread
 };
 
 }  // namespace ilot

@@ -28,9 +28,9 @@ struct IndexResult {
   Index3 corner;         // least corner of the coarse cells with points, without strays; independent of the area
 };
 
-// Inputs to blocks, reading each input once. With an area to keep, rows that an octree in the file places beyond it are
-// not read: they count as outside it, whatever else may be wrong with them. Work that an earlier start finished is
-// found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
+// Makes blocks from the inputs and reads each input once. With an area to keep, rows are not read when an octree in the
+// file says that they are outside it; they count as outside, whatever other faults they have. Results that an earlier
+// start finished are found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 

@@ -48,7 +48,7 @@ struct PointCounts {
 
 struct RoofCounts {
   std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
-  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
+  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by the validity of these as written
   std::uint64_t thinned = 0;             // modelled from a sample of their points
 };
 
@@ -65,12 +65,10 @@ struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
   std::uint64_t footprints = 0;
   std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that were made from them
-  std::vector<std::string> outside;     // ids of those completely outside the extent of the cloud, which is no fault
-  bool transformed = false;             // from another CRS
-  double shift_x_m = 0, shift_y_m = 0;  // shift with which the outlines would contain the most points
-  double inside = 0,
-         inside_shifted =
-             0;  // share of the building points around the outlines that they contain now, and with the shift
+  std::vector<std::string> outside;       // ids of those completely outside the extent of the cloud, which is no fault
+  bool transformed = false;               // from another CRS
+  double shift_x_m = 0, shift_y_m = 0;    // shift with which the outlines would contain the most points
+  double inside = 0, inside_shifted = 0;  // share of the building points around them inside, now and with the shift
 };
 
 // The result without footprints.

@@ -13,7 +13,7 @@ namespace ilot {
 
 struct FinishedResult {
   std::string request;              // as from run_request(); empty: not recorded
-  std::vector<ResultRecord> files;  // of the result, without run.json
+  std::vector<ResultRecord> files;  // files of the result, without run.json
   bool listed = false;              // false: an older version did not record its files
 };
 

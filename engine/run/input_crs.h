@@ -13,8 +13,7 @@ std::string crs_name(const Crs& crs);
 // Chooses inputs.crs and changes the readers when products cannot work on their coordinates:
 // - Degrees that are outside their range are not accepted: the CRS is then unknown.
 // - With --to-crs, places are reprojected; without it, degrees are refused.
-// - Inputs without a CRS take that of the footprints, when the footprints are at the place of the inputs (otherwise
-// they are refused).
+// - Inputs without a CRS take that of the footprints. They are refused when the footprints are at another place.
 // - Heights in another unit than positions are converted, and inputs.crs is then the CRS of the positions alone.
 // All of this is reported and recorded. Returns the factor by which heights were multiplied (units of x and y per unit
 // of z). Errors have ExitCode::usage.

@@ -50,7 +50,7 @@ class OutputFolder {
   std::filesystem::path path_, store_;
   std::uint64_t block_points_;
   std::string request_;                 // what is asked for (run_request)
-  std::vector<std::string> old_files_;  // of the result that is replaced
+  std::vector<std::string> old_files_;  // files of the result that is replaced
   bool resumed_ = false;
   std::optional<FolderLock> lock_, store_lock_;
 };

@@ -42,8 +42,7 @@ class CoarseCells {
   explicit CoarseCells(int bits) : bits_(bits) {}
 
   void add(Index3 p);
-  void add(Tile tile,
-           std::span<const KeyValue> points);  // points of one tile, sorted by code; mostly O(cells log(points))
+  void add(Tile tile, std::span<const KeyValue> points);  // of one tile, sorted by code; mostly O(cells log(points))
   void merge(CoarseCells other);
 
   int bits() const { return bits_; }

@@ -19,7 +19,7 @@ struct RunRange {
 struct PlannedBlock {
   Node node;
   std::uint64_t points = 0;
-  std::vector<RunRange> ranges;  // ascending by run and place in it
+  std::vector<RunRange> ranges;  // ascending by run and then by place in the run
 };
 
 // Returns the leaves of the octrees of all tiles in global order. Each leaf has at most `block_points` points (more

@@ -18,7 +18,7 @@
 
 namespace ilot {
 
-// Why a point did not enter the store.
+// The reasons for which a point is not in the store.
 enum class Rejection { invalid, withheld, noise, outside, stray };
 constexpr std::size_t kRejections = 5;
 constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordinates", "withheld", "noise class",

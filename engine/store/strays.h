@@ -29,8 +29,7 @@ class Strays {
  private:
   int bits_ = 0;
   std::vector<CoarseCell> cells_;
-  std::map<Tile, std::vector<CodeRange>>
-      ranges_;  // for tiles that contain the cells; otherwise the cells contain the tile
+  std::map<Tile, std::vector<CodeRange>> ranges_;  // when a tile contains the cells; else they contain it
 };
 
 // Finds the cells whose points are strays. Two cells belong together when the gap between them is at most the edge of a

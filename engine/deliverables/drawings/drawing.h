@@ -26,7 +26,7 @@ enum class DrawingRole : std::uint8_t {
   detail,     // elements of other kinds
   completed,  // drawn although it has no points of its own
   occluded,   // edges in a laser shadow
-  shadow,     // hatching of what lies in a laser shadow
+  shadow,     // hatching of places in a laser shadow
   error,      // the plan widened by each edge's error
   number,
   level,

@@ -36,8 +36,7 @@ class SectionPoints {
  private:
   SectionPlane plane_;
   double half_, cell_, metres_;
-  std::vector<std::pair<std::int64_t, std::int64_t>>
-      cells_;  // sorted up to sorted_, later ones in the order of arrival
+  std::vector<std::pair<std::int64_t, std::int64_t>> cells_;  // sorted up to sorted_, then by arrival
   std::size_t sorted_ = 0;
   void sort_unique();
 };

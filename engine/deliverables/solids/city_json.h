@@ -48,7 +48,7 @@ class CityJsonWriter {
   OutputFile file_;
   CityJsonParams params_;
   bool sequence_ = false, first_ = true;
-  std::vector<Steps> vertices_;  // of the one object
+  std::vector<Steps> vertices_;  // for the single object
 };
 
 }  // namespace ilot
