@@ -55,8 +55,8 @@ class OutputFolder {
   std::optional<FolderLock> lock_, store_lock_;
 };
 
-// Returns how much of --memory the work may use. The rest is for memory that the estimates of the work do not include:
-// the stacks of the threads and what the allocator keeps between blocks. The rest is an eighth at 96M, where 16 threads
+// Returns how much of --memory the work may use. The rest of 12 MiB, an eighth of 96M, is for memory that the estimates
+// of the work do not include: the stacks of the threads and what the allocator keeps between blocks. At 96M, 16 threads
 // were measured to take 4 MiB of it.
 std::uint64_t memory_to_fill(const RunOptions& options);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Replaces an older result by a new one when the new one is complete, and replaces nothing else.
+//
 // The new files are made in OUT/.new. The rename of this folder to OUT/.swap is decisive: before it the old result is
 // valid, after it the new one. The following steps (old files are removed, new ones are moved in, run.json last) may be
 // interrupted at any time; the next run finishes them.

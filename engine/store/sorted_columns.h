@@ -11,8 +11,8 @@
 namespace ilot {
 
 // Reads a column of all blocks whose values ascend by a key within each block. Values are read in stretches of the key:
-// all blocks' values for a few keys are together in memory, and no more than that. Key is a function of a value of type
-// T. 16 bytes a block.
+// the values of all blocks for a few keys are together in memory, and no more than that. Key is a function that returns
+// the key of a T. 16 bytes a block.
 template <class T, class Key>
 class SortedColumns {
  public:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A drawing as DXF (AutoCAD R2000, ASCII), in metres in model space.
+//
 // ilot has its own writer because GDAL 3.6, the only available library, turns arcs into chords (a half circle became a
 // polyline of 46 corners without a bulge), sets layer tables only through a template, and writes no switched-off
 // layers, text styles or line patterns. CAD programs are known to open GDAL's skeleton of header, tables, blocks and

@@ -14,7 +14,7 @@ namespace ilot {
 // How strong the evidence for a line is. Only points count, not the result of regularisation.
 enum class EvidenceGrade : std::uint8_t {
   good,  // seen, and supported by points
-  weak,  // completed, or half of it has no points, or no station sees it
+  weak,  // completed, or half of it has no points or is occluded
   none,  // no point supports it
 };
 EvidenceGrade evidence_grade(const FacadeEdge& edge);

@@ -15,6 +15,7 @@ namespace ilot {
 // are stretched from their limits to 16 bits. rowIndex, columnIndex, timeStamp (seconds, as in the scan) and normals
 // (rotated by the pose) become extra bytes; other fields are left out with a warning. Points in an invalid state are
 // rejected rows. Stations are the poses.
+//
 // The file is read front to back by one thread. Opening reads the file once and tests the checksums of all pages that
 // contain points. A damaged page ends its scan, with a warning, and info().points counts the complete points. At most
 // 16 MiB of points and the XML section (at most 16 MiB) are in memory. Throws Error when the header or the XML is

@@ -81,7 +81,7 @@ std::vector<ExtraField> with_gaps(const std::vector<ExtraField>& fields, std::si
   return out;
 }
 
-// Appends our descriptors: the descriptors of the input, then the undocumented rest of its record, then the appended
+// Appends our descriptors behind those of the input: first the undocumented rest of its record, then the appended
 // fields.
 void append_to(std::vector<Vlr>& vlrs, const std::vector<std::byte>& added, int minor) {
   const auto last = std::find_if(vlrs.rbegin(), vlrs.rend(), is_extra_bytes);

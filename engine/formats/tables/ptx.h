@@ -12,6 +12,7 @@ namespace ilot {
 // Points are moved by the matrix of their block (row vectors: p' = p M). The point source id is the number of the block
 // from 1. Intensities from 0 to 1 are scaled to 16 bits, colours are multiplied by 257. Cells without a return (0 0 0)
 // and lines that are not numbers are rejected rows. Stations are the positions of the scanners.
+//
 // The file is read front to back by one thread; opening reads it once to count. A block whose lines or header are
 // missing or damaged ends the file: everything before it is kept, with a warning. Throws Error when the first block is
 // not PTX.
