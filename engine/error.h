@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one exception, as the public interface has it.
+// The only exception type. The public interface defines it.
 #pragma once
 #include "ilot/error.h"

@@ -7,7 +7,7 @@
 
 namespace ilot {
 
-// GEOS keeps its state in a context that one thread uses at a time: the calling thread's own.
+// GEOS keeps its state in a context that one thread uses at a time. This returns the context of the calling thread.
 GEOSContextHandle_t geos_context();
 
 struct GeosDestroy {

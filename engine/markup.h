@@ -5,7 +5,7 @@
 
 namespace ilot {
 
-// Text as HTML and SVG want it.
+// Returns text that is escaped for HTML and SVG.
 std::string escaped_markup(std::string_view text);
 
 }  // namespace ilot

@@ -4,8 +4,8 @@
 
 namespace ilot {
 
-// What the system says of a file operation that failed with this errno, and what can be done about it: "No space left
-// on device; free some space or choose another disk".
+// Returns the message of the system for a file operation that failed with this errno, and what can be done: "No space
+// left on device; free some space or choose another disk".
 std::string system_reason(int error);
 
 }  // namespace ilot

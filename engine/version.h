@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this build is, as the public interface has it.
+// The version of this build. The public interface defines it.
 #pragma once
 #include "ilot/version.h"

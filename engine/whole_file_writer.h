@@ -6,8 +6,8 @@
 
 namespace ilot {
 
-// A file that appears whole or not at all (as by write_whole_file()), written piece by piece: nothing is under `path`
-// before finish(). Memory: a buffer of 64 KiB. Errors name the file.
+// A file that appears complete or not at all (like that of write_whole_file()), written piece by piece. No file is
+// under `path` before finish(). Memory: a buffer of 64 KiB. Errors name the file.
 class WholeFileWriter {
  public:
   explicit WholeFileWriter(std::filesystem::path path);

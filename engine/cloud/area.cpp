@@ -10,7 +10,7 @@ bool Area::contains(double x, double y) const {
   bool inside = false;
   for (const AreaRing& ring : rings) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
-      // The lower end first, so that an edge shared by two rings is judged alike in both directions.
+      // The lower end comes first, so that an edge that two rings share gives the same result in both directions.
       const auto& p = ring[i];
       const auto& q = ring[i + 1 == ring.size() ? 0 : i + 1];
       const FlatPoint a{p[0], p[1]}, b{q[0], q[1]};

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of the ground that a run is asked for, as the public interface has it.
+// The part of the ground that a run is limited to. The public interface defines it.
 #pragma once
 #include "ilot/geometry.h"

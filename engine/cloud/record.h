@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point is a LAS point record, whatever format it came from: the standard fields of its point format, then extra
-// bytes that descriptors name. One row shape lets every reader feed the same index, keeps every field of the input byte
-// for byte, and lets labels be appended without touching them. (ASPRS LAS 1.4 R15)
+// Every point is a LAS point record, whatever format it came from: the standard fields of its point format, then extra
+// bytes that descriptors name. Because all rows have this one form, every reader can feed the same index, every field
+// of the input is kept byte for byte, and labels are appended without a change to the other fields. (ASPRS LAS 1.4 R15)
 #pragma once
 #include <array>
 #include <cstddef>
@@ -33,15 +33,16 @@ struct RecordLayout {
   std::vector<ExtraField> extra;
 };
 
-// Size in bytes of the standard part of a record; 0 for an unknown format.
+// Returns the size in bytes of the standard part of a record; 0 for an unknown format.
 std::size_t standard_size(std::uint8_t point_format);
 
-// Offsets of fields that only some formats have; nullopt when absent.
+// Return the offsets of fields that only some formats have; nullopt when the field is absent.
 std::optional<std::size_t> gps_time_offset(std::uint8_t point_format);
 std::optional<std::size_t> rgb_offset(std::uint8_t point_format);
 std::optional<std::size_t> nir_offset(std::uint8_t point_format);
 
-// The standard fields of one record, decoded. Bit layouts differ between formats 0-5 and 6-10; this hides it.
+// The standard fields of one record, decoded. The bit layouts of formats 0-5 and 6-10 differ. This struct hides the
+// difference.
 struct PointFields {
   std::int32_t x = 0, y = 0, z = 0;
   std::uint16_t intensity = 0;
@@ -54,13 +55,13 @@ struct PointFields {
   std::uint16_t source_id = 0;
 };
 
-// The record must hold at least standard_size(point_format) bytes. O(1), never throws.
-// Formats 0-5 have no overlap flag (producers use class 12) and no scanner channel: both decode as unset.
+// The record must have at least standard_size(point_format) bytes. O(1), never throws. Formats 0-5 have no overlap flag
+// (producers use class 12) and no scanner channel. Both are decoded as unset.
 PointFields decode_fields(std::span<const std::byte> record, std::uint8_t point_format);
 
-// Writes these fields and leaves GPS time, colours, waveform and extra bytes as they are. Values a format cannot hold:
-// return numbers saturate (7 or 15), classes above 31 become 1 (unclassified) in formats 0-5, angles are rounded and
-// saturate, overlap and channel are dropped in formats 0-5.
+// Writes these fields and leaves GPS time, colours, waveform and extra bytes as they are. Values that a format cannot
+// store are changed: return numbers saturate (7 or 15), classes above 31 become 1 (unclassified) in formats 0-5, angles
+// are rounded and saturate, and overlap and channel are dropped in formats 0-5.
 void encode_fields(const PointFields& fields, std::span<std::byte> record, std::uint8_t point_format);
 
 // Little-endian loads and stores at any alignment.

@@ -38,7 +38,7 @@ class HeightsInUnit final : public ReaderAround {
   const PointReader& within() const { return *inner_; }
 };
 
-// Coordinates as integers of a layout; false when they do not fit.
+// Writes coordinates as integers of a layout; false when they do not fit.
 bool put_place(const RecordLayout& layout, Vec3 p, std::byte* row) {
   const double place[3] = {p.x, p.y, p.z};
   std::int32_t raw[3];
@@ -77,8 +77,8 @@ class Reprojected final : public ReaderAround {
     transform_.apply(stations);
     for (std::size_t i = 0; i < stations.size(); ++i) info_.stations[i].position = stations[i];
     replace_crs(info_, target);
-    if (there.z == near.z) info_.crs.metres_per_unit_z = source.metres_per_unit_z;  // heights are what they were
-    // The octree of a COPC file has cubes of the source CRS.
+    if (there.z == near.z) info_.crs.metres_per_unit_z = source.metres_per_unit_z;  // heights did not change
+    // The cubes of the octree of a COPC file are in the source CRS.
     std::erase_if(info_.vlrs, [](const Vlr& vlr) { return vlr.user_id == "copc"; });
   }
 

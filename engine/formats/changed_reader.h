@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Readers around other readers: the same rows with coordinates that the engine can work with.
+// Readers that wrap other readers: they give the same rows with coordinates that the engine can use.
 #pragma once
 #include <memory>
 
@@ -7,17 +7,18 @@
 
 namespace ilot {
 
-// Heights in the unit of x and y: scale and offset of z are multiplied by `factor` (units of x and y per unit of z),
-// the records stay as they are.
+// Converts heights to the unit of x and y. Scale and offset of z are multiplied by `factor` (units of x and y per unit
+// of z); the records do not change.
 std::unique_ptr<PointReader> with_heights_in_unit(std::unique_ptr<PointReader> reader, double factor);
 
-// The reader whose layout and CRS are those of its records: that within, where heights are in another unit.
+// Returns the reader whose layout and CRS are those of the records. For heights in another unit this is the wrapped
+// reader.
 const PointReader& reader_of_records(const PointReader& reader);
 
-// Places moved from one CRS to another by PROJ; all else stays. The records have a scale of 1 mm in x and y (0.1 mm
-// where the input's is finer than 0.5 mm) and an offset on a raster of 1000 units; z keeps its scale and offset unless
-// PROJ changes heights. Rows that PROJ cannot move, or that 32 bits do not reach, are not valid. `near` (in the source
-// CRS) is a place of the cloud. Throws Error when PROJ knows no way.
+// Moves places from one CRS to another with PROJ; everything else stays. The records have a scale of 1 mm in x and y
+// (0.1 mm where the scale of the input is finer than 0.5 mm) and an offset on a raster of 1000 units. z keeps its scale
+// and offset unless PROJ changes heights. Rows are not valid when PROJ cannot move them or when 32 bits are not enough.
+// `near` (in the source CRS) is a place of the cloud. Throws Error when PROJ knows no transformation.
 std::unique_ptr<PointReader> reprojected(std::unique_ptr<PointReader> reader, const Crs& source, const Crs& target,
                                          Vec3 near);
 

@@ -30,7 +30,7 @@ Context quiet_context() {
   return context;
 }
 
-// Metres per unit of the axes; for a vertical CRS its only axis.
+// Returns metres per unit of the axes; for a vertical CRS, of its only axis.
 std::optional<double> metres_per_axis_unit(PJ_CONTEXT* context, const PJ* crs) {
   const Object system(proj_crs_get_coordinate_system(context, crs));
   if (!system) return std::nullopt;
@@ -47,7 +47,7 @@ int epsg_code(const PJ* object) {
   return authority && code && std::string(authority) == "EPSG" ? std::atoi(code) : 0;
 }
 
-// The code of the database's CRS that this one is surely equal to; 0 when none.
+// Returns the code of the CRS in the database that is certainly equal to this one; 0 when there is none.
 int identified_code(PJ_CONTEXT* context, const PJ* crs) {
   int* confidence = nullptr;
   PJ_OBJ_LIST* list = proj_identify(context, crs, "EPSG", nullptr, &confidence);
@@ -71,7 +71,7 @@ std::string as_wkt(PJ_CONTEXT* context, const PJ* crs) {
   return wkt ? wkt : "";
 }
 
-// What PROJ says of a definition; nullopt when it does not understand it.
+// Returns what PROJ reports for a definition; nullopt when PROJ does not understand it.
 std::optional<Crs> understand(const std::string& definition) {
   const Context context = quiet_context();
   Object whole(proj_create(context.get(), definition.c_str()));
@@ -101,7 +101,7 @@ std::optional<Crs> understand(const std::string& definition) {
   return crs;
 }
 
-// A code or WKT. PROJ would look up anything else among all the names it knows, which takes seconds.
+// Takes a code or WKT. PROJ would search any other text among all names that it knows, which takes seconds.
 std::optional<Crs> understand_text(const std::string& text) {
   const Context context = quiet_context();
   const bool code = (text.starts_with("EPSG:") || text.starts_with("epsg:")) &&
@@ -148,7 +148,7 @@ std::optional<Crs> from_wkt(const std::vector<Vlr>& vlrs, std::vector<std::strin
   return std::nullopt;
 }
 
-// Keys whose value stands in the directory itself; 0 and 32767 (user defined) say nothing.
+// Returns the keys whose value is in the directory itself; 0 and 32767 (user defined) have no meaning.
 std::map<int, int> short_keys(const Vlr& vlr) {
   std::map<int, int> keys;
   if (vlr.payload.size() < 8) return keys;
@@ -161,7 +161,7 @@ std::map<int, int> short_keys(const Vlr& vlr) {
   return keys;
 }
 
-// Writers that name a metric CRS and a unit of feet mean the feet; the CRS as such is then not that of the code.
+// Writers that name a metric CRS and a unit of feet mean feet. The CRS is then not that of the code.
 void override_unit(Crs& crs, double unit, std::vector<std::string>& warnings) {
   if (crs.geographic || std::abs(unit - crs.metres_per_unit) <= 1e-9 * unit) return;
   warnings.push_back("the GeoTIFF keys give a unit of " + std::to_string(unit) + " m to " + crs.name +

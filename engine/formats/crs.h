@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The coordinate reference system of a cloud: found in its records, understood by PROJ, written back into records.
+// The coordinate reference system of a cloud. It is found in the records of the cloud, interpreted by PROJ, and written
+// back into records.
 #pragma once
 #include <string>
 #include <vector>
@@ -8,29 +9,31 @@
 
 namespace ilot {
 
-// WKT (record 2112, or 4224 of some writers, under any user id) and GeoTIFF keys (34735 to 34737); the global encoding
-// bit of the header says which comes first, but what is there and understood is taken, with a warning when the bit is
-// wrong. Nothing known: metres are assumed and unit_assumed is true. Never throws on bad content.
+// Reads WKT (record 2112, or 4224 from some writers, under any user id) and GeoTIFF keys (34735 to 34737). The global
+// encoding bit of the header says which one comes first. If that bit is wrong, the records that exist and are
+// understood are used, with a warning. If nothing is known, metres are assumed and unit_assumed is true. Never throws
+// on bad content.
 Crs crs_from_vlrs(const std::vector<Vlr>& vlrs, bool wkt_flag, std::vector<std::string>& warnings);
 
 // Throws Error when PROJ's database does not know the code.
 Crs crs_from_epsg(int code);
 
-// "EPSG:2154", "2154", "EPSG:2154+5720" or WKT, as --crs takes it. Throws Error when it is not understood.
+// Takes "EPSG:2154", "2154", "EPSG:2154+5720" or WKT, as --crs does. Throws Error when the text is not understood.
 Crs crs_from_text(const std::string& text);
 
-// The CRS of x and y alone, heights in their unit; the same where it has no other for heights.
+// Returns the CRS of x and y alone, with heights in their unit. It is the same CRS when there is no separate CRS for
+// heights.
 Crs horizontal_crs(const Crs& crs);
 
-// False for degrees or a place around the Earth's centre where x and y (and z) are far beyond any such.
+// False for degrees, or for a geocentric CRS, when x and y (and z) are far outside its range.
 bool can_be_at(const Crs& crs, Vec3 place);
 
 bool is_crs_record(const Vlr& vlr);
 
-// Records that say this CRS: WKT (LAS 1.4) or GeoTIFF keys. Empty when neither WKT nor EPSG code is known.
+// Returns the records of this CRS: WKT (LAS 1.4) or GeoTIFF keys. Empty when neither WKT nor the EPSG code is known.
 std::vector<Vlr> crs_records(const Crs& crs, bool as_wkt);
 
-// Takes the cloud's own CRS records out and puts `crs` in their place (an answer to --crs).
+// Removes the cloud's own CRS records and puts `crs` in their place (for --crs).
 void replace_crs(CloudInfo& info, const Crs& crs);
 
 }  // namespace ilot

@@ -18,7 +18,7 @@ std::string definition_of(const Crs& crs) {
   return crs.wkt.empty() ? "EPSG:" + std::to_string(crs.epsg) : crs.wkt;
 }
 
-// A transformation with the context that it needs; one thread at a time.
+// A transformation with its context; for one thread at a time.
 class Way {
  public:
   Way(const std::string& from, const std::string& to) : context_(proj_context_create()) {
@@ -48,7 +48,7 @@ class Way {
 
 }  // namespace
 
-// Ways that no thread uses at the moment.
+// Transformations that no thread uses at the moment.
 struct CrsTransform::Pool {
   std::string from, to;
   std::mutex mutex;

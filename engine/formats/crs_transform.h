@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Places from one CRS in another, through PROJ.
+// Transforms places from one CRS to another with PROJ.
 #pragma once
 #include <memory>
 #include <span>
@@ -8,14 +8,14 @@
 
 namespace ilot {
 
-// Longitude or easting comes first, as clouds have it. Thread-safe.
+// Longitude or easting comes first, as in clouds. Thread-safe.
 class CrsTransform {
  public:
-  // Throws Error when PROJ knows no way from one to the other.
+  // Throws Error when PROJ knows no transformation between the two.
   CrsTransform(const Crs& from, const Crs& to);
   ~CrsTransform();
 
-  // Places that cannot be moved become infinite.
+  // Places that cannot be transformed become infinite.
   void apply(std::span<Vec3> places) const;
 
  private:
@@ -23,7 +23,7 @@ class CrsTransform {
   std::unique_ptr<Pool> pool_;
 };
 
-// The zone of UTM (WGS 84) that a place lies in. Throws Error outside of 80 degrees south to 84 north.
+// Returns the zone of UTM (WGS 84) that contains a place. Throws Error outside 80 degrees south to 84 degrees north.
 Crs utm_at(const Crs& crs, Vec3 place);
 
 }  // namespace ilot

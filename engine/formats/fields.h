@@ -4,7 +4,7 @@
 
 namespace ilot {
 
-// Attributes of a row that a run may do without. x, y, returns and scanner channel are always there.
+// Attributes of a row that a run may not need. x, y, returns and scanner channel are always read.
 enum Fields : std::uint32_t {
   kFieldZ = 1,
   kFieldClass = 2,

@@ -103,7 +103,7 @@ void OutputFile::append(std::span<const std::byte> bytes) {
 void OutputFile::commit() {
   const int descriptor = descriptor_;
   descriptor_ = -1;
-  const bool flushed = ::fsync(descriptor) == 0 || errno == EINVAL;  // the name must not come before the content
+  const bool flushed = ::fsync(descriptor) == 0 || errno == EINVAL;  // the content must be on the disk before the name
   const int fault = errno;
   const bool closed = ::close(descriptor) == 0;
   if (!flushed) errno = fault;

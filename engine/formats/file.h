@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Files by descriptor: reads and writes at a place, every result checked, output that appears whole or not at all.
+// Files that are read and written by descriptor at a given place. Every result is checked. An output file appears
+// complete or not at all.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -8,8 +9,9 @@
 
 namespace ilot {
 
-// A regular file to read. Throws Error when it is missing, unreadable or not a file. Reads are thread-safe. It is
-// opened when it is read, and closed again when too many others are read (open_files.h): any number of them can exist.
+// A regular file to read. Throws Error when it is missing, unreadable or not a file. Reads are thread-safe. The file is
+// opened when it is read, and closed again when too many others are read (open_files.h), so any number of InputFiles
+// can exist.
 class InputFile {
  public:
   explicit InputFile(const std::filesystem::path& path);
@@ -18,13 +20,13 @@ class InputFile {
   InputFile& operator=(const InputFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  std::uint64_t size() const { return size_; }  // bytes, when it was opened
+  std::uint64_t size() const { return size_; }  // bytes at the time of opening
 
-  // Fills `out` from `offset` on; returns how many bytes there were (fewer only at the end of the file). What was
-  // appended since it was opened does not belong to it; what was cut off is missing.
+  // Fills `out` from `offset` on and returns the number of bytes read (fewer only at the end of the file). Bytes that
+  // were appended since the file was opened do not belong to it; bytes that were cut off are missing.
   std::size_t read_at(std::uint64_t offset, std::span<std::byte> out) const;
 
-  // A new descriptor. Error when the path names another file by now, or one that has become shorter.
+  // Returns a new descriptor. Throws Error when the path now names another file, or one that has become shorter.
   int reopen() const;
 
  private:
@@ -32,8 +34,8 @@ class InputFile {
   std::uint64_t size_ = 0, device_ = 0, inode_ = 0;
 };
 
-// A file written under the name PATH.part and renamed to PATH by commit(). Without commit() nothing stays. Every
-// write is checked and throws Error (disk full, no permission). write_at is thread-safe, append is not.
+// A file that is written under the name PATH.part and renamed to PATH by commit(). Without commit() no file remains.
+// Every write is checked and throws Error (disk full, no permission). write_at is thread-safe, append is not.
 class OutputFile {
  public:
   explicit OutputFile(const std::filesystem::path& path);
@@ -42,7 +44,7 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
-  std::uint64_t position() const { return position_; }  // where append goes on
+  std::uint64_t position() const { return position_; }  // where the next append writes
   void write_at(std::uint64_t offset, std::span<const std::byte> bytes);
   void append(std::span<const std::byte> bytes);
   void commit();

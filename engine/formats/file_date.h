@@ -6,8 +6,9 @@
 
 namespace ilot {
 
-// The day that a LAS file says it was made, "2024-03-01"; empty where it says none or one that there is not, and for
-// other formats. Writers put there the day of the file, which need not be that of the scan.
+// Returns the day on which a LAS file says that it was created, "2024-03-01". Empty when the file gives no day or an
+// impossible one, and for other formats. Writers store the day of the file here, which may differ from the day of the
+// scan.
 std::string file_date(const CloudInfo& info);
 
 }  // namespace ilot

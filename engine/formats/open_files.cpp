@@ -42,7 +42,7 @@ void OpenFiles::give_back(const InputFile& file) {
   --places_.at(&file)->users;
 }
 
-// The front one stays: it is about to be used.
+// The first entry stays, because it will be used next.
 void OpenFiles::close_unused() {
   for (auto it = entries_.end(); entries_.size() > most_ && it != entries_.begin();) {
     --it;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Thousands of inputs, few of them open: a process may open 1,024 files as a rule, and libraries and blocks of the
+// Keeps only a few of thousands of inputs open. A process can usually open 1,024 files, and libraries and blocks of the
 // store need some of these.
 #pragma once
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace ilot {
 
 class InputFile;
 
-// Descriptors of InputFiles that were read last. Thread-safe.
+// The descriptors of the InputFiles that were read last. Thread-safe.
 class OpenFiles {
  public:
   explicit OpenFiles(std::size_t most) : most_(most) {}
@@ -19,8 +19,8 @@ class OpenFiles {
   OpenFiles(const OpenFiles&) = delete;
   OpenFiles& operator=(const OpenFiles&) = delete;
 
-  // Keeps a file open while it is read. When more than `most` are open, the one that was not used for the longest time
-  // is closed; those in use stay, so that more threads than `most` have more open.
+  // Keeps a file open while it is read. When more than `most` files are open, the least recently used one is closed.
+  // Files in use stay open, so more threads than `most` keep more files open.
   class Use {
    public:
     Use(OpenFiles& files, const InputFile& file);
@@ -35,7 +35,7 @@ class OpenFiles {
     int descriptor_;
   };
 
-  // Closes the file; nobody uses it any more.
+  // Closes the file, which is no longer used.
   void forget(const InputFile& file);
 
  private:
@@ -44,7 +44,7 @@ class OpenFiles {
     int descriptor = -1;
     int users = 0;
   };
-  using Entries = std::list<Entry>;  // the one used last in front
+  using Entries = std::list<Entry>;  // the most recently used one is first
 
   int take(const InputFile& file);
   void give_back(const InputFile& file);
@@ -56,7 +56,7 @@ class OpenFiles {
   std::unordered_map<const InputFile*, Entries::iterator> places_;
 };
 
-// The one of the process, since the limit is the process's.
+// Returns the one instance of the process, because the limit is for the process.
 OpenFiles& open_files();
 
 }  // namespace ilot

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rows are read, labelled and written a buffer at a time. A record has up to 65,535 bytes, so that buffers are bounded
-// in bytes and not in rows.
+// Rows are read, labelled and written one buffer at a time. A record has up to 65,535 bytes, so buffers are bounded in
+// bytes and not in rows.
 #pragma once
 #include <algorithm>
 #include <cstddef>
@@ -8,10 +8,11 @@
 
 namespace ilot {
 
-// Enough that a call, a lock or a chunk costs nothing beside its rows.
+// Large enough that the cost of a call, a lock or a chunk is negligible.
 constexpr std::size_t kRowBytes = std::size_t{4} << 20;
 
-// Rows of `record_length` > 0 bytes in a buffer: at most `most`, at most `bytes` of them, at least one.
+// Returns the number of rows of `record_length` > 0 bytes in a buffer: at most `most` rows, at most `bytes` bytes, but
+// at least one row.
 inline std::size_t rows_at_a_time(std::size_t record_length, std::size_t most = 1u << 16,
                                   std::size_t bytes = kRowBytes) {
   return std::clamp<std::size_t>(bytes / record_length, 1, most);

@@ -13,11 +13,11 @@ namespace {
 
 constexpr double kLeastStep = 1e-6, kMostStep = 0.0873;
 constexpr double kLeastLevel = 0.2;    // sine of the angle from the axis
-constexpr double kMostAngle = 0.3;     // between the points of a pair, radians, nearly
-constexpr std::size_t kBaseline = 16;  // places between the points of a pair, at most
+constexpr double kMostAngle = 0.3;     // radians, approximate; between the points of a pair
+constexpr std::size_t kBaseline = 16;  // greatest number of places between the points of a pair
 constexpr std::size_t kLeastPairs = 8;
 
-// What the angles of a ray are made of.
+// The components from which the angles of a ray are computed.
 struct Angles {
   double x = 0, y = 0;       // unit vector of the horizontal part
   double level = 0, up = 0;  // cosine and sine of the elevation
@@ -30,13 +30,13 @@ Angles angles_of(Vec3 ray) {
   return {ray.x / level, ray.y / level, level / length, ray.z / length, true};
 }
 
-// From the sine, below kMostAngle: a series, exact to a millionth.
+// Returns the angle of a sine, below kMostAngle; the series is exact to a millionth.
 double small_angle(double sine) {
   const double s2 = sine * sine;
   return sine * (1 + s2 * (1.0 / 6 + s2 * (3.0 / 40 + s2 * 15.0 / 336)));
 }
 
-// Signed angles from one ray to another.
+// The signed angles from one ray to another.
 struct Turn {
   double azimuth = 0, elevation = 0;
   bool small = false;
@@ -64,7 +64,7 @@ struct Place {
   Angles angles;
 };
 
-// Median angles between neighbouring places of the lines.
+// Returns the median angles between neighbouring places of the lines.
 AngularSteps steps_along(std::vector<Place>& places) {
   std::sort(places.begin(), places.end(),
             [](const Place& a, const Place& b) { return std::tie(a.line, a.at) < std::tie(b.line, b.at); });
@@ -88,7 +88,7 @@ AngularSteps steps_along(std::vector<Place>& places) {
 // Points in the order of their measurement.
 using Sequence = std::vector<Angles>;
 
-// How often the one angle moves by more than the other from a point to the next.
+// Tells whether the elevation changes more than the azimuth in at least half of the moves from a point to the next.
 bool runs_up(const Sequence& points) {
   std::size_t up = 0, round = 0;
   for (std::size_t i = 1; i < points.size(); ++i) {
@@ -99,7 +99,7 @@ bool runs_up(const Sequence& points) {
   return up >= round;
 }
 
-// The points again as a grid: a profile is a column, the moves along it tell how many places lie between its points.
+// Returns the points as a grid. A profile is a column; the steps along it show how many places are between its points.
 std::vector<GridPoint> gridded(const Sequence& points, const std::vector<Vec3>& rays, bool up) {
   const auto along = [&](const Turn& t) { return up ? t.elevation : t.azimuth; };
   std::vector<double> moves;
@@ -111,7 +111,7 @@ std::vector<GridPoint> gridded(const Sequence& points, const std::vector<Vec3>& 
   if (!(step >= kLeastStep)) return {};
   std::vector<GridPoint> out;
   std::int64_t profile = 0, place = 0;
-  double direction = 0;  // of this profile
+  double direction = 0;  // direction of this profile
   for (std::size_t i = 0; i < points.size(); ++i) {
     const Turn turn = i == 0 ? Turn{} : turn_between(points[i - 1], points[i]);
     const double move = along(turn);
@@ -129,8 +129,8 @@ std::vector<GridPoint> gridded(const Sequence& points, const std::vector<Vec3>& 
   return out;
 }
 
-// Median turn across from a profile to the next, where both have enough points; less than `least` is one profile in
-// two.
+// Returns the median angle across from a profile to the next, for profiles with enough points. Two profiles that differ
+// by less than `least` are two parts of one profile.
 double step_across(const std::vector<GridPoint>& points, bool up, double least) {
   constexpr std::size_t kLeastPoints = 8;
   std::vector<Angles> middle;  // of profiles

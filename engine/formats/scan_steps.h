@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The angular steps of a scanner, from the directions of the points that it measured.
+// The angular steps of a scanner, estimated from the directions of the measured points.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -13,20 +13,20 @@ struct AngularSteps {
   double azimuth = 0, elevation = 0;
 };
 
-// A point of a scan seen from the scanner, which turns about z, with its place in the scan's grid.
+// A point of a scan relative to the scanner, which rotates about z, with its place in the grid of the scan.
 struct GridPoint {
   std::int64_t row = 0, column = 0;
   Vec3 ray;  // of any length, not zero
 };
 
-// From pairs of points in one column or row, up to 16 places apart so that rounding of the coordinates counts little:
-// medians of the angles between them over the places. Which of rows and columns turn about the axis shows in the
-// angles. Both unknown where either is, or lies outside of 1e-6 to 0.087 rad (5 degrees). Points near the axis
-// (12 degrees) are left out. O(n log n).
+// Uses pairs of points in one column or row, up to 16 places apart so that rounding of the coordinates has little
+// effect. The steps are the medians of the angles between them divided by the number of places. The angles show whether
+// rows or columns rotate about the axis. Both steps are unknown when one is unknown or outside 1e-6 to 0.087 rad (5
+// degrees). Points near the axis (12 degrees) are left out. O(n log n).
 AngularSteps steps_of_grid(std::span<const GridPoint> points);
 
-// The same from points in the order in which they were measured, profile after profile, without a grid: profiles end
-// where the angle along them jumps back or turns round. Both unknown where the order is another.
+// The same for points in the order of measurement, profile after profile, without a grid. A profile ends where the
+// angle along it jumps back or changes direction. Both steps are unknown when the points have another order.
 AngularSteps steps_of_sequence(std::span<const Vec3> rays);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Buildings as solids, as the public interface has them.
+// Buildings as solids. The public interface defines them.
 #pragma once
 #include "ilot/roofs.h"
 #include "kernels/core/types.h"

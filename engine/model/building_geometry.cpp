@@ -9,9 +9,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kLevel = 1e-6;  // sine of the slope up to which a face looks nowhere
+constexpr double kLevel = 1e-6;  // sine of the slope up to which a face has no direction
 
-// Newell's normal of all rings, twice the area long; CRS units.
+// Returns Newell's normal of all rings; its length is twice the area in CRS units.
 Vec3 doubled_area_vector(const Building& building, const BuildingSurface& surface) {
   Vec3 sum;
   if (surface.rings.empty() || surface.rings[0].empty()) return sum;
@@ -33,7 +33,7 @@ SurfaceShape surface_shape(const Building& building, const BuildingSurface& surf
   return shape;
 }
 
-// Cones from the first vertex over every face: a face's plane may be taken through any of its corners.
+// The volume is the sum of cones from the first vertex over every face; any corner of a face gives its plane.
 double volume_m3(const Building& building, double metres_per_unit) {
   double sum = 0;
   for (const BuildingSurface& surface : building.surfaces) {

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be measured on a building's model, as the public interface has it.
+// Measurements on the model of a building. The public interface defines them.
 #pragma once
 #include "ilot/roofs.h"

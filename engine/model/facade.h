@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plan of one facade, as the public interface has it.
+// The plan of one facade. The public interface defines it.
 #pragma once
 #include "ilot/facades.h"
 #include "kernels/core/types.h"

@@ -12,9 +12,10 @@
 namespace ilot {
 namespace {
 
-constexpr double kWidest = 1 << 28;  // of a face on its own lattice, steps
+constexpr double kWidest = 1 << 28;  // steps; of a face on its own lattice
 
-// Components that are noise are none, so that level and upright planes along the axes keep exact coordinates.
+// Components that are only rounding noise become zero, so that horizontal and vertical planes along the axes keep exact
+// coordinates.
 Vec3 cleaned(Vec3 n) {
   constexpr double kNoise = 1e-12;
   for (double* c : {&n.x, &n.y, &n.z})
@@ -22,8 +23,8 @@ Vec3 cleaned(Vec3 n) {
   return (1 / norm(n)) * n;
 }
 
-// The triangles inside, in the order in which rings come by their last corners. It counts where a shell is no manifold:
-// the first triangle at an edge stays, later ones are at fault.
+// Returns the triangles inside, sorted by their corners from the last one on, which is the order of the rings. The
+// order matters when a shell is not a manifold: the first triangle at an edge stays, later ones are faulty.
 std::vector<std::size_t> by_last_corner(const Triangulation& t, const std::vector<std::uint8_t>& inside) {
   std::vector<std::pair<TriangleCorners, std::size_t>> order;
   for (std::size_t i = 0; i < t.triangles(); ++i) {
@@ -38,8 +39,8 @@ std::vector<std::size_t> by_last_corner(const Triangulation& t, const std::vecto
   return triangles;
 }
 
-// The same for the most common face, four corners in one ring: which diagonal lies inside, and if both do, which of
-// them is Delaunay.
+// Does the same for the most common face, four corners in one ring. It finds the diagonal that is inside; if both are,
+// it takes the one that is Delaunay.
 std::vector<TriangleCorners> quadrangle_triangles(const std::vector<Point2>& p,
                                                   const std::vector<std::uint32_t>& ring) {
   const bool left = doubled_area(p) > 0;
@@ -52,7 +53,7 @@ std::vector<TriangleCorners> quadrangle_triangles(const std::vector<Point2>& p,
   return {{ring[0], ring[1], ring[2]}, {ring[0], ring[2], ring[3]}};
 }
 
-// Corners that lie at one place on the plane (rings may touch in a vertex) are one.
+// Corners at one place on the plane (rings may touch in a vertex) become one.
 std::vector<TriangleCorners> constrained_triangles(const std::vector<std::vector<Point2>>& flat,
                                                    const FaceRings& rings) {
   std::vector<Point2> points;

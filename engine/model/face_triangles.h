@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Faces with holes as triangles: one way for files that have no holes and for the validity of solids.
+// Divides faces with holes into triangles. File formats without holes and the validity of solids use the same method.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -17,25 +17,26 @@ struct LatticeVertices {
   double step = 1e-6;  // CRS units
 };
 
-// A face's least squares plane, and where its corners lie on it.
+// The least squares plane of a face, and the places of its corners on it.
 struct FacePlane {
   Index3 anchor;  // of the offsets
   Vec3 centre, u, v, n;
 };
 
-// From a place of the lattice to a vertex.
+// Returns the vector from a place of the lattice to a vertex.
 Vec3 offset(const LatticeVertices& vertices, std::uint32_t vertex, Index3 from);
 
 FacePlane plane_of(const LatticeVertices& vertices, const FaceRings& rings);
 
-// Corners on the plane, in steps of the vertices' lattice, coarser only where a face is wider than it allows.
+// Returns the corners on the plane, in steps of the vertices' lattice. The steps are coarser only when the face is too
+// wide for them.
 std::vector<std::vector<Point2>> flattened(const FacePlane& plane, const LatticeVertices& vertices,
                                            const FaceRings& rings);
 
 bool is_one_triangle(const FaceRings& rings);
 
-// The face cut into triangles, constrained Delaunay on its plane, which turn as its outer ring does. Rings are simple
-// and do not cross each other.
+// Divides the face into triangles by a constrained Delaunay triangulation on its plane. The triangles have the
+// orientation of its outer ring. Rings are simple and do not cross each other.
 std::vector<TriangleCorners> triangulate_face(const LatticeVertices& vertices, const FaceRings& rings);
 
 }  // namespace ilot

@@ -8,8 +8,9 @@
 
 namespace ilot {
 
-// Outlines of planes for whom later steps need them, within a bound: where corners become more than `most_corners`, the
-// smallest planes go, until half is left. The same outlines in the same order leave the same. 24 bytes a corner.
+// Keeps outlines of planes for later steps within a bound. When there are more than `most_corners` corners, the
+// smallest planes are removed until half of the corners remain. The same outlines in the same order give the same
+// result. 24 bytes a corner.
 class LargestOutlines {
  public:
   explicit LargestOutlines(std::size_t most_corners = 0) : most_corners_(most_corners) {}

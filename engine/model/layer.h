@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A table of shapes in space with named values, whatever they stand for.
+// A table of shapes in space with named values, independent of their meaning.
 #pragma once
 #include <string>
 #include <utility>
@@ -12,11 +12,11 @@ namespace ilot {
 
 enum class LayerShape { point, line, polygon };
 
-// A column takes its kind from the first feature's value.
+// The first feature's value determines the kind of a column.
 struct LayerFeature {
-  std::vector<std::vector<Vec3>> rings;  // CRS; a point and a line have one, a polygon's first one is the outer one and
-                                         // from the last corner of a ring an edge leads to the first
-  std::vector<AttributeValue> values;    // as many as the layer has fields
+  std::vector<std::vector<Vec3>> rings;  // CRS; a point and a line have one ring; the first ring of a polygon is the
+                                         // outer one, and an edge leads from the last corner of a ring to the first
+  std::vector<AttributeValue> values;    // one for each field of the layer
 };
 
 struct Layer {

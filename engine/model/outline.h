@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines of planes, as the public interface has them.
+// Outlines of planes. The public interface defines them.
 #pragma once
 #include "ilot/planes.h"
 #include "kernels/core/types.h"

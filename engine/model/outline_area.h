@@ -4,7 +4,7 @@
 
 namespace ilot {
 
-// Area of the outline, holes left out, in CRS units squared. Rings lie in one plane. O(vertices).
+// Returns the area of the outline without its holes, in CRS units squared. Rings are in one plane. O(vertices).
 double area_of(const Outline& outline);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the products say of a point: the extra bytes `label` (docs/outputs.md).
+// The labels that the products give to a point: the extra bytes `label` (docs/outputs.md).
 #pragma once
 #include <cstdint>
 #include <map>
@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// Names by value, without `none`: those that truth files use for their classes.
+// The names by value, without `none`. Truth files use these names for their classes.
 inline const std::map<std::uint32_t, std::string>& point_label_names() {
   static const std::map<std::uint32_t, std::string> names{
       {1, "ground"}, {2, "roof"},    {3, "wall"}, {4, "vegetation"}, {5, "facade"},      {6, "window"}, {7, "door"},

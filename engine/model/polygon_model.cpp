@@ -13,10 +13,10 @@
 namespace ilot {
 namespace {
 
-constexpr double kLeaning = 0.1;  // least |z| of a roof's unit normal
+constexpr double kLeaning = 0.1;  // smallest |z| of the unit normal of a roof
 constexpr double kFloor = 0.1;    // metres above the lowest vertex up to which a face is a floor
 
-// For each vertex the first one at the same place.
+// Returns for each vertex the first one at the same place.
 std::vector<std::uint32_t> merged_vertices(const PolygonModel& model) {
   std::map<std::tuple<double, double, double>, std::uint32_t> first;
   std::vector<std::uint32_t> merged(model.vertices.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A building's model as files hold it: polygons over shared vertices, whoever made it.
+// A building's model as it is in files of any origin: polygons with shared vertices.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -14,7 +14,7 @@ enum class FaceKind : std::uint8_t { unknown, roof, wall, ground };
 struct PolygonFace {
   std::vector<std::vector<std::uint32_t>> rings;  // indices of vertices, outer ring first, at least 3 corners each
   FaceKind kind = FaceKind::unknown;
-  std::uint32_t shell = 0;  // number of the shell within the model; surfaces without a solid count as one
+  std::uint32_t shell = 0;  // number of the shell within the model; surfaces without a solid are one shell
 };
 
 struct PolygonModel {
@@ -23,20 +23,20 @@ struct PolygonModel {
   std::vector<PolygonFace> faces;
 };
 
-// Newell's normal of the outer ring, its length twice the area; zero for degenerate rings.
+// Returns Newell's normal of the outer ring. Its length is twice the area; it is zero for degenerate rings.
 Vec3 face_normal(const PolygonModel& model, const PolygonFace& face);
 
-// The faces that are roofs: by their kind, or, where nothing says so, those that lean at least 6 degrees from the
-// vertical and rise more than 10 cm above the model's lowest vertex (published models orient their faces either way). A
-// model that is nowhere higher than that is all roof. Flags, one per face.
+// Returns one flag for each face: true for roofs. The kind of a face decides. If no face has a kind, roofs are the
+// faces that lean at least 6 degrees from the vertical and rise more than 10 cm above the lowest vertex of the model
+// (published models orient their faces in both ways). A model that is nowhere higher than that is completely roof.
 std::vector<bool> roof_faces(const PolygonModel& model, double metres_per_unit = 1);
 
-// The face cut into triangles along the coordinate plane that it leans least against; faces without area give some
-// without area. Appends to `out`.
+// Divides the face into triangles in the coordinate plane from which it leans least. A face without area gives
+// triangles without area. Appends them to `out`.
 void append_triangles(const PolygonModel& model, const PolygonFace& face, std::vector<Triangle3>& out);
 
 // True when there are faces and every shell is closed: each edge is used as often in one direction as in the other.
-// Vertices at the same place are one.
+// Vertices at the same place are treated as one.
 bool is_closed(const PolygonModel& model);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes and what is known of them, as the public interface has it.
+// Planes and the values known of them. The public interface defines them.
 #pragma once
 #include "ilot/planes.h"
 #include "kernels/core/types.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// City objects with all their geometries, nested as ISO 19107 and CityJSON nest them: what validity is judged on.
+// City objects with all their geometries, nested as in ISO 19107 and CityJSON. Validity is tested on them.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -9,9 +9,9 @@
 
 namespace ilot {
 
-using FaceRings = std::vector<std::vector<std::uint32_t>>;  // numbers of vertices, outer ring first, not closed
+using FaceRings = std::vector<std::vector<std::uint32_t>>;  // indices of vertices, outer ring first, not closed
 
-// The id is what files call the face, or empty.
+// The id is the name of the face in the file, or empty.
 struct SolidFace {
   FaceRings rings;
   std::string id;
@@ -24,17 +24,18 @@ enum class PrimitiveKind : std::uint8_t { multi_surface, composite_surface, soli
 
 struct Primitive {
   PrimitiveKind kind = PrimitiveKind::solid;
-  std::string lod;                  // empty = not said
-  std::string owner;                // id of the object or part whose geometry this is
-  std::vector<SolidShells> solids;  // surfaces: one solid of one shell
+  std::string lod;                  // empty = not given
+  std::string owner;                // id of the object or part to which this geometry belongs
+  std::vector<SolidShells> solids;  // surfaces without a solid are one solid of one shell
 };
 
-// An object and the geometries of its parts. Numbers of vertices in range, coordinates finite, in metres or CRS units.
+// An object and the geometries of its parts. Indices of vertices are in range; coordinates are finite, in metres or CRS
+// units.
 struct CityObject {
   std::string id, type;
   std::vector<Vec3> vertices;
   std::vector<Primitive> primitives;
-  std::vector<std::string> parts = {};  // ids of the objects whose geometries are here too
+  std::vector<std::string> parts = {};  // ids of the objects whose geometries are included
 };
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the street product returns and deliverables take, as the public interface has it.
+// The result of the street product, which the deliverables use. The public interface defines it.
 #pragma once
 #include "engine/model/point_label.h"
 #include "ilot/streets.h"

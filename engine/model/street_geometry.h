@@ -6,7 +6,8 @@
 
 namespace ilot {
 
-// The corners of the rectangle of length and width around an object, counter-clockwise; its middle is `middle`.
+// Returns the corners of the rectangle of length and width around an object, counter-clockwise; the centre of the
+// rectangle is `middle`.
 std::array<Vec3, 4> extent_of(const StreetObject& object, double metres_per_unit);
 
 }  // namespace ilot

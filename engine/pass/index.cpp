@@ -18,21 +18,21 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kBytesPerPoint = 64;
 
-// Rows that one worker turns into runs: one stretch of a random-access file, or all of any other.
+// Rows from which one worker makes runs: one stretch of a random-access file, or all of any other file.
 struct Task {
   std::uint32_t file = 0;
   std::uint64_t first = 0, count = 0;
 };
 
-// Rows that may lie in the area, whole stretches of the file; the others are not worth reading.
+// Returns rows that may be in the area, as whole stretches of the file; the others need not be read.
 std::vector<RowRange> rows_to_read(const PointReader& reader, const IndexParams& params) {
   if (!params.filter.keep || !reader.random_access()) return {{0, reader.info().points}};
   const auto at = [&](std::int64_t lattice) { return static_cast<double>(lattice) * params.unit; };
-  const IndexBox box = params.filter.keep->grown(1);  // a point may have been rounded into the box
+  const IndexBox box = params.filter.keep->grown(1);  // rounding may have moved a point into the box
   return rows_in_box(reader, {at(box.min.x), at(box.min.y), at(box.max.x), at(box.max.y), {}});
 }
 
-// Cuts a range of a random-access file at the boundaries, about run_points apart.
+// Divides a range of a random-access file at the boundaries, about run_points apart.
 void cut_range(const std::vector<std::uint64_t>& cuts, const RowRange& range, std::uint32_t file,
                std::uint64_t run_points, std::vector<Task>& tasks) {
   std::uint64_t first = range.first;
@@ -49,8 +49,8 @@ struct Stretches {
   std::uint64_t skipped = 0;  // rows that need not be read
 };
 
-// Rows of one run: small inputs are cut too, so that all threads have work. A function of the inputs alone: a run that
-// is resumed on another number of threads finds its runs again.
+// Returns the rows of one run. Small inputs are divided too, so that all threads have work. The result depends only on
+// the inputs: a run that is resumed with another number of threads finds its runs again.
 std::uint64_t rows_of_run(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params) {
   constexpr std::uint64_t kLeast = 1 << 16, kRuns = 16;
   std::uint64_t points = 0;
@@ -83,7 +83,7 @@ fs::path stem_of(const fs::path& folder, std::uint32_t file, std::uint64_t first
   return folder / "runs" / name;
 }
 
-// A stretch longer than a run (an input without random access) becomes several, front to back.
+// A stretch that is longer than a run (an input without random access) becomes several runs, front to back.
 std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const IndexParams& params,
                                  const fs::path& folder, const PassContext& context) {
   std::vector<SortedRun> runs;
@@ -100,7 +100,7 @@ std::vector<SortedRun> make_runs(PointReader& reader, const Task& task, const In
   return runs;
 }
 
-// Runs need places, class and flags only; who reads on needs all again.
+// Runs need only places, class and flags; later readers need all fields again.
 void limit_inputs(const std::vector<std::unique_ptr<PointReader>>& inputs, std::uint32_t fields) {
   for (const auto& input : inputs) input->limit_to(fields);
 }
@@ -119,7 +119,7 @@ std::vector<SortedRun> all_runs(const std::vector<std::unique_ptr<PointReader>>&
   return runs;
 }
 
-// Of all inputs together: a point that is alone in its file may have its like in another.
+// Returns the cells of all inputs together: a point that is isolated in its file may have neighbours in another.
 CoarseCells cells_of(const std::vector<SortedRun>& runs, int bits) {
   CoarseCells cells(bits);
   for (const SortedRun& run : runs) cells.merge(coarse_cells_of(run));
@@ -136,7 +136,7 @@ Index3 least_corner(const CoarseCells& cells, const Strays& strays) {
   return cells.cells().empty() ? Index3{} : least;
 }
 
-// How many points of the runs are in no block.
+// Returns how many points of the runs are in no block.
 std::uint64_t left_out(const std::vector<SortedRun>& runs, const std::vector<PlannedBlock>& plan) {
   std::uint64_t points = 0;
   for (const SortedRun& run : runs)
@@ -162,7 +162,8 @@ std::vector<Block> all_blocks(const std::vector<SortedRun>& runs, const std::vec
   return blocks;
 }
 
-// What the index leaves in the folder, "index" last; "lattice" only where it is not the one that was asked for first.
+// The files that the index leaves in the folder, "index" last; "lattice" only when it is not the one that was asked for
+// first.
 struct IndexFiles {
   fs::path folder;
   fs::path done() const { return folder / "index"; }
@@ -175,7 +176,7 @@ IndexResult nothing_with(const InputLattice& lattice, const fs::path& folder) {
   return {Store(folder, lattice.unit, {}), {}, lattice, {}};
 }
 
-// The lattice that the points need; the index is written when it is the one asked for.
+// Returns the lattice that the points need; writes the index when this is the lattice that was asked for.
 InputLattice write_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                          const IndexFiles& files, const PassContext& context) {
   IndexParams with_cells = params;

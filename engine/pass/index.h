@@ -13,29 +13,29 @@ namespace ilot {
 struct IndexParams {
   double unit = 0.001;        // CRS units per lattice step
   double finest_step = 1e-5;  // metres; no lattice is finer
-  std::int64_t multiple = 1;  // of the inputs' finest steps (InputLattice)
+  std::int64_t multiple = 1;  // of the finest steps of the inputs (InputLattice)
   IndexFilter filter;
   std::uint64_t block_points = 1u << 20;
-  std::uint64_t run_points = 1u << 20;  // most of one sorted run
+  std::uint64_t run_points = 1u << 20;  // greatest size of one sorted run
   ClassColumns classes = ClassColumns::none;
-  bool keep_strays = false;  // points that stand alone, far from all others (engine/store/strays.h)
+  bool keep_strays = false;  // keeps points that are isolated and far from all others (engine/store/strays.h)
 };
 
 struct IndexResult {
   Store store;
   std::array<std::uint64_t, kRejections> rejected{};
-  InputLattice lattice;  // where finer than asked for, nothing else is given: the inputs must be read again with it
-  Index3 corner;         // least corner of the coarse cells with points, without strays; the same whatever the area
+  InputLattice lattice;  // when finer than asked for, the other fields are empty: the inputs must be read again with it
+  Index3 corner;         // least corner of the coarse cells with points, without strays; independent of the area
 };
 
-// Inputs to blocks, reading each input once. With an area to keep, rows that an octree in the file places beyond it are
-// not read: they count as outside it, whatever else may be wrong with them. Work that an earlier start finished is
-// found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
+// Makes blocks from the inputs and reads each input once. With an area to keep, rows are not read when an octree in the
+// file says that they are outside it; they count as outside, whatever other faults they have. Results that an earlier
+// start finished are found in the folder and kept. Memory: about 64 bytes per point of a run or a block, per thread.
 IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs, const IndexParams& params,
                         const std::filesystem::path& folder, const PassContext& context);
 
-// The index that an earlier build_index left in the folder, without the inputs; nothing is written. `first` is the
-// lattice that the run asked for first (common_lattice). Throws Error when the folder has none.
+// Returns the index that an earlier build_index left in the folder, without reading the inputs; nothing is written.
+// `first` is the lattice that the run asked for first (common_lattice). Throws Error when the folder has no index.
 IndexResult open_index(const std::filesystem::path& folder, const InputLattice& first);
 
 }  // namespace ilot

@@ -9,10 +9,10 @@
 namespace ilot {
 namespace {
 
-constexpr double kCoarsest = 1e-3;  // CRS units; what is written in such steps or coarser ones is left as it is
+constexpr double kCoarsest = 1e-3;  // CRS units; coordinates in such or coarser steps do not change
 constexpr double kRounding = 1e-9;  // relative, of a product of scales
 constexpr std::uint64_t kStretches = 32, kRows = 32;
-constexpr std::uint64_t kMostRows = 1 << 17;  // looked through for places that differ
+constexpr std::uint64_t kMostRows = 1 << 17;  // rows that are searched for places that differ
 
 double finest_scale(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   double finest = 0;
@@ -21,8 +21,8 @@ double finest_scale(const std::vector<std::unique_ptr<PointReader>>& inputs) {
   return finest;
 }
 
-// The greatest common divisor of all coordinates of some rows, in steps of the finest scale; 0 where all are at one
-// place, which says nothing: so are rays without an echo.
+// Returns the greatest common divisor of all coordinates of some rows, in steps of the finest scale. It is 0 when all
+// are at one place, which shows nothing: rays without an echo are like this.
 std::int64_t divisor_of(PointReader& reader, const LatticeMap& map, std::uint64_t first) {
   const RecordLayout& layout = reader.info().layout;
   std::vector<std::byte> rows(kRows * layout.record_length);
@@ -43,7 +43,7 @@ std::int64_t divisor_of(PointReader& reader, const LatticeMap& map, std::uint64_
   return others ? divisor : 0;
 }
 
-// The largest number that nine in ten stretches are multiples of.
+// Returns the largest number of which nine in ten stretches are multiples.
 std::int64_t common_divisor(std::vector<std::int64_t> divisors) {
   std::sort(divisors.begin(), divisors.end());
   for (auto d = divisors.rbegin(); d != divisors.rend(); ++d) {
@@ -53,7 +53,7 @@ std::int64_t common_divisor(std::vector<std::int64_t> divisors) {
   return 1;
 }
 
-// 0: no two places were seen. 1: its coordinates need all steps.
+// 0: no two places were seen. 1: the coordinates need all steps.
 std::int64_t likely_divisor(PointReader& reader, double finest) {
   const LatticeMap map(reader.info().layout, finest);
   if (!map.exact()) return 1;
@@ -67,13 +67,13 @@ std::int64_t likely_divisor(PointReader& reader, double finest) {
     const std::uint64_t step = std::max<std::uint64_t>(1, bounds.size() / kStretches);
     for (std::size_t i = 0; i + 1 < bounds.size(); i += step) ask(bounds[i]);
   }
-  // From the front, where there are few places to begin at.
+  // Searches from the front when there are few places to begin at.
   for (std::uint64_t first = 0; divisors.size() < kStretches && first < std::min(points, kMostRows); first += kRows)
     ask(first);
   return divisors.empty() ? 0 : common_divisor(std::move(divisors));
 }
 
-// The largest divisor whose steps are not too coarse; `least` where they are finer than that.
+// Returns the largest divisor whose steps are not too coarse; `least` when they are finer than that.
 InputLattice coarsened(double finest, std::int64_t divisor, double least) {
   const auto most = static_cast<std::int64_t>(std::min(kCoarsest * (1 + kRounding) / finest, 0x1p20));
   std::int64_t multiple = 1;
@@ -82,7 +82,7 @@ InputLattice coarsened(double finest, std::int64_t divisor, double least) {
   const double unit = finest * static_cast<double>(multiple);
   if (unit < least * (1 - kRounding)) return {least};
   if (multiple == 1) return {finest};
-  const double per_one = std::round(1 / unit);  // 0.001 to the last bit, where 100 times 1e-5 may not be
+  const double per_one = std::round(1 / unit);  // exact for 0.001, while 100 times 1e-5 may not be
   return {std::abs(per_one * unit - 1) < kRounding ? 1 / per_one : unit, multiple};
 }
 

@@ -17,7 +17,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kGrid = 512;  // cells per side of the density grid, at most
+constexpr std::size_t kGrid = 512;  // greatest number of cells per side of the density grid
 constexpr double kPointsPerCell = 16;
 constexpr std::size_t kWindows = 32;  // where the sampling step is measured
 constexpr double kPointsPerWindow = 2000;
@@ -25,7 +25,7 @@ constexpr std::size_t kMostPerWindow = 8192;
 
 using Visit = std::function<void(const std::byte* row)>;
 
-// Calls visit for each valid row; returns the number of the others.
+// Calls visit for each valid row; returns the number of invalid rows.
 std::uint64_t for_each_row(PointReader& reader, const std::function<void(std::uint64_t)>& advance, const Visit& visit) {
   const std::size_t length = reader.info().layout.record_length;
   const std::size_t most = rows_at_a_time(length);
@@ -62,7 +62,7 @@ void grow(Vec3& min, Vec3& max, Vec3 p) {
   max = {std::max(max.x, p.x), std::max(max.y, p.y), std::max(max.z, p.z)};
 }
 
-// Points of one file in steps of its finest scale.
+// The points of one file in steps of its finest scale.
 class FileLattice {
  public:
   explicit FileLattice(const CloudInfo& info)
@@ -79,7 +79,7 @@ class FileLattice {
   LatticeMap map_;
 };
 
-// First reading: counts, the box of all and which points stand alone.
+// First reading: counts, the box of all points and the strays.
 CloudMeasure count(PointReader& reader, const FileLattice& lattice, const std::function<void(std::uint64_t)>& advance,
                    Strays& strays) {
   const CloudInfo& info = reader.info();
@@ -106,7 +106,7 @@ CloudMeasure count(PointReader& reader, const FileLattice& lattice, const std::f
   return m;
 }
 
-// Another reading where points stand alone: the box of the others.
+// Additional reading when there are strays: the box of the other points.
 void leave_out(const Strays& strays, PointReader& reader, const FileLattice& lattice,
                const std::function<void(std::uint64_t)>& advance, CloudMeasure& m) {
   bool first = true;
@@ -143,8 +143,8 @@ struct Lattice {
   }
 };
 
-// The occupied windows with the smallest keys: a fair choice in one reading, since a window once outbid stays
-// so.
+// The occupied windows with the smallest keys. One reading is enough for a fair choice, because a window that is
+// replaced once is never selected again.
 class Windows {
  public:
   void add(std::size_t window, Vec3 p) {
@@ -166,7 +166,7 @@ class Windows {
   }
 
  private:
-  // Squared distance from each point to its nearest other place, found by sweeping along x.
+  // Computes the squared distance from each point to its nearest other place, by sweeping along x.
   static void add_steps(std::vector<Vec3>& points, std::vector<double>& steps) {
     std::sort(points.begin(), points.end(),
               [](Vec3 a, Vec3 b) { return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z); });

@@ -19,9 +19,9 @@
 namespace ilot {
 namespace {
 
-constexpr int kMostPassed = 64;  // smaller tasks that start while one waits: enough to fill what memory is left
+constexpr int kMostPassed = 64;  // smaller tasks that start while one waits; enough to fill the remaining memory
 
-// Decides which task starts next. Everything here is done by one thread at a time.
+// Decides which task starts next. Only one thread at a time executes this code.
 class Queue {
  public:
   Queue(std::span<const PassTask> tasks, std::uint64_t budget, TooLarge too_large)
@@ -74,15 +74,15 @@ class Queue {
   }
 
   std::span<const PassTask> tasks_;
-  std::uint64_t total_, free_;  // of the budget, what the process has not in use already
+  std::uint64_t total_, free_;  // of the budget; what the process does not use already
   std::vector<bool> taken_;
   std::vector<std::size_t> order_, refused_;
-  std::set<std::pair<std::uint64_t, std::size_t>> by_bytes_;  // those that wait
+  std::set<std::pair<std::uint64_t, std::size_t>> by_bytes_;  // waiting tasks
   std::size_t next_ = 0;
   int running_ = 0, passed_ = 0;
 };
 
-// Whoever has finished a task looks for further ones, as many as there are threads and memory for, and gives them to
+// The thread that has finished a task looks for further tasks, as many as threads and memory allow, and gives them to
 // the group. No thread waits for memory.
 class Runner {
  public:

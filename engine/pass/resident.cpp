@@ -20,8 +20,8 @@ namespace {
 
 std::atomic<std::uint64_t> limit{0};
 
-// Code and constants of the program and of its libraries; most of it is needed only to start. What is needed again is
-// mapped again from the file.
+// Releases code and constants of the program and of its libraries, most of which are needed only at the start. What is
+// needed again is mapped again from the file.
 int give_back_code(dl_phdr_info* object, std::size_t, void*) {
   const auto page = static_cast<std::uintptr_t>(sysconf(_SC_PAGESIZE));
   for (const ElfW(Phdr) & part : std::span(object->dlpi_phdr, object->dlpi_phnum)) {
@@ -33,7 +33,7 @@ int give_back_code(dl_phdr_info* object, std::size_t, void*) {
   return 0;
 }
 
-// A debugger writes its breakpoints into pages of code, which would be lost.
+// A debugger writes its breakpoints into pages of code; they would be lost.
 bool is_debugged() {
   std::ifstream status("/proc/self/status");
   for (std::string line; std::getline(status, line);)
@@ -59,7 +59,7 @@ std::uint64_t affordable(std::uint64_t budget_bytes) {
 }
 
 void close_gaps() {
-  constexpr std::uint64_t kTight = 4;  // one part in so many is free, or less
+  constexpr std::uint64_t kTight = 4;  // memory is scarce when at most one part in this number is free
   if (limit != 0 && free_memory() < limit / kTight) malloc_trim(0);
 }
 

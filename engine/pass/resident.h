@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
-// The memory of the process as a whole: what a run was allowed, and what is left of it. One value for the process, as
-// its memory is one; it decides how many tasks run at once, never what they compute.
+// The memory of the whole process: the limit of a run and the free part of it. There is one value for the process,
+// because its memory is common. It decides how many tasks run at once, never what they compute.
 #pragma once
 #include <cstdint>
 
 namespace ilot {
 
-// Most bytes that should be resident; 0 (as at the start) = no limit.
+// Sets the greatest number of resident bytes; 0 (the initial value) = no limit.
 void set_memory_limit(std::uint64_t bytes);
 
-// How many of the bytes are not in use now; UINT64_MAX without a limit.
+// Returns the bytes that are not in use now; UINT64_MAX without a limit.
 std::uint64_t free_memory();
 
-// Bytes that a step which is no pass may take: its budget, or what of the memory is left.
+// Returns the bytes that a step which is not a pass may use: its budget, or the free memory if that is less.
 std::uint64_t affordable(std::uint64_t budget_bytes);
 
-// Into how many pools the allocator divides its memory: one a thread and one more, but no more than one for each 128
-// MiB, as each keeps freed memory in its gaps.
+// Returns the number of pools of the allocator: one for each thread and one more, but no more than one for each 128
+// MiB, because each pool keeps freed memory in its gaps.
 std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads);
 
-// Where memory is tight, gives back what the allocator keeps of freed memory between what is in use. To be called when
-// a task of a pass has ended.
+// When memory is scarce, returns to the system the freed memory that the allocator keeps between used memory. Called
+// after a task of a pass has ended.
 void close_gaps();
 
-// Gives back to the system what of the resident memory is not needed now: what the allocator keeps of freed memory, and
-// pages of code that were read to start (about 30 MiB of libraries). Costs some hundred page faults.
+// Returns to the system the resident memory that is not needed now: freed memory that the allocator keeps, and pages of
+// code that were read at the start (about 30 MiB of libraries). Costs some hundred page faults.
 void trim_memory();
 
 }  // namespace ilot

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one process-wide flag: has somebody asked the run to stop? Set by the signal handlers of the command
-// line, read by whoever hands out work. Both functions are safe in a signal handler and from any thread.
+// The one flag of the process that records a request to stop the run. The signal handlers of the command line set it;
+// code that distributes work reads it. Both functions are safe in a signal handler and from any thread.
 #pragma once
 
 namespace ilot {
 
-// True once request_stop() was called: start nothing new, flush what makes the run resumable, then throw
+// True after request_stop() was called. Then start nothing new, flush what makes the run resumable, and throw
 // Error(..., ExitCode::interrupted).
 bool stop_requested();
 
-// Ends what runs: declared here and in ilot/run.h.
+// Ends the current run; declared here and in ilot/run.h.
 void request_stop();
 
-// Takes the request back: the next run starts. Not while one runs.
+// Clears the request so that the next run can start. Must not be called while a run works.
 void accept_runs();
 
 }  // namespace ilot

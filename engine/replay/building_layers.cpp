@@ -15,7 +15,7 @@ std::int64_t whole(std::uint64_t n) {
   return static_cast<std::int64_t>(n);
 }
 
-// Metres from the anchor to the CRS.
+// Converts metres from the anchor to the CRS.
 class Places {
  public:
   Places(Vec3 anchor, double metres_per_unit) : anchor_(anchor), per_metre_(1 / metres_per_unit) {}
@@ -34,7 +34,7 @@ class Places {
   double per_metre_;
 };
 
-// What of the building is one value: why it is as it is, its ground and what the search for planes went by.
+// The single values of the building: the reason for its status, its ground and the parameters of the search for planes.
 Layer building_layer(const BuildingReplay& b, const Places& at) {
   const RoofSite& site = b.steps.gathered.site;
   const RoofPlanes& planes = b.steps.roof.planes;
@@ -112,7 +112,7 @@ Layer line_layer(const BuildingReplay& b, const Places& at) {
   return layer;
 }
 
-// Regions of a partition with a number of their own.
+// Returns the regions of a partition, each with its own number.
 Layer region_layer(const char* name, const Partition& partition, const std::vector<std::string>& fields,
                    const std::function<std::vector<AttributeValue>(std::size_t)>& values, const Places& at) {
   Layer layer{name, LayerShape::polygon, true, fields, {}};

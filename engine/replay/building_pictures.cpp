@@ -105,7 +105,7 @@ Picture face_picture(const BuildingReplay& b) {
   return picture;
 }
 
-// Axes of a view from aside and above, of unit length.
+// The axes of a view from the side and above, of unit length.
 struct Oblique {
   Vec3 right{0.8660254037844387, -0.5, 0};
   Vec3 up{0.25, 0.4330127018922193, 0.8660254037844387};
@@ -128,7 +128,7 @@ Vec3 normal_of(const std::vector<Vec3>& ring) {
   return sum;
 }
 
-// A surface as it is seen; nothing when it looks away.
+// Returns a surface as it is seen; nullopt when it faces away.
 std::optional<PictureArea> seen_area(const Building& level, const BuildingSurface& surface, Vec3 anchor,
                                      double metres) {
   const Oblique view;

@@ -20,13 +20,13 @@ constexpr std::size_t kMostAround = 1u << 19;  // points that are shown
 
 std::vector<PlannedSite> planned_sites(const KeptRun& run, Progress& progress) {
   RunRecord record;
-  Progress silent;  // the run has said it all
+  Progress silent;  // the run has reported everything
   if (!run.options().footprints.empty())
     return plan_footprints(run.options().footprints, run.inputs().crs, silent, record);
   return plan_clusters(run.store(), run.options().settings.roofs, run.context(), progress, record);
 }
 
-// As many letters at the beginning as possible are the same.
+// Returns the id with the longest common beginning.
 std::string nearest_id(std::span<const PlannedSite> sites, const std::string& id) {
   const auto common = [&](const std::string& other) {
     return std::mismatch(id.begin(), id.end(), other.begin(), other.end()).first - id.begin();
@@ -61,7 +61,7 @@ bool same_faces(const PolygonModel& a, const PolygonModel& b) {
          std::equal(a.faces.begin(), a.faces.end(), b.faces.begin(), b.faces.end(), same_face);
 }
 
-// What the store says of the points that the building's model was made from.
+// Returns the labels in the store for the points from which the building's model was made.
 std::vector<RoofLabel> labels_in_store(const BuildingReplay& building, const Store& store) {
   const auto& places = building.steps.gathered.places;
   std::vector<RoofLabel> labels, of_block;
@@ -72,8 +72,8 @@ std::vector<RoofLabel> labels_in_store(const BuildingReplay& building, const Sto
   return labels;
 }
 
-// Points whose face in the column "roof" is another one. The run counted planes on from building to building, and a
-// point in two outlines is another building's there.
+// Counts points that have another face in the column "roof". The run numbered planes continuously from building to
+// building, and a point in two outlines belongs to another building there.
 std::uint64_t points_of_other_faces(const BuildingReplay& building, const Store& store) {
   const std::vector<RoofLabel> labels = labels_in_store(building, store);
   std::map<std::uint32_t, std::uint64_t> units;

@@ -18,7 +18,7 @@ std::vector<SeenPoint> seen_points(const BuildingReplay& building) {
   const auto kind = gathered.by_class ? PointRole::building : PointRole::unclassified;
   std::vector<SeenPoint> seen;
   seen.reserve(building.points.size() + places.size());
-  std::size_t next = 0;  // of the model's points
+  std::size_t next = 0;  // index among the points of the model
   const auto add_used = [&] {
     seen.push_back({gathered.site.points[next], kind, PointMembership::held, next});
     ++next;

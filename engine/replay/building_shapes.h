@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What both layers and pictures show of a building.
+// Parts of a building that both layers and pictures show.
 #pragma once
 #include <optional>
 #include <vector>
@@ -8,7 +8,7 @@
 
 namespace ilot {
 
-// A point that was looked at; `number` is its place among those that the model was made from.
+// A point that was used; `number` is its index among the points from which the model was made.
 struct SeenPoint {
   Vec3 at;  // metres from the site's anchor
   PointRole role{};
@@ -16,13 +16,13 @@ struct SeenPoint {
   std::optional<std::size_t> number;
 };
 
-// Metres that the site's anchor lies above 0 of the CRS.
+// Returns the height of the site's anchor above 0 of the CRS, in metres.
 double floor_of(const BuildingReplay& building);
 
-// Those around the building and all of its model, in global order.
+// Returns the points around the building and all points of its model, in global order.
 std::vector<SeenPoint> seen_points(const BuildingReplay& building);
 
-// The convex hull of each plane's points, seen from above; empty where these lie on a line.
+// Returns the convex hull of the points of each plane, seen from above; empty when they are on a line.
 std::vector<SitePolygon> plane_hulls(const SiteSteps& steps);
 
 const char* name_of(PointRole role);

@@ -51,7 +51,7 @@ const Cell& cell_of(const std::vector<Cell>& cells, const std::string& id, doubl
               ExitCode::usage);
 }
 
-// Takes away the links to what is to be made again.
+// Removes the links to files that are computed again.
 void forget(const Store& scratch, const Cell& cell) {
   forget_cell(scratch, cell);
   for (const CellSlice& s : cell.slices) {
@@ -108,7 +108,7 @@ CellReplay replay_cell(const KeptRun& run, const std::string& id, Progress& prog
   const Cell& cell = cell_of(cells, id, store.unit());
   forget(store, cell);
   const auto planes = kept_planes(run, progress);
-  const CellPlanes found = planes_pass(store, cells, run.options().settings, run.context());  // of what is there now
+  const CellPlanes found = planes_pass(store, cells, run.options().settings, run.context());  // of the current content
   CellReplay replay;
   replay.corner = cell.node.min_corner();
   replay.unit = store.unit();

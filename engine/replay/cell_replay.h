@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One cell of the search for planes, searched again.
+// Repeats the search for planes in one cell.
 #pragma once
 #include <string>
 #include <vector>
@@ -14,9 +14,9 @@ namespace ilot {
 // A point of the cell itself.
 struct CellPoint {
   Vec3 at;      // CRS
-  Vec3 normal;  // of unit length; zero = none
+  Vec3 normal;  // unit length; zero = no normal
   double curvature = 0;
-  std::uint32_t segment = 0;  // 0 = none, else 1 + number among the planes of the cell: before the join
+  std::uint32_t segment = 0;  // 0 = none, else 1 + index among the planes of the cell before the join
   std::uint32_t plane = 0;    // plane_id; 0 = none
 };
 
@@ -26,20 +26,20 @@ struct CellReplay {
   CellSummary summary;
   std::vector<CellPlane> planes;
   std::vector<CellPoint> points;
-  std::vector<std::string> differences;  // to the columns of the kept store
+  std::vector<std::string> differences;  // from the columns of the kept store
 };
 
-// Normals, planes and labels of the blocks that the cell lies in are made again; the planes of other cells are those of
-// the run. `id`: "X,Y,Z", lattice units of the lowest corner, or "at:E,N,H". Throws a usage Error when there is no such
-// cell.
+// Computes normals, planes and labels of the blocks that contain the cell again; the planes of other cells are those of
+// the run. `id` is "X,Y,Z", lattice units of the lowest corner, or "at:E,N,H". Throws a usage Error when there is no
+// such cell.
 CellReplay replay_cell(const KeptRun& run, const std::string& id, Progress& progress);
 
-// The cell, its points, its planes before the join.
+// Returns the cell, its points, and its planes before the join.
 std::vector<Layer> layers_of(const CellReplay& cell);
 
 std::vector<Picture> pictures_of(const CellReplay& cell);
 
-// Names, places and sizes of the cells.
+// Returns names, places and sizes of the cells.
 std::vector<std::string> cells_to_replay(const Store& store, const PassContext& context);
 
 }  // namespace ilot

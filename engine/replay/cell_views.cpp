@@ -40,7 +40,7 @@ Layer point_layer(const CellReplay& r) {
   return layer;
 }
 
-// The planes before the join, each at the middle of its points; the plane that most of these have in the end.
+// Returns the planes before the join, each at the middle of its points, with the final plane of most of these points.
 Layer segment_layer(const CellReplay& r) {
   Layer layer{"segments", LayerShape::point, false, {"segment", "points", "nx", "ny", "nz", "rms_m", "plane"}, {}};
   std::vector<std::map<std::uint32_t, std::uint64_t>> ends(r.planes.size() + 1);
@@ -70,7 +70,7 @@ PictureColour colour_of_normal(const CellPoint& p) {
   return {channel(p.normal.x), channel(p.normal.y), channel(p.normal.z)};
 }
 
-// From aside and above the nearest points are drawn last, from above the highest ones.
+// In a view from the side and above the nearest points are drawn last; in a view from above, the highest ones.
 Picture picture_of(const CellReplay& r, const char* name, const std::string& title, bool oblique,
                    const ColourOf& colour) {
   const Vec3 right = oblique ? Vec3{0.8660254037844387, -0.5, 0} : Vec3{1, 0, 0};

@@ -43,7 +43,7 @@ Layer point_layer(const FacadeReplay& r) {
   return layer;
 }
 
-// Cells in a row that are alike are one rectangle.
+// Equal cells in a row become one rectangle.
 Layer cell_layer(const FacadeReplay& r) {
   Layer layer{"cells", LayerShape::polygon, true, {"seen", "filled"}, {}};
   const WallCells &seen = r.steps.cells.seen, &filled = r.steps.cells.filled;

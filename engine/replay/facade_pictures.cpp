@@ -20,7 +20,7 @@ void add_ring(Picture& picture, std::span<const Place2> ring, PictureColour colo
   picture.lines.push_back(std::move(line));
 }
 
-// Grey on the wall; the farther before it the redder, behind it the bluer.
+// Grey on the wall; redder the farther in front of it, bluer the farther behind it.
 PictureColour colour_by_depth(const WallPoint& p) {
   if (p.on_wall) return {190, 185, 175};
   constexpr double kFull = 0.5;  // metres

@@ -58,7 +58,7 @@ std::vector<WallPoint> points_of(const RaySamples& samples) {
   return points;
 }
 
-// The labels of the run are read before those of now take their place in the scratch store.
+// The labels of the run are read before the new ones replace them in the scratch store.
 std::uint64_t changed_labels(const KeptRun& run, const FacadesOfRun& facades, std::uint32_t id) {
   const Store& store = run.store();
   const auto blocks = static_cast<std::uint32_t>(store.blocks().size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What both layers and pictures show of a facade.
+// Parts of a facade that both layers and pictures show.
 #pragma once
 #include <span>
 #include <vector>
@@ -13,10 +13,10 @@ const char* name_of(RayOutcome met);
 const char* name_of(DrawnStatus status);
 const char* name_of_cell(std::uint8_t what);
 
-// Corners of what was found, in the wall's axes; sides that lean do so.
+// Returns the corners of a found rectangle in the axes of the wall; inclined sides stay inclined.
 std::vector<Place2> ring_of(const FoundRectangle& rectangle);
 
-// The ring of an element in the wall's axes, metres.
+// Returns the ring of an element in the axes of the wall, metres.
 std::vector<Vec3> ring_on_wall(const FacadeReplay& replay, std::span<const Vec3> ring);
 
 }  // namespace ilot

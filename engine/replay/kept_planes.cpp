@@ -8,7 +8,7 @@ namespace ilot {
 
 std::shared_ptr<PlanesResult> kept_planes(const KeptRun& run, Progress& progress) {
   RunRecord record;
-  const std::filesystem::path folder = run.store().folder() / "replayed";  // for tables that the run has already
+  const std::filesystem::path folder = run.store().folder() / "replayed";  // for tables that the run already has
   std::filesystem::create_directories(folder);
   ProductRun work{run.store(),
                   run.inputs(),

@@ -7,7 +7,8 @@
 
 namespace ilot {
 
-// The planes of a kept run: what its columns hold is not made again, the rest in the scratch store.
+// Returns the planes of a kept run. What its columns contain is not computed again; the rest is computed in the scratch
+// store.
 std::shared_ptr<PlanesResult> kept_planes(const KeptRun& run, Progress& progress);
 
 }  // namespace ilot

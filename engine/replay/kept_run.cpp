@@ -55,8 +55,8 @@ Settings settings_of(const json& parameters) {
   return settings;
 }
 
-// What a replay does not need to be as it was: another program is told by what it finds, and buildings are found
-// without the others.
+// Removes the parts of the request that a replay does not need unchanged: the differences show the effect of another
+// program version, and some products do not depend on the stations or the area.
 std::string without_unneeded(const std::string& before, const std::string& now, const RunOptions& options) {
   json old = json::parse(before);
   const json other = json::parse(now);
@@ -69,7 +69,7 @@ std::string without_unneeded(const std::string& before, const std::string& now, 
   return old.dump();
 }
 
-// The box that products were asked for in, without polygons.
+// Returns the box for which products were asked, without polygons.
 std::optional<Area> area_of(const json& area) {
   if (!area.is_object()) return std::nullopt;
   const auto box = area.value("box", std::vector<double>{});
@@ -129,7 +129,7 @@ RunOptions kept_options(const KeptRunPlaces& places) {
 KeptRun::KeptRun(const KeptRunPlaces& places, const fs::path& scratch, Progress& progress)
     : options_(kept_options(places)), training_{options_.train, places.learn} {
   RunRecord record;
-  Progress silent;  // the run has said it all
+  Progress silent;  // the run has reported everything
   inputs_ = open_inputs(options_, silent, record);
   if (places.within) options_.area = area_in_crs(*places.within, inputs_, silent, record);
   const auto before = read_finished(options_.output);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A finished run whose store was kept, opened to look into one of its units again.
+// A finished run whose store was kept. It is opened so that one of its units can be computed again.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -15,13 +15,13 @@ namespace ilot {
 struct KeptRunPlaces {
   std::filesystem::path out;
   std::filesystem::path store;     // empty = out/.store
-  std::filesystem::path stations;  // that the run was given, if any: run.json does not name the file
-  std::optional<Area> within;      // polygons that the run was given, if any: run.json has their box alone
-  TrainObjectModel learn;          // how the run learns from places of objects
+  std::filesystem::path stations;  // stations that the run was given, if any: run.json does not name the file
+  std::optional<Area> within;      // polygons that the run was given, if any: run.json has only their box
+  TrainObjectModel learn;          // the training method of the run, for places of objects
 };
 
-// A folder that looks like a store: every file of it is a link to that of the kept store. What a pass writes takes the
-// place of a link, so the kept store stays as it is. The folder is removed at the end.
+// A folder that looks like a store: every file in it is a link to a file of the kept store. The output of a pass
+// replaces the link, so the kept store does not change. The folder is removed at the end.
 class ScratchStore {
  public:
   ScratchStore(const std::filesystem::path& kept, std::filesystem::path scratch);
@@ -35,14 +35,14 @@ class ScratchStore {
   std::filesystem::path folder_;
 };
 
-// The options of the run as run.json records them. Throws a usage Error when there is no run, another one works there,
-// or its store was not kept.
+// Returns the options of the run as run.json records them. Throws a usage Error when there is no run, when another one
+// works there, or when its store was not kept.
 RunOptions kept_options(const KeptRunPlaces& places);
 
-// Everything that products were given. The store is a ScratchStore in `scratch`.
+// All inputs of the products. The store is a ScratchStore in `scratch`.
 class KeptRun {
  public:
-  // Throws a usage Error that names what is not as it was: inputs, footprints, settings.
+  // Throws a usage Error that names what has changed: inputs, footprints, settings.
   KeptRun(const KeptRunPlaces& places, const std::filesystem::path& scratch, Progress& progress);
   KeptRun(const KeptRun&) = delete;
   KeptRun& operator=(const KeptRun&) = delete;

@@ -7,7 +7,7 @@
 namespace ilot {
 
 PictureColour colour_of_number(std::uint64_t number) {
-  constexpr double kGolden = 0.618034;  // of the hue circle: numbers in a row never look alike
+  constexpr double kGolden = 0.618034;  // of the hue circle: consecutive numbers never have similar colours
   if (number == 0) return {170, 170, 170};
   const double turns = kGolden * static_cast<double>(number % 4096);
   const double hue = 6 * (turns - std::floor(turns)), value = number % 3 == 0 ? 150 : number % 3 == 1 ? 220 : 190;

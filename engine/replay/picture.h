@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is to be drawn of a step, in metres of a plan or of a wall's axes; tools/render/plot.h draws it.
+// The drawing of a step, in metres of a plan or of the axes of a wall; tools/render/plot.h draws it.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -17,25 +17,25 @@ struct PicturePoint {
   PictureColour colour{};
 };
 
-// How near to the eye a place is: x * gx + y * gy + c, larger is nearer.
+// The nearness of a place to the eye: x * gx + y * gy + c; larger is nearer.
 struct PictureDepth {
   double gx = 0, gy = 0, c = 0;
   double at(FlatPoint p) const { return p.x * gx + p.y * gy + c; }
 };
 
 struct PictureArea {
-  std::vector<std::vector<FlatPoint>> rings;  // filled where an odd number of them encloses
+  std::vector<std::vector<FlatPoint>> rings;  // a place is filled when an odd number of rings encloses it
   PictureColour colour{}, edge{};
-  PictureDepth depth{};  // of areas the nearer one hides the other; of equals the later one
+  PictureDepth depth{};  // the nearer of two areas covers the other; for equal ones the later
 };
 
 struct PictureLine {
   std::vector<FlatPoint> points;
   PictureColour colour{};
-  bool dashed = false;  // of what is around: it does not widen the picture
+  bool dashed = false;  // for surroundings: it does not widen the picture
 };
 
-// Square pixels from the upper left corner; pixels where `shown` is 0 stay as the paper.
+// Square pixels from the upper left corner; pixels where `shown` is 0 keep the colour of the paper.
 struct PictureRaster {
   FlatPoint corner;  // upper left
   double pixel = 1;  // metres
@@ -49,9 +49,9 @@ struct PictureWord {
   std::string text;
 };
 
-// Drawn in the order of the members: what comes later lies over what came before.
+// Drawn in the order of the members: later ones are above earlier ones.
 struct Picture {
-  std::string name;   // of the file, without ending
+  std::string name;   // of the file, without extension
   std::string title;  // ASCII
   std::vector<PictureRaster> rasters;
   std::vector<PictureArea> areas;
@@ -61,7 +61,7 @@ struct Picture {
   bool scale = true;  // a scale bar
 };
 
-// Colours that are far apart for numbers that follow each other; light ones for areas. 0: grey.
+// Returns colours that differ clearly for consecutive numbers, light ones for areas. 0 gives grey.
 PictureColour colour_of_number(std::uint64_t number);
 PictureColour light(PictureColour colour);
 

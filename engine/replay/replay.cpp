@@ -37,7 +37,7 @@ UnitName unit_name(const std::string& text) {
   return unit;
 }
 
-// Ids may hold anything.
+// Ids may contain any character.
 std::string folder_name(const std::string& unit) {
   std::string name;
   for (const char c : unit) {
@@ -102,7 +102,7 @@ std::vector<Layer> replay_into(const KeptRun& run, const UnitName& unit, Progres
 
 ReplayResult replay(const ReplayOptions& options, Progress& progress) {
   const UnitName unit = unit_name(options.unit);
-  kept_options(options.places);  // faults of these before anything is written
+  kept_options(options.places);  // reports faults of these before anything is written
   ReplayResult result;
   result.folder = options.folder.empty() ? options.places.out / "replay" / folder_name(options.unit) : options.folder;
   const bool made = fs::create_directories(result.folder);

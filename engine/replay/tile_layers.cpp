@@ -12,7 +12,7 @@ std::string label_text(PointLabel label) {
   return found == names.end() ? "none" : found->second;
 }
 
-// CRS coordinates of the tile's corners.
+// The CRS coordinates of the tile's corners.
 struct TileBox {
   double x0, y0, x1, y1;
   bool holds(Vec3 p) const { return p.x >= x0 && p.x < x1 && p.y >= y0 && p.y < y1; }
@@ -25,7 +25,7 @@ TileBox box_of(const TileReplay& replay) {
   return {x, y, x + side, y + side};
 }
 
-// Parts and what joins them; those that were taken are whole.
+// Returns the object candidates: the parts and their joins. Selected candidates have the column "taken" set.
 Layer thing_layer(const TileReplay& replay) {
   Layer layer{
       "candidates",

@@ -10,7 +10,7 @@ namespace {
 
 using ColourOf = std::function<PictureColour(Height)>;
 
-// Dark blue over green and yellow to red.
+// The ramp goes from dark blue over green and yellow to red.
 PictureColour ramp(double share) {
   constexpr PictureColour kStops[] = {{40, 60, 130}, {40, 140, 150}, {90, 180, 80}, {240, 200, 60}, {200, 50, 40}};
   const double at = std::clamp(share, 0.0, 1.0) * 4;
@@ -22,7 +22,7 @@ PictureColour ramp(double share) {
   return colour;
 }
 
-// Of the values of an image the one below which so many lie.
+// Returns the value of an image below which this share of the values is.
 Height quantile(const Image& image, double share) {
   std::vector<Height> values;
   for (const Height v : image.values)
@@ -37,7 +37,7 @@ class TilePictures {
  public:
   explicit TilePictures(const TileReplay& replay) : replay_(replay), side_(replay.steps.raster->grid.side) {}
 
-  // `colour` is asked for pixels that have a value other than `none`.
+  // Calls `colour` for pixels that have a value other than `none`.
   void add(const char* layer, const std::string& title, Height none, const ColourOf& colour,
            std::vector<PictureWord> legend = {}) {
     const auto found = replay_.images.find(layer);
@@ -57,7 +57,7 @@ class TilePictures {
     pictures_.push_back(std::move(picture));
   }
 
-  // Heights from `low` to `high` metres.
+  // Adds heights from `low` to `high` metres.
   void add_heights(const char* layer, const std::string& title, double low, double high) {
     const double unit = replay_.steps.raster->scale.unit;
     std::vector<PictureWord> legend;
@@ -71,7 +71,7 @@ class TilePictures {
         layer, title, kNoHeight, [&](Height v) { return ramp((v * unit - low) / range); }, std::move(legend));
   }
 
-  // From what 2 % of the pixels are below to what 98 % are.
+  // The range is from the 2 % quantile of the pixels to the 98 % quantile.
   void add_heights(const char* layer, const std::string& title) {
     const auto found = replay_.images.find(layer);
     if (found == replay_.images.end()) return;
@@ -79,7 +79,7 @@ class TilePictures {
     add_heights(layer, title, quantile(found->second, 0.02) * unit, quantile(found->second, 0.98) * unit);
   }
 
-  // Things that were taken, in the colours of what they are called.
+  // Adds the selected object candidates, coloured by their class.
   void add_objects();
 
   std::vector<Picture> take() { return std::move(pictures_); }
@@ -92,7 +92,7 @@ class TilePictures {
         "tile " + std::to_string(replay_.window.row) + "," + std::to_string(replay_.window.column) + ": ";
     return {number + layer, name + title, {}, {}, {}, {}, {}, true};
   }
-  // The ground in a pale colour, for what stands on it.
+  // Adds the ground in a pale colour, as a background for the objects.
   void add_ground(Picture& picture) const {
     const auto mask = replay_.images.find("mask");
     if (mask == replay_.images.end()) return;

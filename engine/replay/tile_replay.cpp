@@ -54,7 +54,7 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-// Files of streets/ that are not as the run wrote them; its map of pages and tables too.
+// Finds files of streets/ that differ from those of the run; compares its map of pages and tables too.
 void compare_files(const fs::path& run, const fs::path& now, std::vector<std::string>& differences) {
   std::vector<std::string> names = product_files(run);
   for (const std::string& name : product_files(now)) names.push_back(name);
@@ -64,7 +64,7 @@ void compare_files(const fs::path& run, const fs::path& now, std::vector<std::st
       differences.push_back("streets/" + name + " is not as the run wrote it");
 }
 
-// The labels of the run, before those of now take their place in the scratch store.
+// Returns the labels of the run before the new ones replace them in the scratch store.
 std::vector<std::vector<StreetLabel>> labels_of(const Store& store) {
   std::vector<std::vector<StreetLabel>> labels;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) labels.push_back(store.read(b, columns::kStreet));
@@ -81,7 +81,7 @@ std::uint64_t changed_labels(const Store& store, const std::vector<std::vector<S
   return changed;
 }
 
-// Layers that hold heights in units of the raster; others are numbers and counts.
+// True for layers with heights in units of the raster; others have numbers and counts.
 bool holds_heights(const std::string& layer) {
   for (const char* name : {"range", "closed", "filled", "over", "raised", "height", "bare", "level", "standing"})
     if (layer == name) return true;
@@ -108,7 +108,7 @@ TileReplay replay_tile(const KeptRun& run, const std::string& id, Progress& prog
   const auto before = labels_of(run.store());
   const fs::path folder = run.store().folder() / "replayed";
   RunRecord record;
-  Progress silent;  // warnings that the run has given
+  Progress silent;  // the run has given these warnings
   progress.note("the whole street is found again, as its tiles depend on each other");
   make_streets(run.store(), settings, run.training(), run.inputs().crs, run.context(), folder, silent, record,
                &replay.steps);

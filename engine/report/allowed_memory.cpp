@@ -19,15 +19,15 @@ std::uint64_t machine_bytes(const fs::path& proc) {
   return UINT64_MAX;
 }
 
-// The number in the file; v2 writes "max" for none, v1 a number near 2^63.
+// Returns the number in the file; v2 writes "max" for no limit, v1 a number near 2^63.
 std::uint64_t limit_in(const fs::path& path) {
   std::ifstream file(path);
   std::uint64_t bytes = 0;
   return file >> bytes ? bytes : UINT64_MAX;
 }
 
-// The least limit from a group up to the root. A container sees the paths of the machine but only its own group, as the
-// root: what does not exist has no limit.
+// Returns the least limit from a group up to the root. A container sees the paths of the machine, but only its own
+// group, as the root. A group that does not exist has no limit.
 std::uint64_t limit_of_group(const fs::path& root, const std::string& group, const char* file) {
   std::uint64_t least = limit_in(root / file);
   for (fs::path part = fs::path(group).relative_path(); !part.empty(); part = part.parent_path())
@@ -35,7 +35,7 @@ std::uint64_t limit_of_group(const fs::path& root, const std::string& group, con
   return least;
 }
 
-// Lines of /proc/self/cgroup are number:controllers:group; v2 has no controllers there.
+// Lines of /proc/self/cgroup have the form number:controllers:group; v2 has no controllers there.
 std::uint64_t limit_of_line(const std::string& line, const fs::path& groups) {
   const std::size_t first = line.find(':'), second = line.find(':', first + 1);
   if (first == std::string::npos || second == std::string::npos) return UINT64_MAX;

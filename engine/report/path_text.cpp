@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-// Bytes of the character of UTF-8 that the text begins with; 0 when it begins with none.
+// Returns the number of bytes of the UTF-8 character at the beginning of the text; 0 when there is none.
 std::size_t character_length(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   if (byte(0) < 0x80) return 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paths in JSON, which knows UTF-8 alone.
+// Paths in JSON, which supports only UTF-8.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// The path as UTF-8: a byte that is not part of UTF-8 is written \xE9, and so is a backslash (\x5C). Every other path
-// stays as it is, and path_of_text gives each back.
+// Returns the path as UTF-8. A byte that is not part of UTF-8 is written as \xE9, and so is a backslash (\x5C). Every
+// other path does not change. path_of_text is the reverse.
 std::string path_text(const std::filesystem::path& path);
 std::filesystem::path path_of_text(std::string_view text);
 

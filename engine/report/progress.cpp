@@ -59,7 +59,7 @@ Progress::Rate Progress::rate() const {
   return rate;
 }
 
-// A live line is wiped before other text, so that a line never starts in the middle of another.
+// A live line is removed before other text, so that a line never starts in the middle of another.
 void Progress::line(std::string_view text, Verbosity least) {
   if (!options_.console || options_.verbosity < least) return;
   options_.console(fmt::format("{}{}\n", live_shown_ ? "\r\x1b[K" : "", text));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run tells about itself while it works: lines for people and events for programs, both handed to
-// sinks that the caller owns, since library code prints nothing. Stages follow one another; advance() may be
-// called from any thread.
+// What a run reports while it works: lines for people and events for programs. Both go to sinks that the caller owns,
+// because library code prints nothing. Stages follow one another. advance() may be called from any thread.
 #pragma once
 #include <atomic>
 #include <cstdint>
@@ -17,8 +16,8 @@ enum class Verbosity { quiet, normal, verbose };
 
 struct ProgressOptions {
   Verbosity verbosity = Verbosity::normal;
-  bool live = false;                              // a terminal: one line rewritten in place; else a line every 10 s
-  bool colour = false;                            // the stage's name in bold
+  bool live = false;    // for a terminal: one line is rewritten in place; else one line every 10 s
+  bool colour = false;  // the name of the stage is bold
   std::function<void(std::string_view)> console;  // text for people, newlines included; empty = silent
   std::function<void(std::string_view)> events;   // one JSON object and a newline; empty = none
   std::function<double()> clock;                  // monotonic seconds; empty = the steady clock
@@ -32,36 +31,37 @@ struct StageRecord {
 
 class Progress {
  public:
-  Progress() : Progress(ProgressOptions{}) {}  // silent, still keeps the stage records
+  Progress() : Progress(ProgressOptions{}) {}  // silent, but still keeps the stage records
   explicit Progress(ProgressOptions options);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
   void run_start(std::string_view message);
   void input_ok(std::string_view path, std::uint64_t points);
-  void input_skipped(std::string_view path, std::string_view reason);  // also a line, even when quiet
+  void input_skipped(std::string_view path, std::string_view reason);  // writes a line too, even when quiet
 
-  // Names as in run.json. A stage that is still open is ended first. total = 0: unknown, no percentage.
+  // Names are those of run.json. A stage that is still open is ended first. total = 0: unknown, no percentage is shown.
   void begin_stage(std::string_view name, std::uint64_t total_points);
   void advance(std::uint64_t points) { done_.fetch_add(points, std::memory_order_relaxed); }
   void end_stage();
   std::uint64_t done() const { return done_.load(std::memory_order_relaxed); }  // points of the stage
 
-  // done of total units of the current stage; the unit's files stand under their names when this is called.
+  // `done` of `total` units of the current stage are finished. The files of the unit have their final names when this
+  // is called.
   void unit_done(std::string_view unit, std::uint64_t points, std::uint64_t done, std::uint64_t total);
   void unit_skipped(std::string_view unit, std::string_view reason);
 
-  // The closing line: points, wall seconds, peak memory, skipped.
+  // Writes the last line: points, wall seconds, peak memory, skipped inputs.
   void run_done(std::string_view message);
 
   void note(std::string_view sentence);  // one line, not when quiet
   void warn(std::string_view sentence);  // one line, always
 
-  // Redraws the live line, or writes the line and the heartbeat event that are due every 10 s. To be called
-  // by a timer of the caller, so that a stall shows too; cheap when nothing is due.
+  // Redraws the live line, or writes the line and the heartbeat event that are due every 10 s. A timer of the caller
+  // calls it, so that a stall is visible too; it is cheap when nothing is due.
   void tick();
 
-  // Wipes the live line, if one stands: before somebody else writes to the console.
+  // Removes the live line, if there is one. Called before other code writes to the console.
   void clear_line();
 
   std::vector<StageRecord> stages() const;
@@ -88,10 +88,10 @@ class Progress {
   std::vector<StageRecord> stages_;
 };
 
-// 1,234,567.
+// Returns for example 1,234,567.
 std::string grouped(std::uint64_t number);
 
-// A JSON string literal of the text; bytes that are not UTF-8 become U+FFFD.
+// Returns a JSON string literal of the text; bytes that are not UTF-8 become U+FFFD.
 std::string json_quote(std::string_view text);
 
 }  // namespace ilot

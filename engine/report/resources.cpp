@@ -15,7 +15,7 @@ std::uint64_t resident_bytes() {
   return resident * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
 }
 
-// Not from getrusage(): its largest size is that of the process that started this one, where that was larger.
+// getrusage() is not used: its largest size is that of the process that started this one, if that was larger.
 std::uint64_t peak_resident_bytes() {
   std::ifstream file("/proc/self/status");
   for (std::string line; std::getline(file, line);)

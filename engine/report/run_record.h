@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// run.json: what was asked, what was done, what it took, what was left out and why. Scripts rely on the
-// names.
+// run.json: what was asked for, what was done, which resources it took, what was left out and why. Scripts depend on
+// the names.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -19,10 +19,10 @@ namespace ilot {
 
 struct InputRecord {
   std::string path, format, crs;  // crs: name or empty
-  std::uint64_t points = 0;       // that were read
+  std::uint64_t points = 0;       // number that was read
   std::uint64_t bytes = 0;
   std::string output;   // the labelled cloud, relative to OUT; empty when none is written
-  std::string dialect;  // of text: separators, decimal point or comma; else empty
+  std::string dialect;  // for text: separators, decimal point or comma; else empty
 };
 
 // A file of the result.
@@ -31,7 +31,7 @@ struct ResultRecord {
   std::uint64_t bytes = 0;
 };
 
-// A value that `auto` stood for.
+// A value that was chosen for `auto`.
 struct ChosenRecord {
   std::string key;  // "planes.epsilon"
   std::variant<double, std::string> value;
@@ -48,7 +48,7 @@ struct PointCounts {
 
 struct RoofCounts {
   std::uint64_t buildings = 0, lod22 = 0, lod12 = 0, footprint_only = 0;  // the first is the sum of the others
-  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by whether these are valid as they were written
+  std::uint64_t valid = 0, invalid = 0;  // buildings with solids, by the validity of these as written
   std::uint64_t thinned = 0;             // modelled from a sample of their points
 };
 
@@ -57,21 +57,21 @@ struct StreetCounts {
 };
 
 struct FacadeCounts {
-  std::uint64_t facades = 0, elements = 0, occluded_edges = 0;  // the last: edges of elements that were not seen
+  std::uint64_t facades = 0, elements = 0, occluded_edges = 0;  // occluded_edges: edges of elements that were not seen
 };
 
-// What was found in a file of footprints.
+// The content of a file of footprints.
 struct FootprintsRecord {
   std::string path, id_attribute;  // no attribute: features were numbered
   std::uint64_t footprints = 0;
-  std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that came of them
-  std::vector<std::string> outside;       // ids of those wholly outside of the cloud's extent: no fault
+  std::uint64_t mended = 0, without_outline = 0, overlapping = 0;  // of the outlines that were made from them
+  std::vector<std::string> outside;       // ids of those completely outside the extent of the cloud, which is no fault
   bool transformed = false;               // from another CRS
-  double shift_x_m = 0, shift_y_m = 0;    // by which outlines would have to move to hold the most points
-  double inside = 0, inside_shifted = 0;  // share of the building points around them that they hold, and would hold
+  double shift_x_m = 0, shift_y_m = 0;    // shift with which the outlines would contain the most points
+  double inside = 0, inside_shifted = 0;  // share of the building points around them inside, now and with the shift
 };
 
-// What was found without footprints.
+// The result without footprints.
 struct ClustersRecord {
   std::uint64_t clusters = 0, too_small = 0, points_of_too_small = 0;
 };
@@ -89,7 +89,7 @@ struct RunRecord {
   std::uint64_t blocks = 0;
   PointCounts points;
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
-  std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, where they were looked for
+  std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, if they were asked for
   std::optional<RoofCounts> roofs;
   std::optional<StreetCounts> streets;
   std::optional<FacadeCounts> facades;
@@ -99,15 +99,15 @@ struct RunRecord {
   std::vector<ChosenRecord> chosen;
   std::vector<std::string> warnings;
   bool unit_assumed = false;
-  std::string request;                // what was asked, JSON (run_request); empty = not recorded
-  std::vector<ResultRecord> results;  // every file but run.json
+  std::string request;                // what was asked for, JSON (run_request); empty = not recorded
+  std::vector<ResultRecord> results;  // every file except run.json
   std::string result_hash;
 };
 
-// The text of run.json; version, git hash and the settings' hash are added.
+// Returns the text of run.json; version, git hash and the hash of the settings are added.
 std::string run_json(const RunRecord& record);
 
-// Writes OUT/run.json whole or not at all.
+// Writes OUT/run.json completely or not at all.
 void write_run_json(const RunRecord& record, const std::filesystem::path& out);
 
 }  // namespace ilot

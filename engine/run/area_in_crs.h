@@ -5,9 +5,9 @@
 
 namespace ilot {
 
-// Polygons in degrees (WGS 84, the CRS of GeoJSON) in the CRS of the inputs, which is said; others as they are.
-// Polygons are in degrees when all their corners can be and the inputs are elsewhere. Error of ExitCode::usage when the
-// CRS of the inputs is not known then.
+// Transforms polygons in degrees (WGS 84, the CRS of GeoJSON) to the CRS of the inputs and reports it; other polygons
+// do not change. Polygons are in degrees when all their corners can be degrees and the inputs are elsewhere. Throws
+// Error with ExitCode::usage when they are in degrees and the CRS of the inputs is not known.
 Area area_in_crs(const Area& area, const RunInputs& inputs, Progress& progress, RunRecord& record);
 
 }  // namespace ilot

@@ -14,7 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-// Somebody may have edited the file: what has not the expected type counts as not recorded.
+// The file may have been edited: a value that does not have the expected type counts as not recorded.
 std::optional<std::vector<ResultRecord>> files_of(const json& record) {
   const json list = record.value("results", json());
   if (!list.is_array()) return std::nullopt;

@@ -28,7 +28,7 @@ Taken take(int file) {
   return Taken::yes;
 }
 
-// Whether the file that is open still has this name: the run before removes its own when it ends.
+// Tells whether the open file still has this name: the previous run removes its file when it ends.
 bool has_name(int file, const fs::path& path) {
   struct stat open_file {
   }, named{};
@@ -50,7 +50,7 @@ std::string utc_now() {
   return text.data();
 }
 
-// The sentence in the file; a process that has just taken the lock may not have written it yet.
+// Returns the sentence in the file; a process that has just taken the lock may not have written it yet.
 std::string holder(int file) {
   std::array<char, 512> text{};
   const ssize_t got = pread(file, text.data(), text.size(), 0);
@@ -66,7 +66,7 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& otherwise) : f
   for (fs::path part = fs::absolute(folder).lexically_normal(); !fs::exists(part, problem); part = part.parent_path())
     if (part.has_filename()) made_.insert(made_.begin(), part);
   try {
-    constexpr int kTries = 1000;  // one is lost for each run that ends at that very moment
+    constexpr int kTries = 1000;  // one try is lost for each run that ends at that moment
     for (int i = 0; !try_open(); ++i)
       if (i == kTries)
         throw Error(folder.string() + ": cannot be created: something removes it again; give another place");
@@ -83,8 +83,8 @@ FolderLock::FolderLock(const fs::path& folder, const std::string& otherwise) : f
   }
 }
 
-// True when the file is open and ours to lock or another's; false to try again, since the run before has just removed
-// its file or folder.
+// True when the file is open and either this process or another one has the lock; false to try again, because the
+// previous run has just removed its file or folder.
 bool FolderLock::try_open() {
   std::error_code problem;
   fs::create_directories(folder_, problem);

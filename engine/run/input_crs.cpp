@@ -50,7 +50,7 @@ std::string place_text(Vec3 place) {
   return fmt::format("x = {:.3f}, y = {:.3f}", place.x, place.y);
 }
 
-// A CRS in which the places cannot be is wrong, whoever says it.
+// A CRS that cannot contain the places is wrong, whatever its source is.
 void check_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox& box, Progress& progress,
                    RunRecord& record) {
   if (can_be_at(inputs.crs, box.one)) return;
@@ -104,7 +104,7 @@ void take_crs_of_footprints(RunInputs& inputs, const RunOptions& options, Progre
 }
 
 double make_heights_alike(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record) {
-  constexpr double kSameUnit = 1e-4;  // international and US survey feet are
+  constexpr double kSameUnit = 1e-4;  // international and US survey foot differ less
   const auto factor_of = [](const Crs& crs) { return crs.metres_per_unit_z / crs.metres_per_unit; };
   double changed = 1;
   for (auto& reader : inputs.readers) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One CRS for all inputs, with one unit in all three axes.
+// Chooses one CRS for all inputs, with one unit in all three axes.
 #pragma once
 #include <string>
 
@@ -7,16 +7,16 @@
 
 namespace ilot {
 
-// "EPSG:2154", else the name; "none" when nothing is known.
+// Returns "EPSG:2154", else the name; "none" when nothing is known.
 std::string crs_name(const Crs& crs);
 
-// Decides inputs.crs and changes the readers where their coordinates are not what products work on:
-// - degrees that cannot be degrees are not believed: the CRS is then unknown;
-// - with --to-crs places are reprojected; degrees without it are refused;
-// - inputs without a CRS take that of the footprints, when these are where the inputs are (refused when not);
-// - heights in another unit than positions are converted, and inputs.crs is then the CRS of the positions alone.
-// All of it is said and recorded. Returns the factor that heights were multiplied by (units of x and y per unit of z).
-// Errors are of ExitCode::usage.
+// Chooses inputs.crs and changes the readers when products cannot work on their coordinates:
+// - Degrees that are outside their range are not accepted: the CRS is then unknown.
+// - With --to-crs, places are reprojected; without it, degrees are refused.
+// - Inputs without a CRS take that of the footprints. They are refused when the footprints are at another place.
+// - Heights in another unit than positions are converted, and inputs.crs is then the CRS of the positions alone.
+// All of this is reported and recorded. Returns the factor by which heights were multiplied (units of x and y per unit
+// of z). Errors have ExitCode::usage.
 double resolve_crs(RunInputs& inputs, const RunOptions& options, Progress& progress, RunRecord& record);
 
 }  // namespace ilot

@@ -54,7 +54,7 @@ std::string range_text(double low, double high) {
     const auto whole = static_cast<std::uint64_t>(std::min(std::abs(std::round(v)), 1e18));
     return (v < 0 && whole > 0 ? "-" : "") + grouped(whole);
   };
-  constexpr double kSmall = 1000;  // below it decimals tell places apart
+  constexpr double kSmall = 1000;  // below it decimals are needed to distinguish places
   if (std::abs(low) < kSmall && std::abs(high) < kSmall) return fmt::format("{:.3f} to {:.3f}", low, high);
   return number(low) + " to " + number(high);
 }

@@ -6,9 +6,9 @@
 
 namespace ilot {
 
-// The files that INPUT... means, each once, in the order of their paths, so that the order of arguments does
-// not matter: a file stands for itself, a folder for the point clouds anywhere below it (hidden folders left
-// out), a pattern with * ? [ for what it matches. Error with ExitCode::usage for what does not exist or holds
+// Returns the files that INPUT... selects, each once, in the order of their paths, so that the order of arguments does
+// not matter. A file selects itself, a folder the point clouds at any depth below it (hidden folders are left out), a
+// pattern with * ? [ the matching files. Throws Error with ExitCode::usage for an argument that does not exist or has
 // no point cloud.
 std::vector<std::filesystem::path> expand_inputs(const std::vector<std::string>& arguments);
 

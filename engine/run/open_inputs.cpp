@@ -36,7 +36,7 @@ std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const O
   return nullptr;
 }
 
-// Points that the header promised and the file does not hold count as something skipped.
+// Points that the header declares and the file does not contain count as skipped.
 void note_input(const CloudInfo& info, const RunOptions& options, Progress& progress, RunRecord& record) {
   progress.input_ok(info.path.string(), info.points);
   for (const std::string& warning : info.warnings) {
@@ -54,7 +54,7 @@ void note_input(const CloudInfo& info, const RunOptions& options, Progress& prog
                            std::filesystem::file_size(info.path, ignored), "", info.dialect});
 }
 
-// One line for all inputs that write numbers in the same way.
+// Writes one line for all inputs that write numbers in the same way.
 void note_dialects(const RunInputs& inputs, Progress& progress) {
   std::map<std::string, std::vector<std::string>> files;
   for (const auto& reader : inputs.readers)

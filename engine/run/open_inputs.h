@@ -7,7 +7,7 @@
 
 namespace ilot {
 
-// Opens every input and settles one CRS (input_crs.h). Files that cannot be read are skipped and recorded (Error with
+// Opens every input and chooses one CRS (input_crs.h). Files that cannot be read are skipped and recorded (Error with
 // --strict or when none is left). Mixed CRS and degrees are Errors with ExitCode::usage.
 RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& record);
 

@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-// What one run is asked to do, as the public interface has it.
+// The options of one run. The public interface defines them.
 #pragma once
 #include "ilot/run.h"

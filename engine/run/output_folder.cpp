@@ -35,7 +35,7 @@ bool is_ours(const fs::path& folder) {
   return fs::is_empty(folder);
 }
 
-// A store is known by its manifest, or by what a write or a removal that was cut short left of it.
+// A store is recognised by its manifest, or by the remains of a write or a removal that was interrupted.
 bool is_store(const fs::path& folder) {
   if (!fs::is_directory(folder)) return false;
   if (fs::is_empty(folder) || fs::exists(folder / kLockFile)) return true;
@@ -51,15 +51,15 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
   for (const fs::path& path : found) fs::remove(path);
 }
 
-// Takes away what runs put there and nothing else. A store that is half gone must not look whole to --resume, so it
-// loses the name of its manifest first and the manifest itself last.
+// Removes only what runs wrote there. A store that is partly removed must not look complete to --resume. So the
+// manifest is renamed first and removed last.
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
   for (const std::string name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
                                  "rejected", "corner", "lattice", "flushed"}) {
     fs::remove_all(store / name);
-    remove_starting_with(store, name + ".");  // what a write that was cut short left
+    remove_starting_with(store, name + ".");  // the remains of an interrupted write
   }
   remove_starting_with(store, kScratchFile);
   remove_starting_with(store, kManifest);
@@ -70,7 +70,7 @@ bool lies_in(const fs::path& file, const fs::path& folder) {
   return std::mismatch(top.begin(), top.end(), whole.begin(), whole.end()).first == top.end();
 }
 
-// What is to be read must not be where the result goes.
+// Inputs must not be where the result is written.
 void check_sources(const fs::path& folder, const RunOptions& options, const RunInputs& inputs) {
   std::vector<fs::path> read;
   for (const auto& reader : inputs.readers) read.push_back(reader->info().path);
@@ -82,7 +82,7 @@ void check_sources(const fs::path& folder, const RunOptions& options, const RunI
                   ExitCode::usage);
 }
 
-// Before anything is touched.
+// Called before anything is changed.
 void check_folders(const fs::path& out, const fs::path& store, const RunOptions& options) {
   if (fs::weakly_canonical(out) == fs::weakly_canonical(store))
     throw Error("--store " + store.string() + ": is the output folder; give another", ExitCode::usage);
@@ -107,7 +107,7 @@ struct Manifest {
   std::uint64_t block_points = 0;
 };
 
-// Of the run that was interrupted; nullopt when there is none to go on with.
+// Returns the manifest of the interrupted run; nullopt when there is none to resume.
 std::optional<Manifest> read_manifest(const fs::path& store) {
   std::ifstream file(store / kManifest);
   if (!file) return std::nullopt;
@@ -133,14 +133,14 @@ std::uint64_t memory_to_fill(const RunOptions& options) {
 std::uint64_t memory_for_blocks(const RunOptions& options) {
   constexpr std::uint64_t kBase = 56u << 20;
   constexpr std::uint64_t kGaps =
-      6;  // one part in so many: measured with 16 threads and 4 pools, a fifth of what is live
+      6;  // one part in this number: measured with 16 threads and 4 pools, a fifth of the used memory
   const std::uint64_t gaps =
       allocator_pools(options.memory_bytes, thread_count()) > 1 ? options.memory_bytes / kGaps : 0;
   return std::max(options.memory_bytes, 2 * kBase) - kBase - gaps;
 }
 
 std::uint64_t affordable_block_points(const RunOptions& options, int threads) {
-  constexpr std::uint64_t kPerPoint = 96;  // of a block in work, its surroundings included
+  constexpr std::uint64_t kPerPoint = 96;  // of a block in work, with its surroundings
   constexpr std::uint64_t kLeast = 1u << 14;
   const std::uint64_t affordable = memory_for_blocks(options) / (kPerPoint * static_cast<std::uint64_t>(threads));
   return std::min(options.settings.index.block_points, std::max(kLeast, affordable));
@@ -157,7 +157,7 @@ OutputFolder::OutputFolder(const RunOptions& options, Progress& progress)
   store_lock_->remove_empty_folder();
   for (const auto* lock : {&*lock_, &*store_lock_})
     if (!lock->works()) progress.warn("the file system has no locks: see to it yourself that no other run works here");
-  if (options.existing == Existing::refuse && fs::exists(path_ / "run.json"))  // of a run that was quicker
+  if (options.existing == Existing::refuse && fs::exists(path_ / "run.json"))  // of a run that finished earlier
     throw Error(path_.string() + ": exists already; give another -o, --overwrite or --resume", ExitCode::usage);
   finish_swap(path_);
 }
@@ -172,7 +172,7 @@ Opened OutputFolder::open(const RunInputs& inputs) {
   if (opened == Opened::fresh) clear_store(store_);
   open_flushed(store_);
   fs::remove_all(staging());
-  remove_starting_with(path_, "run.json.");  // what a write that was cut short left
+  remove_starting_with(path_, "run.json.");  // the remains of an interrupted write
   if (opened == Opened::fresh) {
     const json manifest{{"request", json::parse(request_)}, {"block_points", block_points_}};
     write_whole_file(store_ / kManifest, manifest.dump(1));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// OUT from the first check to the finished result. One run works there at a time; what it makes is staged in OUT/.new
-// and takes the place of an older result when it is whole.
+// Manages OUT from the first check to the finished result. One run at a time works there. Its output is collected in
+// OUT/.new and replaces an older result when it is complete.
 #pragma once
 #include <filesystem>
 #include <optional>
@@ -18,29 +18,29 @@ enum class Opened { fresh, resumed, finished };
 
 class OutputFolder {
  public:
-  // Locks OUT and the folder of the store. Throws a usage Error when a run works there, when OUT exists and nothing
-  // says what to do with it, or when one of them contains something else. Finishes a swap that an earlier run began.
+  // Locks OUT and the folder of the store. Throws a usage Error when a run works there, when OUT exists and no option
+  // says what to do with it, or when one of them contains other files. Finishes a swap that an earlier run began.
   OutputFolder(const RunOptions& options, Progress& progress);
 
-  // Prepares store and staging folder, or finds that nothing is left to do. --resume compares what is asked with what
-  // was asked and throws a usage Error that names the differences. An input inside of OUT is one too.
+  // Prepares the store and the staging folder, or finds that nothing is left to do. --resume compares the request with
+  // the earlier one and throws a usage Error that names the differences. An input inside OUT is a usage Error too.
   Opened open(const RunInputs& inputs);
 
   const std::filesystem::path& path() const { return path_; }
   const std::filesystem::path& store() const { return store_; }
   std::filesystem::path staging() const { return path_ / ".new"; }
-  std::uint64_t block_points() const { return block_points_; }  // of the run that is resumed, or this one's
+  std::uint64_t block_points() const { return block_points_; }  // of the run that is resumed, or of this one
 
-  // Throws when the disk cannot hold the store and the results.
+  // Throws Error when the disk has too little space for the store and the results.
   void check_space(const RunEstimate& needs);
 
   // Completes the record with the staged files and their hash, and swaps the result in.
   void publish(RunRecord& record) const;
 
-  // After a failure that --resume could not mend: no store, no staging folder, no empty folder stays.
+  // Called after a failure that --resume cannot repair: removes the store, the staging folder and empty folders.
   void discard();
 
-  // After publish(): store and staging folder are no longer needed.
+  // Called after publish(): the store and the staging folder are no longer needed.
   void finish(bool keep_store);
 
  private:
@@ -49,20 +49,21 @@ class OutputFolder {
   const RunOptions& options_;
   std::filesystem::path path_, store_;
   std::uint64_t block_points_;
-  std::string request_;                 // what is asked (run_request)
-  std::vector<std::string> old_files_;  // of the result that is replaced
+  std::string request_;                 // what is asked for (run_request)
+  std::vector<std::string> old_files_;  // files of the result that is replaced
   bool resumed_ = false;
   std::optional<FolderLock> lock_, store_lock_;
 };
 
-// How much of --memory work may fill: without what estimates of the work leave out, the stacks of the threads and what
-// the allocator keeps between blocks. An eighth at 96M, where 16 threads were seen to take 4 MiB of it.
+// Returns how much of --memory the work may use. The rest of 12 MiB, an eighth of 96M, is for memory that the estimates
+// of the work do not include: the stacks of the threads and what the allocator keeps between blocks. At 96M, 16 threads
+// were measured to take 4 MiB of it.
 std::uint64_t memory_to_fill(const RunOptions& options);
 
-// What --memory leaves for blocks in work, beside the program, its libraries and tables.
+// Returns the part of --memory for blocks in work, without the program, its libraries and tables.
 std::uint64_t memory_for_blocks(const RunOptions& options);
 
-// Largest number of points in a block that the memory budget allows, at most the setting.
+// Returns the largest number of points in a block that the memory budget allows, at most the setting.
 std::uint64_t affordable_block_points(const RunOptions& options, int threads);
 
 }  // namespace ilot

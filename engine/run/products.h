@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The list of products: the one place that knows them all.
+// The list of products. It is the only place that names them all.
 #pragma once
 #include <span>
 #include <string>
@@ -9,10 +9,10 @@
 
 namespace ilot {
 
-// In the order in which people are told of them.
+// Returns them in the order in which they are shown to people.
 std::span<const Product* const> all_products();
 
-// Those asked for and the planes that these need, in the order in which they are made.
+// Returns the products that are asked for and the planes that they need, in the order in which they are made.
 std::vector<const Product*> products_to_make(const std::vector<std::string>& asked);
 
 }  // namespace ilot

@@ -17,14 +17,13 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::uintmax_t kMaxAreaBytes = 64u << 20;
-constexpr int kMaxDepth = 16;  // collections in collections
+constexpr int kMaxDepth = 16;  // nested collections
 
 Error fault(const std::string& where, const std::string& sentence) {
   return Error(where + ": " + sentence, ExitCode::usage);
 }
 
-// A number at the front of the text, which is shortened by it; nullopt when there is none or it is not
-// finite.
+// Reads a number at the front of the text and removes it from the text; nullopt when there is none or it is not finite.
 std::optional<double> take_number(std::string_view& text) {
   while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
   double value = 0;
@@ -87,7 +86,7 @@ void add_geojson(Area& area, const Json& object, const std::string& name, int de
   }
 }
 
-// WKT: rings are the innermost parentheses, whatever stands around them.
+// WKT: rings are the innermost parentheses, independent of the text around them.
 class WktParser {
  public:
   WktParser(std::string_view text, const std::string& name) : text_(text), name_(name) {}

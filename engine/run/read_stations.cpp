@@ -20,7 +20,7 @@ constexpr double kRadians = 0.017453292519943295, kMostDegrees = 5;
 
 using Fields = std::vector<std::string_view>;
 
-// Which of kNames each column is.
+// Gives for each column its index in kNames.
 using Order = std::vector<std::size_t>;
 
 [[noreturn]] void fault(const std::string& where, const std::string& what) {
@@ -47,7 +47,8 @@ Order order_of(const Fields& header, const std::string& where) {
   return order;
 }
 
-// Without a header: x y z, then both steps, then the axis; a name before them where the first field is no number.
+// Without a header: x y z, then both steps, then the axis; a name comes before them when the first field is not a
+// number.
 Order usual_order(const Fields& first, const std::string& where) {
   double number = 0;
   const bool named = !parse_number(first[0], number);
@@ -60,7 +61,7 @@ Order usual_order(const Fields& first, const std::string& where) {
   return order;
 }
 
-// A whole number from 1 to 65535, else 0.
+// Returns a whole number from 1 to 65535, else 0.
 std::uint16_t source_id(std::string_view text) {
   double number = 0;
   if (!parse_number(text, number) || !(number >= 1 && number <= 65535)) return 0;

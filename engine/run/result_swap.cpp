@@ -25,12 +25,12 @@ constexpr const char* kSwap = ".swap";
 constexpr const char* kRunJson = "run.json";
 constexpr std::streamsize kPiece = 1 << 16;
 constexpr const char* kGoing =
-    ".going";  // in the folder of the new result: files of the old one that have no successor
+    ".going";  // in the folder of the new result: files of the old one that have no replacement
 
-// File or folder: what it contains is on the disk when this returns.
+// Flushes a file or folder: its content is on the disk when this returns.
 void flush(const fs::path& path) {
   const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool good = file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // some file systems know no fsync of folders
+  const bool good = file >= 0 && (fsync(file) == 0 || errno == EINVAL);  // some file systems cannot fsync folders
   const int reason = errno;
   if (file >= 0) close(file);
   if (!good) throw Error(path.string() + ": cannot be written to the disk: " + std::strerror(reason));
@@ -42,7 +42,7 @@ void flush_all(const fs::path& folder) {
   flush(folder);
 }
 
-// Names may contain any byte but zero, so that ends each.
+// Names may contain any byte except zero, so a zero byte ends each name.
 std::string list_text(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text.append(name).push_back('\0');
@@ -56,7 +56,7 @@ std::vector<std::string> read_list(const fs::path& path) {
   return names;
 }
 
-// Whether a path of OUT runs through folders alone: behind a link somebody else's files begin.
+// Tells whether a path of OUT contains only folders; a link leads to files that do not belong to the run.
 bool is_reached_by_folders(const fs::path& out, const fs::path& relative) {
   fs::path folder = out;
   for (const fs::path& part : relative.parent_path())
@@ -64,7 +64,7 @@ bool is_reached_by_folders(const fs::path& out, const fs::path& relative) {
   return true;
 }
 
-// The file, and the folders that it leaves empty.
+// Removes the file and the folders that become empty.
 void remove_file(const fs::path& out, const fs::path& relative) {
   if (!is_reached_by_folders(out, relative)) return;
   fs::remove(out / relative);
@@ -73,7 +73,7 @@ void remove_file(const fs::path& out, const fs::path& relative) {
 }
 
 void move_in(const fs::path& swap, const fs::path& out) {
-  fs::remove(out / kRunJson);  // no run.json, no result: nobody takes half of each for one
+  fs::remove(out / kRunJson);  // without run.json there is no result, so no one can use a mixture of both
   for (const std::string& name : read_list(swap / kGoing)) remove_file(out, name);
   std::set<fs::path> folders{out};
   for (const fs::path name : product_files(swap)) {

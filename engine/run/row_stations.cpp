@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-// The one station of which `is_it` holds; 0 without one, or with two.
+// Returns the only station for which `is_it` is true; 0 when there is none or there are two.
 template <class IsIt>
 StationNumber only_one(std::span<const Station> stations, const IsIt& is_it) {
   StationNumber found = 0;

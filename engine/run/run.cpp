@@ -39,7 +39,8 @@ bool makes(const RunOptions& options, const char* product) {
   return std::find(options.products.begin(), options.products.end(), product) != options.products.end();
 }
 
-// Everything that an area needs to come out as in a run over all: its own cells and a ring of cells around them.
+// Returns the box that an area needs for the same result as a run over everything: its own cells and a ring of cells
+// around them.
 std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double unit, double metres_per_unit) {
   if (!area) return std::nullopt;
   const double halo = 2 * kCellMetres / metres_per_unit;
@@ -48,7 +49,7 @@ std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double u
   return column_over(low(area->min_x), low(area->min_y), high(area->max_x), high(area->max_y));
 }
 
-// Grown to what buildings need that stand in the area and reach beyond it.
+// Grows the box to the extent of buildings that stand in the area and reach beyond it.
 void grow_to_sites(IndexBox& keep, const RunOptions& options, std::span<const PlannedSite> sites, double unit,
                    double metres_per_unit) {
   constexpr double kAround = 10;  // metres
@@ -86,7 +87,7 @@ IndexParams index_params(const RunOptions& options, const RunInputs& inputs, std
   return p;
 }
 
-// The inputs are read again where all their points need a finer lattice than some of them.
+// The inputs are read again when all of their points need a finer lattice than some of them.
 IndexResult make_index(const RunOptions& options, const RunInputs& inputs, std::span<const PlannedSite> sites,
                        const OutputFolder& out, PassContext& context) {
   InputLattice lattice = common_lattice(inputs.readers, inputs.crs.metres_per_unit, options.settings.index.finest_step);
@@ -119,7 +120,7 @@ void warn_of_strays(const IndexResult& index, Progress& progress, RunRecord& rec
   record.warnings.push_back(text);
 }
 
-// What only the inputs can tell about the settings, and lists whose numbers belong together.
+// Checks what only the inputs show about the settings, and lists whose numbers belong together.
 void check_settings(const RunOptions& options, const RunInputs& inputs) {
   check_section_lines(options.settings.facades.section_lines);
   const bool known = !scanners_of(inputs.stations, 1).empty();
@@ -128,7 +129,7 @@ void check_settings(const RunOptions& options, const RunInputs& inputs) {
                 ExitCode::usage);
 }
 
-// Files that no product which is asked for reads.
+// Warns of files that no requested product reads.
 void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& record) {
   const auto check = [&](const char* option, const std::filesystem::path& path, const char* product) {
     if (path.empty() || makes(options, product)) return;
@@ -140,7 +141,7 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
   check("--train", options.train, "streets");
 }
 
-// Of the planes only what labels need stays in memory.
+// Of the planes only the data that labels need stays in memory.
 LabelParams labels_of(const RunOptions& options, std::shared_ptr<PlanesResult> planes) {
   LabelParams labels;
   labels.with_planes = planes != nullptr;
@@ -155,7 +156,7 @@ LabelParams labels_of(const RunOptions& options, std::shared_ptr<PlanesResult> p
   return labels;
 }
 
-// The run, step by step. Everything lands in the staging folder.
+// Executes the run step by step. All output goes to the staging folder.
 void make_products(const RunOptions& options, const RunInputs& inputs, const std::vector<PlannedSite>& sites,
                    const StreetTraining& training, OutputFolder& out, Progress& progress, RunRecord& record) {
   PassContext context = pass_context(options, inputs, out.block_points(), progress);
@@ -224,7 +225,7 @@ int dry_run(const RunOptions& options, const RunInputs& inputs, std::size_t site
   return 0;
 }
 
-// --memory was too little for one of the steps that docs/limits.md lists: whoever gave it learns what is enough.
+// --memory was too small for one of the steps that docs/limits.md lists. The warning says what is enough.
 void warn_of_peak(Progress& progress, RunRecord& record) {
   if (record.peak_rss_bytes <= record.memory_bytes) return;
   const auto mebibytes = [](std::uint64_t bytes) { return std::to_string((bytes + (1u << 20) - 1) >> 20) + " MiB"; };
@@ -233,7 +234,7 @@ void warn_of_peak(Progress& progress, RunRecord& record) {
   progress.warn(record.warnings.back());
 }
 
-// Fills in what is known when all products are made.
+// Fills in the values that are known when all products are made.
 void complete_record(const RunOptions& options, Progress& progress, double start, RunRecord& record) {
   record.exit = record.skipped.empty() ? ExitCode::ok : ExitCode::incomplete;
   if (options.strict && !record.skipped.empty()) record.exit = ExitCode::failed;

@@ -6,9 +6,9 @@
 
 namespace ilot {
 
-// Does what the options say and writes OUT with run.json. Returns the exit code: 0 done, 3 done but something
-// was skipped or a product is empty. Throws Error for 1 failed, 2 usage and 130 interrupted (resumable).
-// `learn`: how places that options.train names become a model; empty: only models are read.
+// Runs the given options and writes OUT with run.json. Returns the exit code: 0 done, 3 done but something was skipped
+// or a product is empty. Throws Error for 1 failed, 2 usage and 130 interrupted (resumable). `learn` is the method that
+// makes a model from the places that options.train names; empty: models are only read.
 int run(const RunOptions& options, Progress& progress, const TrainObjectModel& learn = {});
 
 }  // namespace ilot

@@ -8,9 +8,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kHalfDiagonal = 0.8660254037844387;  // of a lattice cell: the farthest that rounding moves a point
+constexpr double kHalfDiagonal = 0.8660254037844387;  // of a cell: the greatest move by rounding
 
-// Borders of a box are lattice lines and closed: a point on the border of two boxes belongs to both.
+// The borders of a box are lattice lines and closed: a point on the border of two boxes belongs to both.
 std::function<bool(Index3)> inside_area(const Area& area, double unit) {
   constexpr double kOnTheLine = 1e-6;  // of a unit: rounding of the division
   const auto x0 = static_cast<std::int64_t>(std::ceil(area.min_x / unit - kOnTheLine));

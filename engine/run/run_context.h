@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What passes are given, of the options and inputs of a run.
+// The parameters of passes that follow from the options and inputs of a run.
 #pragma once
 #include "engine/pass/context.h"
 #include "engine/pass/input_lattice.h"
@@ -8,11 +8,11 @@
 
 namespace ilot {
 
-// Without what depends on the lattice.
+// Returns the context without the fields that depend on the lattice.
 PassContext pass_context(const RunOptions& options, const RunInputs& inputs, std::uint64_t block_points,
                          Progress& progress);
 
-// What of the context depends on the lattice. The context refers to options.area.
+// Sets the fields of the context that depend on the lattice. The context refers to options.area.
 void set_lattice(const RunOptions& options, const RunInputs& inputs, const InputLattice& lattice, PassContext& context);
 
 }  // namespace ilot

@@ -6,12 +6,12 @@
 namespace ilot {
 namespace {
 
-// Of each point. The bytes of this and of products are measured and rounded up: the largest share of a district of
-// 100,000 and 500,000 points and of a coloured facade of 200,000 (planes 92, roofs 86, facades 100, streets 44 and all
-// four 172 bytes with the index). The seconds are the means of these runs on one thread.
+// Cost of each point. The bytes of the index and of the products are measured and rounded up. They are the largest
+// share for a district of 100,000 and 500,000 points and for a coloured facade of 200,000 (planes 92, roofs 86, facades
+// 100, streets 44 and all four 172 bytes with the index). The seconds are the means of these runs on one thread.
 constexpr ProductCost kIndex{44, 0, 0.5};
-constexpr std::uint64_t kTables = 1u << 20;  // of a product of a cloud of few points: a GeoPackage is 100 KB when empty
-constexpr std::uint64_t kLabels = 44;        // of a point, all of them and its normal
+constexpr std::uint64_t kTables = 1u << 20;  // of a product of a cloud of few points: an empty GeoPackage has 100 KB
+constexpr std::uint64_t kLabels = 44;        // of a point: all of its labels and its normal
 
 }  // namespace
 

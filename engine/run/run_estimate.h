@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run will need, told before it begins.
+// An estimate, before a run begins, of what it will need.
 #pragma once
 #include <cstdint>
 
@@ -8,9 +8,9 @@
 namespace ilot {
 
 struct RunEstimate {
-  std::uint64_t store_bytes = 0;   // the most that the store takes at any time
+  std::uint64_t store_bytes = 0;   // greatest size of the store at any time
   std::uint64_t result_bytes = 0;  // an upper bound: clouds are written compressed
-  double processor_seconds = 0;    // roughly: classifiers differ by a factor of two, and so do clouds
+  double processor_seconds = 0;    // approximate: the time of classifiers differs by a factor of two, and so do clouds
 };
 
 RunEstimate estimate_run(const RunOptions& options, const RunInputs& inputs);

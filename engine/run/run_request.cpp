@@ -26,7 +26,7 @@ std::string sum_of(const json& value) {
   return sum.hex();
 }
 
-// Of the first and the last 4 KiB: what a header declares and how the file ends, without reading all of it.
+// Hashes the first and the last 4 KiB: what a header declares and how the file ends, without reading the whole file.
 std::string ends_of(const fs::path& path) {
   constexpr std::size_t kEnd = 4096;
   const InputFile file(path);
@@ -71,7 +71,7 @@ json area_json(const std::optional<Area>& area) {
   return {{"box", {area->min_x, area->min_y, area->max_x, area->max_y}}, {"rings", sum_of(area->rings)}};
 }
 
-// The block size is left out: the first run's counts.
+// The block size is left out, because that of the first run is used.
 json settings_of(const RunOptions& options) {
   Settings settings = options.settings;
   settings.index.block_points = 0;
@@ -93,7 +93,7 @@ const json* input_of(const json& inputs, const json& path) {
   return nullptr;
 }
 
-// Up to three of the inputs by name: "inputs (a.laz changed, b.laz added and 5 more)".
+// Names up to three of the inputs: "inputs (a.laz changed, b.laz added and 5 more)".
 std::string changed_inputs(const json& before, const json& now) {
   constexpr std::size_t kNamed = 3;
   std::vector<std::string> changes;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a run was asked for, as far as its result depends on it. It is kept with the store while the run works and in
-// run.json afterwards, so that --resume can tell in every state whether it is asked for the same.
+// The request of a run, as far as its result depends on it. It is kept with the store while the run works and in
+// run.json afterwards. So --resume can test at any time whether the new request is the same.
 #pragma once
 #include <string>
 
@@ -8,15 +8,16 @@
 
 namespace ilot {
 
-// JSON, one line. Files are known by path, size, time of their last change and their first and last 4 KiB.
+// Returns JSON on one line. Files are identified by path, size, time of their last change and their first and last 4
+// KiB.
 std::string run_request(const RunOptions& options, const RunInputs& inputs);
 
 enum class Compare {
-  store,  // all that the content of the store depends on
-  result  // and whether clouds are written
+  store,  // everything on which the content of the store depends
+  result  // and also whether clouds are written
 };
 
-// Names of what differs, with commas; empty when nothing does.
+// Returns the names of the differences, separated by commas; empty when there are none.
 std::string request_differences(const std::string& before, const std::string& now, Compare what);
 
 }  // namespace ilot

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMostStep = 10, kLeastStep = 1e-4;  // metres
 
-// What no product can work with.
+// Returns the reason why no product can work, if there is one.
 std::optional<std::string> hindrance(const CloudInfo& info, const CloudMeasure& m) {
   if (assumed_crs(info, m).geographic) return "the coordinates are degrees: run --to-crs utm projects them";
   if (m.points < 3) return "fewer than three points";
@@ -23,7 +23,7 @@ std::optional<std::string> hindrance(const CloudInfo& info, const CloudMeasure& 
   return std::nullopt;
 }
 
-// Formats other than LAS and LAZ have no header block of ours to compare with.
+// Formats other than LAS and LAZ have no header block for the comparison.
 bool box_differs(const CloudInfo& info, const CloudMeasure& m) {
   if (info.header.empty()) return false;
   const auto off = [&](double declared, double measured, std::size_t axis) {

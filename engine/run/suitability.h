@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which products a cloud suits, as far as its own measures show.
+// The products for which a cloud is suitable, as far as its own measures show it.
 #pragma once
 #include <optional>
 #include <string>
@@ -9,16 +9,18 @@
 
 namespace ilot {
 
-// Of all products in their order. What `run` refuses is "no" here.
+// Returns all products in their order. A product that `run` refuses has the answer "no" here.
 std::vector<CloudSuitability> suitability(const CloudInfo& info, const CloudMeasure& measure);
 
-// What is odd about the distance between points: 0, above 10 m or below 0.1 mm; the unit is probably wrong then.
+// Returns a warning about the distance between points when it is 0, above 10 m or below 0.1 mm; then the unit is
+// probably wrong.
 std::optional<std::string> step_warning(const CloudMeasure& measure);
 
-// All that is odd about a cloud: what its reader found, what its points do not bear out, what a run would leave out.
+// Returns all warnings about a cloud: what its reader found, what its points contradict, and what a run would leave
+// out.
 std::vector<std::string> cloud_warnings(const CloudInfo& info, const CloudMeasure& measure);
 
-// The CRS that `run` works with: unknown where the cloud says degrees and its places cannot be any.
+// Returns the CRS with which `run` works: unknown when the cloud declares degrees and its places cannot be degrees.
 Crs assumed_crs(const CloudInfo& info, const CloudMeasure& measure);
 
 }  // namespace ilot

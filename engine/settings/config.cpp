@@ -38,7 +38,7 @@ std::string describe(const toml::node& node) {
   }
 }
 
-// The node as a Value; nullopt when no setting could hold it.
+// Returns the node as a Value; nullopt when no setting could have it.
 std::optional<Value> read_value(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get() == "auto" ? Value(Auto{}) : Value(text->get());
   if (const auto* flag = node.as_boolean()) return flag->get();
@@ -61,8 +61,8 @@ std::optional<Value> read_value(const toml::node& node) {
   return whole.size() == numbers.size() ? Value(whole) : Value(numbers);
 }
 
-// The line with a character beyond ASCII outside of a comment, from 1; nullopt when there is none. No setting needs
-// one, and the parser's own answer is undefined for some of them where a key could stand.
+// Returns the line with a character beyond ASCII outside a comment, from 1; nullopt when there is none. No setting
+// needs one, and the result of the parser is undefined for some of them where a key could be.
 std::optional<std::uint32_t> line_beyond_ascii(std::string_view text) {
   std::uint32_t line = 1;
   bool comment = false, quoted = false;
@@ -80,7 +80,7 @@ std::optional<std::uint32_t> line_beyond_ascii(std::string_view text) {
   return std::nullopt;
 }
 
-// A bare word, as people type it on a command line: auto, ransac. Not true, false, inf or nan.
+// True for a bare word, as people type it on a command line: auto, ransac. False for true, false, inf and nan.
 bool is_word(const std::string& text) {
   const bool letters = text.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") == std::string::npos;
   return letters && !text.empty() && text != "true" && text != "false" && text != "inf" && text != "nan";
@@ -156,7 +156,7 @@ void load_config_text(Settings& settings, std::string_view text, const std::stri
   settings = changed;
 }
 
-// Read to its end, since a pipe has no size.
+// The file is read to its end, because a pipe has no size.
 void load_config(Settings& settings, const std::filesystem::path& path) {
   const auto fail = [&](const std::string& why) { throw Error(path.string() + ": " + why, ExitCode::usage); };
   if (std::filesystem::is_directory(path)) fail("is a folder, not a configuration");

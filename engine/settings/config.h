@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Settings in and out as text (ilot/parameters.h), and what only the engine asks of them. The order of precedence is
-// the caller's order of calls: defaults, then the file, then each --set.
+// Reads and writes settings as text (ilot/parameters.h), with functions that only the engine needs. The precedence is
+// the order of the caller's calls: defaults, then the file, then each --set.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,13 +11,13 @@
 
 namespace ilot {
 
-// docs/parameters.md.
+// Returns the text of docs/parameters.md.
 std::string parameters_markdown();
 
-// Of all keys and values, in the order of the table; equal settings give equal hashes on every machine.
+// Returns a hash of all keys and values, in the order of the table. Equal settings give equal hashes on every machine.
 std::uint64_t settings_hash(const Settings& settings);
 
-// Keys whose values differ: what a refused --resume names.
+// Returns the keys whose values differ; a refused --resume names them.
 std::vector<std::string> differing_keys(const Settings& a, const Settings& b);
 
 }  // namespace ilot

@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-// How a field of Settings is held in a Value, and back.
+// Converts a field of Settings to a Value and back.
 template <class T>
 struct Field {
   static constexpr bool kOptional = false;
@@ -234,7 +234,7 @@ std::string number_text(double number) {
   return whole ? text + ".0" : text;
 }
 
-// The end of a range, for people: never an exponent, no ".0".
+// Returns the end of a range as a text for people, without an exponent and without ".0".
 std::string bound_text(double bound) {
   char buffer[400];
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, bound, std::chars_format::fixed).ptr};
@@ -272,7 +272,7 @@ bool in_range(const ValueRange& range, const Value& value) {
   return true;
 }
 
-// Optimal string alignment distance.
+// Returns the optimal string alignment distance.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> before, above(b.size() + 1), row(b.size() + 1);
   for (std::size_t j = 0; j <= b.size(); ++j) above[j] = j;

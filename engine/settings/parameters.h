@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The one table of settings: what the configuration file, --set, --print-config, docs/parameters.md and
-// run.json know of a setting comes from here.
+// The one table of settings. Everything that the configuration file, --set, --print-config, docs/parameters.md and
+// run.json contain about a setting comes from here.
 #pragma once
 #include <string>
 #include <string_view>
@@ -10,11 +10,11 @@
 
 namespace ilot {
 
-// The key with the smallest edit distance (insert, delete, replace, swap of neighbours), ties to the earlier
+// Returns the key with the smallest edit distance (insert, delete, replace, swap of neighbours); ties go to the earlier
 // one.
 const Parameter& nearest_parameter(std::string_view key);
 
-// What the parameter takes: "a number (m) or \"auto\"".
+// Returns the accepted values of the parameter: "a number (m) or \"auto\"".
 std::string expected_text(const Parameter& parameter);
 
 }  // namespace ilot

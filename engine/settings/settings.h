@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The settings, as the public interface has them, and the words that choices are written as. To add a setting: a line
-// in include/ilot/settings.h and a line in the table of parameters.cpp; TOML, --set, help, docs and run.json follow.
+// The settings, which the public interface defines, and the words for choices. To add a setting, add a line to
+// include/ilot/settings.h and a line to the table of parameters.cpp; TOML, --set, help, docs and run.json follow from
+// these.
 #pragma once
 #include <array>
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace ilot {
 
-// As choices are written in settings, in the order of their values.
+// The words for choices in settings, in the order of their values.
 constexpr std::array<std::string_view, 9> kPlaneMethods{"ransac",      "region_growing", "smooth_growing",
                                                         "split_merge", "hough",          "shape_ransac",
                                                         "roof_ransac", "facade_ransac",  "colour_ransac"};

@@ -21,7 +21,7 @@ std::vector<IndexBox> around_eights(std::span<const IndexBox> below) {
   return level;
 }
 
-// The tree from one level down to the list; eleven levels at most.
+// Searches the tree from one level down to the list; there are at most eleven levels.
 struct Search {
   std::span<const std::vector<IndexBox>> levels;
   std::span<const IndexBox> boxes;

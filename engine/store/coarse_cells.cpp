@@ -56,7 +56,7 @@ void CoarseCells::add(Index3 p) {
 
 void CoarseCells::add(Tile tile, std::span<const KeyValue> points) {
   while (!points.empty()) {
-    const int shift = 3 * std::min(bits_, kTileBits);  // one cell's codes follow each other
+    const int shift = 3 * std::min(bits_, kTileBits);  // the codes of one cell are consecutive
     const std::uint64_t cell = points.front().key >> shift;
     const auto end =
         std::partition_point(points.begin(), points.end(), [&](const KeyValue& p) { return p.key >> shift == cell; });
@@ -71,7 +71,7 @@ void CoarseCells::merge(CoarseCells other) {
   if (other.bits_ < bits_) other.coarsen_to(bits_);
   if (bits_ < other.bits_) coarsen_to(other.bits_);
   for (const auto& [cell, content] : other.cells_) {
-    const int by = bits_ - other.bits_;  // grows where there are too many
+    const int by = bits_ - other.bits_;  // greater than zero when there are too many cells
     add_content(at({cell.x >> by, cell.y >> by, cell.z >> by}), content);
     shrink();
   }

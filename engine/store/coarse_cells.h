@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which coarse cubes of space contain points, counted exactly in bounded memory. What stands alone far from everything
-// is found from it (strays.h).
+// Finds the coarse cubes of space that contain points and counts the points exactly, in bounded memory. Strays are
+// found from this (strays.h).
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace ilot {
 
-// A cube of 2^bits lattice units, cut at multiples of its edge for all time.
+// A cube of 2^bits lattice units. Its faces are at fixed multiples of its edge.
 struct CoarseCell {
   std::int64_t x = 0, y = 0, z = 0;
   friend auto operator<=>(const CoarseCell&, const CoarseCell&) = default;
@@ -22,7 +22,8 @@ constexpr CoarseCell coarse_cell(Index3 p, int bits) {
   return {p.x >> bits, p.y >> bits, p.z >> bits};
 }
 
-// Fewer points than this at different places are few: less than the smallest surface or object that any product keeps.
+// A cell with points at fewer different places than this has few places: fewer than the smallest surface or object that
+// any product keeps.
 constexpr std::size_t kFewPlaces = 100;
 
 struct CellContent {
@@ -31,9 +32,9 @@ struct CellContent {
   bool many = false;           // kFewPlaces different places or more
 };
 
-// Counts of points by cell. Where more than kMostCoarseCells cells are occupied, cells of twice the edge are counted
-// instead, so that memory stays below 20 MB however far the points spread. The result is a function of the points
-// alone: neither their order nor the parts in which they were counted and merged can be seen in it.
+// Counts of points by cell. When more than kMostCoarseCells cells are occupied, cells of twice the edge are counted
+// instead. So memory stays below 20 MB for points of any extent. The result depends only on the points, not on their
+// order or on the parts in which they were counted and merged.
 constexpr std::size_t kMostCoarseCells = 1 << 13;
 
 class CoarseCells {
@@ -41,14 +42,14 @@ class CoarseCells {
   explicit CoarseCells(int bits) : bits_(bits) {}
 
   void add(Index3 p);
-  void add(Tile tile, std::span<const KeyValue> points);  // of one tile, sorted by code; O(cells log(points)) mostly
+  void add(Tile tile, std::span<const KeyValue> points);  // of one tile, sorted by code; mostly O(cells log(points))
   void merge(CoarseCells other);
 
   int bits() const { return bits_; }
   std::int64_t edge() const { return std::int64_t{1} << bits_; }
   const std::map<CoarseCell, CellContent>& cells() const { return cells_; }
 
-  // As integers for a file, and back.
+  // Converts the cells to integers for a file, and back.
   std::vector<std::int64_t> packed() const;
   static CoarseCells unpacked(std::span<const std::int64_t> packed);
 
@@ -60,10 +61,10 @@ class CoarseCells {
   int bits_;
   std::map<CoarseCell, CellContent> cells_;
   CoarseCell last_cell_;
-  CellContent* last_ = nullptr;  // of last_cell_: neighbours in a file mostly share a cell
+  CellContent* last_ = nullptr;  // content of last_cell_: neighbours in a file are mostly in the same cell
 };
 
-// Edge of the cells before any is doubled: the power of two of units not above kCoarseMetres.
+// Edge of the cells before any doubling: the greatest power of two of units that does not exceed kCoarseMetres.
 constexpr double kCoarseMetres = 600;
 int coarse_bits(double unit_metres);
 

@@ -4,7 +4,7 @@
 
 namespace ilot {
 
-// The passes over a store that keep something in it, in the order in which a run calls them.
+// The passes that keep files in a store, in the order in which a run calls them.
 enum class Pass : std::uint8_t {
   index,
   classes,
@@ -25,7 +25,7 @@ enum class Pass : std::uint8_t {
 };
 constexpr int kPasses = 16;
 
-// A column as it is declared: for its files, for the table in engine/store/README.md, and for --resume.
+// The declaration of a column. Its files, the table in engine/store/README.md and --resume use it.
 struct ColumnInfo {
   const char* name;  // of its files: block.name
   const char* type;  // of its values
@@ -34,7 +34,7 @@ struct ColumnInfo {
   const char* meaning;
 };
 
-// A column of the store whose values are of type T. All of them are declared in engine/store/columns.h.
+// A column of the store with values of type T. engine/store/columns.h declares all columns.
 template <class T>
 struct Column {
   ColumnInfo info;

@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint8_t kVersion = 1;  // of the files: another layout of any column is another version
+constexpr std::uint8_t kVersion = 1;  // of the files; another layout of any column needs another version
 constexpr const char* kAdvice = "; delete the store and start again";
 
 [[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
@@ -23,7 +23,7 @@ constexpr const char* kAdvice = "; delete the store and start again";
   throw Error(path.string() + ": " + what + ": " + system_reason(code) + (full ? " (--store DIR), then --resume" : ""));
 }
 
-// FNV-1a of the header but for the check itself. Bytes that are all zero, as disks leave them, do not pass.
+// FNV-1a of the header without the checksum itself. Bytes that are all zero, which disks may leave, do not pass.
 std::uint32_t check_of(const ColumnHeader& h) {
   std::uint32_t hash = 2166136261u;
   const auto add = [&](std::uint64_t value, int bytes) {
@@ -51,7 +51,7 @@ ColumnOutput::ColumnOutput(std::filesystem::path path, ValueType type)
   file_ = ::open(temporary_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
   if (file_ < 0) fail(temporary_, "cannot create");
   try {
-    const ColumnHeader empty;  // the count is known at the end
+    const ColumnHeader empty;  // the count is known only at the end
     write(std::as_bytes(std::span(&empty, 1)));
   } catch (...) {
     ::close(file_);

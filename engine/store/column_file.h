@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Immutable binary files of values of one type: a header of 16 bytes, then the values. They are written beside and
-// renamed when whole: whatever exists under its name is complete, so a killed run resumes by looking at which files are
-// there. After a power cut that is not so: engine/store/flushed.h.
+// Immutable binary files of values of one type: a header of 16 bytes, then the values. A file is written under a
+// temporary name and renamed when it is complete. So every file that exists under its name is complete, and a killed
+// run resumes from the files that exist. After a power cut this is not certain: engine/store/flushed.h.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace ilot {
 
 enum class ValueKind : std::uint8_t { bytes, whole, unsigned_whole, real, record };
 
-// What values of a file are: enough to refuse a file that was written as something else.
+// The type of the values of a file, in enough detail to refuse a file that was written with another type.
 struct ValueType {
   ValueKind kind = ValueKind::bytes;
   std::uint16_t bytes = 1;  // of one value
@@ -39,12 +39,12 @@ struct ColumnHeader {
   std::uint8_t version = 0;
   ValueKind kind = ValueKind::bytes;
   std::uint16_t value_bytes = 0;
-  std::uint32_t check = 0;  // of the other members
+  std::uint32_t check = 0;  // checksum of the other members
   std::uint64_t count = 0;  // values
 };
 static_assert(sizeof(ColumnHeader) == 16);
 
-// Sequential writer; nothing appears under `path` before commit(). Errors name the path and what the system said.
+// Sequential writer; no file appears under `path` before commit(). Errors name the path and the message of the system.
 class ColumnOutput {
  public:
   ColumnOutput(std::filesystem::path path, ValueType type);
@@ -64,8 +64,8 @@ class ColumnOutput {
   int file_ = -1;
 };
 
-// Random-access reader. Opening throws when the file is not one of whole values of this type in this format, reading
-// when it has fewer values than asked for.
+// Random-access reader. Opening throws when the file does not contain complete values of this type in this format.
+// Reading throws when it has fewer values than asked for.
 class ColumnInput {
  public:
   ColumnInput(std::filesystem::path path, ValueType type);
@@ -116,7 +116,7 @@ class ColumnReader {
   ColumnInput file_;
 };
 
-// Files of mixed records: their parts as bytes, one after the other.
+// Files of mixed records: their parts are written as bytes, one after the other.
 using RecordWriter = ColumnWriter<std::byte>;
 using RecordReader = ColumnReader<std::byte>;
 

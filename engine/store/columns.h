@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every column that blocks have, declared once. A column has one value a point, in the order of the points, unless its
-// meaning says what its values are. Whoever reads a column of records includes the header that defines the record.
+// The declarations of all columns of blocks. A column has one value for each point, in the order of the points, unless
+// its meaning says otherwise. Code that reads a column of records includes the header that defines the record.
 #pragma once
 #include <span>
 
@@ -106,13 +106,13 @@ inline constexpr Column<RoofLabel> kRoofRows{
 
 }  // namespace columns
 
-// All of the above, in their order.
+// Returns all of the columns above, in their order.
 std::span<const ColumnInfo* const> all_columns();
 
-// A pass and the folders beside the blocks in which it keeps files of its own.
+// A pass and the folders beside the blocks in which it keeps its own files.
 struct PassInfo {
   const char* name;
-  const char* folders;  // with blanks between; empty = none
+  const char* folders;  // separated by blanks; empty = none
   const char* work;
 };
 const PassInfo& info_of(Pass pass);

@@ -52,7 +52,7 @@ void remove_columns(const fs::path& folder, const std::set<std::string>& names) 
   for (const fs::path& path : found) fs::remove(path);
 }
 
-// Everything of the passes that were not flushed; everything at all where that is the index.
+// Removes all files of the passes that were not flushed. If the index was not flushed, all blocks are removed.
 void remove_unflushed(const fs::path& folder, const std::set<std::string>& flushed) {
   if (flushed.count(info_of(Pass::index).name) == 0)
     for (const char* name : {"index", "rejected", "blocks"}) fs::remove_all(folder / name);

@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps less than a hundredth of one
+constexpr double kSameScale = 1e-12;  // relative; over 2^31 raw steps it is less than a hundredth of a step
 
 }  // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a point lies, in integers. World coordinates are multiples of one unit for all inputs; space is cut into tiles
-// of 2^21 units, fixed for all time, and each tile into an octree by Morton code. A point's key is its tile and its
-// code: that is the global order of points, and it is unchanged by a shift of whole tiles.
+// The place of a point in integers. World coordinates are multiples of one unit for all inputs. Space is divided into
+// fixed tiles of 2^21 units, and each tile into an octree by Morton code. The key of a point is its tile and its code.
+// The keys give the global order of points, which does not change when all points are shifted by whole tiles.
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -27,7 +27,7 @@ struct PointKey {
   friend auto operator<=>(const PointKey&, const PointKey&) = default;
 };
 
-// Inline, as the way back: each point of every input passes here.
+// Inline, like the inverse function, because it is called for each point of every input.
 inline PointKey key_of(Index3 p) {
   constexpr std::int64_t kMask = (std::int64_t{1} << kTileBits) - 1;
   const auto high = [](std::int64_t v) { return static_cast<std::int32_t>(v >> kTileBits); };
@@ -48,7 +48,7 @@ inline Index3 index_of(const PointKey& key) {
 struct Node {
   Tile tile;
   std::int32_t level = 0;
-  std::uint64_t first_code = 0;  // smallest code inside
+  std::uint64_t first_code = 0;  // smallest code inside the node
 
   std::uint64_t last_code() const { return first_code + (std::uint64_t{1} << 3 * (kTileBits - level)) - 1; }
   std::int64_t edge() const { return std::int64_t{1} << (kTileBits - level); }
@@ -65,13 +65,13 @@ struct Node {
   friend bool operator==(const Node&, const Node&) = default;
 };
 
-// Disjoint nodes sort along the global order of their points.
+// The order of disjoint nodes is the global order of their points.
 inline bool before(const Node& a, const Node& b) {
   return a.tile != b.tile ? a.tile < b.tile : a.first_code < b.first_code;
 }
 
-// The lattice that all inputs share. Where `multiple` is above 1 their scales are finer than the unit, but all points
-// (strays aside) are on it.
+// The lattice of all inputs. When `multiple` is above 1, the scales of the inputs are finer than the unit, but all
+// points (except strays) are on the lattice.
 struct InputLattice {
   double unit = 0.001;  // CRS units
   std::int64_t multiple = 1;
@@ -80,16 +80,17 @@ struct InputLattice {
   friend bool operator==(const InputLattice&, const InputLattice&) = default;
 };
 
-// Raw integers of a file to lattice coordinates: exact when the file's scale is a multiple of the unit and its offset
-// lies on the lattice, else the nearest lattice point.
+// Converts raw integers of a file to lattice coordinates. The result is exact when the file's scale is a multiple of
+// the unit and its offset is on the lattice; else it is the nearest lattice point.
 class LatticeMap {
  public:
   LatticeMap(const RecordLayout& layout, double unit);
-  // False when the point is too far out (beyond 2^51 units) to be handled.
+  // False when the point is too far from the origin (beyond 2^51 units).
   bool map(std::int32_t x, std::int32_t y, std::int32_t z, Index3& out) const {
     return axes_[0].map(x, out.x) && axes_[1].map(y, out.y) && axes_[2].map(z, out.z);
   }
-  // Where the point lies from an anchor, in units: without rounding to the lattice, whole numbers for points on it.
+  // Returns the place of the point relative to an anchor, in units, without rounding to the lattice. It is a whole
+  // number for points on the lattice.
   Vec3 offset_from(Index3 anchor, std::int32_t x, std::int32_t y, std::int32_t z) const;
   bool exact() const { return axes_[0].exact && axes_[1].exact && axes_[2].exact; }
 
@@ -98,7 +99,7 @@ class LatticeMap {
   struct Axis {
     double scale, offset, unit;
     std::int64_t factor, shift;
-    std::int64_t divisor;  // of raw + shift, where the scale is a whole part of the unit; else 0
+    std::int64_t divisor;  // of raw + shift, when the unit is a multiple of the scale; else 0
     bool exact;
     bool map(std::int32_t raw, std::int64_t& out) const {
       if (!exact) return round(raw, out);

@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-// First position in [range.first, range.end) whose code is not below `code`.
+// Returns the first position in [range.first, range.end) whose code is not below `code`.
 std::uint64_t lower_bound(const SortedRun& run, const ColumnReader<KeyValue>& points, const RunRange& range,
                           std::uint64_t code) {
   std::uint64_t lo = range.first, hi = range.end;
@@ -29,7 +29,7 @@ std::uint64_t lower_bound(const SortedRun& run, const ColumnReader<KeyValue>& po
   return lo + static_cast<std::uint64_t>(std::lower_bound(page.begin(), page.end(), code, below) - page.begin());
 }
 
-// What is left of a run's points of a tile without the codes of strays.
+// Returns the ranges of a run's points of a tile that remain without the codes of strays.
 std::vector<RunRange> without(std::span<const CodeRange> strays, const SortedRun& run, const RunRange& range) {
   if (strays.empty()) return {range};
   const ColumnReader<KeyValue> points(with_suffix(run.stem, ".points"));
@@ -81,7 +81,7 @@ class Planner {
   std::uint64_t block_points_;
 };
 
-// The points of all ranges, sorted.
+// Returns the points of all ranges, sorted.
 std::span<KeyValue> merge(const PlannedBlock& plan, std::span<const SortedRun> runs, std::span<KeyValue> memory) {
   const std::span<KeyValue> points = memory.first(plan.points);
   std::uint64_t at = 0;
@@ -111,7 +111,7 @@ std::vector<ChunkBox> chunk_boxes(std::span<const KeyValue> points) {
   return boxes;
 }
 
-// Writes a value of each point as a column, through a small buffer.
+// Writes one value for each point as a column, through a small buffer.
 template <class T, class Get>
 void write_values(const std::string& stem, const Column<T>& column, std::span<const KeyValue> points, const Get& get) {
   constexpr std::size_t kBuffer = 1 << 13;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Second half of the index: octree nodes of at most so many points, each merged from the sorted runs.
+// Second half of the index: makes octree nodes with a bounded number of points, each merged from the sorted runs.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -19,19 +19,19 @@ struct RunRange {
 struct PlannedBlock {
   Node node;
   std::uint64_t points = 0;
-  std::vector<RunRange> ranges;  // ascending by run and place in it
+  std::vector<RunRange> ranges;  // ascending by run and then by place in the run
 };
 
-// Leaves of the octrees of all tiles, each with at most `block_points` points (more only when that many coincide in one
-// lattice point), in global order. Counts are exact. Strays are left out; the blocks are those of the other points.
-// Reads a page of codes per run and split.
+// Returns the leaves of the octrees of all tiles in global order. Each leaf has at most `block_points` points (more
+// only when that many coincide in one lattice point). Counts are exact. Strays are left out; the blocks are those of
+// the other points. Reads a page of codes for each run and split.
 std::vector<PlannedBlock> plan_blocks(std::span<const SortedRun> runs, std::uint64_t block_points,
                                       const Strays& strays = {});
 
 enum class ClassColumns : std::uint8_t { none, written };
 
-// Merges the ranges and writes the columns "codes", "order" and "chunks", on request "class" and "echoes". 64 bytes of
-// memory a point.
+// Merges the ranges and writes the columns "codes", "order" and "chunks" and, on request, "class" and "echoes". 64
+// bytes of memory a point.
 Block build_block(const PlannedBlock& plan, std::span<const SortedRun> runs, ClassColumns classes,
                   const std::filesystem::path& folder);
 

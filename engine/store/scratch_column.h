@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values that one task writes and reads again while it works: in memory as long as they are few, then in a file without
-// a name, which is gone when the task ends or is killed.
+// Values that one task writes and reads again while it works. They are in memory while they are few, then in a file
+// without a name, which disappears when the task ends or is killed.
 #pragma once
 #include <algorithm>
 #include <cassert>
@@ -16,8 +16,8 @@
 
 namespace ilot {
 
-// At most `most_in_memory` values are in memory; without a folder all of them are. add() and finish() first, then
-// read() and write() as often as wanted.
+// At most `most_in_memory` values are in memory; without a folder all of them are. First call add() and finish(), then
+// read() and write() in any number.
 template <class T>
 class ScratchColumn {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -30,7 +30,7 @@ class ScratchColumn {
     values_.push_back(value);
     if (values_.size() >= (file_.is_open() ? kTail : most_) && !folder_.empty()) spill();
   }
-  // So many values without a meaning yet, of an empty column.
+  // Gives an empty column this number of values, which are undefined at first.
   void resize(std::uint64_t count) {
     if (!folder_.empty() && count > most_)
       file_ = ScratchFile(folder_);
@@ -45,7 +45,7 @@ class ScratchColumn {
   }
 
   std::uint64_t size() const { return size_ + values_.size(); }
-  // All values where they are in memory.
+  // Returns all values when they are in memory, else nullptr.
   const T* in_memory() const { return file_.is_open() ? nullptr : values_.data(); }
   void read(std::uint64_t first, std::span<T> out) const {
     assert(first + out.size() <= size());

@@ -9,12 +9,13 @@
 
 namespace ilot {
 
-// Such a file begins with this for the moment in which it has a name. A process that is killed just then leaves it.
+// The name of such a file begins with this while it has a name for a moment. A process that is killed in this moment
+// leaves the file.
 constexpr const char* kScratchFile = "scratch-";
 
-// A file for what does not fit into memory and is not needed after the run. It has no name, so that it is gone with the
-// process, however that ends. Any number of threads may read, write and append at once. Errors name the folder and what
-// the system said.
+// A file for data that does not fit into memory and is not needed after the run. It has no name, so it disappears when
+// the process ends in any way. Any number of threads may read, write and append at once. Errors name the folder and the
+// message of the system.
 class ScratchFile {
  public:
   ScratchFile() = default;
@@ -28,13 +29,14 @@ class ScratchFile {
   void write(std::uint64_t offset, std::span<const std::byte> bytes);
   void read(std::uint64_t offset, std::span<std::byte> bytes) const;
 
-  // Where the bytes begin in the file: each call has a place of its own. Not beside write().
+  // Returns where the bytes begin in the file; each call gets its own place. It must not be called at the same time as
+  // write().
   std::uint64_t append(std::span<const std::byte> bytes);
 
  private:
   std::filesystem::path folder_;
   int file_ = -1;
-  std::atomic<std::uint64_t> end_{0};  // of what was appended
+  std::atomic<std::uint64_t> end_{0};  // end of the appended bytes
 };
 
 }  // namespace ilot

@@ -10,13 +10,13 @@
 
 namespace ilot {
 
-// A column of all blocks whose values ascend by a key within each block, read stretch by stretch of the key: what all
-// blocks have of a few keys is together, and no more than that is in memory. Key: a function of a value, of what
-// T says. 16 bytes a block.
+// Reads a column of all blocks whose values ascend by a key within each block. Values are read in stretches of the key:
+// the values of all blocks for a few keys are together in memory, and no more than that. Key is a function that returns
+// the key of a T. 16 bytes a block.
 template <class T, class Key>
 class SortedColumns {
  public:
-  // `store` must live as long.
+  // `store` must outlive it.
   SortedColumns(const Store& store, const Column<T>& column, Key key)
       : store_(store), column_(column), key_(key), sources_(store.blocks().size()) {
     for (std::uint32_t b = 0; b < sources_.size(); ++b) {
@@ -25,7 +25,8 @@ class SortedColumns {
     }
   }
 
-  // The values with keys below `end` that no earlier call gave: those of a block together, blocks in their order.
+  // Returns the values with keys below `end` that no earlier call returned. The values of a block are together, blocks
+  // are in their order.
   std::vector<T> until(std::uint64_t end) {
     std::vector<T> values;
     for (std::uint32_t b = 0; b < sources_.size(); ++b)
@@ -33,7 +34,7 @@ class SortedColumns {
     return values;
   }
 
-  // The smallest key that is left; kEnd: none.
+  // Returns the smallest remaining key; kEnd: none.
   std::uint64_t next() const {
     std::uint64_t least = kEnd;
     for (const Source& s : sources_) least = std::min(least, s.next);
@@ -43,7 +44,7 @@ class SortedColumns {
 
  private:
   struct Source {
-    std::uint64_t at = 0, next = kEnd;  // the first value that is left, and its key
+    std::uint64_t at = 0, next = kEnd;  // the first remaining value and its key
   };
 
   void take(std::uint32_t block, std::uint64_t end, std::vector<T>& values) {

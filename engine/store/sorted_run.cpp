@@ -15,8 +15,8 @@
 namespace ilot {
 namespace {
 
-// Points of one run gathered by tile: code and value. Neighbours in a file mostly share a tile, so the last one
-// is remembered.
+// Collects the points of one run by tile: code and value. Neighbours in a file are mostly in the same tile, so the last
+// tile is remembered.
 class Gatherer {
  public:
   explicit Gatherer(std::uint64_t points) : points_(points) {}
@@ -26,7 +26,7 @@ class Gatherer {
       last_ = &tiles_[key.tile];
       refuse_many_tiles(tiles_.size());
       last_tile_ = key.tile;
-      if (tiles_.size() == 1) last_->reserve(points_);  // mostly the only one
+      if (tiles_.size() == 1) last_->reserve(points_);  // mostly the only tile
     }
     last_->push_back({key.code, value});
   }
@@ -39,7 +39,7 @@ class Gatherer {
   Tile last_tile_;
 };
 
-// Sorts tile by tile and frees each as soon as it is written.
+// Sorts tile by tile and frees each tile as soon as it is written.
 void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run, std::optional<CoarseCells>& cells) {
   ColumnWriter<KeyValue> file(with_suffix(run.stem, ".points"));
   std::uint64_t written = 0;
@@ -57,7 +57,7 @@ void write_points(std::map<Tile, std::vector<KeyValue>>& tiles, SortedRun& run, 
   file.commit();
 }
 
-// Which points are beside a lattice that is coarser than the scale of their file.
+// Finds the points that are not on a lattice that is coarser than the scale of their file.
 class OffLattice {
  public:
   OffLattice(const RecordLayout& layout, const InputLattice& lattice)

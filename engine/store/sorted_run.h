@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// First half of the index: each stretch of the inputs becomes a file of points sorted by key. Which stretch a point
-// fell into never shows: blocks merge what all runs hold of an octree node.
+// First half of the index: each stretch of the inputs becomes a file of points sorted by key. No result shows in which
+// stretch a point was, because blocks merge the points of an octree node from all runs.
 #pragma once
 #include <array>
 #include <bitset>
@@ -18,7 +18,7 @@
 
 namespace ilot {
 
-// Why a point did not enter the store.
+// The reasons for which a point is not in the store.
 enum class Rejection { invalid, withheld, noise, outside, stray };
 constexpr std::size_t kRejections = 5;
 constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordinates", "withheld", "noise class",
@@ -26,9 +26,9 @@ constexpr std::array<const char*, kRejections> kRejectionNames{"invalid coordina
                                                                "stand alone, far from all other points"};
 
 struct IndexFilter {
-  std::bitset<256> noise;          // classes that are left out
-  std::optional<IndexBox> keep;    // lattice box beyond which points are left out
-  std::optional<int> coarse_bits;  // of the cells that strays are found by; none: strays are kept
+  std::bitset<256> noise;          // classes to leave out
+  std::optional<IndexBox> keep;    // lattice box; points outside are left out
+  std::optional<int> coarse_bits;  // of the cells from which strays are found; none: strays are kept
 };
 
 // The points of one tile in a run: positions [first, end) of the run's columns.
@@ -39,26 +39,26 @@ struct RunTile {
 
 constexpr std::uint64_t kRunSample = 1024;  // every 1,024th code of the run is kept in memory
 
-// Each tile needs a block, that is about 15 files, however few points it contains. So points spread over more tiles
-// than this are refused: at a millimetre 36,000 km2, at 0.01 mm 3.6 km2. With the nodes of more than block_points
-// points, each split into at most 8, a store has at most kMostTiles + 147 points / block_points blocks: a split adds 7,
-// and on each of the 21 levels at most points / block_points nodes are split. Points strewn as in a city need about 3
+// Each tile needs a block, which is about 15 files, however few points it contains. So points in more tiles than this
+// are refused: 36,000 km2 at a millimetre, 3.6 km2 at 0.01 mm. With the nodes of more than block_points points, each
+// split into at most 8, a store has at most kMostTiles + 147 points / block_points blocks: a split adds 7, and on each
+// of the 21 levels at most points / block_points nodes are split. Points that are distributed as in a city need about 3
 // points / block_points.
 constexpr std::size_t kMostTiles = 1 << 13;
 void refuse_many_tiles(std::size_t tiles);
 
-constexpr std::size_t kMostOffLattice = 1000;  // places that are kept of points beside the lattice
+constexpr std::size_t kMostOffLattice = 1000;  // greatest number of places beside the lattice that are kept
 
 struct SortedRun {
-  std::filesystem::path stem;  // stem.points: KeyValue of code and RunValue; stem.table is written last
+  std::filesystem::path stem;  // stem.points has KeyValue of code and RunValue; stem.table is written last
   std::array<std::uint64_t, kRejections> rejected{};
   std::vector<RunTile> tiles;          // ascending
   std::vector<std::uint64_t> samples;  // code at position i * kRunSample
-  std::vector<Index3> off_lattice;     // in the inputs' finest steps: places that are no multiple, each once
+  std::vector<Index3> off_lattice;     // in the finest steps of the inputs: places that are not a multiple, each once
 };
 
-// What a run keeps of a point beside its code, so that sorting carries it along: the input order in the upper 54 bits,
-// then 8 bits of class and 2 of echoes.
+// The data of a point that a run keeps beside its code, so that sorting moves it too: the input order in the upper 54
+// bits, then 8 bits of class and 2 of echoes.
 using RunValue = std::uint64_t;
 constexpr int kRunRowBits = 34;
 constexpr std::uint64_t kMostRowsOfInput = std::uint64_t{1} << kRunRowBits;
@@ -81,18 +81,18 @@ struct RunSource {
   std::uint64_t first = 0, count = 0;  // rows
 };
 
-// Reads rows and writes stem.*; 64 bytes of memory a row. `read_rows` is told how many rows were read. Points outside
-// the area are among the coarse cells: whether a point stands alone does not depend on the area.
+// Reads rows and writes stem.*; 64 bytes of memory a row. `read_rows` is called with the number of rows that were read.
+// The coarse cells include points outside the area, because whether a point is a stray does not depend on the area.
 SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, const IndexFilter& filter,
                           const std::filesystem::path& stem, const std::function<void(std::uint64_t)>& read_rows);
 
-// The table of a run that an earlier start finished; nullopt when there is none.
+// Returns the table of a run that an earlier start finished; nullopt when there is none.
 std::optional<SortedRun> find_sorted_run(const std::filesystem::path& stem);
 
-// Where the points of a run are that was made with coarse_bits.
+// Returns the coarse cells with the points of a run that was made with coarse_bits.
 CoarseCells coarse_cells_of(const SortedRun& run);
 
-// stem.points and its siblings.
+// Returns stem.points and the related files.
 inline std::filesystem::path with_suffix(std::filesystem::path stem, const char* suffix) {
   return stem += suffix;
 }

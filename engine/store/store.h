@@ -13,16 +13,15 @@
 
 namespace ilot {
 
-// A leaf of the partition: the points of one octree node, sorted by code, ties by input order.
+// A leaf of the partition: the points of one octree node, sorted by code; ties are in input order.
 struct Block {
   Node node;
   std::uint32_t points = 0;
   IndexBox box;  // of its points, tight
 };
 
-// Blocks on disk: one immutable file per block and column. Which points fall into which block is never visible in a
-// result; the global order of points (tile, code) is.
-// Columns: engine/store/columns.h.
+// Blocks on disk: one immutable file for each block and column. No result shows which points are in which block; the
+// global order of points (tile, code) is the same for any blocks. Columns: engine/store/columns.h.
 class Store {
  public:
   Store(std::filesystem::path folder, double unit, std::vector<Block> blocks);
@@ -32,7 +31,7 @@ class Store {
   const std::vector<Block>& blocks() const { return blocks_; }
   std::uint64_t points() const { return points_; }
 
-  // Blocks whose points may lie in the box, in global order. O(answer * log blocks).
+  // Returns the blocks whose points may be in the box, in global order. O(answer * log blocks).
   std::vector<std::uint32_t> blocks_in(const IndexBox& box) const;
 
   template <class T>
@@ -62,7 +61,7 @@ class Store {
     open(block, column).read(first, values);
     return values;
   }
-  // All values: of the block's points, or as many as were written.
+  // Returns all values: those of the block's points, or as many as were written.
   template <class T>
   std::vector<T> read(std::uint32_t block, const Column<T>& column) const {
     return read_column<T>(path(block, column));
@@ -91,7 +90,7 @@ struct ChunkBox {
   std::uint32_t max[3];
 };
 
-// Where a point stood in the inputs: file in the upper 20 bits, row in the lower 44.
+// The place of a point in the inputs: file in the upper 20 bits, row in the lower 44.
 using InputOrder = std::uint64_t;
 constexpr int kRowBits = 44;
 constexpr InputOrder input_order(std::uint64_t file, std::uint64_t row) {

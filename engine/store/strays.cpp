@@ -8,9 +8,9 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kRestOverStrays = 10;  // strays are at most a tenth of what they are far from
+constexpr std::uint64_t kRestOverStrays = 10;  // strays are at most a tenth of the points from which they are far
 
-// An occupied cell and the box that stands for its points.
+// An occupied cell and the box that represents its points.
 struct Occupied {
   CoarseCell cell;
   IndexBox box;
@@ -39,7 +39,7 @@ std::vector<Occupied> occupied(const CoarseCells& cells) {
 // Calls visit(j) for each cell that a gap of one edge may join to cell i.
 template <class Visit>
 void for_each_near(const std::vector<Occupied>& all, std::size_t i, std::int64_t edge, const Visit& visit) {
-  constexpr std::int64_t kReach = 2;  // a gap of one edge spans at most one cell between
+  constexpr std::int64_t kReach = 2;  // a gap of one edge contains at most one cell
   const CoarseCell c = all[i].cell;
   const auto before = [](const Occupied& o, const CoarseCell& cell) { return o.cell < cell; };
   for (std::int64_t x = c.x - kReach; x <= c.x + kReach; ++x) {
@@ -51,9 +51,9 @@ void for_each_near(const std::vector<Occupied>& all, std::size_t i, std::int64_t
   }
 }
 
-// Groups of the cells with few places; those near a cell of many are no candidates.
+// Groups of the cells with few places; groups near a cell of many places are not candidates.
 struct Groups {
-  std::vector<std::uint32_t> of_cell;  // the first cell of its group
+  std::vector<std::uint32_t> of_cell;  // index of the first cell of its group
   std::vector<std::uint64_t> places;   // by first cell
   std::vector<bool> near_many;         // by first cell
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points that stand alone: few, and far from everything else. Rays without an echo that were written as 0 0 0, birds,
-// echoes over many mirrors, a row of another grid. One of them must not decide what is measured of all others.
+// Strays: a few points that are far from all others. Examples are rays without an echo that were written as 0 0 0,
+// birds, echoes over many mirrors, a row of another grid. A stray must not influence what is measured of all other
+// points.
 #pragma once
 #include <cstdint>
 #include <map>
@@ -11,7 +12,7 @@
 
 namespace ilot {
 
-// Morton codes of one tile, both ends included.
+// A range of Morton codes of one tile, both ends included.
 struct CodeRange {
   std::uint64_t first = 0, last = 0;
 };
@@ -28,15 +29,15 @@ class Strays {
  private:
   int bits_ = 0;
   std::vector<CoarseCell> cells_;
-  std::map<Tile, std::vector<CodeRange>> ranges_;  // where a tile contains the cells, not they it
+  std::map<Tile, std::vector<CodeRange>> ranges_;  // when a tile contains the cells; else they contain it
 };
 
-// Cells whose points stand alone. Two cells belong together when the gap between them is at most the edge of a cell on
-// each axis: between the boxes of their points where these are few, else the cell itself counts. A group of cells is
-// stray when its points are at fewer than kFewPlaces different places (any number of points at one place count once)
-// and are at most a tenth of the rest: of the points in cells of many places or, where there is none, of the places of
-// the largest group. So a cloud of which all is sparse loses nothing, nor does one of two real parts, however far
-// apart. O(cells log cells).
+// Finds the cells whose points are strays. Two cells belong together when the gap between them is at most the edge of a
+// cell on each axis. The gap is between the boxes of their points when these are few, else between the cells. A group
+// of cells is stray when its points are at fewer than kFewPlaces different places (any number of points at one place
+// count once) and these are at most a tenth of the rest. The rest is the points in cells of many places or, when there
+// is none, the places of the largest group. So a cloud that is sparse everywhere loses nothing, and neither does a
+// cloud of two real parts at any distance. O(cells log cells).
 Strays find_strays(const CoarseCells& cells);
 
 }  // namespace ilot

@@ -16,23 +16,23 @@ struct Slice {
   std::uint32_t at = 0;                // in the view
 };
 
-// Points of the store around a place, in global order, as offsets from an anchor. Holds every point of the box asked
-// for, and others beside it: whole chunks are read.
+// Points of the store around a place, in global order, as offsets from an anchor. It contains every point of the
+// requested box and also others, because whole chunks are read.
 struct View : PaddedPoints {
   Index3 anchor;
   std::vector<Slice> slices;
 
-  // Where a point lies on the lattice.
+  // Returns the place of a point on the lattice.
   Index3 position(std::uint32_t i) const {
     return {static_cast<std::int64_t>(x[i]) + anchor.x, static_cast<std::int64_t>(y[i]) + anchor.y,
             static_cast<std::int64_t>(z[i]) + anchor.z};
   }
 };
 
-// Slices that cover the box and how many points they hold, without reading the points.
+// Returns the slices that cover the box and their number of points, without reading the points.
 View plan_view(const Store& store, const IndexBox& box, Index3 anchor);
 
-// Only the chunks whose boxes are wanted: for what does not go along the axes.
+// Takes only the chunks whose boxes are wanted, for shapes that are not parallel to the axes.
 View plan_view(const Store& store, const IndexBox& box, Index3 anchor,
                const std::function<bool(const IndexBox&)>& wanted);
 
@@ -45,7 +45,7 @@ inline View load_view(const Store& store, const IndexBox& box, Index3 anchor) {
   return view;
 }
 
-// Another column of the same points, in the order of the view.
+// Reads another column of the same points, in the order of the view.
 template <class T>
 std::vector<T> load_column(const Store& store, const View& view, const Column<T>& column) {
   std::vector<T> values(view.size);
@@ -54,7 +54,7 @@ std::vector<T> load_column(const Store& store, const View& view, const Column<T>
   return values;
 }
 
-// Positions in the view of the points of one block that it holds: [begin, end).
+// The positions in the view of the points of one block: [begin, end).
 struct PointRange {
   std::uint32_t begin = 0, end = 0;
 };

@@ -64,7 +64,7 @@ void Thinning::put(const Slot& point) {
   }
 }
 
-// Eight cubes become one.
+// Merges eight cubes into one.
 void Thinning::coarsen() {
   std::vector<Slot> points;
   points.reserve(used_);

@@ -15,19 +15,19 @@ struct KeptPoint {
 };
 
 // Takes the points of a unit one by one and keeps at most `most` of them: one in each cube of a lattice that starts at
-// the unit's corner. The cubes' edge is the smallest power of two (lattice units) with which no more than `most` cubes
-// are occupied; of the points of a cube that with the smallest hash of its position from the corner is kept, of points
-// that coincide the first. So dense places lose points and sparse places keep them, those that stay are as they were
-// measured, and the answer is a property of the set of points: not of their order, of blocks or of memory.
-// 80 bytes times `most` of memory, half as much again while cubes are merged.
+// the corner of the unit. The edge of the cubes is the smallest power of two (lattice units) with which at most `most`
+// cubes are occupied. In each cube the point with the smallest hash of its position from the corner is kept; of
+// coinciding points, the first. So dense places lose points and sparse places keep them, and the kept points are as
+// they were measured. The result depends only on the set of points, not on their order, on blocks or on memory. It
+// needs 80 bytes times `most` of memory, and half as much again while cubes are merged.
 class Thinning {
  public:
-  // The corner: no coordinate of a point may be smaller. most >= 1.
+  // No coordinate of a point may be smaller than that of the corner. most >= 1.
   Thinning(Index3 corner, std::size_t most);
 
   void add(Index3 position, StorePlace place);
 
-  // What was kept so far, by place; leaves the thinning empty.
+  // Returns the points that were kept so far, by place, and leaves the thinning empty.
   std::vector<KeptPoint> take();
 
   std::int64_t edge() const { return std::int64_t{1} << level_; }  // of a cube, lattice units

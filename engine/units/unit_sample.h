@@ -12,15 +12,15 @@
 
 namespace ilot {
 
-// Points that a method can have in memory at once: all of a unit, or as Thinning keeps them.
+// Points that a method can have in memory at once: all points of a unit, or those that Thinning keeps.
 struct UnitSample {
   std::vector<KeptPoint> points;  // by place
   std::uint64_t total = 0;        // points of the unit
-  Index3 corner;                  // smallest coordinates of all of them; of a unit without points far beyond all
+  Index3 corner;  // smallest coordinates of all of them; for a unit without points, far beyond all places
   bool thinned() const { return points.size() < total; }
 };
 
-// Collects the points of a unit as long as they are no more than `most`, counts them and finds their lowest corner.
+// Collects the points of a unit while they are no more than `most`, counts them and finds their lowest corner.
 class UnitCollector {
  public:
   explicit UnitCollector(std::size_t most) : most_(most) {}
@@ -43,8 +43,8 @@ class UnitCollector {
   Index3 corner_{kFar, kFar, kFar};
 };
 
-// The points of the box that are the unit's; takes(stretch) gives a function that says so of a StretchPoint of that
-// stretch. One reading, two where the unit has more than `most` points.
+// Reads the points of the box that belong to the unit. takes(stretch) gives a function that decides this for a
+// StretchPoint of that stretch. One reading, two when the unit has more than `most` points.
 template <class Takes>
 UnitSample sample_unit(const Store& store, const IndexBox& box, std::size_t most, const Takes& takes) {
   const auto for_each = [&](const auto& visit) {

@@ -10,13 +10,13 @@
 
 namespace ilot {
 
-// Where a point is in the store. Places ascend in global order.
+// The place of a point in the store. Places ascend in global order.
 struct StorePlace {
   std::uint32_t block = 0, point = 0;
   friend auto operator<=>(const StorePlace&, const StorePlace&) = default;
 };
 
-// A point of a stretch: its number there, and where it is on the lattice.
+// A point of a stretch: its index in the stretch and its place on the lattice.
 struct StretchPoint {
   std::uint32_t number = 0;
   Index3 position;
@@ -26,8 +26,8 @@ inline StorePlace place_of(const Stretch& s, const StretchPoint& p) {
   return {s.block, s.first + p.number};
 }
 
-// Calls visit(stretch, points) for the store's points in the (closed) box in global order, some thousands at a time;
-// `points` are those of the stretch that are in the box, never none. Less than 1 MiB of memory.
+// Calls visit(stretch, points) for the points of the store in the (closed) box in global order, some thousands at a
+// time. `points` are the points of the stretch in the box; there is at least one. Less than 1 MiB of memory.
 template <class Visit>
 void for_each_stretch_in(const Store& store, const IndexBox& box, const Visit& visit) {
   std::vector<StretchPoint> inside;

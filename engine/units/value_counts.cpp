@@ -21,7 +21,7 @@ void ValueCounts::add(double value) {
 }
 
 double ValueCounts::nth(std::uint64_t n) {
-  if (counted_.empty()) return nth_smallest(waiting_, n);  // few values: no need to count them
+  if (counted_.empty()) return nth_smallest(waiting_, n);  // few values need not be counted
   count_waiting();
   for (const auto& [value, times] : counted_) {
     if (n < times) return value;
@@ -44,7 +44,7 @@ void ValueCounts::count_waiting() {
   merge_equal();
   while (counted_.size() > kMostDifferent) {
     step_ = step_ == 0 ? kFirstStep : 2 * step_;
-    for (Counted& c : counted_) c.first = rounded(c.first);  // keeps the order
+    for (Counted& c : counted_) c.first = rounded(c.first);  // this does not change the order
     merge_equal();
   }
 }

@@ -6,15 +6,15 @@
 
 namespace ilot {
 
-// Quantiles of any number of values (heights in metres) in at most 4 MiB. Exact while no more than 65,536 of them are
-// different; beyond that values are rounded down to multiples of 1/1024, or of the smallest power of two times that
-// which leaves no more different ones. A property of the set of values: their order does not matter.
+// Quantiles of any number of values (heights in metres) in at most 4 MiB. They are exact while no more than 65,536
+// values are different. Beyond that, values are rounded down to multiples of 1/1024, or of the smallest power of two
+// times 1/1024 that leaves no more different values. The result depends only on the set of values, not on their order.
 class ValueCounts {
  public:
   void add(double value);
   std::uint64_t count() const { return count_; }
 
-  // The value with so many smaller ones before it in ascending order. n < count().
+  // Returns the value that has n smaller ones before it in ascending order. n < count().
   double nth(std::uint64_t n);
 
  private:

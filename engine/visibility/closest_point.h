@@ -13,15 +13,16 @@ namespace ilot {
 constexpr std::uint32_t kNoTriangle = 0xffffffffu;
 
 struct SurfacePoint {
-  std::uint32_t triangle = kNoTriangle;  // in the list that was given
+  std::uint32_t triangle = kNoTriangle;  // index in the given list
   Vec3 point;
   double squared_distance = std::numeric_limits<double>::infinity();
 };
 
-// Answers which point of a set of triangles lies nearest. Embree only culls, with boxes and radii grown beyond the
-// rounding of its floats; distances are compared in doubles relative to an anchor in the triangles' midst, ties go to
-// the smaller triangle, so the answer does not depend on the instruction set that Embree chose. Several threads may ask
-// at once. Any finite coordinates. O(n log n) to build, about O(log n) a question.
+// Finds the point of a set of triangles that is nearest to a place. Embree only excludes triangles, with boxes and
+// radii that are larger than the rounding of its floats. Distances are compared in doubles relative to an anchor in the
+// middle of the triangles; ties go to the smaller triangle. So the result does not depend on the instruction set that
+// Embree chose. Several threads may ask at once. Any finite coordinates are allowed. O(n log n) to build, about O(log
+// n) a question.
 class ClosestPoint {
  public:
   explicit ClosestPoint(std::vector<Triangle3> triangles);
@@ -29,7 +30,7 @@ class ClosestPoint {
   ClosestPoint(ClosestPoint&&) noexcept;
   ClosestPoint& operator=(ClosestPoint&&) noexcept;
 
-  // kNoTriangle when nothing lies within `reach` (closed).
+  // Returns kNoTriangle when no triangle is within `reach` (closed).
   SurfacePoint nearest(Vec3 p, double reach = std::numeric_limits<double>::infinity()) const;
 
  private:

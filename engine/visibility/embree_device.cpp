@@ -8,7 +8,8 @@
 namespace ilot {
 
 RTCDevice embree_device() {
-  // Scenes are small and built while nothing else runs. With more threads each takes memory of its own, 5 MB and more.
+  // Scenes are small and built while nothing else runs. With more threads each thread takes 5 MB or more of its own
+  // memory.
   static const RTCDevice shared = rtcNewDevice("threads=1");
   if (!shared) throw Error("Embree cannot start on this machine; reinstall libembree3");
   return shared;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the users of Embree share. Included by sources of this folder alone.
+// Shared by the users of Embree. Only sources of this folder include it.
 #pragma once
 #include <embree3/rtcore.h>
 
@@ -9,14 +9,14 @@
 
 namespace ilot {
 
-// Share of the extent by which boxes and radii grow: some eight times the rounding of a float. Embree only culls; what
-// it may not lose is decided in doubles.
+// Share of the extent by which boxes and radii are enlarged: about eight times the rounding of a float. Embree only
+// excludes candidates; everything that it must not lose is decided in doubles.
 constexpr double kEmbreeSlack = 0x1p-20;
 
-// One device serves the whole process, as Embree advises; it lives until the end. Throws Error.
+// Returns the one device of the process, as Embree advises; it exists until the process ends. Throws Error.
 RTCDevice embree_device();
 
-// A box from low to high, grown by the slack; what rounding to floats takes is less.
+// Returns a box from low to high, enlarged by the slack; the rounding to floats is smaller than that.
 inline RTCBounds embree_bounds(Vec3 low, Vec3 high, double slack) {
   RTCBounds out{};
   out.lower_x = static_cast<float>(low.x - slack);
@@ -28,7 +28,7 @@ inline RTCBounds embree_bounds(Vec3 low, Vec3 high, double slack) {
   return out;
 }
 
-// A committed scene of primitives that are its user's own; they stay with the caller, at `user`.
+// A committed scene of user-defined primitives; they stay with the caller, at `user`.
 struct EmbreeCallbacks {
   RTCBoundsFunction bounds = nullptr;
   RTCPointQueryFunction point_query = nullptr;

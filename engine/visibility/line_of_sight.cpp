@@ -27,7 +27,7 @@ struct FlatFace {
 
   FlatPoint flat(Vec3 p) const { return {dot(p - origin, u), dot(p - origin, v)}; }
 
-  // Closed: ends of the line that lie in the plane count.
+  // The test is closed: an end of the line that is in the plane counts.
   bool meets(Vec3 from, Vec3 to) const {
     const double before = dot(from - origin, normal), after = dot(to - origin, normal);
     if (before == after || (before < 0 && after < 0) || (before > 0 && after > 0)) return false;
@@ -61,7 +61,7 @@ bool make_flat(const SectionFace& given, Vec3 anchor, FlatFace& face) {
   return true;
 }
 
-// The part of a line that lies in a box, which may be none.
+// Clips a line to a box; the result may be empty.
 bool clip(const Box3<Vec3>& box, Vec3& from, Vec3& to) {
   const Vec3 start = from, way = to - from;
   double first = 0, last = 1;
@@ -79,7 +79,7 @@ bool clip(const Box3<Vec3>& box, Vec3& from, Vec3& to) {
   return true;
 }
 
-// What Embree hands through to occluded().
+// The data that Embree passes to occluded().
 struct SightQuery {
   RTCIntersectContext context;
   Vec3 from, to;
@@ -90,7 +90,7 @@ struct SightQuery {
 struct LineOfSight::State {
   std::vector<FlatFace> faces;  // relative to the anchor
   Vec3 anchor;
-  Box3<Vec3> box = Box3<Vec3>::none();  // of all, grown
+  Box3<Vec3> box = Box3<Vec3>::none();  // of all faces, enlarged
   double slack = 0;
   RTCScene scene = nullptr;
 

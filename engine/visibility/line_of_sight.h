@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether one place is seen from another.
+// Tells whether one place is visible from another.
 #pragma once
 #include <functional>
 #include <memory>
@@ -9,23 +9,24 @@
 
 namespace ilot {
 
-// Answers whether one of a set of flat faces stands between two places. Embree only culls, with boxes grown beyond the
-// rounding of its floats; hits are decided in doubles relative to an anchor in the faces' midst, so the answer does not
-// depend on the instruction set that Embree chose. A face blocks inside of its rings (even-odd rule), whatever way it
-// turns; corners off its plane are taken square onto it, faces without area block nothing. Several threads may ask at
-// once. Any finite coordinates. O(n log n) in corners to build; about O(log faces) a question, and of a face that is
-// met the edges near the height of the hit. Some 30 bytes a corner and 300 a face.
+// Tells whether one of a set of flat faces is between two places. Embree only excludes faces, with boxes that are
+// larger than the rounding of its floats. Hits are decided in doubles relative to an anchor in the middle of the faces.
+// So the result does not depend on the instruction set that Embree chose. A face blocks inside its rings (even-odd
+// rule) in both orientations. Corners that are not on its plane are projected onto it perpendicularly; faces without
+// area block nothing. Several threads may ask at once. Any finite coordinates are allowed. O(n log n) in corners to
+// build. A question takes about O(log faces), and for a face that is hit the edges near the height of the hit. About 30
+// bytes a corner and 300 a face.
 class LineOfSight {
  public:
   explicit LineOfSight(const std::vector<SectionFace>& faces);
-  // Calls what it is given for each face, the same each time.
+  // Calls its argument for each face, with the same faces each time.
   using Faces = std::function<void(const std::function<void(const SectionFace&)>&)>;
   static LineOfSight past(const Faces& faces);
   ~LineOfSight();
   LineOfSight(LineOfSight&&) noexcept;
   LineOfSight& operator=(LineOfSight&&) noexcept;
 
-  // False where a face meets the straight line between them, ends included.
+  // False when a face meets the straight line between the places, ends included.
   bool clear(Vec3 from, Vec3 to) const;
 
  private:

@@ -11,9 +11,9 @@
 namespace ilot {
 namespace {
 
-// Light from the north-west, half-way up.
+// The light comes from the north-west, at an elevation of 45 degrees.
 constexpr Vec3 kLight{-0.5, 0.5, 0.7071067811865476};
-// Seen from the south-west: rightwards, away, and 30 degrees up.
+// The view is from the south-west: to the right, away, and 30 degrees up.
 constexpr double kDiagonal = 0.7071067811865476, kSineUp = 0.5, kCosineUp = 0.8660254037844386;
 
 Vec3 normal_of(const Building& b, const BuildingSurface& s) {
@@ -28,7 +28,7 @@ Vec3 normal_of(const Building& b, const BuildingSurface& s) {
   return length > 0 ? (1 / length) * n : n;
 }
 
-// Warm for roofs, grey for walls; dark where the light does not fall.
+// Roofs have warm colours, walls are grey; faces away from the light are dark.
 std::string colour_of(SurfaceKind kind, Vec3 normal) {
   const double light = std::clamp(0.55 + 0.45 * dot(normal, kLight), 0.0, 1.0);
   return kind == SurfaceKind::roof ? fmt::format("hsl(22,38%,{:.0f}%)", 30 + 48 * light)
@@ -59,7 +59,7 @@ struct View {
     const Flat f = turned(p - from);
     return {(f.x - left) * scale, (f.y - top) * scale};
   }
-  // How far away, for what lies behind what.
+  // The distance from the eye, for the order in which faces are painted.
   static double depth(Vec3 p) { return kCosineUp * kDiagonal * (p.x + p.y) - kSineUp * p.z; }
 };
 

@@ -8,12 +8,14 @@
 
 namespace ilot {
 
-// Paths of the roof faces seen from above, shaded by where they look, <path> elements alone: x to the east from
-// origin.x, y to the south from origin.y, units of the CRS. A flat outline becomes one path. O(corners).
+// Returns <path> elements only: the roof faces seen from above, shaded by the direction that they face. x runs to the
+// east from origin.x, y to the south from origin.y, both in units of the CRS. A flat outline becomes one path.
+// O(corners).
 std::string plan_paths(const Building& building, Vec3 origin);
 
-// The solid from the south-west, 30 degrees above the horizon, over points of its cloud (coordinates of the CRS): an
-// <svg> element of that size in pixels. Faces are painted from back to front. O(corners + points).
+// Returns an <svg> element of the given size in pixels. It shows the solid from the south-west, 30 degrees above the
+// horizon, over points of its cloud (coordinates of the CRS). Faces are painted from back to front. O(corners +
+// points).
 std::string oblique_drawing(const Building& building, std::span<const Vec3> points, int width, int height);
 
 }  // namespace ilot

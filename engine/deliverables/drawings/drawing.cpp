@@ -21,7 +21,7 @@ struct Decoded {
   std::size_t length = 1;
 };
 
-// One code point of UTF-8; overlong forms, surrogates and cut sequences are a byte of U+FFFD.
+// Decodes one code point of UTF-8. Overlong forms, surrogates and incomplete sequences give U+FFFD and take one byte.
 Decoded decode(const std::string& text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(at);
@@ -91,7 +91,7 @@ FlatBox extent_of(const Drawing& drawing) {
       const DrawingCorner& a = line.corners[i];
       extent.add({a.x, a.y});
       if (a.bulge == 0 || (!line.closed && i + 1 == line.corners.size())) continue;
-      // The arc's highest point over its chord; the disc about the chord's middle holds the arc.
+      // The highest point of the arc over its chord. The disc about the middle of the chord contains the arc.
       const DrawingCorner& b = line.corners[(i + 1) % line.corners.size()];
       const double half = std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y)) / 2;
       add_disc((a.x + b.x) / 2, (a.y + b.y) / 2, half * std::abs(a.bulge));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A flat drawing before it takes a format: what is on it, in metres, each piece on the layer of its meaning. All
-// formats are written from it, so that no two of them can disagree.
+// A flat drawing that does not depend on a file format: its pieces, in metres, each on the layer of its meaning. All
+// formats are written from it, so that they cannot contradict each other.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace ilot {
 
-// What a piece of a drawing means. Which layer that is, its name, colour and pen: drawing_layers.h.
+// What a piece of a drawing means. drawing_layers.h gives the layer of each meaning, with its name, colour and pen.
 enum class DrawingRole : std::uint8_t {
   outline,
   opening,
@@ -24,9 +24,9 @@ enum class DrawingRole : std::uint8_t {
   stone,
   joint,
   detail,     // elements of other kinds
-  completed,  // drawn without points of its own
+  completed,  // drawn although it has no points of its own
   occluded,   // edges in a laser shadow
-  shadow,     // hatching of what lies in a laser shadow
+  shadow,     // hatching of places in a laser shadow
   error,      // the plan widened by each edge's error
   number,
   level,
@@ -38,11 +38,11 @@ enum class DrawingRole : std::uint8_t {
 };
 constexpr std::size_t kDrawingRoles = 21;
 
-// "outline", "opening"... as mapping files name them.
+// Returns "outline", "opening" and so on, as mapping files name them.
 const char* name_of(DrawingRole role);
 
-// The stretch from this corner to the next is an arc when bulge is not 0: the tangent of a quarter of its angle,
-// positive when it turns left.
+// The stretch from this corner to the next is an arc when bulge is not 0. The bulge is the tangent of a quarter of the
+// angle of the arc; it is positive when the arc turns left.
 struct DrawingCorner {
   double x = 0, y = 0, bulge = 0;
 };
@@ -51,10 +51,10 @@ struct DrawingLine {
   DrawingRole role = DrawingRole::detail;
   std::vector<DrawingCorner> corners;
   bool closed = false;
-  bool is_sample = false;  // of the role's pen, for a legend: it lies on the layer of titles
+  bool is_sample = false;  // a sample of the role's pen for the legend; it is on the layer of titles
 };
 
-// Counter-clockwise from one direction to the other.
+// The arc runs counter-clockwise from one direction to the other.
 struct DrawingArc {
   DrawingRole role = DrawingRole::detail;
   double x = 0, y = 0, radius = 0, from_deg = 0, to_deg = 0;
@@ -69,8 +69,8 @@ enum class TextAnchor : std::uint8_t { left, middle, right };
 
 struct DrawingText {
   DrawingRole role = DrawingRole::title;
-  double x = 0, y = 0;  // on its base line
-  double height = 0;    // of capitals
+  double x = 0, y = 0;  // a place on the base line of the text
+  double height = 0;    // of capital letters
   double rotation_deg = 0;
   TextAnchor anchor = TextAnchor::left;
   std::string text;  // UTF-8, one line
@@ -85,27 +85,27 @@ struct Drawing {
   std::vector<DrawingPoint> points;
   std::vector<DrawingText> texts;
 
-  // Metres in the drawing of so many millimetres on paper.
+  // Returns the length in the drawing, in metres, of a length on paper in millimetres.
   double paper_mm(double mm) const { return mm * scale / 1000; }
 };
 
-// Room that a line of text needs, in the unit of its height: digits of the fonts in use are 0.78 heights wide.
+// Returns the width of a line of text, in the unit of its height. The digits of the fonts in use are 0.78 heights wide.
 double text_width(const std::string& text, double height);
 
-// What the lines, arcs, points and texts of a drawing cover; all zero when there are none.
+// Returns the box around the lines, arcs, points and texts of a drawing. It is all zero when the drawing has none.
 FlatBox extent_of(const Drawing& drawing);
 
-// Equal for lines that lie on each other to a hundredth of a millimetre, wherever a closed one begins and whichever way
-// it runs.
+// The key is equal for lines that coincide to a hundredth of a millimetre. The corner at which a closed line begins and
+// the direction of a line do not change it.
 std::vector<std::int64_t> place_key(const std::vector<DrawingCorner>& corners, bool closed);
 
-// Valid UTF-8 on one line: control characters become blanks, bytes that are none U+FFFD.
+// Returns valid UTF-8 on one line. Control characters become blanks, invalid bytes become U+FFFD.
 std::string clean_text(const std::string& text);
 
-// The code points of valid UTF-8.
+// Returns the code points of valid UTF-8.
 std::vector<char32_t> code_points(const std::string& text);
 
-// A number with so many decimals, never "-0.00". Throws Error when it is not finite.
+// Returns the number with this count of decimals, never "-0.00". Throws Error when the number is not finite.
 std::string decimal(double value, int decimals);
 
 }  // namespace ilot

@@ -18,7 +18,7 @@ namespace {
 constexpr std::uintmax_t kMaxMappingBytes = 1u << 20;
 constexpr std::array<const char*, 3> kPatterns{"continuous", "dashed", "dotted"};
 constexpr std::array<const char*, 3> kPresets{"ilot", "aia", "iso13567"};
-// The pens that the exchange format knows, in hundredths of a millimetre.
+// The pens of the exchange format, in hundredths of a millimetre.
 constexpr std::array<int, 24> kPens{0,  5,  9,  13, 15, 18,  20,  25,  30,  35,  40,  50,
                                     53, 60, 70, 80, 90, 100, 106, 120, 140, 158, 200, 211};
 
@@ -79,7 +79,7 @@ bool is_layer_name(const std::string& name) {
          std::all_of(name.begin(), name.end(), legal);
 }
 
-// One table of a mapping file; `place` is where it stands, for messages.
+// Reads one table of a mapping file; `place` is its place in the file, for messages.
 struct LayerReader {
   const toml::table& table;
   std::string place;
@@ -138,7 +138,7 @@ std::string upper(std::string name) {
   return name;
 }
 
-// Layers are one when their names differ in case alone.
+// Layers are the same when their names differ only in case.
 void check_shared_layers(const DrawingLayers& layers, const std::string& name) {
   std::map<std::string, std::size_t> first;
   for (std::size_t i = 0; i < kDrawingRoles; ++i) {
@@ -190,7 +190,7 @@ DrawingLayers preset_layers(std::string_view name) {
 }
 
 DrawingLayers parse_layers(std::string_view text, const std::string& name) {
-  // The parser's answer to some characters beyond ASCII is undefined, and no layer needs one.
+  // The result of the parser for some characters beyond ASCII is undefined, and no layer needs one.
   if (std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; }))
     throw Error(name + ": layers are written in ASCII", ExitCode::usage);
   try {
@@ -243,7 +243,8 @@ std::array<std::uint8_t, 3> colour_on_paper(int colour) {
     const auto grey = static_cast<std::uint8_t>(40 + (colour - 250) * 34);
     return {grey, grey, grey};
   }
-  // 24 hues of ten shades each; the first is the pure one, the third, fifth... are darker, odd ones half as strong.
+  // There are 24 hues of ten shades each. The first shade is the pure one; the third, fifth and so on are darker; odd
+  // ones are half as strong.
   const int hue = (colour - 10) / 10, shade = (colour - 10) % 10;
   constexpr std::array<double, 5> kValue{1, 0.8, 0.6, 0.5, 0.3};
   const double value = kValue[static_cast<std::size_t>(shade / 2)], pale = shade % 2 ? 0.5 : 0;

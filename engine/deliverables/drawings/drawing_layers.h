@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An office's layers: the name, colour and pen that each meaning of a drawing has.
+// The layers of an office's drawings: the name, colour and pen for each meaning of a drawing.
 #pragma once
 #include <array>
 #include <filesystem>
@@ -17,7 +17,7 @@ struct DrawingLayer {
   int colour = 7;               // AutoCAD colour index, 1 to 255; 7 is black on paper
   double lineweight_mm = 0.25;  // one of the pens of the exchange format
   LinePattern pattern = LinePattern::continuous;
-  bool shown = true;  // a layer that is not shown is there, and frozen
+  bool shown = true;  // false: the layer is written, but frozen
 };
 
 struct DrawingLayers {
@@ -25,16 +25,16 @@ struct DrawingLayers {
   const DrawingLayer& operator[](DrawingRole role) const { return of_role[static_cast<std::size_t>(role)]; }
 };
 
-// "ilot", "aia", "iso13567"; a usage Error that lists them for any other name.
+// Known presets are "ilot", "aia" and "iso13567". Any other name is a usage Error that lists them.
 DrawingLayers preset_layers(std::string_view name);
 
-// The name of a preset, or a mapping file: TOML with `preset = "ilot"` and, for roles that differ from it,
-// `[layers.opening]` with `name`, `colour`, `lineweight_mm`, `pattern`, `shown`. Roles may share a layer when they
-// agree on everything. A usage Error names file and place of what is wrong. Hostile input.
+// Takes the name of a preset, or a mapping file: TOML with `preset = "ilot"` and, for roles that differ from the
+// preset, `[layers.opening]` with `name`, `colour`, `lineweight_mm`, `pattern`, `shown`. Roles may share a layer when
+// they agree on everything. A usage Error names the file and the place of the fault. The input is not trusted.
 DrawingLayers read_layers(const std::string& preset_or_file);
 DrawingLayers parse_layers(std::string_view toml, const std::string& name);
 
-// Red, green and blue of a colour index on white paper.
+// Returns red, green and blue of a colour index on white paper.
 std::array<std::uint8_t, 3> colour_on_paper(int colour);
 
 const char* name_of(LinePattern pattern);

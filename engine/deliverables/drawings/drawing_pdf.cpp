@@ -16,7 +16,7 @@ namespace {
 constexpr double kPointsPerMm = 72 / 25.4;
 constexpr double kCapitalHeight = 0.718;  // of Helvetica, in font sizes
 constexpr double kThinnest = 0.05;        // mm
-constexpr double kWidestCurve = 0.2;      // bulge that one curve draws: 45 degrees, within 1e-5 of the radius
+constexpr double kWidestCurve = 0.2;      // greatest bulge that one curve draws: 45 degrees, within 1e-5 of the radius
 
 // Widths of the letters from the blank to the tilde, in thousandths of the font size (Adobe's metrics of Helvetica).
 constexpr std::array<int, 95> kWidths{278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
@@ -27,7 +27,7 @@ constexpr std::array<int, 95> kWidths{278,  278, 355, 556, 556, 889, 667, 191, 3
                                       556,  556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584};
 constexpr int kOtherWidth = 556;
 
-// Windows' code page 1252.
+// Returns the byte of Windows code page 1252.
 unsigned char western(char32_t code) {
   constexpr std::array<std::pair<char32_t, unsigned char>, 10> kBeyond{{{0x20AC, 0x80},
                                                                         {0x2026, 0x85},
@@ -45,7 +45,7 @@ unsigned char western(char32_t code) {
   return '?';
 }
 
-// Metres of the drawing to millimetres from the lower left corner of the paper.
+// Converts metres of the drawing to millimetres from the lower left corner of the paper.
 struct PaperPlace {
   FlatBox box;
   double mm;
@@ -54,7 +54,7 @@ struct PaperPlace {
   }
 };
 
-// The stretch from p to q: a line, or curves of at most 45 degrees.
+// Adds the stretch from p to q: a line, or curves of at most 45 degrees.
 void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PaperPlace& at, std::string& path) {
   if (bulge == 0) {
     path += at(q) + " l\n";
@@ -82,7 +82,7 @@ std::string path_of(const DrawingLine& line, const PaperPlace& at) {
   return path + (line.closed ? "s\n" : "S\n");
 }
 
-// In eight pieces of at most 45 degrees.
+// The arc is drawn in eight pieces of at most 45 degrees.
 std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
   constexpr int kPieces = 8;
   double span = arc.to_deg - arc.from_deg;
@@ -123,7 +123,7 @@ std::string pen_of(const DrawingLayer& layer) {
   return fmt::format("{0} RG {0} rg {1} w {2}\n", colour, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
 }
 
-// All that lies on one layer; empty when there is nothing.
+// Returns everything on one layer; empty when there is nothing.
 std::string strokes_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
   std::string strokes;
   for (const DrawingLine& line : drawing.lines)
@@ -151,7 +151,7 @@ std::string quoted(const std::string& text) {
   return letters + ")";
 }
 
-// Objects in their order, then where each begins.
+// Writes the objects in their order, then the place where each begins.
 std::string file_of(const std::vector<std::string>& objects) {
   std::string file = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
   std::string table = fmt::format("xref\n0 {}\n0000000000 65535 f \n", objects.size() + 1);
@@ -168,7 +168,7 @@ std::string file_of(const std::vector<std::string>& objects) {
 }  // namespace
 
 std::string drawing_pdf(const Drawing& drawing, const DrawingLayers& layers) {
-  constexpr std::size_t kFirstLayer = 7;  // number of its object
+  constexpr std::size_t kFirstLayer = 7;  // number of the object of the first layer
   const PaperPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string content = decimal(kPointsPerMm, 6) + " 0 0 " + decimal(kPointsPerMm, 6) + " 0 0 cm 1 J 1 j\n";
   std::string all, hidden, properties;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// A drawing as PDF 1.5: one page of paper at its scale, vectors, a layer each of the drawing's to switch.
+// A drawing as PDF 1.5: one page of paper at the scale of the drawing, with vectors and one layer for each layer of the
+// drawing, which a reader can switch.
 //
-// Why a writer of our own: what it takes is a page of path operators; the library at hand for it (cairo) stamps files
-// with the time and knows no layers.
+// ilot has its own writer because the format needs only a page of path operators here. The available library (cairo)
+// writes the time into files and supports no layers.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -12,9 +13,9 @@
 
 namespace ilot {
 
-// Pens, colours and texts as in drawing_svg(); texts in Helvetica, which every reader has: letters beyond Western
-// Europe's become "?". Layers that are not shown are there, and off. No time stamps: the same drawing gives the same
-// bytes.
+// Pens, colours and texts are those of drawing_svg(). Texts are in Helvetica, which every reader has; letters that are
+// not Western European become "?". Layers that are not shown are written, but switched off. There are no time stamps:
+// the same drawing gives the same bytes.
 std::string drawing_pdf(const Drawing& drawing, const DrawingLayers& layers);
 void write_drawing_pdf(const std::filesystem::path& path, const Drawing& drawing, const DrawingLayers& layers);
 

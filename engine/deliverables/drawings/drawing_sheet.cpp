@@ -19,8 +19,8 @@ struct Paper {
   double width = 0, height = 0;
 };
 
-// The smallest that holds so many millimetres inside its margins; upright or lying, whichever leaves more room where it
-// leaves least.
+// Returns the smallest paper that has room for this size in millimetres inside its margins. It is portrait or
+// landscape, whichever leaves the greater smallest margin.
 Paper paper_for(double width, double height) {
   width += 2 * kMargin, height += 2 * kMargin;
   const auto room = [&](const Paper& paper) { return std::min(paper.width - width, paper.height - height); };
@@ -59,7 +59,7 @@ class PaperPen {
   double x0_, y0_;
 };
 
-// The longest of 1, 2, 5, 10... metres that is at most so many millimetres long.
+// Returns the longest of 1, 2, 5, 10... metres whose length on paper is at most most_mm.
 double bar_metres(const Drawing& drawing, double most_mm) {
   double metres = 0.01;
   for (int i = 0;; ++i) {
@@ -76,7 +76,7 @@ std::string short_number(double value) {
   return text;
 }
 
-// Five pieces, by turns doubled.
+// Draws five pieces; the first, third and fifth have a line along their middle.
 void scale_bar(PaperPen& pen, const Drawing& drawing, double x, double y, double most_mm) {
   const double metres = bar_metres(drawing, most_mm), mm = metres / drawing.paper_mm(1);
   pen.box(x, y, x + mm, y + 1.2, DrawingRole::title);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Paper about a drawing: a frame of a standard size, a title block, a scale bar, what the pens mean.
+// The paper around a drawing: a frame of a standard size, a title block, a scale bar and a legend of the pens.
 #pragma once
 #include <string>
 #include <vector>
@@ -15,13 +15,13 @@ struct SheetText {
   std::vector<std::pair<DrawingRole, std::string>> legend;
 };
 
-// Sets the drawing on the smallest of A4 to A0, upright or lying, that holds it at its scale with the title block, or
-// on paper of its own size beyond A0; fills drawing.sheet and adds frame and title block. Texts that do not fit their
-// column are set smaller, then cut.
+// Puts the drawing on the smallest sheet of A4 to A0, portrait or landscape, on which it fits at its scale with the
+// title block. A larger drawing gets paper of its own size. Fills drawing.sheet and adds the frame and the title block.
+// Texts that do not fit their column are set smaller, then cut.
 void add_sheet(const SheetText& text, Drawing& drawing);
 
-// Adds a text, smaller down to 0.7 of the height where it is longer than `room`, cut with "..." where that is not
-// enough.
+// Adds a text. A text longer than `room` is set smaller, down to 0.7 of its height. If that is not enough, it is cut
+// with "...".
 void add_fitting_text(DrawingText text, double room, Drawing& drawing);
 
 }  // namespace ilot

@@ -14,13 +14,13 @@ namespace ilot {
 namespace {
 
 constexpr double kCapitalHeight = 0.716;  // of Arial and Helvetica, in font sizes
-constexpr double kThinnest = 0.05;        // mm; thinner pens are drawn so wide
+constexpr double kThinnest = 0.05;        // mm; thinner pens are drawn with this width
 constexpr double kAroundPlan = 3;         // mm
 
-// Metres of the drawing to millimetres of the paper, y down.
+// Converts metres of the drawing to millimetres of the paper, y down.
 struct PaperPlace {
   FlatBox box;
-  double mm;  // metres of a millimetre
+  double mm;  // metres of the drawing for a millimetre of paper
   std::string x(double v) const { return decimal((v - box.min.x) / mm, 3); }
   std::string y(double v) const { return decimal((box.max.y - v) / mm, 3); }
   std::string length(double v) const { return decimal(v / mm, 3); }
@@ -52,7 +52,7 @@ std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
   };
   double span = arc.to_deg - arc.from_deg;
   while (span <= 0) span += 360;
-  // In two halves, since a whole circle has no ends.
+  // The circle is drawn in two halves, because a whole circle has no ends.
   const std::string radius = at.length(arc.radius);
   return fmt::format("M{0}A{1} {1} 0 0 0 {2}A{1} {1} 0 0 0 {3}", on(arc.from_deg), radius, on(arc.from_deg + span / 2),
                      on(arc.from_deg + span));
@@ -79,7 +79,7 @@ std::string stroke_of(const DrawingLayer& layer) {
                      green, blue, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
 }
 
-// Samples of all pens, on the layer of titles.
+// Returns samples of all pens, on the layer of titles.
 std::string samples_of(const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
   std::string paths;
   for (const DrawingLine& line : drawing.lines)
@@ -123,7 +123,7 @@ bool is_paper(DrawingRole role) {
   return role == DrawingRole::frame || role == DrawingRole::title;
 }
 
-// What is neither frame nor title block.
+// Returns the drawing without frame and title block.
 Drawing plan_of(const Drawing& drawing) {
   Drawing plan = drawing;
   std::erase_if(plan.lines, [](const DrawingLine& line) { return line.is_sample || is_paper(line.role); });

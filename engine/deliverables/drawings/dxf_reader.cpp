@@ -16,7 +16,7 @@ constexpr std::uintmax_t kMostBytes = std::uintmax_t{256} << 20;
 struct Group {
   int code = 0;
   std::string_view value;
-  std::uint64_t line = 0;  // of the code
+  std::uint64_t line = 0;  // of the code in the file
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -25,7 +25,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Code and value by turns, a line each; comments (999) are passed over.
+// Reads codes and values alternately, one on each line; comments (999) are skipped.
 class Groups {
  public:
   Groups(std::string_view text, const std::string& name) : text_(text), name_(name) {
@@ -157,7 +157,7 @@ class Reader {
     return value.value_or(0);
   }
 
-  // The groups that belong to one entity, up to the next code 0.
+  // Reads the groups that belong to one entity, up to the next code 0.
   DxfEntity plain_entity(std::int64_t& flags, bool& paper) {
     DxfEntity e;
     e.type = trimmed(groups_.now().value);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// DXF drawings (ASCII, R12 to today) as they come: layers, units and flat geometry of the model space.
+// DXF drawings (ASCII, R12 to today) as they are in the file: layers, units and flat geometry of the model space.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -15,12 +15,12 @@ namespace ilot {
 
 struct DxfEntity {
   std::string type, layer, handle;     // LINE, LWPOLYLINE, ARC...; the handle may be empty
-  std::uint64_t line = 0;              // of the file where it begins, from 1
+  std::uint64_t line = 0;              // line of the file where it begins, from 1
   std::vector<DrawingCorner> corners;  // of lines and polylines; the place of points and texts; the centre of arcs
   bool closed = false;
   double radius = 0, from_deg = 0, to_deg = 0;  // of arcs and circles
   std::string text;
-  bool finite = true;  // false: a number of it is none; it reads as 0
+  bool finite = true;  // false: one of its numbers is not finite; it is read as 0
 };
 
 struct DxfDrawing {
@@ -31,9 +31,9 @@ struct DxfDrawing {
   bool has_end = false;  // EOF
 };
 
-// Entities of blocks and of the paper space are left out, as are meshes; unknown kinds are kept without geometry. Input
-// is hostile: an Error names file and line where group codes are none, a section is not closed, or a pair is cut.
-// Memory grows with the file, at most 256 MiB of which are read.
+// Entities of blocks and of the paper space are left out, and so are meshes. Unknown kinds are kept without geometry.
+// The input is not trusted: an Error names the file and the line when a group code is not a number, a section is not
+// closed, or a pair is cut. Memory grows with the file, of which at most 256 MiB are read.
 DxfDrawing read_dxf(const std::filesystem::path& path);
 DxfDrawing parse_dxf(std::string_view text, const std::string& name);
 

@@ -14,9 +14,9 @@ namespace ilot {
 namespace {
 
 constexpr int kCoordinateDecimals = 5, kBulgeDecimals = 9;
-constexpr unsigned kFirstHandle = 0x100;  // of layers and entities; those below belong to the skeleton
+constexpr unsigned kFirstHandle = 0x100;  // of layers and entities; lower ones belong to the skeleton
 
-// Group codes and values, one a line.
+// Writes group codes and values, one on each line.
 class Tags {
  public:
   void add(int code, std::string_view value) { text_ += fmt::format("{:3}\n{}\n", code, value); }
@@ -31,7 +31,7 @@ class Tags {
     number(code + 20, 0);
   }
   void handle(unsigned handle, int code = 5) { add(code, fmt::format("{:X}", handle)); }
-  // "0 SECTION 2 HEADER": codes and words in turn.
+  // Writes codes and words alternately: "0 SECTION 2 HEADER".
   void words(std::initializer_list<std::pair<int, const char*>> words) {
     for (const auto& [code, word] : words) add(code, word);
   }
@@ -41,8 +41,8 @@ class Tags {
   std::string text_;
 };
 
-// Strings in R2000 are of a code page; beyond ASCII stands \U+XXXX. A backslash could begin such a sequence, a caret a
-// control character, two percent signs a symbol.
+// Strings in R2000 use a code page; characters beyond ASCII are written as \U+XXXX. A backslash could begin such a
+// sequence, a caret a control character, two percent signs a symbol.
 std::string dxf_text(const std::string& text) {
   std::string safe;
   for (const char32_t code : code_points(clean_text(text))) {
@@ -77,7 +77,7 @@ void write_header(Tags& tags, const Drawing& drawing, unsigned next_handle) {
   const double paper = 1 / drawing.scale;
   corner("$PLIMMIN", 0, 0, false);
   corner("$PLIMMAX", paper * drawing.sheet.width(), paper * drawing.sheet.height(), false);
-  // Patterns are in millimetres of paper.
+  // Lengths of patterns are in millimetres of paper.
   tags.add(9, "$LTSCALE");
   tags.number(40, drawing.paper_mm(1));
   tags.add(9, "$TEXTSIZE");
@@ -150,7 +150,7 @@ void write_view(Tags& tags, const Drawing& drawing) {
   tags.words({{0, "ENDTAB"}});
 }
 
-// Lengths in millimetres of paper, $LTSCALE makes metres of them; negative is a gap.
+// Lengths are in millimetres of paper; $LTSCALE converts them to metres. A negative length is a gap.
 void write_patterns(Tags& tags) {
   struct Pattern {
     const char *name, *description;
@@ -189,13 +189,14 @@ int pen_of(const DrawingLayer& layer) {
   return static_cast<int>(std::lround(layer.lineweight_mm * 100));
 }
 
-// Layer 0 and those of all roles, each once, by name.
+// Writes layer 0 and the layers of all roles, each once, by name.
 void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
   std::map<std::string, const DrawingLayer*> by_name;
   for (const DrawingLayer& layer : layers.of_role) by_name.try_emplace(layer.name, &layer);
   by_name.erase("0");
   begin_table(tags, "LAYER", 0x2, static_cast<int>(by_name.size()) + 1);
-  // What is not shown is frozen: some programs take a negative colour, which means switched off, for no colour.
+  // Layers that are not shown are frozen. A negative colour would mean switched off, but some programs read it as no
+  // colour.
   const auto record = [&](unsigned own, const std::string& name, bool shown, int colour, const char* pattern, int pen) {
     begin_record(tags, "LAYER", own, 0x2, "AcDbLayerTableRecord");
     tags.add(2, name);

@@ -14,12 +14,13 @@ namespace {
 constexpr double kNumber = 2.5, kSmall = 1.8, kAround = 0.4, kTick = 0.8, kOffset = 9, kChain = 8, kLead = 4;
 constexpr double kSameLevel = 0.5;
 
-// Metres with two decimals; halves go up, and what is one to a tenth of a millimetre is one.
+// Returns metres with two decimals. Halves are rounded up; a value within a tenth of a millimetre of a half counts as a
+// half.
 std::string in_centimetres(double metres) {
   return decimal(std::floor(std::round(metres * 1e4) / 100 + 0.5) / 100, 2);
 }
 
-// Does the segment meet the box? By clipping it to the four sides.
+// Tells whether the segment meets the box, by clipping it to the four sides.
 bool meets(FlatPoint a, FlatPoint b, const FlatBox& box) {
   double from = 0, to = 1;
   const auto clip = [&](double start, double way, double low, double high) {
@@ -41,7 +42,7 @@ bool is_inside(FlatPoint p, const std::vector<FlatPoint>& ring) {
   return inside;
 }
 
-// Where texts may stand: not across a line of an element, not on another text.
+// The places where texts may be: not across a line of an element, not on another text.
 class FreePlaces {
  public:
   explicit FreePlaces(std::span<const FlatElement> flat) {
@@ -67,7 +68,7 @@ class FreePlaces {
   std::vector<FlatBox> taken_;
 };
 
-// A text or two, one below the other, centred in a box.
+// Places one or two lines of text, one below the other, centred in a box.
 std::optional<FlatBox> place_label(const std::vector<std::string>& lines, double height, std::size_t element,
                                    const FlatElement& flat, const FreePlaces& places, const Drawing& drawing) {
   double width = 0;
@@ -95,7 +96,8 @@ struct Extent {
   double low = 0, high = 0;
 };
 
-// Groups of which half of the smaller extent is common with the group's first one, in the order of their lowest ends.
+// Returns groups in the order of their lowest ends. Each member shares at least half of the smaller extent with the
+// first member of its group.
 std::vector<std::vector<std::size_t>> groups_along(const std::vector<Extent>& extents) {
   std::vector<std::size_t> order(extents.size());
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -117,7 +119,8 @@ std::vector<std::vector<std::size_t>> groups_along(const std::vector<Extent>& ex
   return groups;
 }
 
-// Ends of what is measured, ascending: the plan's own and those of extents that do not overlap an earlier one.
+// Returns the ends of the measured extents, ascending: those of the plan and those of extents that do not overlap an
+// earlier one.
 std::vector<double> stops_of(std::vector<Extent> extents, Extent whole, double least) {
   std::sort(extents.begin(), extents.end(),
             [](Extent a, Extent b) { return std::tie(a.low, a.high) < std::tie(b.low, b.high); });
@@ -131,7 +134,7 @@ std::vector<double> stops_of(std::vector<Extent> extents, Extent whole, double l
   return stops;
 }
 
-// A chain in its own axes, s along it and t across it away from the plan, put onto the drawing either way.
+// Draws a chain in its own axes, s along it and t across it away from the plan, in horizontal or vertical direction.
 class ChainPen {
  public:
   enum class Way { horizontal, vertical };
@@ -149,7 +152,7 @@ class ChainPen {
     for (std::size_t i = 0; i + 1 < stops.size(); ++i) {
       const double length = stops[i + 1] - stops[i];
       const std::string words = in_centimetres(length);
-      // A text longer than its stretch stands further out, on a line of its own.
+      // A text that is longer than its stretch is put farther out, on a line of its own.
       const bool narrow = text_width(words, height) + 2 * tick > length;
       raised = narrow && !raised;
       text((stops[i] + stops[i + 1]) / 2, raised ? 2.0 * height : 0.45 * height, height, words);
@@ -158,7 +161,7 @@ class ChainPen {
   }
 
  private:
-  // Above a horizontal chain and left of an upright one: where its texts stand, whichever side of the plan it is on.
+  // Texts are above a horizontal chain and left of a vertical one, on either side of the plan.
   FlatPoint place(double s, double t) const {
     return way_ == Way::horizontal ? FlatPoint{s, at_ + t * outwards_} : FlatPoint{at_ + t * outwards_, s};
   }
@@ -181,8 +184,8 @@ class ChainPen {
   Drawing& drawing_;
 };
 
-// Centres that keep a pitch from each other and stay as near as they can to where they belong (pools of neighbours that
-// touch move as one).
+// Returns centres that keep a pitch from each other and stay as near as possible to the wanted places (groups of
+// neighbours that touch move together).
 std::vector<double> spread(const std::vector<double>& wanted, double pitch) {
   struct Pool {
     double sum = 0;
@@ -191,7 +194,7 @@ std::vector<double> spread(const std::vector<double>& wanted, double pitch) {
   };
   std::vector<Pool> pools;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    // Less the pitch of those before them, wanted places only have to ascend.
+    // After the pitch of the earlier ones is subtracted, the wanted places only have to ascend.
     pools.push_back({wanted[i] - pitch * static_cast<double>(i), i, 1});
     while (pools.size() > 1 && pools[pools.size() - 2].middle() > pools.back().middle()) {
       pools[pools.size() - 2].sum += pools.back().sum;
@@ -216,7 +219,7 @@ bool has_level(const FacadeElement& e) {
 
 void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawing& drawing) {
   FreePlaces places(flat);
-  std::vector<std::size_t> order(flat.size());  // openings have the first choice of places
+  std::vector<std::size_t> order(flat.size());  // openings choose their places first
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
   std::stable_partition(order.begin(), order.end(), [&](std::size_t i) { return is_opening(facade.elements[i]); });
   for (const std::size_t i : order) {

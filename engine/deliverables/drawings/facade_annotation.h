@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is written on a facade's plan: numbers of elements, levels, chains of dimensions.
+// The texts on the plan of a facade: numbers of elements, levels and chains of dimensions.
 #pragma once
 #include <span>
 
@@ -7,17 +7,19 @@
 
 namespace ilot {
 
-// Numbers and, where they fit, sizes of elements, inside of them, in capitals of 2.5 mm on paper, else 1.8. None where
-// it would lie across a line or another text: the table of elements has all. O(n^2) boxes.
+// Writes the numbers of elements inside them and, where they fit, their sizes. Capitals are 2.5 mm high on paper, else
+// 1.8 mm. A text that would cover a line or another text is left out: the table of elements has all of them. O(n^2)
+// boxes.
 void add_numbers(const Facade& facade, std::span<const FlatElement> flat, Drawing& drawing);
 
-// Heights of tops and bottoms of openings, bands, balconies and the outline, right of the plan, once each within half a
-// millimetre on paper, moved apart where they would overlap and led to where they belong.
+// Writes the heights of tops and bottoms of openings, bands, balconies and the outline, to the right of the plan.
+// Heights within half a millimetre on paper are written once. Texts that would overlap are moved apart and joined to
+// their height by a leader line.
 void add_levels(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing);
 
-// Chains over the openings: of the lowest row below the plan and of the fullest row above it (where that is another),
-// of the fullest column left of it, with the overall sizes. Rows and columns are openings of which half of the smaller
-// one's extent is common.
+// Draws dimension chains over the openings: of the lowest row below the plan, of the fullest row above it (if that is
+// another row), and of the fullest column left of it, with the overall sizes. Two openings belong to one row or column
+// when they share at least half of the extent of the smaller one.
 void add_dimensions(const Facade& facade, std::span<const FlatElement> flat, const FlatBox& plan, Drawing& drawing);
 
 }  // namespace ilot

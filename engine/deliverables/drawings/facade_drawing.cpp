@@ -32,7 +32,7 @@ void add_errors(const std::vector<FlatElement>& flat, const Facade& facade, Draw
   }
 }
 
-// Elements that share their outline, as a stone that is all of a course, are drawn once on a layer.
+// Elements with the same outline, for example a stone that fills a course, are drawn once on a layer.
 void drop_repeated_lines(Drawing& drawing) {
   std::set<std::pair<DrawingRole, std::vector<std::int64_t>>> known;
   std::erase_if(drawing.lines, [&](const DrawingLine& line) {
@@ -66,7 +66,7 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
         std::any_of(drawing.arcs.begin(), drawing.arcs.end(), is_drawn))
       legend.emplace_back(role, words);
   }
-  constexpr std::size_t kMostLines = 11;  // that the title block holds
+  constexpr std::size_t kMostLines = 11;  // greatest number of lines in the title block
   if (legend.size() > kMostLines) legend.resize(kMostLines);
   return legend;
 }

@@ -43,7 +43,7 @@ EvidenceGrade evidence_grade(const FacadeEdge& edge) {
 }
 
 const char* side_of(const DrawingCorner& from, const DrawingCorner& to) {
-  const double right = to.y - from.y, up = from.x - to.x;  // outwards of a ring that runs counter-clockwise
+  const double right = to.y - from.y, up = from.x - to.x;  // outwards from a ring that runs counter-clockwise
   if (std::abs(right) > std::abs(up)) return right > 0 ? "right" : "left";
   return up > 0 ? "top" : "bottom";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an office reads of why an edge or a face of a facade is believed.
+// The evidence for the edges and faces of a facade, in words that an office reads.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,26 +11,27 @@
 
 namespace ilot {
 
-// How much speaks for a line: points alone, not what regularisation says.
+// How strong the evidence for a line is. Only points count, not the result of regularisation.
 enum class EvidenceGrade : std::uint8_t {
-  good,  // seen, by points
-  weak,  // completed, or half of it without points, or seen by no station
+  good,  // seen, and supported by points
+  weak,  // completed, or half of it has no points or is occluded
   none,  // no point supports it
 };
 EvidenceGrade evidence_grade(const FacadeEdge& edge);
 
-// Where an edge of a ring lies: "bottom", "right", "top" or "left", by the way that it looks.
+// Returns on which side of a ring an edge is: "bottom", "right", "top" or "left", from the direction that the edge
+// faces.
 const char* side_of(const DrawingCorner& from, const DrawingCorner& to);
 
-// "5 window, left: 143 points, 2.1 mm RMS, along 98 % of it, 12 % occluded, within 4.0 mm, seen". An edge that may be a
-// chord of an arc is said with all of it.
+// Returns for example "5 window, left: 143 points, 2.1 mm RMS, along 98 % of it, 12 % occluded, within 4.0 mm, seen".
+// For an edge that stands for an arc, the values are those of the whole arc.
 std::string words_of(const FacadeElement& element, const char* side, const FacadeEdge& edge);
 
-// Every edge of the elements, to lie over a drawing.
+// Returns a note for every edge of the elements, to be put over a drawing.
 std::vector<SvgNote> edge_notes(const FacadeElement& element, const FlatElement& flat);
 
-// Rows of a table of edges and faces: element, kind, which, status, points, RMS and error in mm, covered and occluded
-// in percent. At most so many; returns how many there are.
+// Adds rows to a table of edges and faces: element, kind, which, status, points, RMS and error in mm, covered and
+// occluded share in percent. Adds at most the given number of rows and returns how many there are.
 std::size_t add_evidence_rows(const FacadeElement& element, const FlatElement& flat, std::size_t most,
                               std::string& rows);
 

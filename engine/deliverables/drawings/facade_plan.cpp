@@ -14,12 +14,12 @@ namespace {
 
 constexpr double kSamePlace = 1e-5;  // metres
 constexpr double kOnArc = 0.005;     // metres: a tenth of a millimetre on paper at 1:50
-constexpr double kBesideArcDeg = 1;  // beyond an arc's ends
+constexpr double kBesideArcDeg = 1;  // beyond the ends of an arc
 constexpr double kWidestBulgeDeg = 190;
 constexpr double kChordDeg = 5;
 constexpr double kHatchMm = 2.5;      // between lines, on paper
-constexpr int kMostHatchLines = 400;  // of one element; beyond them they lie wider apart
-constexpr double kLargest = 1e6;      // metres; what is larger is no facade's
+constexpr int kMostHatchLines = 400;  // of one element; for more lines the distance is increased
+constexpr double kLargest = 1e6;      // metres; a larger value does not come from a facade
 constexpr double kLongestCorner = 4;  // of a widened ring, in errors
 
 FlatPoint place_of(const DrawingCorner& c) {
@@ -43,7 +43,7 @@ FlatArc flat_arc(const Facade& facade, const FacadeArc& arc, double metres_per_u
           turned(std::fmod(arc.from_deg, 360)), span == 0 ? 360 : span};
 }
 
-// From the arc's start, counter-clockwise; what lies a little before it is below 0.
+// Returns the angle from the start of the arc, counter-clockwise. It is negative for places just before the start.
 double along(const FlatArc& arc, FlatPoint p) {
   const double degrees = turned(direction_degrees(p.x - arc.centre.x, p.y - arc.centre.y) - arc.from_deg);
   return degrees > 360 - kBesideArcDeg ? degrees - 360 : degrees;
@@ -53,8 +53,9 @@ bool lies_on(const FlatArc& arc, FlatPoint p) {
   return std::abs(distance(arc.centre, p) - arc.radius) <= kOnArc && along(arc, p) <= arc.span_deg + kBesideArcDeg;
 }
 
-// The angle that each edge spans on the arc, negative clockwise, 0 off it. An edge that closes the arc, as the flat
-// foot of a lunette, has its ends on it too, and runs the other way than the edges along it, which are more.
+// Returns the angle of each edge on the arc: negative when clockwise, 0 when the edge is not on the arc. An edge that
+// closes the arc, such as the flat base of a lunette, has its ends on the arc too. It runs in the opposite direction to
+// the edges along the arc, which are more numerous.
 std::vector<double> angles_on(const FlatArc& arc, const std::vector<DrawingCorner>& corners) {
   const std::size_t n = corners.size();
   std::vector<double> angles(n, 0);
@@ -72,8 +73,8 @@ std::vector<double> angles_on(const FlatArc& arc, const std::vector<DrawingCorne
   return angles;
 }
 
-// Of a stretch of so many degrees: the tangent of their fourth part. The radius and the chord tell the same, but of a
-// half circle not to the centimetre where the corners lie off it by a millimetre.
+// Returns the tangent of a quarter of the angle of the stretch. The radius and the chord determine it too, but for a
+// half circle not to the centimetre when the corners are a millimetre off it.
 double bulge_of(FlatPoint from, FlatPoint to, double angle_deg) {
   if (distance(from, to) / 2 < kSamePlace) return 0;
   return cos_degrees(angle_deg / 2 - 90) / (1 + cos_degrees(angle_deg / 2));
@@ -89,11 +90,11 @@ FacadeEdge larger(const FacadeEdge& a, const FacadeEdge& b) {
           std::min(a.covered_share, b.covered_share)};
 }
 
-// Joins stretches of the ring that lie on the arc. False when none does.
+// Joins stretches of the ring that are on the arc. False when there are none.
 bool join_on_arc(const FlatArc& arc, std::vector<DrawingCorner>& corners, std::vector<FacadeEdge>& edges) {
   const std::size_t n = corners.size();
   const std::vector<double> angle = angles_on(arc, corners);
-  const auto start_at = std::find(angle.begin(), angle.end(), 0);  // where no stretch goes on
+  const auto start_at = std::find(angle.begin(), angle.end(), 0);  // a place where no stretch continues
   if (std::all_of(angle.begin(), angle.end(), [](double a) { return a == 0; })) return false;
   const auto start = start_at == angle.end() ? 0 : static_cast<std::size_t>(start_at - angle.begin());
   std::vector<DrawingCorner> joined;
@@ -132,7 +133,7 @@ FlatBox box_of(const std::vector<FlatPoint>& points) {
   return box.is_empty() ? FlatBox{} : box;
 }
 
-// Runs of edges of one status, from where the status changes.
+// Draws runs of edges with one status, from the place where the status changes.
 void draw_chains(const FlatElement& flat, DrawingRole role, Drawing& drawing) {
   const std::size_t n = flat.corners.size();
   std::size_t start = 0;
@@ -155,7 +156,7 @@ void draw_chains(const FlatElement& flat, DrawingRole role, Drawing& drawing) {
   }
 }
 
-// Lines at 45 degrees within the ring: where they enter and leave it, by turns.
+// Draws lines at 45 degrees within the ring, alternately from where a line enters it to where it leaves it.
 void hatch(const std::vector<FlatPoint>& ring, Drawing& drawing) {
   const auto across = [](FlatPoint p) { return p.y - p.x; };
   double low = across(ring[0]), high = low;
@@ -181,10 +182,10 @@ void hatch(const std::vector<FlatPoint>& ring, Drawing& drawing) {
   }
 }
 
-// A corner and its error, with arcs as chords.
+// A corner and its error; arcs are chords.
 struct ErrorCorner {
   FlatPoint place;
-  double error = 0;  // of the edge to the next
+  double error = 0;  // of the edge to the next corner
 };
 
 template <class Take>
@@ -194,7 +195,7 @@ void for_each_chord(const FlatElement& element, Take take) {
     const DrawingCorner &a = element.corners[i], &b = element.corners[(i + 1) % n];
     take(place_of(a), i);
     if (a.bulge == 0) continue;
-    // Points of the arc: half way first, then half way again; a bulge halves its angle by t -> t / (1 + sqrt(1 + t2)).
+    // Adds points of the arc by repeated halving. The bulge of half an arc is t / (1 + sqrt(1 + t2)).
     const auto split = [&](auto&& self, FlatPoint p, FlatPoint q, double bulge) -> void {
       constexpr double kChordBulge = 0.0218;  // tangent of a quarter of kChordDeg
       static_assert(kChordDeg == 5);
@@ -209,7 +210,8 @@ void for_each_chord(const FlatElement& element, Take take) {
   }
 }
 
-// Where the edges before and after a corner meet once moved outwards; the ring is counter-clockwise.
+// Returns the place where the edges before and after a corner meet after they are moved outwards. The ring is
+// counter-clockwise.
 FlatPoint moved_corner(const ErrorCorner& before, const ErrorCorner& at, const ErrorCorner& after) {
   const double l1 = distance(before.place, at.place), l2 = distance(at.place, after.place);
   const FlatPoint n1{(at.place.y - before.place.y) / l1, (before.place.x - at.place.x) / l1};

@@ -15,7 +15,7 @@ namespace ilot {
 namespace {
 
 constexpr double kTouch = 1e-4;              // metres
-constexpr std::size_t kUnsorted = 1u << 16;  // cells kept before they are sorted in
+constexpr std::size_t kUnsorted = 1u << 16;  // cells that are kept before they are sorted in
 
 Vec3 on_wall(const Facade& facade, FlatPoint p, double metres) {
   return facade.origin + (p.x / metres) * facade.right + (p.y / metres - facade.origin.z) * facade.up;
@@ -27,7 +27,7 @@ std::vector<Vec3> wall_ring(const Facade& facade, const std::vector<FlatPoint>& 
   return places;
 }
 
-// Even-odd: the outline and the openings in it are rings of one face.
+// The even-odd rule applies: the outline and the openings in it are rings of one face.
 SectionFace wall_face(const Facade& facade, double metres) {
   SectionFace wall;
   FlatBox box = FlatBox::none();
@@ -46,7 +46,7 @@ SectionFace wall_face(const Facade& facade, double metres) {
   return wall;
 }
 
-// Where the drawing's origin lies and which way its y axis goes.
+// Returns the place of the drawing's origin and the direction of its y axis.
 std::string place_of(const SectionPlane& plane, double metres) {
   const bool upright = plane.v.z > 0.5;
   return fmt::format("x = 0{} at E {} N {}, {}", upright ? "" : ", y = 0", decimal(metres * plane.origin.x, 3),
@@ -71,7 +71,7 @@ SectionPlane upright_section(Vec3 from, Vec3 to) {
 std::vector<SectionFace> facade_faces(const Facade& facade, double metres_per_unit) {
   std::vector<SectionFace> faces{wall_face(facade, metres_per_unit)};
   for (const FacadeSolid& solid : facade_solids(facade, metres_per_unit)) {
-    // The first face turns out of the wall, the second into it: the one at the wall is no surface.
+    // The first face is oriented out of the wall, the second into it. The one at the wall is not a surface.
     const auto distance = [&](const std::vector<std::uint32_t>& face) {
       return std::abs(dot(solid.vertices[face[0]] - facade.origin, facade.out));
     };

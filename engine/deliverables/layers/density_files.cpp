@@ -19,7 +19,7 @@
 namespace ilot {
 namespace {
 
-constexpr int kPictureSide = 480;  // of a panel at least, in pixels of the picture
+constexpr int kPictureSide = 480;  // smallest side of a panel, in pixels of the picture
 constexpr int kGap = 8;            // between panels
 
 using Colour = std::array<std::uint8_t, 3>;
@@ -75,14 +75,14 @@ void write_tif(const std::filesystem::path& path, const DensityMap& map, double 
   if (CPLGetLastErrorType() >= CE_Failure) fail(path);
 }
 
-// Dark where points are few, light at the densest; the root keeps the sparse parts apart.
+// Places with few points are dark, the densest are light. The square root keeps the sparse parts distinguishable.
 Colour grey(float density, double densest) {
   if (std::isnan(density)) return {255, 255, 255};
   const auto level = static_cast<std::uint8_t>(std::min(230.0, 230 * std::sqrt(density / densest)));
   return {level, level, level};
 }
 
-// White where both agree, towards red where points are missing, towards blue where there are more than predicted.
+// White where both agree, red where points are missing, blue where there are more points than predicted.
 Colour difference(float measured, float predicted) {
   if (std::isnan(measured) || std::isnan(predicted)) return {200, 200, 200};
   const double d = (static_cast<double>(measured) - predicted) / (static_cast<double>(measured) + predicted);
@@ -90,7 +90,7 @@ Colour difference(float measured, float predicted) {
   return d < 0 ? Colour{level(1 + 0.2 * d), level(1 + d), level(1 + d)} : Colour{level(1 - d), level(1 - d), level(1)};
 }
 
-// Three panels side by side: measured, predicted (on one scale), and how they differ.
+// Three panels side by side: measured and predicted (on one scale), and their difference.
 struct Picture {
   int width = 0, height = 0;
   std::vector<std::uint8_t> bands[3];
@@ -136,7 +136,7 @@ void write_png(const std::filesystem::path& path, const DensityMap& map) {
   if (!file) fail(path);
 }
 
-// The value that a share of the others does not exceed; none of nothing.
+// Returns the value that this share of the values does not exceed; NaN when there are no values.
 double quantile(std::vector<float> values, double share) {
   return values.empty() ? std::nan("") : static_cast<double>(lower_quantile(values, share));
 }

@@ -8,11 +8,11 @@
 
 namespace ilot {
 
-// Writes folder/plane-NNNNNN.tif, .png and, with finish(), density.csv: a line a map, in the order they were added. No
-// time stamps. Throws Error when a file cannot be written; those that are whole stay.
+// Writes folder/plane-NNNNNN.tif, .png and, with finish(), density.csv: one line for each map, in the order in which
+// they were added. There are no time stamps. Throws Error when a file cannot be written; files that are complete stay.
 class DensityFiles {
  public:
-  // The folder is made. metres_per_unit: of the CRS.
+  // Creates the folder. metres_per_unit is that of the CRS.
   DensityFiles(std::filesystem::path folder, double metres_per_unit);
   void add(const DensityMap& map);
   void finish();

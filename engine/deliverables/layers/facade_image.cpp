@@ -25,7 +25,7 @@ namespace ilot {
 namespace {
 
 constexpr double kStep = 1e-4;  // metres, of distances from the wall
-constexpr double kCounted = 4;  // metres along a side of the parts whose points are counted at a time
+constexpr double kCounted = 4;  // metres along a side of the parts whose points are counted together
 
 FlatBox extent_of(const Facade& facade, const FacadeImageParams& params) {
   const FlatPoint origin = flat_place(facade, facade.origin, params.metres_per_unit);
@@ -36,9 +36,9 @@ FlatBox extent_of(const Facade& facade, const FacadeImageParams& params) {
   return box.grown(params.around_m);
 }
 
-// About what may show in a part of the drawing: from its plane back to CRS units.
+// Returns the box in CRS units around everything that may be visible in a part of the drawing.
 Box3<Vec3> box_about(const Facade& facade, const FlatBox& part, const FacadeImageParams& params) {
-  constexpr double kRounding = 0.001;  // metres: no point at its border may be lost
+  constexpr double kRounding = 0.001;  // metres: no point at the border may be lost
   const double units = 1 / params.metres_per_unit;
   auto box = Box3<Vec3>::none();
   for (const double x : {part.min.x - kRounding, part.max.x + kRounding})
@@ -51,7 +51,7 @@ Box3<Vec3> box_about(const Facade& facade, const FlatBox& part, const FacadeImag
   return box;
 }
 
-// Parts of a box along both axes, ends left out where the next one begins.
+// Divides a box along both axes; an end does not belong to a part when the next part begins there.
 std::vector<FlatBox> parts_of(const FlatBox& box, double longest) {
   constexpr double kMost = 64;
   const auto pieces = [&](double length) { return std::clamp(std::ceil(length / longest), 1.0, kMost); };
@@ -84,7 +84,7 @@ std::uint64_t count_points(const Facade& facade, const PointSource& source, cons
   return inside;
 }
 
-// The mean distance of points, rounded up to 1, 2 or 5 in its decade.
+// Returns the mean distance of points, rounded up to 1, 2 or 5 in its decade.
 double mean_distance(const Facade& facade, const PointSource& source, const FlatBox& extent,
                      const FacadeImageParams& params) {
   const std::vector<FlatBox> parts = params.tile > 0 ? parts_of(extent, kCounted) : std::vector<FlatBox>{extent};
@@ -100,7 +100,7 @@ double mean_distance(const Facade& facade, const PointSource& source, const Flat
   return 1;
 }
 
-// Pixels with corners at multiples of their size.
+// Returns an image whose pixels have corners at multiples of their size.
 FacadeImage blank_image(const FlatBox& extent, double pixel_m, const FacadeImageParams& params) {
   FacadeImage image;
   for (image.pixel_m = pixel_m;; image.pixel_m *= 2) {
@@ -141,7 +141,7 @@ class Projector {
   Projector(const Facade& facade, const FacadeImage& image, const PixelBox& part, const FacadeImageParams& params)
       : facade_(facade), image_(image), part_(part), params_(params) {}
 
-  // Points that fall into the part of the image, for one piece of the source.
+  // Returns the points in the part of the image, for one piece of the source.
   std::span<const FrontPoint> operator()(std::span<const ImagePoint> points) {
     placed_.clear();
     for (const ImagePoint& point : points) {
@@ -161,7 +161,7 @@ class Projector {
  private:
   std::array<std::uint8_t, 3> colour(const ImagePoint& point, double out) const {
     if (params_.shade == ImageShade::colour) return point.colour;
-    // The wall is grey; a quarter of a metre before it is white, as much behind it black.
+    // The wall is grey; a quarter of a metre in front of it is white, the same distance behind it is black.
     const double share = std::clamp(0.5 + out / 0.5, 0.0, 1.0);
     const auto grey = static_cast<std::uint8_t>(std::lround(255 * share));
     return {grey, grey, grey};
@@ -177,7 +177,7 @@ struct PaintedPixels {
   std::uint64_t points = 0, filled = 0, empty = 0;
 };
 
-// Paints a tile and what lies so far around it that closing its gaps may look there; the tile alone is kept.
+// Paints a tile and the margin around it that closing its gaps may need; only the tile is kept.
 PaintedPixels paint(const Facade& facade, const PointSource& source, const PixelBox& tile,
                     const FacadeImageParams& params, FacadeImage& image) {
   const PixelBox part = tile.grown(static_cast<std::uint32_t>(params.fill_rounds), image.width, image.height);
@@ -219,7 +219,7 @@ std::string world_file(const FacadeImage& image) {
   return text;
 }
 
-// The image as GDAL sees it, without a copy: it must live as long. Null when GDAL refuses.
+// Returns the image as a GDAL dataset without a copy: the image must outlive it. Null when GDAL refuses.
 GDALDatasetUniquePtr picture_of(const FacadeImage& image) {
   GDALDatasetUniquePtr picture(GetGDALDriverManager()->GetDriverByName("MEM")->Create(
       "", static_cast<int>(image.width), static_cast<int>(image.height), 0, GDT_Byte, nullptr));
@@ -258,7 +258,7 @@ void write_facade_image(const std::filesystem::path& path, const FacadeImage& im
   CPLPushErrorHandler(keep_silent);
   GDALRegister_MEM();
   GDALRegister_PNG();
-  // A name of its own for each, since facades may be written side by side.
+  // Each file has its own name, because facades may be written in parallel.
   static std::atomic<std::uint64_t> written{0};
   const std::string name = "/vsimem/ilot-" + std::to_string(written++) + ".png";
   GDALDatasetUniquePtr picture = picture_of(image);

@@ -53,14 +53,15 @@ OpenedLayer open_layer(const fs::path& path) {
   return opened;
 }
 
-// A format that always claims degrees, with coordinates that cannot be any.
+// True for a format that always declares degrees when the coordinates cannot be degrees.
 bool beyond_degrees(const OGRSpatialReference& reference, OGRLayer& layer) {
   OGREnvelope box;
   if (!reference.IsGeographic() || layer.GetExtent(&box) != OGRERR_NONE) return false;
   return box.MinX < -361 || box.MaxX > 361 || box.MinY < -91 || box.MaxY > 91;
 }
 
-// What brings the file's coordinates into the clouds' CRS; none when they are in it, or when nobody knows.
+// Transforms the coordinates of the file to the CRS of the clouds. It does nothing when they are in it or when a CRS is
+// unknown.
 class ToCloud {
  public:
   ToCloud(const fs::path& path, OGRLayer& layer, const Crs& crs, FootprintFile& out) : target_(spatial_reference(crs)) {
@@ -189,7 +190,7 @@ FootprintSource footprint_source(const fs::path& path) {
     try {
       source.crs = crs_from_text(wkt);
     } catch (const Error&) {
-      // A CRS that PROJ does not understand is unknown.
+      // A CRS that PROJ does not understand is treated as unknown.
     }
   }
   CPLFree(wkt);

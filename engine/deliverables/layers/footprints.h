@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Ground plans of buildings out of any vector file that GDAL reads.
+// Footprints of buildings from any vector file that GDAL reads.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -11,25 +11,25 @@
 namespace ilot {
 
 struct FootprintFile {
-  std::vector<Footprint> footprints;  // in the file's order: every feature, whatever it holds
-  std::string id_attribute;           // that ids come from; empty = features were numbered from 1
+  std::vector<Footprint> footprints;  // in the file's order: every feature, whatever its content
+  std::string id_attribute;           // the source of the ids; empty = features were numbered from 1
   bool transformed = false;           // the file is in another CRS than the clouds
   std::vector<std::string> warnings;
 };
 
-// Where the outlines of a file are.
+// The place of the outlines of a file.
 struct FootprintSource {
-  Crs crs;  // unknown: the file does not say, or says degrees of places that are none
+  Crs crs;  // unknown: the file does not give it, or it gives degrees although the places are outside their range
   double min_x = 0, min_y = 0, max_x = 0, max_y = 0;  // of the layer that read_footprints reads
 };
 
 // Throws Error as read_footprints does.
 FootprintSource footprint_source(const std::filesystem::path& path);
 
-// Reads the first layer that holds features, into the CRS of the clouds. Ids come from the first of the attributes
-// identificatie, id, building, gid, fid (any case) that exists; equal ones get -2, -3 ... behind them. Where one of the
-// two CRS is unknown they are taken to be the same, with a warning. Features without a usable polygon come back with a
-// fault. Throws Error, of ExitCode::usage when there is no such file or no layer.
+// Reads the first layer that has features and transforms it into the CRS of the clouds. Ids come from the first
+// existing attribute of identificatie, id, building, gid, fid (in any case); equal ids get -2, -3 ... appended. When
+// one of the two CRS is unknown, they are assumed to be the same, with a warning. Features without a usable polygon are
+// returned with a fault. Throws Error, with ExitCode::usage when there is no such file or no layer.
 FootprintFile read_footprints(const std::filesystem::path& path, const Crs& crs);
 
 }  // namespace ilot

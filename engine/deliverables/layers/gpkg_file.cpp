@@ -36,7 +36,7 @@ GpkgFile::~GpkgFile() {
 
 OGRLayer& GpkgFile::add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs) {
   auto reference = spatial_reference(crs);
-  if (!reference) {  // by this name GDAL knows the id -1 of the standard; without one it writes 0, degrees
+  if (!reference) {  // GDAL maps this name to the id -1 of the standard; without a name it writes 0, degrees
     reference = std::make_unique<OGRSpatialReference>();
     reference->SetLocalCS("Undefined Cartesian SRS");
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A GeoPackage in the making.
+// A GeoPackage that is being written.
 #pragma once
 #include <ogrsf_frmts.h>
 
@@ -9,7 +9,8 @@
 
 namespace ilot {
 
-// The file is whole after finish(); without it, none is left. No time stamps. Throws Error when it cannot be written.
+// The file is complete after finish(); without it, no file remains. There are no time stamps. Throws Error when it
+// cannot be written.
 class GpkgFile {
  public:
   explicit GpkgFile(const std::filesystem::path& path);
@@ -17,7 +18,7 @@ class GpkgFile {
   GpkgFile(const GpkgFile&) = delete;
   GpkgFile& operator=(const GpkgFile&) = delete;
 
-  // Layers first, with their fields; then features.
+  // All layers are added first, with their fields; then the features.
   OGRLayer& add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs);
   static void add_field(OGRLayer& layer, const char* name, OGRFieldType type, OGRFieldSubType detail = OFSTNone);
   void add(OGRLayer& layer, OGRFeature& feature);

@@ -14,7 +14,7 @@ namespace {
 
 void say_nothing(CPLErr, CPLErrorNum, const char*) {}
 
-// A file of ours that is read layer by layer.
+// One of our own files, read layer by layer.
 class LayerFile {
  public:
   explicit LayerFile(const std::filesystem::path& path) : path_(path) {
@@ -40,7 +40,7 @@ class LayerFile {
 
   [[noreturn]] void fail(const std::string& what) const { throw Error(path_.string() + ": cannot be read: " + what); }
 
-  // A whole number that a feature has, 0 where it is not set.
+  // Returns a whole number of a feature; 0 when it is not set.
   std::uint64_t whole(const OGRFeature& feature, const char* name) const {
     const int field = feature.GetFieldIndex(name);
     if (field < 0) fail(std::string("has no column '") + name + "'");
@@ -138,7 +138,7 @@ std::vector<StreetObject> read_objects_gpkg(const std::filesystem::path& path) {
     if (next >= objects.size() || objects[next].id != file.number(feature, "object_id"))
       file.fail("the layers 'objects' and 'extents' do not agree");
     OGREnvelope box;
-    geometry.getEnvelope(&box);  // of a rectangle: its middle is the rectangle's
+    geometry.getEnvelope(&box);  // of a rectangle, so their middles are the same
     StreetObject& o = objects[next++];
     o.middle.x = (box.MinX + box.MaxX) / 2;
     o.middle.y = (box.MinY + box.MaxY) / 2;

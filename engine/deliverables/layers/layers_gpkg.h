@@ -8,8 +8,8 @@
 
 namespace ilot {
 
-// One GeoPackage with a table for every layer, in their order; those without a feature too. No time stamps. Throws
-// Error when it cannot be written; then no file stays.
+// Writes one GeoPackage with a table for every layer, in their order, also for layers without a feature. There are no
+// time stamps. Throws Error when it cannot be written; then no file remains.
 void write_layers(const std::filesystem::path& path, std::span<const Layer> layers, const Crs& crs);
 
 }  // namespace ilot

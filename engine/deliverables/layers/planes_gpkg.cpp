@@ -23,7 +23,7 @@ std::unique_ptr<OGRLinearRing> closed_ring(Outline::Ring ring) {
   return closed;
 }
 
-// Ring by ring is handed over and given up: the ground of a large area has millions of corners.
+// Rings are passed on and freed one by one, because the ground of a large area has millions of corners.
 std::unique_ptr<OGRMultiPolygon> geometry_of(Outline outline) {
   auto all = std::make_unique<OGRMultiPolygon>();
   all->set3D(true);

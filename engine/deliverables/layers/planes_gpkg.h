@@ -10,8 +10,8 @@
 
 namespace ilot {
 
-// One feature per plane, in the order they are added. The file is whole after finish(); without it, none is left. No
-// time stamps. Throws Error when the file cannot be written.
+// Writes one feature for each plane, in the order in which they are added. The file is complete after finish(); without
+// it, no file remains. There are no time stamps. Throws Error when the file cannot be written.
 class PlanesGpkg {
  public:
   PlanesGpkg(const std::filesystem::path& path, const Crs& crs);

@@ -13,7 +13,7 @@ extern "C" void GDALRegister_GTiff();
 namespace ilot {
 namespace {
 
-constexpr GIntBig kCacheBytes = 4 << 20;  // a tile is written at once: GDAL's share of the machine is not asked for
+constexpr GIntBig kCacheBytes = 4 << 20;  // a tile is written at once; GDAL's default share of memory is not needed
 
 }  // namespace
 

@@ -18,13 +18,13 @@ OGRPolygon polygon_of(const Building& building, const BuildingSurface& surface, 
       flat ? closed.addPoint(p.x, p.y) : closed.addPoint(p.x, p.y, p.z);
     }
     closed.closeRings();
-    if (flat) closed.reversePoints();  // ground looks down
+    if (flat) closed.reversePoints();  // ground faces down
     polygon.addRing(&closed);
   }
   return polygon;
 }
 
-// The ground of the first level that has one.
+// Returns the ground of the first level that has one.
 OGRMultiPolygon outline_of(std::span<const Building> levels) {
   OGRMultiPolygon outline;
   for (const Building& level : levels) {

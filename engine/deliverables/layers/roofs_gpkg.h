@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// roofs.gpkg: layer `buildings`, outlines on the ground with the buildings' attributes, and layer `roof_faces`,
-// polygons in space with theirs. Columns: docs/outputs.md.
+// roofs.gpkg: layer `buildings` has the outlines on the ground with the attributes of the buildings, layer `roof_faces`
+// has polygons in space with the attributes of the faces. Columns: docs/outputs.md.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -11,8 +11,8 @@
 
 namespace ilot {
 
-// Buildings in the order they are added; the faces are those of the last level that has any. The file is whole after
-// finish(); without it, none is left. Throws Error when it cannot be written.
+// Buildings are written in the order in which they are added. The faces are those of the last level that has any. The
+// file is complete after finish(); without it, no file remains. Throws Error when it cannot be written.
 class RoofsGpkg {
  public:
   RoofsGpkg(const std::filesystem::path& path, const Crs& crs, AttributeStyle style, double metres_per_unit);

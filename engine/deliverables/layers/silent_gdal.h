@@ -4,7 +4,7 @@
 
 namespace ilot {
 
-// A handler of GDAL's errors that prints nothing: what went wrong is asked for with CPLGetLastErrorMsg().
+// A handler of GDAL's errors that prints nothing. The caller asks CPLGetLastErrorMsg() for the message.
 inline void keep_silent(CPLErr, CPLErrorNum, const char*) {}
 
 }  // namespace ilot

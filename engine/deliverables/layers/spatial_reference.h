@@ -8,7 +8,7 @@
 
 namespace ilot {
 
-// The CRS as GDAL knows it, x before y; nullptr when the CRS is unknown.
+// Returns the CRS as a GDAL object, x before y; nullptr when the CRS is unknown.
 std::unique_ptr<OGRSpatialReference> spatial_reference(const Crs& crs);
 
 }  // namespace ilot

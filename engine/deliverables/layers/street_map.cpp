@@ -13,8 +13,8 @@
 namespace ilot {
 namespace {
 
-constexpr double kMargin = 5;         // metres around what is drawn
-constexpr double kLeastSymbol = 0.3;  // metres; smaller things are drawn so large
+constexpr double kMargin = 5;         // metres around the drawn content
+constexpr double kLeastSymbol = 0.3;  // metres; smaller objects are drawn with this size
 constexpr double kScaleBar = 20;      // metres
 
 const char* colour_of(PointLabel label) {
@@ -34,7 +34,7 @@ const std::string& name_of(PointLabel label) {
   return point_label_names().at(static_cast<std::uint32_t>(label));
 }
 
-// CRS to metres from the lower left corner of what is drawn, y down.
+// Converts CRS coordinates to metres from the lower left corner of the drawn content, y down.
 class Sheet {
  public:
   Sheet(const StreetPlan& plan, double metres_per_unit) : metres_(metres_per_unit) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All files that a facade is delivered in.
+// All files in which a facade is delivered.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -19,18 +19,18 @@ struct FacadeFilesParams {
   FacadeDrawingParams drawing;
   DrawingLayers layers = preset_layers("ilot");
   SectionRequests sections;
-  double section_half_m = 0.01;  // points so far from a cut are drawn with it
-  PointSource points;            // of the facade; without them no image and no points in sections
+  double section_half_m = 0.01;  // points at most this far from a section are drawn with it
+  PointSource points;            // of the facade; without it there is no image and sections have no points
   FacadeImageParams image;
-  FacadesPage* page = nullptr;  // gets the facade too
+  FacadesPage* page = nullptr;  // the facade is added to this page too
 };
 
-// "facade-007" for the facade 7: what its files are called before their extensions.
+// Returns "facade-007" for facade 7: the name of its files without their extensions.
 std::string facade_name(std::uint32_t id);
 
-// In `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; where an element has a depth .obj and .stl; with
-// points .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each is whole or absent. The source of
-// points is run through four times at most. Throws Error.
+// Writes to `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; when an element has a depth, .obj and
+// .stl; with points, .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each file is complete or
+// absent. The source of points is read four times at most. Throws Error.
 void write_facade_files(const std::filesystem::path& folder, const Facade& facade,
                         const FacadeFilesParams& params = {});
 

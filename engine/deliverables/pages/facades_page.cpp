@@ -32,7 +32,7 @@ td.n,th.n{text-align:right}
 </style></head><body>
 )";
 
-// One handler for all drawings: a box shows or hides the groups of its class within its own figure.
+// One handler serves all drawings: a box shows or hides the groups of its class within its own figure.
 constexpr const char* kTail = R"(<script>
 document.querySelectorAll("figure input").forEach(function (box) {
   box.addEventListener("change", function () {
@@ -74,7 +74,7 @@ std::size_t edges_of(const FacadeElement& e, DrawnStatus status) {
       std::count_if(e.edges.begin(), e.edges.end(), [&](const FacadeEdge& edge) { return edge.status == status; }));
 }
 
-// Edges that nothing but their status speaks for, where points were held against them.
+// Returns a sentence with the number of edges whose evidence is not good; empty when no edge was compared with points.
 std::string doubtful_edges(const Facade& facade) {
   std::size_t doubtful = 0;
   bool held = false;
@@ -88,7 +88,7 @@ std::string doubtful_edges(const Facade& facade) {
              : std::string();
 }
 
-// What a surveyor has to look at: elements that are not seen whole.
+// Returns the table of elements that are not completely seen, which a surveyor has to check.
 std::string doubtful_table(const Facade& facade) {
   std::string rows;
   std::size_t listed = 0, all = 0;
@@ -111,7 +111,7 @@ std::string doubtful_table(const Facade& facade) {
          rows + "</table>\n" + (listed < all ? fmt::format("<p>{} of {} are listed.</p>\n", listed, all) : "");
 }
 
-// What speaks for each edge and face.
+// Returns the table of the evidence for each edge and face.
 std::string evidence_table(const Facade& facade, const std::vector<FlatElement>& flat) {
   std::string rows;
   std::size_t listed = 0, all = 0;

@@ -12,17 +12,17 @@
 
 namespace ilot {
 
-// facades.html beside the facades' files: what was found, each drawing over its orthoimage with its layers to switch,
-// what of it is occluded or completed and why, links to the files; what speaks for each edge, where the
-// pointer is, in colour, and in a table with that of the faces. The same facades in the same order give the same
-// bytes. Memory is bounded: drawings up to `most_bytes` together are shown, then links alone; of each facade the first
-// 200 entries of the list and 1,000 of the table.
+// facades.html beside the files of the facades. For each facade it has counts, the drawing over its orthoimage with
+// layers to switch, the occluded or completed parts with the reason, and links to the files. The evidence for each edge
+// is shown at the pointer, in colour, and in a table together with that of the faces. The same facades in the same
+// order give the same bytes. Memory is bounded: drawings are shown up to `most_bytes` in total, then only links. Of
+// each facade the first 200 entries of the list and the first 1,000 of the table are shown.
 class FacadesPage {
  public:
   FacadesPage(const std::filesystem::path& path, const DrawingLayers& layers, std::size_t most_bytes = 64u << 20)
       : path_(path), layers_(layers), most_bytes_(most_bytes) {}
 
-  // The drawing is that of facade_drawing(); the image is where write_facade_image() put it, when there is one.
+  // The drawing is that of facade_drawing(). The image, if there is one, is where write_facade_image() put it.
   void add(const Facade& facade, const Drawing& drawing, const std::optional<SvgUnderlay>& image,
            double metres_per_unit = 1);
 

@@ -41,7 +41,7 @@ std::optional<T> attribute(const Building& b, const char* name) {
   return {};
 }
 
-// Equal for equal ids wherever they stand.
+// The rank is equal for equal ids at any place.
 std::uint64_t random_rank(const std::string& id) {
   std::uint64_t hash = id.size();
   for (const char c : id) hash = mix64(hash ^ static_cast<unsigned char>(c));

@@ -12,17 +12,18 @@
 
 namespace ilot {
 
-// roofs.html: how many buildings came out how, a plan of the roofs, and drawings over points of the cloud of the
-// buildings with most points off their faces, of those with the most faces, and of some by lot. One file that needs no
-// other; the same buildings give the same bytes. Memory is bounded: so many faces are drawn, then the plan says that it
-// ends.
+// roofs.html: how many buildings have each status, a plan of the roofs, and drawings over points of the cloud. Drawn
+// are the buildings with most points off their faces, those with the most faces, and some that are chosen by chance. It
+// is one file that needs no other; the same buildings give the same bytes. Memory is bounded: after a certain number of
+// faces the plan ends and says so.
 class RoofsPage {
  public:
   RoofsPage(const std::filesystem::path& path, double metres_per_unit)
       : path_(path), metres_per_unit_(metres_per_unit) {}
 
-  // A building at its levels of detail, attributes with the first under their plain names (building_fields.h), points
-  // of it (coordinates of the CRS), all or some, and the share of its points that lie on no face.
+  // Adds a building with its levels of detail. The first level has the attributes under their plain names
+  // (building_fields.h). `points` are all or some of its points (coordinates of the CRS), `share_off` is the share of
+  // its points that lie on no face.
   void add(std::span<const Building> levels, std::span<const Vec3> points, double share_off);
 
   // Writes the file. Throws Error.
@@ -36,7 +37,7 @@ class RoofsPage {
   };
   struct Choice {
     const char* title;
-    std::multimap<double, Sample> samples;  // by rank, the last ones go when there are too many
+    std::multimap<double, Sample> samples;  // by rank; the last ones are removed when there are too many
   };
 
   void draw_in_plan(const Building& building, const std::string& caption);

@@ -52,7 +52,7 @@ constexpr BuildingField kFaceFields[] = {
     {"area_m2", kReal, "m2", "in space, holes taken off", nullptr},
 };
 
-// What roofer has beside, from others.
+// Additional attributes of roofer that follow from others.
 constexpr BuildingField kRooferFields[] = {
     {"rf_success", kTruth, "", "a solid was made", nullptr},
     {"rf_extrusion_mode", kText, "",

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarthest = 0x1p53;  // steps; beyond it a reader of JSON rounds whole numbers
+constexpr double kFarthest = 0x1p53;  // steps; beyond it JSON readers round whole numbers
 
 const char* name_of(SurfaceKind kind) {
   switch (kind) {
@@ -122,7 +122,7 @@ void CityJsonWriter::append(const std::string& text) {
   file_.append(std::as_bytes(std::span(text)));
 }
 
-// Numbers of the building's vertices among `vertices`, to which new ones are added.
+// Returns the numbers of the building's vertices among `vertices`, to which new vertices are added.
 std::vector<std::uint32_t> CityJsonWriter::number_vertices(const Building& building,
                                                            std::vector<Steps>& vertices) const {
   std::map<Steps, std::uint32_t> known;

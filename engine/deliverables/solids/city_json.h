@@ -17,15 +17,15 @@ namespace ilot {
 
 struct CityJsonParams {
   int epsg = 0;          // 0 = unknown
-  Vec3 origin;           // near the buildings: coordinates are whole steps from it
-  double step = 0.0001;  // CRS units. Flat faces stay flat within 0.87 of it
+  Vec3 origin;           // near the buildings: coordinates are whole steps from this place
+  double step = 0.0001;  // CRS units. Flat faces stay flat within 0.87 steps
   AttributeStyle style = AttributeStyle::plain;
   double metres_per_unit = 1;
 };
 
-// One building after the other, as they come. The extension decides the form: .jsonl is a CityJSONSeq, one feature a
-// line, which needs no memory; anything else is one object, for which the vertices are kept until the end (12 bytes
-// each). Vertices that fall on one step are one. The file appears under its name at finish() or not at all. Throws
+// Writes one building after the other as they arrive. The extension selects the form: .jsonl is a CityJSONSeq with one
+// feature a line, which needs no memory; anything else is one object, for which the vertices are kept until the end (12
+// bytes each). Vertices on the same step become one. The file appears under its name at finish() or not at all. Throws
 // Error.
 class CityJsonWriter {
  public:
@@ -33,8 +33,8 @@ class CityJsonWriter {
 
   void add(const Building& building) { add(std::span(&building, 1)); }
 
-  // One building at several levels of detail, at least one; its id and attributes are those of the first. A level of 0
-  // to 0.9 becomes a MultiSurface, others a Solid; one without surfaces is left out.
+  // Adds one building with at least one level of detail. Its id and attributes are those of the first level. A level of
+  // 0 to 0.9 becomes a MultiSurface, others a Solid. A level without surfaces is left out.
   void add(std::span<const Building> levels);
   void finish();
 
@@ -48,7 +48,7 @@ class CityJsonWriter {
   OutputFile file_;
   CityJsonParams params_;
   bool sequence_ = false, first_ = true;
-  std::vector<Steps> vertices_;  // of the one object
+  std::vector<Steps> vertices_;  // for the single object
 };
 
 }  // namespace ilot

@@ -99,7 +99,7 @@ class CityJsonParser {
     return vertices;
   }
 
-  // The building an object is part of: parents are followed upwards, a loop of them ends.
+  // Returns the building to which an object belongs: parents are followed upwards, and a loop of them ends the search.
   static std::string root_of(const Json& objects, std::string id) {
     for (std::size_t step = 0; step < 16; ++step) {
       const Json& parents = json_field(json_field(objects, id.c_str()), "parents");
@@ -206,7 +206,7 @@ class CityJsonParser {
   std::vector<Vec3> vertices_;
   std::vector<PolygonModel> models_;
   std::vector<bool> is_building_;
-  std::vector<std::uint32_t> shells_;  // so far, per model
+  std::vector<std::uint32_t> shells_;  // number so far, per model
   std::unordered_map<std::string, std::size_t> names_;
   std::unordered_map<std::uint32_t, std::uint32_t> local_;  // of the current object: vertex of the file -> the model's
   const Json* surfaces_ = nullptr;

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-// Second-level types are parts of others and name them as parents.
+// Types of the second level are parts of other objects and name them as parents.
 constexpr std::string_view kFirstLevel[] = {"Bridge",
                                             "Building",
                                             "CityFurniture",
@@ -57,7 +57,7 @@ constexpr std::string_view kSurfaces[] = {
 
 struct GeometryShape {
   std::string_view type;
-  int depth;  // of the boundaries: lists within lists
+  int depth;  // of the boundaries: depth of the nested lists
 };
 constexpr GeometryShape kShapes[] = {{"MultiPoint", 1},       {"MultiLineString", 2}, {"MultiSurface", 3},
                                      {"CompositeSurface", 3}, {"Solid", 4},           {"MultiSolid", 5},
@@ -101,7 +101,7 @@ std::string check_metadata(const Json& metadata) {
   return "";
 }
 
-// Since 1.1 a URL of the OGC: https://www.opengis.net/def/crs/EPSG/0/7415.
+// Since 1.1 it is a URL of the OGC: https://www.opengis.net/def/crs/EPSG/0/7415.
 std::string check_reference_system(const Json& metadata, const CityJsonHead& head) {
   const std::string_view system = text_of(json_field(metadata, "referenceSystem"));
   if (system.empty() || head.version == "1.0") return "";
@@ -127,7 +127,7 @@ void note(std::vector<FormatFault>& faults, const std::string& object, std::stri
   if (!text.empty()) faults.push_back({object, std::move(text)});
 }
 
-// Depth of lists, whole numbers below `limit` at the bottom. What is wrong, or nothing.
+// Checks the depth of lists, with whole numbers below `limit` at the bottom. Returns the fault, or an empty text.
 std::string check_nesting(const Json& value, int depth, std::size_t limit, bool nulls) {
   if (depth == 0) {
     if (is_index(value, limit) || (nulls && value.is_null())) return "";
@@ -141,7 +141,7 @@ std::string check_nesting(const Json& value, int depth, std::size_t limit, bool 
   return "";
 }
 
-// Values have the boundaries' shape down to surfaces.
+// Values must have the shape of the boundaries down to surfaces.
 std::string check_same_shape(const Json& values, const Json& boundaries, int depth) {
   if (values.is_null() || depth == 0) return "";
   if (values.size() != boundaries.size())
@@ -166,7 +166,7 @@ std::string check_semantics(const Json& semantics, const Json& boundaries, int d
   if (!semantics.is_object()) return "semantics is no object";
   const Json& surfaces = json_field(semantics, "surfaces");
   if (std::string what = check_surfaces(surfaces); !what.empty()) return what;
-  const int levels = depth <= 2 ? 1 : depth - 2;  // points and lines carry them themselves
+  const int levels = depth <= 2 ? 1 : depth - 2;  // points and lines have the values themselves
   const Json& values = json_field(semantics, "values");
   if (values.is_null()) return semantics.contains("values") ? "" : "semantics.values is missing";
   if (std::string what = check_nesting(values, levels, surfaces.size(), true); !what.empty())
@@ -199,7 +199,7 @@ std::string check_type(const std::string_view type, const CityJsonHead& head) {
   return head.version != "2.0" && is_listed(kOld, type) ? "" : fmt::format("'{}' is no type of city object", type);
 }
 
-// The object names others in a list; they exist and name it in theirs.
+// When an object names others in a list, they must exist and name it in theirs.
 std::string check_relatives(const Json& objects, const std::string& id, const char* list, const char* back) {
   const Json& names = json_field(objects[id], list);
   if (names.is_null()) return "";
@@ -310,7 +310,7 @@ std::string geometry_fault(const Json& geometry, std::size_t vertices, const Cit
   if (std::string what = check_nesting(boundaries, shape->depth, vertices, false); !what.empty())
     return "boundaries: " + what;
   const Json& semantics = json_field(geometry, "semantics");
-  if (head.version == "1.0" && semantics.is_array()) return "";  // the form of drafts, still about
+  if (head.version == "1.0" && semantics.is_array()) return "";  // the form of drafts, which still occurs
   return check_semantics(semantics, boundaries, shape->depth);
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::uint64_t kTemplateVertices = std::uint64_t{1} << 40;  // their numbers come after those of the file
+constexpr std::uint64_t kTemplateVertices = std::uint64_t{1} << 40;  // their numbers follow those of the file
 
 bool is_vector(const Json& list) {
   return list.is_array() && list.size() >= 3 && list[0].is_number() && list[1].is_number() && list[2].is_number();
@@ -27,7 +27,7 @@ std::string lod_text(const Json& geometry) {
   return lod.is_number() ? fmt::format("{}", lod.get<double>()) : "";
 }
 
-// Nested lists into nested vectors; numbers are looked up.
+// Converts nested lists to nested vectors; numbers are looked up.
 template <class Number>
 SolidShell shell_of(const Json& faces, const Number& number) {
   SolidShell shell;
@@ -48,7 +48,7 @@ SolidShells shells_of(const Json& shells, const Number& number) {
   return out;
 }
 
-// False: a kind without surfaces.
+// Returns false for a kind without surfaces.
 template <class Number>
 bool fill_primitive(const Json& geometry, const Number& number, Primitive& primitive) {
   const Json& type = json_field(geometry, "type");

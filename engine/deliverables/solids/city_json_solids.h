@@ -11,14 +11,14 @@
 
 namespace ilot {
 
-// The objects of a CityJSON text, or of a sequence given line by line, and their faults, to a sink.
+// Gives the objects of a CityJSON text, or of a sequence line by line, and their faults to a sink.
 class CityJsonSolids {
  public:
   CityJsonSolids(std::string name, const SolidFileSink& sink) : name_(std::move(name)), sink_(sink) {}
 
-  // A document or a feature. `line` is for messages, 0 = a file as a whole. Error for broken JSON.
+  // Reads a document or a feature. `line` is for messages, 0 = the file as a whole. Throws Error for broken JSON.
   void text(std::string_view text, std::uint64_t line);
-  // Faults of the file as a whole.
+  // Gives the faults of the file as a whole.
   void finish();
 
  private:

@@ -14,10 +14,10 @@ namespace ilot {
 namespace {
 
 constexpr double kSameCorner = 1e-3, kLeastDepth = 1e-3;  // metres
-constexpr double kFarthest = 1e8;                         // CRS units, of the facade's origin from zero
-constexpr double kLattice = 1e-4;                         // metres, of the test of simplicity
+constexpr double kFarthest = 1e8;                         // CRS units, from zero to the facade's origin
+constexpr double kLattice = 1e-4;                         // metres, for the test of simplicity
 
-// Without corners that a validator would take for one.
+// Removes corners that a validator would treat as one with another.
 std::vector<FlatPoint> clean_ring(const std::vector<FlatPoint>& ring) {
   const auto near = [](FlatPoint a, FlatPoint b) {
     return std::abs(a.x - b.x) < kSameCorner && std::abs(a.y - b.y) < kSameCorner;
@@ -29,7 +29,7 @@ std::vector<FlatPoint> clean_ring(const std::vector<FlatPoint>& ring) {
   return clean;
 }
 
-// On a lattice of 0.1 mm from the first corner.
+// The test works on a lattice of 0.1 mm from the first corner.
 bool is_simple(const std::vector<FlatPoint>& ring) {
   std::vector<Point2> lattice;
   for (const FlatPoint& p : ring) {
@@ -40,13 +40,13 @@ bool is_simple(const std::vector<FlatPoint>& ring) {
   return ring.size() >= 3 && is_simple_ring(lattice);
 }
 
-// Far from zero a tenth of a millimetre is lost, and corners become one.
+// Far from zero a tenth of a millimetre is lost, and corners coincide.
 bool is_on_earth(const Facade& facade) {
   const Vec3 o = facade.origin;
   return std::abs(o.x) < kFarthest && std::abs(o.y) < kFarthest && std::abs(o.z) < kFarthest;
 }
 
-// Of a body that somebody else wrote: corners that are one, faces without a normal have no triangles.
+// Checks a body that other software wrote: corners may coincide, and faces without a normal have no triangles.
 bool is_sound(const FacadeBody& body) {
   constexpr double kLeastEdge = 1e-6, kLeastArea = 1e-9;  // CRS units
   for (const Vec3& p : body.vertices)
@@ -88,7 +88,7 @@ std::string word(const std::string& text) {
   return word;
 }
 
-// The triangles of a face in its own plane: coordinates along its first edge and across it.
+// Returns the triangles of a face in its own plane: coordinates along its first edge and across it.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<std::uint32_t>& face,
                                                        const std::vector<Vec3>& vertices) {
   const Vec3 origin = vertices[face[0]];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Elements of a facade as closed solids [Lorraine thesis, 4.2.1], its irregularities as meshes [Lorraine
-// thesis, 4.2.2].
+// Elements of a facade as closed solids [Lorraine thesis, 4.2.1] and its irregularities as meshes [Lorraine thesis,
+// 4.2.2].
 #pragma once
 #include <cstdint>
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace ilot {
 
-// Faces turn outwards: counter-clockwise seen from outside of the solid.
+// Faces are oriented outwards: counter-clockwise seen from outside the solid.
 struct FacadeSolid {
   std::uint32_t element = 0;  // its id
   std::string kind;
@@ -18,18 +18,19 @@ struct FacadeSolid {
   std::vector<std::vector<std::uint32_t>> faces;
 };
 
-// One for each element with a depth and a simple ring, in their order: its body where it has a closed one, else its
-// outline swept out of the wall or into it. The outline is set on a plane parallel to the
-// wall at its mean distance from it; the other end lies a depth away, on the side that the ring is farther from: a
-// sill's ring is its front and ends at the wall, a window's lies in the wall and ends at the pane. Arcs are chords of
-// at most 5 degrees, corners nearer than 1 mm to the one before are left out.
+// Returns one solid for each element with a depth and a simple ring, in their order. A closed body of the element is
+// taken as it is. Otherwise the outline is extruded out of the wall or into it: it is put on a plane parallel to the
+// wall at its mean distance from the wall, and the other end is one depth away, on the side from which the ring is
+// farther. So the ring of a sill is its front and the solid ends at the wall, and the ring of a window is in the wall
+// and the solid ends at the pane. Arcs become chords of at most 5 degrees. Corners nearer than 1 mm to the previous one
+// are left out.
 std::vector<FacadeSolid> facade_solids(const Facade& facade, double metres_per_unit = 1);
 
-// The triangles of irregularities, open towards the wall, in their order. They turn out of it.
+// Returns the triangles of irregularities in their order. The meshes are open towards the wall and oriented out of it.
 std::vector<FacadeSolid> facade_meshes(const Facade& facade);
 
-// As OBJ, an object an element ("element-3-window"), and as ASCII STL, a solid an element. Coordinates of the CRS to a
-// tenth of a millimetre.
+// Return OBJ, with one object for each element ("element-3-window"), and ASCII STL, with one solid for each element.
+// Coordinates are those of the CRS to a tenth of a millimetre.
 std::string solids_obj(const std::vector<FacadeSolid>& solids);
 std::string solids_stl(const std::vector<FacadeSolid>& solids);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reading JSON that may be anything.
+// Functions that read JSON of any content.
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
@@ -7,13 +7,13 @@
 
 namespace ilot {
 
-// A field of an object; null when it is missing or there is no object.
+// Returns a field of an object; null when the field is missing or `object` is not an object.
 const nlohmann::json& json_field(const nlohmann::json& object, const char* key);
 
-// Error "place: broken JSON: ..." for what is none or nests deeper than any CityJSON does.
+// Throws Error "place: broken JSON: ..." for text that is not JSON or nests deeper than any CityJSON does.
 nlohmann::json parse_json(std::string_view text, const std::string& place);
 
-// A sequence of JSON texts, one a line, has its second one on a line of its own.
+// A file is a sequence of JSON texts, one a line, when its second text begins on a new line.
 bool is_json_sequence(std::string_view text);
 
 }  // namespace ilot

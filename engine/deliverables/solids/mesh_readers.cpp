@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-// Words in order; # starts a comment that ends with its line.
+// Gives words in order; # starts a comment that ends with its line.
 class Words {
  public:
   Words(std::string_view text, const std::string& name) : text_(text), name_(name) {}
@@ -23,7 +23,7 @@ class Words {
     return at_ == text_.size();
   }
 
-  // Is the next word on this line?
+  // Tells whether the next word is on this line.
   bool more_on_line() {
     while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\r')) ++at_;
     return at_ < text_.size() && text_[at_] != '\n' && text_[at_] != '#';
@@ -45,7 +45,7 @@ class Words {
     return value;
   }
 
-  // A whole number from 0 to below `limit`.
+  // Reads a whole number from 0 to below `limit`.
   std::uint32_t whole(std::uint64_t limit, const char* what) {
     const std::string_view text = word();
     std::uint64_t value = 0;
@@ -55,7 +55,7 @@ class Words {
     return static_cast<std::uint32_t>(value);
   }
 
-  // How many of something follow: no more than there is text for.
+  // Reads how many items follow. It cannot exceed the length of the remaining text.
   std::uint32_t count(const char* what) { return whole(text_.size() - at_ + 1, what); }
 
   Vec3 point() {
@@ -86,7 +86,7 @@ class Words {
   std::uint64_t line_ = 1;
 };
 
-// A facet: the number of rings, and on the same line the number of points in holes, which follow the rings.
+// Reads a facet: the number of rings and, on the same line, the number of points in holes, which follow the rings.
 SolidFace poly_face(Words& words, std::uint32_t first, std::uint32_t vertices) {
   SolidFace face;
   const std::uint32_t rings = words.count("number of rings");
@@ -117,7 +117,7 @@ SolidShell poly_shell(Words& words, std::uint32_t points, std::vector<Vec3>& ver
   return shell;
 }
 
-// Holes and regions: tetrahedra need them, validity does not.
+// Skips holes and regions: tetrahedra need them, validity does not.
 void skip_poly_list(Words& words) {
   if (words.done()) return;
   const std::uint32_t entries = words.count("number of holes");
@@ -152,7 +152,7 @@ CityObject parse_poly(std::string_view text, const std::string& name) {
   SolidShells shells;
   while (!words.done()) {
     const std::uint32_t points = words.count("number of points");
-    if (!shells.empty() && !words.more_on_line()) break;  // what follows the counts of the first line is no shell
+    if (!shells.empty() && !words.more_on_line()) break;  // content after these counts is not a shell
     shells.push_back(poly_shell(words, points, object.vertices));
     skip_poly_list(words);
     skip_poly_list(words);

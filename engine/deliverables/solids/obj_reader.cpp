@@ -43,7 +43,8 @@ class ObjParser {
  private:
   [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}:{}: {}", name_, number_, what)); }
 
-  // Those of polygons and lines, and comments; surfaces of higher order come with vertices, which are among these.
+  // True for statements of polygons and lines, and for comments. Surfaces of higher order need vertices, whose
+  // statements are among these.
   static bool is_statement(std::string_view word) {
     constexpr std::string_view kWords[] = {"v", "vt", "vn", "f", "l", "p", "o", "g", "s", "mtllib", "usemtl"};
     return word.starts_with('#') || std::find(std::begin(kWords), std::end(kWords), word) != std::end(kWords);
@@ -77,7 +78,7 @@ class ObjParser {
     return {values[0], values[1], values[2]};
   }
 
-  // 12, 12/3, 12//4, 12/3/4 or counted from the end, -1.
+  // Reads 12, 12/3, 12//4, 12/3/4 or a number counted from the end, -1.
   std::uint32_t corner(std::string_view word) const {
     std::int64_t index = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), index);
@@ -107,7 +108,7 @@ class ObjParser {
     model.faces.push_back({{std::move(corners)}, FaceKind::unknown, 0});
   }
 
-  // A group becomes a model with its first face.
+  // A group becomes a model when its first face is read.
   void enter_group() {
     if (current_) return;
     const auto [entry, added] = models_.try_emplace(group_, file_.models.size());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All files that models of buildings are delivered in.
+// All files in which models of buildings are delivered.
 #pragma once
 #include <filesystem>
 #include <memory>
@@ -16,12 +16,12 @@ struct RoofFilesParams {
   std::uint64_t largest_object = 256u << 20;  // bytes of roofs.city.json; a larger one is left out
 };
 
-// folder/roofs.city.jsonl, roofs.city.json, roofs.obj with roofs.mtl, roofs.gpkg: the same buildings in the same order,
-// on the same steps. Whole after finish(). Throws Error.
+// Writes folder/roofs.city.jsonl, roofs.city.json, roofs.obj with roofs.mtl, and roofs.gpkg: the same buildings in the
+// same order, on the same steps. The files are complete after finish(). Throws Error.
 class RoofFiles {
  public:
   RoofFiles(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs);
-  // One building at its levels of detail, see CityJsonWriter.
+  // Adds one building with its levels of detail, see CityJsonWriter.
   void add(std::span<const Building> levels);
   void finish();
 

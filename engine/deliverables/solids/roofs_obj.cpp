@@ -31,7 +31,7 @@ std::filesystem::path materials_of(std::filesystem::path path) {
   return path.replace_extension(".mtl");
 }
 
-// Words of a line end at blanks.
+// Words of a line end at blanks, so blanks are replaced.
 std::string one_word(std::string text) {
   for (char& c : text)
     if (static_cast<unsigned char>(c) <= 32) c = '_';
@@ -47,7 +47,7 @@ struct NumberedVertices {
   std::uint64_t fresh = 0;
 };
 
-// Decimals that show a step whole.
+// Returns the number of decimals that represent a step exactly.
 int decimals_of(double step) {
   int decimals = 0;
   for (double s = step; s < 0.99 && decimals < 9; s *= 10) ++decimals;
@@ -82,7 +82,7 @@ std::string face_line(const Corners& corners, const std::vector<std::uint64_t>& 
   return line + "\n";
 }
 
-// OBJ knows no holes: such faces become the triangles that the validity of solids is judged by.
+// OBJ has no holes. Such faces become the same triangles as in the test of the validity of solids.
 std::string face_lines(const BuildingSurface& surface, const NumberedVertices& vertices) {
   if (surface.rings.size() == 1) return face_line(surface.rings[0], vertices.numbers);
   std::string lines;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// roofs.obj: a group per building, materials roof, wall and ground, which roofs.mtl beside it describes.
+// roofs.obj: one group for each building, with materials roof, wall and ground, which roofs.mtl beside it describes.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -11,13 +11,14 @@
 namespace ilot {
 
 struct RoofsObjParams {
-  Vec3 origin;           // coordinates are whole steps from it, written in full
+  Vec3 origin;           // coordinates are whole steps from this place, written in full
   double step = 0.0001;  // CRS units
 };
 
-// Buildings in the order they are added, each at the last of its levels that is a solid; without one it is left out.
-// Faces are polygons; those with holes, which OBJ has not, come in triangles. Vertices that fall on one step are one
-// within a building. The file appears under its name at finish() or not at all. Throws Error.
+// Buildings are written in the order in which they are added, each at the last of its levels that is a solid. A
+// building without a solid is left out. Faces are polygons; faces with holes, which OBJ does not support, are written
+// as triangles. Within a building, vertices on the same step become one. The file appears under its name at finish() or
+// not at all. Throws Error.
 class RoofsObj {
  public:
   RoofsObj(const std::filesystem::path& path, const RoofsObjParams& params);

@@ -37,7 +37,7 @@ SurfaceKind kind_of_surface(const std::string& type) {
   return type == "WallSurface" ? SurfaceKind::wall : SurfaceKind::ground;
 }
 
-// Surfaces of the outer shell, or of a flat outline.
+// Returns the surfaces of the outer shell, or of a flat outline.
 std::vector<BuildingSurface> surfaces_of(const Json& geometry, std::size_t vertices, const std::string& place) {
   const bool solid = geometry.at("type") == "Solid";
   const Json& faces = solid ? geometry.at("boundaries").at(0) : geometry.at("boundaries");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The way back from roofs.city.jsonl, with all levels of detail, surfaces and attributes. Models of anybody else are
-// read by model_file.h.
+// Reader of roofs.city.jsonl with all levels of detail, surfaces and attributes. model_file.h reads models from other
+// software.
 #pragma once
 #include <filesystem>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// Error names the file and the line.
+// An Error names the file and the line.
 std::vector<BuildingModel> read_roofs_sequence(const std::filesystem::path& path);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// City objects as files hold them, with all that may be wrong with their geometries: for validation.
+// City objects as they are in files, with everything that may be wrong with their geometries. Validation uses them.
 #pragma once
 #include <filesystem>
 #include <functional>
@@ -11,7 +11,7 @@
 
 namespace ilot {
 
-// What of an object breaks the rules of its format; `object` is empty for the file as a whole.
+// A violation of the rules of a format; `object` is empty for the file as a whole.
 struct FormatFault {
   std::string object, text;
 };
@@ -21,14 +21,14 @@ struct SolidFileSink {
   std::function<void(const FormatFault&)> fault;
 };
 
-// Does the name end like a file that read_solids() takes: .obj, .off, .poly, .json or .jsonl?
+// Tells whether the name ends like a file that read_solids() takes: .obj, .off, .poly, .json or .jsonl.
 bool is_solid_file(const std::filesystem::path& path);
 
-// The file's objects, one after the other. OBJ: one solid per o or g. OFF and POLY: one solid; shells that follow the
-// first in a POLY are inner ones. CityJSON and CityJSONSeq, 1.0 to 2.0: every object, BuildingParts with their
-// Building, templates in place of their instances; geometries that break a rule of the format are left out after the
-// fault was given. A sequence is read line by line. Error with the place for a file that cannot be read; a usage Error
-// when there is none or its name tells no format.
+// Reads the objects of the file, one after the other. OBJ: one solid for each o or g. OFF and POLY: one solid; in a
+// POLY the shells after the first are inner ones. CityJSON and CityJSONSeq, 1.0 to 2.0: every object, with
+// BuildingParts as parts of their Building and templates in place of their instances. A geometry that breaks a rule of
+// the format is left out after its fault is given. A sequence is read line by line. Throws Error with the place for a
+// file that cannot be read. Throws a usage Error when there is no file or its name gives no format.
 void read_solids(const std::filesystem::path& path, const SolidFileSink& sink);
 
 CityObject parse_off(std::string_view text, const std::string& name);

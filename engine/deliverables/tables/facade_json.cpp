@@ -86,7 +86,7 @@ Json json_of(const FacadeElement& e) {
   return json;
 }
 
-// Reads keys of one object; `place` is where it stands, for messages.
+// Reads keys of one object; `place` is its place in the file, for messages.
 struct Reader {
   const Json& json;
   std::string place;
@@ -128,7 +128,7 @@ struct Reader {
       if (name == names[i]) return i;
     fail("'" + name + "' is no " + what);
   }
-  std::optional<double> share(const char* key) const {  // files written before there were any have none
+  std::optional<double> share(const char* key) const {  // absent in files that were written before shares existed
     if (!json.contains(key) || json.at(key).is_null()) return std::nullopt;
     const double share = at(key).number();
     if (share < 0 || share > 1) at(key).fail("needs a number from 0 to 1, or null");
@@ -183,7 +183,7 @@ FacadeElement element_of(const Reader& r) {
   FacadeElement e;
   e.id = r.at("id").id();
   e.kind = r.at("kind").text();
-  if (r.json.contains("region"))  // files written before there were regions have none
+  if (r.json.contains("region"))  // absent in files that were written before regions existed
     e.region = static_cast<FacadeRegion>(r.at("region").choice(kRegion, "region: facade, element or irregularity"));
   e.opening = r.at("opening").flag();
   e.family = r.at("family").id();

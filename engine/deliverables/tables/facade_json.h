@@ -9,11 +9,11 @@
 
 namespace ilot {
 
-// Written whole or not at all. Numbers are the shortest that read back to the same bits.
+// The file is complete or absent. Numbers are the shortest ones that are read back as the same bits.
 void write_facade_json(const std::filesystem::path& path, const Facade& facade);
 std::string facade_json(const Facade& facade);
 
-// The way back. Input is hostile: shapes and numbers are checked, an Error names file and place.
+// Reads the file. The input is not trusted: shapes and numbers are checked, and an Error names file and place.
 Facade read_facade_json(const std::filesystem::path& path);
 Facade parse_facade_json(std::string_view text, const std::string& name);
 

@@ -38,7 +38,7 @@ std::uint64_t least_support(const FacadeElement& e) {
   return least;
 }
 
-// Of the length of all its edges, what is covered and what is occluded; nothing where no station is known.
+// Returns the covered and the occluded share of the length of all edges; empty when no station is known.
 std::string shares_of(const FacadeElement& e, double metres_per_unit) {
   double covered = 0, hidden = 0, whole = 0;
   bool known = true;

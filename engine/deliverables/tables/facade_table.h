@@ -7,9 +7,9 @@
 
 namespace ilot {
 
-// The elements of a facade as CSV, one line each in their order: a window schedule. Columns in docs/outputs.md. Texts
-// that hold commas, quotes or begin as formulas are quoted, the latter behind an apostrophe. `metres_per_unit` as in
-// FacadeDrawingParams.
+// Returns the elements of a facade as CSV, one line each in their order: a window schedule. Columns: docs/outputs.md.
+// Texts that contain commas or quotes, or that begin like formulas, are quoted; the latter get an apostrophe in front.
+// `metres_per_unit` is that of FacadeDrawingParams.
 std::string facade_table(const Facade& facade, double metres_per_unit = 1);
 
 }  // namespace ilot

@@ -8,15 +8,15 @@
 
 namespace ilot {
 
-// One line per plane, by id, header line first. Columns and units: docs/outputs.md. Numbers are the shortest that read
-// back to the same bits. Written whole or not at all.
+// Writes a header line, then one line for each plane, by id. Columns and units: docs/outputs.md. Numbers are the
+// shortest ones that are read back as the same bits. The file is complete or absent.
 void write_planes_csv(const std::filesystem::path& path, std::span<const Segment> segments);
 
-// The way back. Columns are found by name, so that more of them do no harm; what a Segment has and the file has not
-// stays zero, but id, plane and centroid must be there. Error names file and line.
+// Reads the file. Columns are found by name, so that additional columns are allowed. Fields of Segment that the file
+// lacks stay zero, but id, plane and centroid are required. An Error names the file and the line.
 std::vector<Segment> read_planes_csv(const std::filesystem::path& path);
 
-// planes_neighbours.csv. All columns must be there. Error names file and line.
+// Reads planes_neighbours.csv. All columns are required. An Error names the file and the line.
 std::vector<PlaneNeighbours> read_planes_neighbours_csv(const std::filesystem::path& path);
 
 }  // namespace ilot

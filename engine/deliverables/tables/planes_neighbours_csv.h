@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// One line per pair of planes that touch, header line first. Columns and units: docs/outputs.md. Numbers are the
-// shortest that read back to the same bits. Nothing appears before finish().
+// Writes a header line, then one line for each pair of planes that touch. Columns and units: docs/outputs.md. Numbers
+// are the shortest ones that are read back as the same bits. No file appears before finish().
 class PlanesNeighboursCsv {
  public:
   explicit PlanesNeighboursCsv(const std::filesystem::path& path);

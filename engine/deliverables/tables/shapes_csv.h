@@ -7,7 +7,8 @@
 
 namespace ilot {
 
-// shapes.csv: one line a sphere, cylinder or cone. Columns: docs/outputs.md. Whole or not at all.
+// Writes shapes.csv: one line for each sphere, cylinder or cone. Columns: docs/outputs.md. The file is complete or
+// absent.
 void write_shapes_csv(const std::filesystem::path& path, std::span<const CurvedSegment> segments);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where things on streets stand and what they are, to learn from.
+// Places and classes of street objects, from which the classifier is trained.
 #pragma once
 #include <filesystem>
 #include <string>
@@ -12,13 +12,13 @@
 namespace ilot {
 
 struct TrainingPlace {
-  Vec3 at;  // in the CRS of the clouds; the middle of an area
+  Vec3 at;  // in the CRS of the clouds; for an area, its middle
   PointLabel label = PointLabel::none;
 };
 
-// From the first layer with features of any vector file that GDAL reads, points or polygons with the text attribute
-// `class` (any case): car, lamppost, pedestrian, other, vegetation, or none for what is no thing; or from the objects
-// of a truth file (*.truth.json). Throws Error, of ExitCode::usage where the file is at fault.
+// Reads the first layer with features of any vector file that GDAL reads. Its points or polygons have the text
+// attribute `class` (in any case): car, lamppost, pedestrian, other, vegetation, or none for a place without an object.
+// Or reads the objects of a truth file (*.truth.json). Throws Error, with ExitCode::usage when the file is at fault.
 std::vector<TrainingPlace> read_training_places(const std::filesystem::path& path, const Crs& crs);
 
 }  // namespace ilot

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t kInfoSize = 160, kEntrySize = 32;
 constexpr int kDeepest = 30;
 
-// What the info record says of the octree.
+// The values of the octree in the info record.
 struct Octree {
   Vec3 center;
   double halfsize = 0;
@@ -57,7 +57,7 @@ bool is_key(const Key& key, std::int32_t z) {
   return inside(key.x) && inside(key.y) && inside(z);
 }
 
-// Takes the entries of one page; other pages that it names go to `pages`. False: it is damaged.
+// Reads the entries of one page; other pages that it names are added to `pages`. False: the page is damaged.
 bool read_page(std::span<const std::byte> page, std::vector<Node>& nodes,
                std::vector<std::pair<std::uint64_t, std::uint64_t>>& pages) {
   for (std::size_t at = 0; at + kEntrySize <= page.size(); at += kEntrySize) {
@@ -72,7 +72,8 @@ bool read_page(std::span<const std::byte> page, std::vector<Node>& nodes,
   return true;
 }
 
-// All nodes with points in the order of the file; nothing when a page is damaged, read twice, or lies outside.
+// Returns all nodes with points in the order of the file; nullopt when a page is damaged, read twice, or outside the
+// file.
 std::optional<std::vector<Node>> read_hierarchy(const InputFile& file, const Octree& tree, std::size_t most_nodes) {
   std::vector<Node> nodes;
   std::vector<std::pair<std::uint64_t, std::uint64_t>> pages{{tree.page, tree.page_bytes}};
@@ -92,7 +93,7 @@ std::optional<std::vector<Node>> read_hierarchy(const InputFile& file, const Oct
   return nodes;
 }
 
-// The chunks stand in the order of their nodes' places, with as many points.
+// Checks that the chunks are in the order of the places of their nodes and have the same numbers of points.
 bool describes(const std::vector<Node>& nodes, const std::vector<std::uint64_t>& boundaries) {
   if (nodes.size() + 1 != boundaries.size()) return false;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -100,7 +101,7 @@ bool describes(const std::vector<Node>& nodes, const std::vector<std::uint64_t>&
   return true;
 }
 
-// Whether the closed cube of a node, widened by `slack`, meets the closed box.
+// Tells whether the closed cube of a node, widened by `slack`, meets the closed box.
 bool meets(const Octree& tree, const Key& key, const Area& area, double slack_x, double slack_y) {
   const double edge = std::ldexp(2 * tree.halfsize, -key.level);
   const double x = tree.center.x - tree.halfsize + key.x * edge, y = tree.center.y - tree.halfsize + key.y * edge;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// COPC 1.0: a LAZ file whose chunks are the nodes of an octree, so that a box needs a few of them only.
+// COPC 1.0: a LAZ file whose chunks are the nodes of an octree, so that only a few of them are read for a box.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -10,20 +10,21 @@
 
 namespace ilot {
 
-// True when the file says that it is COPC; its hierarchy may still be damaged.
+// True when the file declares that it is COPC; its hierarchy may still be damaged.
 bool is_copc(const CloudInfo& info);
 
-// True when the name says that the file is to be COPC: something, then .copc.laz in any case of letters.
+// True when the name is that of a COPC file: any stem, then .copc.laz in upper or lower case.
 bool is_copc_name(const std::filesystem::path& path);
 
 struct CopcOptions {
-  std::uint64_t memory_bytes = std::uint64_t{1} << 30;  // for the rows and 16 bytes beside each
+  std::uint64_t memory_bytes = std::uint64_t{1} << 30;  // for the rows and 16 bytes for each row
 };
 
-// Takes rows of any point format and writes formats 6 to 8 (modern_record.h) as an octree (copc_octree.h): the order of
-// the rows is lost, the same rows in the same order give the same bytes. All rows stay in memory until finish(), which
-// takes the nodes being compressed besides, one per thread, each compressed by one thread. One hierarchy page. Throws
-// Error as soon as the rows written, or those that spec.like declares, do not fit options.memory_bytes.
+// Takes rows of any point format and writes formats 6 to 8 (modern_record.h) as an octree (copc_octree.h). The order of
+// the rows is lost, but the same rows in the same order give the same bytes. All rows stay in memory until finish().
+// finish() also needs memory for the nodes in compression, one for each thread; each node is compressed by one thread.
+// There is one hierarchy page. Throws Error as soon as the rows written, or the rows that spec.like declares, do not
+// fit options.memory_bytes.
 std::unique_ptr<PointWriter> create_copc(const std::filesystem::path& path, const CloudSpec& spec,
                                          const CopcOptions& options = {});
 

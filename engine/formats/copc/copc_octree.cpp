@@ -11,7 +11,7 @@ int shift_of(int level) {
   return 3 * (kMortonBits - level);
 }
 
-// Square of twice the distance from the centre of a cell of 2^bits along each edge, in the smallest cells.
+// Returns the square of twice the distance from the centre of a cell of 2^bits along each edge, in the smallest cells.
 std::uint64_t off_centre(std::uint64_t code, int bits) {
   const Cell3 cell = morton_cell(code);
   const std::int64_t side = std::int64_t{1} << bits;
@@ -26,7 +26,8 @@ void sort_by_row(std::span<CopcPoint> points) {
   std::sort(points.begin(), points.end(), [](const CopcPoint& a, const CopcPoint& b) { return a.row < b.row; });
 }
 
-// Moves the points that the node keeps to the end, the others, still sorted, to the front; returns how many others.
+// Moves the points that the node keeps to the end and the others, still sorted, to the front. Returns the number of the
+// others.
 std::size_t keep_one_per_cell(std::span<CopcPoint> points, int level) {
   const int bits = std::max(0, kMortonBits - level - kCopcGridBits);
   std::vector<CopcPoint> kept;
@@ -49,7 +50,7 @@ std::size_t keep_one_per_cell(std::span<CopcPoint> points, int level) {
   return others;
 }
 
-// Appends a node for each octant that has points; they are children of one node of `level` - 1.
+// Appends a node for each octant that has points. The octants are children of one node of `level` - 1.
 void add_children(std::span<const CopcPoint> all, CopcNode range, std::vector<CopcNode>& nodes) {
   const int shift = shift_of(range.level);
   while (range.first < range.end) {

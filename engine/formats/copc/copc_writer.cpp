@@ -30,7 +30,7 @@ struct TimeRange {
   double min = INFINITY, max = -INFINITY;
 };
 
-// What compresses one node of a batch.
+// The data for compressing one node of a batch.
 struct Slot {
   explicit Slot(const laz::ChunkLayout& layout) : encoder(layout) {}
   laz::ChunkEncoder encoder;
@@ -47,7 +47,8 @@ Vlr copc_record(std::uint16_t id, const char* description, std::size_t bytes) {
   return vlr;
 }
 
-// A cube around the bounds with a step of the coordinates to spare on each side: no point lies on its border.
+// Returns a cube around the bounds with a margin of one coordinate step on each side, so that no point is on its
+// border.
 Cube cube_around(const PointStatistics& statistics, const RecordLayout& layout) {
   Cube cube;
   const double step = *std::max_element(layout.scale.begin(), layout.scale.end());
@@ -136,7 +137,7 @@ class CopcWriter final : public PointWriter {
   }
 
  private:
-  // Rows, and the code and the number of each.
+  // Counts the rows, and the code and the number of each.
   void check_memory(std::uint64_t points) const {
     const std::uint64_t most = memory_bytes_ / (plan_.layout.record_length + sizeof(CopcPoint));
     if (points <= std::min<std::uint64_t>(most, UINT32_MAX)) return;
@@ -181,7 +182,7 @@ class CopcWriter final : public PointWriter {
     plan_.header[las::kFormat] |= std::byte{0x80};
     point_offset_ = prefix.size();
     file_.append(prefix);
-    file_.append(std::vector<std::byte>(8));  // the place of the table, later
+    file_.append(std::vector<std::byte>(8));  // space for the place of the table, which is written later
   }
 
   void write_nodes(const std::vector<CopcNode>& nodes, const std::vector<CopcPoint>& points) {
@@ -204,7 +205,7 @@ class CopcWriter final : public PointWriter {
     if (!slot.rows.empty()) slot.encoder.encode(slot.rows, slot.bytes);
   }
 
-  // The chunk, and its entry in the hierarchy.
+  // Appends the chunk and its entry in the hierarchy.
   void append(const CopcNode& node, const std::vector<std::byte>& bytes) {
     if (bytes.size() > INT32_MAX)
       throw Error(file_.path().string() + ": a node grew beyond 2 GiB; remove duplicate points or write plain .laz");
@@ -242,7 +243,7 @@ class CopcWriter final : public PointWriter {
   LasPlan plan_;
   laz::Compression compression_;
   std::size_t block_rows_ = 0;
-  std::vector<std::vector<std::byte>> blocks_;  // rows, so many to each
+  std::vector<std::vector<std::byte>> blocks_;  // rows, a fixed number in each
   std::uint64_t points_ = 0, point_offset_ = 0;
   TimeRange times_;
   std::vector<laz::ChunkEntry> chunks_;

@@ -15,7 +15,7 @@
 namespace ilot::e57 {
 namespace {
 
-constexpr std::ptrdiff_t kMostElements = 1'000'000;  // tags, which bounds the memory of the parsed document
+constexpr std::ptrdiff_t kMostElements = 1'000'000;  // tags; the limit bounds the memory of the parsed document
 constexpr std::size_t kMostFields = 1000;
 constexpr int kDeepest = 8;
 constexpr std::uint64_t kMostPoints = std::uint64_t{1} << 44;
@@ -50,7 +50,7 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(begin, text.find_last_not_of(" \t\r\n") - begin + 1);
 }
 
-// Empty text is zero: so the standard abbreviates it.
+// Empty text is zero: the standard allows this abbreviation.
 bool to_number(std::string_view text, double& value) {
   text = trimmed(text);
   value = 0;
@@ -74,14 +74,15 @@ std::string_view local_name(std::string_view name) {
   return name.substr(name.find(':') + 1);
 }
 
-// Minimum and maximum of an element such as intensityLimits; `otherwise` when they are absent or leave no room.
+// Returns minimum and maximum of an element such as intensityLimits; `otherwise` when they are absent or the range is
+// empty.
 Range limits_of(const pugi::xml_node& node, const std::string& name, const Range& otherwise) {
   const pugi::xml_node low = node.child((name + "Minimum").c_str()), high = node.child((name + "Maximum").c_str());
   const Range range{number_of(low, 0), number_of(high, 0)};
   return low && high && range.low < range.high ? range : otherwise;
 }
 
-// Fills coding, bits and range; a sentence when it cannot.
+// Fills coding, bits and range. Returns a sentence when it cannot.
 std::string read_integer(const pugi::xml_node& node, Field& field, bool scaled) {
   std::int64_t low = INT64_MIN, high = INT64_MAX;
   const pugi::xml_attribute from = node.attribute("minimum"), to = node.attribute("maximum");
@@ -135,7 +136,7 @@ std::string read_field(const pugi::xml_node& node, Scan& scan) {
   return {};
 }
 
-// Leaves in document order are the streams of the points.
+// The leaves in document order are the streams of the points.
 std::string read_prototype(const pugi::xml_node& parent, Scan& scan, int depth) {
   for (const pugi::xml_node& node : parent.children()) {
     if (node.type() != pugi::node_element) continue;
@@ -175,7 +176,7 @@ const std::optional<Range>& range_of(const Scan& scan, Use use) {
   return scan.has(use) ? scan.fields[*scan.places[use]].range : kNone;
 }
 
-// Limits as the scan gives them; else those of the field; else what is usual.
+// Limits are those of the scan; else those of the field; else the usual ones.
 void read_limits(const pugi::xml_node& node, Scan& scan) {
   const Range usual{0, 1};
   const pugi::xml_node intensity = node.child("intensityLimits"), colour = node.child("colorLimits");

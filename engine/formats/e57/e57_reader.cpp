@@ -21,7 +21,7 @@ using namespace e57;
 constexpr std::size_t kFileHeader = 48;
 constexpr std::uint64_t kMostXml = 16u << 20;
 constexpr std::size_t kSample = 1000;
-constexpr std::size_t kStepPoints = std::size_t{1} << 17;  // of a scan, that its angular steps are found from
+constexpr std::size_t kStepPoints = std::size_t{1} << 17;  // of a scan, from which its angular steps are found
 constexpr char kSignature[] = "ASTM-E57";
 
 struct FileHeader {
@@ -63,7 +63,7 @@ void find_crs(const std::string& text, CloudInfo& info) {
   }
 }
 
-// Directions from the scanner of the first points of a scan, and their places in its grid where it has one.
+// Returns the directions from the scanner of the first points of a scan, and their places in its grid if it has one.
 std::vector<GridPoint> first_rays(Pages& pages, const Scan& scan, Batch& batch) {
   std::vector<GridPoint> rays;
   ScanReader reader(pages, scan);
@@ -81,7 +81,7 @@ std::vector<GridPoint> first_rays(Pages& pages, const Scan& scan, Batch& batch) 
   return rays;
 }
 
-// By rows and columns where the points have them, else from the order of the points.
+// Uses rows and columns when the points have them, else the order of the points.
 AngularSteps steps_of(Pages& pages, const Scan& scan, Batch& batch) {
   if (scan.points == 0) return {};
   const std::vector<GridPoint> rays = first_rays(pages, scan, batch);
@@ -91,7 +91,7 @@ AngularSteps steps_of(Pages& pages, const Scan& scan, Batch& batch) {
   return steps_of_sequence(in_order);
 }
 
-// Where the scanner stood, the pose or the origin of spherical coordinates, and how it turned.
+// Finds the place of the scanner (the pose or the origin of spherical coordinates) and how it rotated.
 void find_stations(Pages& pages, const std::vector<Scan>& scans, Batch& batch, CloudInfo& info) {
   for (std::size_t s = 0; s < scans.size(); ++s) {
     const Scan& scan = scans[s];
@@ -103,7 +103,7 @@ void find_stations(Pages& pages, const std::vector<Scan>& scans, Batch& batch, C
       station.position = scan.pose->translation;
       station.axis = {r[0].z, r[1].z, r[2].z};
     }
-    if (s < UINT16_MAX) station.source_id = static_cast<std::uint16_t>(s + 1);  // as rows have it
+    if (s < UINT16_MAX) station.source_id = static_cast<std::uint16_t>(s + 1);  // as in the rows
     info.stations.push_back(station);
   }
 }
@@ -161,7 +161,7 @@ class E57Reader final : public PointReader {
   }
 
  private:
-  // Of thousands of inputs that have been read none keeps more than its description.
+  // Frees memory, so that with thousands of inputs each read input keeps only its description.
   void release() {
     reader_.reset();
     batch_.reset();
@@ -180,7 +180,7 @@ class E57Reader final : public PointReader {
       info_.scans.push_back({scan.name, scan.points});
       if (extent.problem.empty()) continue;
       if (first_problem.empty()) first_problem = extent.problem;
-      if (scan.declared == 0) continue;  // some writers give an empty scan no section: nothing is lost with it
+      if (scan.declared == 0) continue;  // some writers give an empty scan no section; nothing is lost
       info_.warnings.push_back("scan " + std::to_string(number) + " (" + scan.name +
                                "): " + std::to_string(scan.points) + " of " + std::to_string(scan.declared) +
                                " points can be read: " + extent.problem);
@@ -195,7 +195,7 @@ class E57Reader final : public PointReader {
                   " points can be read (" + first_problem + "); fetch or export the file again");
   }
 
-  // Some points of every scan, so that the lattice suits all of them.
+  // Returns some points of every scan, so that the lattice fits all of them.
   std::vector<double> sample() {
     const std::vector<Scan>& scans = description_.scans;
     const std::size_t each = std::max<std::size_t>(1, kSample / scans.size());
@@ -205,8 +205,8 @@ class E57Reader final : public PointReader {
     return values;
   }
 
-  // Its leading points. Where these are all at one place, as rays without an echo are written, it looks farther for
-  // another place.
+  // Samples the first points of the scan. When all of these are at one place (rays without an echo are written like
+  // this), it searches farther for another place.
   void sample_scan(std::size_t s, std::size_t each, std::vector<double>& values) {
     constexpr std::size_t kLookFarther = 1000;
     const Scan& scan = description_.scans[s];

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kSectionHeader = 32, kDataHeader = 6, kPadding = 16;
 constexpr std::uint64_t kMostHeld = 16u << 20;
-constexpr std::uint64_t kMostConstant = 1024;  // points without a single bit
+constexpr std::uint64_t kMostConstant = 1024;  // points without any bits
 constexpr std::uint8_t kSectionId = 1, kIndexPacket = 0, kDataPacket = 1, kEmptyPacket = 2;
 
 bool is_read(const Field& field) {
@@ -75,7 +75,7 @@ bool Packets::next(std::vector<std::span<const std::byte>>& pieces) {
   return false;
 }
 
-// The packet read last into its streams.
+// Divides the packet that was read last into its streams.
 bool Packets::split(std::vector<std::span<const std::byte>>& pieces) {
   const std::size_t length = load<std::uint16_t>(&packet_[2]) + std::size_t{1};
   std::size_t at = kDataHeader + 2 * fields_;
@@ -146,7 +146,7 @@ std::size_t ScanReader::next(std::size_t most, Batch& batch) {
   return static_cast<std::size_t>(count);
 }
 
-// Points whose fields have all arrived.
+// Returns the number of points whose fields have all arrived.
 std::uint64_t ScanReader::available() const {
   std::uint64_t points = UINT64_MAX;
   for (std::size_t i = 0; i < streams_.size(); ++i) {

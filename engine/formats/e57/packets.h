@@ -13,13 +13,14 @@
 
 namespace ilot::e57 {
 
-// Hands out the data packets of a scan in their order; index packets and empty ones are skipped. Holds one packet (at
-// most 64 KiB). Pages and scan must outlive it.
+// Gives the data packets of a scan in their order. Index packets and empty packets are skipped. One packet (at most 64
+// KiB) is in memory. Pages and scan must outlive it.
 class Packets {
  public:
   Packets(Pages& pages, const Scan& scan);
 
-  // One piece per field, valid until the next call. False at the end of the section or at damage: see problem().
+  // Gives one piece for each field, valid until the next call. False at the end of the section or at damage: see
+  // problem().
   bool next(std::vector<std::span<const std::byte>>& pieces);
 
   const std::string& problem() const { return problem_; }
@@ -39,15 +40,15 @@ class Packets {
 
 struct Extent {
   std::uint64_t points = 0;  // that can be read
-  std::string problem;       // why not all that are declared; empty when all
+  std::string problem;       // why not all declared points can be read; empty when all can
 };
 
-// Walks the packets of a scan, testing their pages, until its points are complete. Takes the bytes walked from
-// `budget` and stops when it is used up: sections of a sound file do not overlap. Also stops where more than 16 MiB
-// would have to be held because one field runs ahead of another. O(bytes of the scan).
+// Reads the packets of a scan and tests their pages until the points are complete. Subtracts the bytes read from
+// `budget` and stops when it is used up, because the sections of a sound file do not overlap. Also stops when more than
+// 16 MiB would have to be in memory because one field runs ahead of another. O(bytes of the scan).
 Extent measure_scan(Pages& pages, const Scan& scan, std::uint64_t& budget);
 
-// Values of up to kBatch points, by use; NaN never stands for absence: ask Scan::has.
+// Values of up to kBatch points, by use. NaN never means that a value is absent; use Scan::has for that.
 constexpr std::size_t kBatch = 1024;
 using Batch = std::array<std::array<double, kBatch>, kUses>;
 
@@ -56,15 +57,15 @@ class ScanReader {
  public:
   ScanReader(Pages& pages, const Scan& scan);
 
-  // Decodes the next points, at most `most` and kBatch; 0 at their end, or when the file is not what it was.
+  // Decodes the next points, at most `most` and kBatch. Returns 0 at their end, or when the file has changed.
   std::size_t next(std::size_t most, Batch& batch);
 
   bool finished() const { return left_ == 0; }
 
  private:
   struct Stream {
-    std::vector<std::byte> bytes;  // then kPadding bytes of zero
-    std::uint64_t bit = 0;         // next one, from the beginning of bytes
+    std::vector<std::byte> bytes;  // followed by kPadding bytes of zero
+    std::uint64_t bit = 0;         // next bit, counted from the beginning of bytes
   };
   std::uint64_t available() const;
   void append(std::size_t field, std::span<const std::byte> piece);

@@ -18,7 +18,7 @@ Vec3 turned(const Scan& scan, Vec3 v) {
   return {dot(r[0], v), dot(r[1], v), dot(r[2], v)};
 }
 
-// Not a number when the angles are not finite.
+// Returns NaN when the angles are not finite.
 Vec3 from_spherical(double range, double azimuth, double elevation) {
   constexpr double kDegrees = 180 / std::numbers::pi;
   if (!(std::abs(azimuth) < 1e6 && std::abs(elevation) < 1e6)) return {NAN, NAN, NAN};

@@ -19,7 +19,7 @@ void put_text(std::byte* p, const std::string& text, std::size_t length) {
   std::memcpy(p, text.data(), std::min(text.size(), length));
 }
 
-// Size 0 says that the descriptor cannot be used.
+// A size of 0 means that the descriptor cannot be used.
 ExtraField parse_descriptor(const std::byte* p) {
   const auto type = load<std::uint8_t>(p + 2), options = load<std::uint8_t>(p + 3);
   ExtraField field;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The description of extra bytes: records LASF_Spec 4, payload of 192-byte descriptors. (ASPRS LAS 1.4 R15, table 24)
+// The description of extra bytes: records LASF_Spec 4 with a payload of 192-byte descriptors. (ASPRS LAS 1.4 R15, table
+// 24)
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,18 +18,18 @@ bool is_extra_bytes(const Vlr& vlr);
 
 struct ExtraBytes {
   std::vector<ExtraField> fields;      // in record order; offsets from the start of the record
-  std::vector<std::byte> descriptors;  // verbatim, those of `fields`; empty when malformed
+  std::vector<std::byte> descriptors;  // verbatim, for `fields`; empty when malformed
   std::vector<std::string> warnings;
 };
 
-// Reads the descriptors of all such VLRs in their order. Descriptors that do not fit the record, or a payload that is
-// not a multiple of 192 bytes, make the whole description malformed: no fields, one warning. O(descriptors).
+// Reads the descriptors of all such VLRs in their order. If descriptors do not fit the record, or a payload is not a
+// multiple of 192 bytes, the whole description is malformed: it has no fields and one warning. O(descriptors).
 ExtraBytes parse_extra_bytes(const std::vector<Vlr>& vlrs, std::size_t standard_bytes, std::size_t record_length);
 
-// One descriptor per field (opaque fields above 255 bytes: several), ready to be a payload.
+// Returns one descriptor for each field (several for opaque fields above 255 bytes), ready to be a payload.
 std::vector<std::byte> describe(std::span<const ExtraField> fields);
 
-// Bytes that a field type takes; 0 for opaque.
+// Returns the number of bytes of a field type; 0 for opaque.
 std::size_t type_size(FieldType type);
 
 }  // namespace ilot

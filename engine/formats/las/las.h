@@ -16,11 +16,12 @@
 
 namespace ilot {
 
-// Takes a file that parse_las says is not compressed. Random access; read is one pread, no state.
+// Takes a file that parse_las found to be uncompressed. Random access; each read is one pread without state.
 std::unique_ptr<PointReader> open_las(std::unique_ptr<InputFile> file, LasContainer container);
 
-// Fills one LAS file from several threads: every row is written once, anywhere. Each thread measures its rows with a
-// PointStatistics of its own (layout() is what add wants); their merge goes to finish(). Nothing appears before that.
+// Fills one LAS file from several threads. Every row is written once, at any place. Each thread measures its rows with
+// its own PointStatistics (add takes layout()). The merged statistics are passed to finish(). No file appears before
+// that.
 class LasFileWriter {
  public:
   LasFileWriter(const std::filesystem::path& path, const CloudSpec& spec);
@@ -28,10 +29,11 @@ class LasFileWriter {
   const RecordLayout& layout() const { return plan_.layout; }
   std::size_t record_length() const { return plan_.layout.record_length; }
 
-  // Thread-safe. `records` is a multiple of record_length(); rows go to [first_row, first_row + rows).
+  // Thread-safe. `records` is a multiple of record_length(). The rows are written to [first_row, first_row + rows).
   void write_at(std::uint64_t first_row, std::span<const std::byte> records);
 
-  // Writes EVLRs and header, renames into place. Throws Error when statistics.count is not the number of rows written.
+  // Writes EVLRs and header and renames the file to its final name. Throws Error when statistics.count is not the
+  // number of rows written.
   void finish(const PointStatistics& statistics);
 
  private:
@@ -41,7 +43,7 @@ class LasFileWriter {
   std::atomic<std::uint64_t> rows_{0};
 };
 
-// Rows in order, statistics measured along.
+// Writes rows in order and measures the statistics at the same time.
 std::unique_ptr<PointWriter> create_las(const std::filesystem::path& path, const CloudSpec& spec);
 
 }  // namespace ilot

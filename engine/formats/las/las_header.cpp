@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::uint64_t kKeptPayload = std::uint64_t{64} << 20;
 
-// At the finest all that 32 bits count spans 4 mm, and degrees of that step are smaller than atoms; at the coarsest a
-// step is a kilometre. What is beyond is a damaged header.
+// At the finest scale, all values of 32 bits span 4 mm, and degrees of that step are smaller than atoms. At the
+// coarsest scale, a step is a kilometre. A scale outside this range comes from a damaged header.
 constexpr double kFinestScale = 1e-12, kCoarsestScale = 1000;
 
 struct HeaderView {
@@ -113,7 +113,7 @@ std::uint64_t declared_count(const HeaderView& header, const CloudInfo& info) {
   return count == 0 ? legacy : count;
 }
 
-// Reads one VLR or EVLR at `offset`; false when it does not lie before `end`.
+// Reads one VLR or EVLR at `offset`; false when it does not end before `end`.
 bool read_record(const InputFile& file, std::uint64_t& offset, std::uint64_t end, LasContainer& out, bool extended) {
   const std::size_t head = extended ? las::kEvlrHeader : las::kVlrHeader;
   std::byte raw[las::kEvlrHeader];
@@ -153,7 +153,7 @@ void read_vlrs(const InputFile& file, const HeaderView& header, LasContainer& ou
   }
 }
 
-// LAS 1.3 has one EVLR at most, the waveforms, which only the waveform field of the header finds.
+// LAS 1.3 has at most one EVLR, the waveforms, and only the waveform field of the header gives its place.
 void read_evlrs(const InputFile& file, const HeaderView& header, LasContainer& out) {
   std::uint64_t offset = 0, count = 0;
   if (out.info.version_minor >= 4 && header.has_bytes(las::header_size(4))) {
@@ -183,7 +183,7 @@ void check_laszip_record(const InputFile& file, const LasContainer& out) {
     refuse(file, "has a LASzip record but the compression bit at byte 104 is not set");
 }
 
-// Whole records between the header's place of the points and their end.
+// Counts the whole records between the header's place of the points and their end.
 void count_points(LasContainer& out) {
   CloudInfo& info = out.info;
   const std::uint64_t whole = (out.point_end - out.point_offset) / info.layout.record_length;

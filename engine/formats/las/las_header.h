@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands before and behind the points of LAS and LAZ files. (ASPRS LAS 1.4 R15)
+// The parts of LAS and LAZ files before and behind the points. (ASPRS LAS 1.4 R15)
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,26 +18,28 @@ constexpr std::size_t kGlobalEncoding = 6, kMajor = 24, kMinor = 25, kSystem = 2
                       kBounds = 179, kWaveform = 227, kEvlrOffset = 235, kEvlrCount = 243, kCount = 247, kReturns = 255;
 constexpr std::size_t kVlrHeader = 54, kEvlrHeader = 60, kLargestVlr = 65535;
 constexpr std::uint16_t kWktBit = 16, kWaveformInternalBit = 2;
-// Size of the header block that a minor version needs.
+// Returns the size of the header block that a minor version needs.
 constexpr std::size_t header_size(int minor) {
   return minor >= 4 ? 375 : minor == 3 ? 235 : 227;
 }
 }  // namespace las
 
 struct LasContainer {
-  // Layout with the plain point format (compression bits removed). points: what the file can hold when the points are
-  // not compressed, else the declared count. format is "las" or "laz"; the LASzip VLR is among vlrs.
+  // The layout has the plain point format (compression bits removed). points is the number that the file can contain
+  // when the points are not compressed, else the declared count. format is "las" or "laz". The LASzip VLR is among
+  // vlrs.
   CloudInfo info;
   std::uint64_t point_offset = 0;
-  std::uint64_t point_end = 0;  // end of the file, or the EVLRs when they stand behind the points
+  std::uint64_t point_end = 0;  // end of the file, or start of the EVLRs when they are behind the points
   bool compressed = false;
 };
 
 bool looks_like_las(std::span<const std::byte> beginning);
 
-// Reads the header block, VLRs and EVLRs. Throws Error when the points cannot be understood: not LAS, version, point
-// format, record length, scale, offset, place of the points. Everything else is a warning. Payloads above 64 MiB in
-// total (waveforms) are left out with a warning. Extra-byte fields and the CRS are filled in. O(bytes of the VLRs).
+// Reads the header block, VLRs and EVLRs. Throws Error when the points cannot be interpreted: the file is not LAS, or
+// the version, point format, record length, scale, offset or place of the points is wrong. Everything else is a
+// warning. Payloads above 64 MiB in total (waveforms) are left out with a warning. Fills in extra-byte fields and the
+// CRS. O(bytes of the VLRs).
 LasContainer parse_las(const InputFile& file);
 
 }  // namespace ilot

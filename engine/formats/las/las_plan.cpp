@@ -55,7 +55,8 @@ std::vector<std::byte> plan_header(const CloudSpec& spec, const RecordLayout& la
   return header;
 }
 
-// Bytes of the record that no descriptor covers, as opaque fields between and behind the described ones.
+// Returns the fields, with the bytes of the record that no descriptor covers as opaque fields between and behind the
+// described ones.
 std::vector<ExtraField> with_gaps(const std::vector<ExtraField>& fields, std::size_t begin, std::size_t end) {
   std::vector<ExtraField> sorted = fields, out;
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -80,7 +81,8 @@ std::vector<ExtraField> with_gaps(const std::vector<ExtraField>& fields, std::si
   return out;
 }
 
-// Descriptors of ours: as they were, then the undocumented rest of the input's record, then the appended fields.
+// Appends our descriptors behind those of the input: first the undocumented rest of its record, then the appended
+// fields.
 void append_to(std::vector<Vlr>& vlrs, const std::vector<std::byte>& added, int minor) {
   const auto last = std::find_if(vlrs.rbegin(), vlrs.rend(), is_extra_bytes);
   if (last != vlrs.rend() && (last->extended || last->payload.size() + added.size() <= las::kLargestVlr)) {
@@ -117,7 +119,7 @@ void plan_extra_bytes(const CloudSpec& spec, const RecordLayout& layout, int min
   if (worth && !added.empty()) append_to(vlrs, added, minor);
 }
 
-// An input without a CRS of its own gets the one it was given.
+// An input without its own CRS gets the one that was assigned to it.
 void plan_crs(const CloudSpec& spec, std::vector<Vlr>& vlrs, std::vector<std::byte>& header) {
   if (std::any_of(vlrs.begin(), vlrs.end(), is_crs_record)) return;
   const bool as_wkt = load<std::uint8_t>(&header[las::kMinor]) >= 4 && !spec.like.crs.wkt.empty();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What an output of the LAS family consists of but for its points: used by the LAS and the LAZ writer.
+// All parts of an output of the LAS family except its points. The LAS and the LAZ writer use it.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -11,8 +11,8 @@
 
 namespace ilot {
 
-// Counts and bounds of rows, as the header wants them. Sums and extremes of integers: any order of add and merge gives
-// the same result, so ranges may be measured in parallel.
+// Counts and bounds of rows, as the header needs them. They are sums and extremes of integers, so any order of add and
+// merge gives the same result, and ranges may be measured in parallel.
 struct PointStatistics {
   std::uint64_t count = 0;
   std::array<std::uint64_t, 15> by_return{};  // return numbers 1 to 15
@@ -29,25 +29,25 @@ struct LasPlan {
   RecordLayout layout;  // of the rows written, appended fields included
 };
 
-// Layout of the rows of an output: the input's, the appended fields behind it with their offsets and sizes. Throws
-// Error when the record would exceed 65,535 bytes.
+// Returns the layout of the rows of an output: the layout of the input, followed by the appended fields with their
+// offsets and sizes. Throws Error when the record would exceed 65,535 bytes.
 RecordLayout output_layout(const CloudSpec& spec);
 
-// The plan of an output that keeps the input's version, header fields, VLRs, EVLRs and CRS, and appends our fields
-// behind its extra bytes. Records that describe the input's compression (LASzip, COPC) are left out; a malformed
-// description of extra bytes is replaced by an opaque one. Version 1.4 is chosen when the point format or the number of
-// points (spec.like.points) needs it. Throws Error when the record would exceed 65,535 bytes.
+// Plans an output that keeps the input's version, header fields, VLRs, EVLRs and CRS, and appends our fields behind its
+// extra bytes. Records that describe the compression of the input (LASzip, COPC) are left out. A malformed description
+// of extra bytes is replaced by an opaque one. Version 1.4 is chosen when the point format or the number of points
+// (spec.like.points) needs it. Throws Error when the record would exceed 65,535 bytes.
 LasPlan plan_las(const CloudSpec& spec);
 
-// Header and VLRs as bytes up to the points; sets number of VLRs and place of the points. Throws Error when a VLR or
-// the whole does not fit its field.
+// Returns header and VLRs as bytes up to the points. Sets the number of VLRs and the place of the points. Throws Error
+// when a VLR or the whole does not fit its field.
 std::vector<std::byte> las_prefix(LasPlan& plan);
 
-// Fills in counts, bounds and the place of EVLRs, which stand at `evlr_offset`. Throws Error when a version before 1.4
-// cannot hold the count.
+// Fills in counts, bounds and the place of the EVLRs, which begin at `evlr_offset`. Throws Error when a version before
+// 1.4 cannot represent the count.
 void finish_header(LasPlan& plan, const PointStatistics& statistics, std::uint64_t evlr_offset);
 
-// All EVLRs as bytes.
+// Returns all EVLRs as bytes.
 std::vector<std::byte> las_suffix(const LasPlan& plan);
 
 }  // namespace ilot

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The 32-bit range coder of LAZ, both ways with one interface: a codec written once against `Coder` encodes
-// the value it hands over, or ignores it and receives the decoded one.
+// The 32-bit range coder of LAZ. Encoder and decoder have one interface: a codec is written once for a template
+// `Coder`. An encoder encodes the value that the codec passes; a decoder ignores that value and returns the decoded
+// one.
 #pragma once
 #include <cstdint>
 

@@ -8,14 +8,14 @@ namespace ilot::laz {
 constexpr std::uint32_t kBitShift = 13;
 constexpr std::uint32_t kBitTotal = 1u << kBitShift;
 
-// As SymbolModel, for 0 and 1.
+// The same as SymbolModel, for the symbols 0 and 1.
 class BitModel {
  public:
   void prepare(std::uint32_t epoch) {
     if (epoch_ != epoch) [[unlikely]]
       *this = fresh(epoch);
   }
-  // Share of zeros, of kBitTotal.
+  // Returns the share of zeros, in units of 1 / kBitTotal.
   std::uint32_t zero_share() const { return zero_share_; }
   void count(std::uint32_t bit) {
     zeros_ += bit ^ 1;

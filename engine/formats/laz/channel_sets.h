@@ -7,28 +7,28 @@
 
 namespace ilot::laz {
 
-// Behind the core, layered chunks keep a set of models and of last values for each scanner channel: which of them a
-// point goes by. The models to code by and the last values to predict from need not belong together: item version 3
-// takes channel 0 for a point that stays in its channel, and on a change to a set in use keeps the old one's values for
-// one point.
+// For the items behind the core, layered chunks keep a set of models and of last values for each scanner channel. This
+// class selects the set for each point. The models for coding and the last values for prediction may come from
+// different sets: item version 3 takes channel 0 for a point that stays in its channel, and after a change to a channel
+// that is already in use it keeps the values of the old one for one point.
 class ChannelSets {
  public:
   struct Choice {
     std::uint32_t models = 0, values = 0;
-    std::uint32_t origin = 0;  // opened: the set whose last values the new one starts with
+    std::uint32_t origin = 0;  // for a new set: the set whose last values it starts with
     bool opened = false;
   };
 
   explicit ChannelSets(const ChunkLayout& layout) : own_channel_(layout.item_version == 4) {}
 
-  // The first point of a chunk.
+  // Takes the first point of a chunk.
   void start(std::uint32_t channel) {
     used_ = {};
     used_[channel] = true;
     current_ = channel;
   }
 
-  // The next point, and whether its channel is another than that of the point before.
+  // Takes the next point; new_channel says whether its channel differs from that of the previous point.
   Choice next(std::uint32_t channel, bool new_channel) {
     const std::uint32_t wanted = own_channel_ || new_channel ? channel : 0;
     Choice choice{current_, current_, current_, false};

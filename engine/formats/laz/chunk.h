@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One chunk of a LAZ file, from bytes to records and back. Memory only: no file, no thread, no exception but
-// bad_alloc.
+// Converts one chunk of a LAZ file from bytes to records and back. It works in memory only, without files or threads,
+// and throws no exception except bad_alloc.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -13,14 +13,14 @@
 namespace ilot::laz {
 
 struct ChunkLayout {
-  std::uint8_t point_format = 0;     // 0-5: one stream for all; 6-10: a stream for each attribute
-  std::uint16_t record_length = 20;  // bytes, at least the format's standard size; the rest are extra bytes
+  std::uint8_t point_format = 0;     // 0-5: one stream for all; 6-10: one stream for each attribute
+  std::uint16_t record_length = 20;  // bytes, at least the standard size of the format; the rest are extra bytes
   std::uint8_t item_version = 2;     // 1 (before 2011) or 2 (formats 0-5), 3 or 4 (formats 6-10)
   bool layered() const { return point_format >= 6; }
 };
 
-// Decodes one chunk after the other. Keeps its models (1 to 2 MB, more with several scanner channels) between
-// chunks and allocates nothing after the first ones. One thread at a time.
+// Decodes one chunk after the other. Keeps its models (1 to 2 MB, more with several scanner channels) between chunks
+// and allocates nothing after the first chunks. For one thread at a time.
 class ChunkDecoder {
  public:
   explicit ChunkDecoder(const ChunkLayout& layout);
@@ -28,24 +28,25 @@ class ChunkDecoder {
   ChunkDecoder(ChunkDecoder&&) noexcept;
   ChunkDecoder& operator=(ChunkDecoder&&) noexcept;
 
-  // Sets out to decode `points` > 0 points. False: the chunk cannot hold them. `chunk` must stay until the
-  // last next(). `fields`: attributes to decode, of layered chunks; x, y, returns and scanner channel always
-  // are, and the others hold anything when not asked for. The chunk may be longer than it should (when
-  // nothing tells its size): see consumed().
+  // Prepares to decode `points` > 0 points. False: the chunk cannot contain them. `chunk` must stay valid until the
+  // last next(). `fields` are the attributes to decode in layered chunks. x, y, returns and scanner channel are always
+  // decoded; the others are undefined unless they are asked for. The chunk may be longer than its content (when its
+  // size is not known): see consumed().
   bool begin(std::span<const std::byte> chunk, std::uint64_t points, std::uint32_t fields = kAllFields);
 
-  // Chunks of formats 0-5 may be read a window at a time: `rest` begins with the chunk's byte number consumed(), takes
-  // the place of what begin() was given, and must stay until the last next().
+  // Chunks of formats 0-5 may be read one window at a time. `rest` begins with byte number consumed() of the chunk,
+  // replaces the bytes that begin() was given, and must stay valid until the last next().
   void go_on(std::span<const std::byte> rest);
 
-  // Decodes the next records.size() / record_length points. False: the chunk is damaged, the records are
-  // worthless. O(points), about 25 to 60 ns each; the result is the same for any cut into calls.
+  // Decodes the next records.size() / record_length points. False: the chunk is damaged and the records are not usable.
+  // O(points), about 25 to 60 ns each. The result does not depend on how the points are divided into calls.
   bool next(std::span<std::byte> records);
 
-  // Bytes of the chunk that the points so far have used up (layered chunks: all of it, from begin() on).
+  // Returns the bytes of the chunk that the decoded points have used (layered chunks: all bytes, from begin() on).
   std::size_t consumed() const;
 
-  // All points decoded: each stream ended where it should. False tells damage that next() could not see.
+  // True when all points are decoded and each stream ended where it should. False means damage that next() could not
+  // detect.
   bool ended_well() const;
 
   class Implementation;
@@ -54,25 +55,26 @@ class ChunkDecoder {
   std::unique_ptr<Implementation> implementation_;
 };
 
-// The whole of one chunk at once: true when all records were decoded and every stream ended where it should.
+// Decodes a whole chunk at once. True when all records were decoded and every stream ended where it should.
 bool decode_chunk(ChunkDecoder& decoder, std::span<const std::byte> chunk, std::span<std::byte> records,
                   std::uint16_t record_length, std::uint32_t fields = kAllFields);
 
-// Points that a layered chunk says it holds, and its size in bytes; 0 when it is not whole. `head`: its
-// beginning, at least the raw point and the sizes of the streams; `available`: bytes from its start to what
-// bounds it.
+// The number of points that a layered chunk declares and its size in bytes; 0 when it is not complete. `head` is its
+// beginning, at least the raw point and the sizes of the streams. `available` is the number of bytes from its start to
+// the limit.
 struct LayeredExtent {
   std::uint64_t points = 0;
   std::uint64_t bytes = 0;
 };
 LayeredExtent layered_extent(const ChunkLayout& layout, std::span<const std::byte> head, std::uint64_t available);
-// Bytes of the raw point and the sizes of the streams.
+// Returns the bytes of the raw point and of the sizes of the streams.
 std::size_t layered_head(const ChunkLayout& layout);
 
-// What an encoder keeps: models of the standard fields, and one of every extra byte.
+// Returns the memory of an encoder: models of the standard fields, and one for every extra byte.
 std::size_t encoder_bytes(const ChunkLayout& layout);
 
-// Encodes chunks; keeps its models and buffers between them. Bytes are those of LASzip for the same points.
+// Encodes chunks; keeps its models and buffers between them. The bytes are those that LASzip writes for the same
+// points.
 class ChunkEncoder {
  public:
   explicit ChunkEncoder(const ChunkLayout& layout);

@@ -90,8 +90,8 @@ class PointwiseDecoder final : public ChunkDecoder::Implementation {
  private:
   Decoder decoder_;
   std::unique_ptr<PointwiseCodec<Items>> codec_;
-  std::vector<std::byte> first_;  // the raw point, which outlives its window
-  std::size_t end_ = 0;           // of the chunk, as far as it was given
+  std::vector<std::byte> first_;  // the raw point, which is needed longer than its window
+  std::size_t end_ = 0;           // of the part of the chunk that was given so far
 };
 
 class LayeredDecoder final : public ChunkDecoder::Implementation {
@@ -115,7 +115,7 @@ class LayeredDecoder final : public ChunkDecoder::Implementation {
     codec_.start(chunk_.data());
     return true;
   }
-  void go_on(std::span<const std::byte>) override {}  // its streams are side by side: the chunk is given whole
+  void go_on(std::span<const std::byte>) override {}  // its streams are side by side, so the chunk is given whole
   bool next(std::byte* records, std::size_t count) override {
     for (std::size_t i = 0; i < count; ++i) codec_.code(records + i * record_length_);
     for (const Stream<Decoder>& s : codec_.streams()) {

@@ -73,8 +73,8 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
   }
 
  private:
-  // Streams in which nothing changes are dropped in the end: their symbols need not be coded. Not so one of colours,
-  // whose symbols also tell what is no grey.
+  // Streams in which nothing changes are dropped at the end, so their symbols need not be coded. A stream of colours is
+  // an exception, because its symbols also say that a colour is not grey.
   void mark_constants(std::span<const std::byte> records) {
     changed_.assign(record_length_, std::byte{0});
     for (std::size_t at = record_length_; at < records.size(); at += record_length_)
@@ -104,7 +104,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
 
   std::size_t record_length_;
   LayeredCodec<Encoder> codec_;
-  std::vector<std::byte> changed_;  // per byte of a record: the bits that differ from the first one's somewhere
+  std::vector<std::byte> changed_;  // per byte of a record: the bits that differ from the first record in some record
   std::vector<std::span<const std::byte>> streams_;
 };
 
@@ -112,7 +112,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
 
 std::size_t encoder_bytes(const ChunkLayout& layout) {
   constexpr std::size_t kStandard = std::size_t{1}
-                                    << 20;  // 1.0 MiB of format 3; each scanner channel of layered ones more
+                                    << 20;  // 1.0 MiB for format 3; more for each scanner channel of layered formats
   return kStandard + (layout.record_length - standard_size(layout.point_format)) * sizeof(Encoder::Model<256>);
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using ByteModel = Encoder::Model<256>;
 
-// How the bytes of a row are coded: by which models, and against which row.
+// How the bytes of a row are coded: which models are used, and which row is the reference.
 struct RowContext {
   std::uint32_t models = 0, before = 0;
 };
@@ -26,7 +26,7 @@ std::vector<RowContext> row_contexts(const ChunkLayout& layout, std::span<const 
     return Point14::from(records.data() + row * layout.record_length).channel();
   };
   ChannelSets sets(layout);
-  std::array<std::uint32_t, 4> last_row{};  // of each set
+  std::array<std::uint32_t, 4> last_row{};  // for each set
   std::uint32_t channel = channel_of(0);
   sets.start(channel);
   std::vector<RowContext> contexts(rows);
@@ -41,7 +41,7 @@ std::vector<RowContext> row_contexts(const ChunkLayout& layout, std::span<const 
   return contexts;
 }
 
-// One byte of all rows; false: nothing changes in it, and it has no stream.
+// Codes one byte of all rows. False: nothing changes in it, and it has no stream.
 bool code_byte(const std::byte* first, std::size_t stride, std::span<const RowContext> rows,
                std::array<ByteModel, 4>& models, Encoder& coder) {
   const auto value = [&](std::size_t row) { return static_cast<std::uint32_t>(first[row * stride]); };

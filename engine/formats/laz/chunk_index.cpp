@@ -11,8 +11,8 @@ namespace ilot::laz {
 
 namespace {
 
-constexpr std::uint64_t kScanBlock = 1024;        // points decoded between two looks at the stream's end, at most
-constexpr std::uint64_t kScanBytes = 256 * 1024;  // and their bytes
+constexpr std::uint64_t kScanBlock = 1024;  // greatest number of points between two tests for the end of the stream
+constexpr std::uint64_t kScanBytes = 256 * 1024;  // greatest number of their bytes
 
 class Indexer {
  public:
@@ -41,7 +41,7 @@ class Indexer {
 
   bool is_place(std::uint64_t table) const { return table >= begin_ + 8 && table <= file_.size() - 8; }
 
-  // The table stands where the first 8 bytes say, or the last 8 bytes when the writer could not go back.
+  // The first 8 bytes give the place of the table, or the last 8 bytes when the writer could not go back.
   bool by_table() {
     if (file_.size() < begin_ + 16) return false;
     for (const std::uint64_t place : {number_at(begin_), number_at(file_.size() - 8)}) {
@@ -115,7 +115,7 @@ class Indexer {
     }
   }
 
-  // Streams tell their end only by being decoded. A single stream that breaks off keeps its whole points.
+  // The end of a stream is found only by decoding. A single stream that is cut off keeps its complete points.
   void scan_streams(std::uint64_t offset, std::uint64_t chunk_size, bool keep_part) {
     ChunkSource source(file_, layout_);
     while (index_.points < declared_ && offset < file_.size()) {
@@ -129,7 +129,7 @@ class Indexer {
     if (keep_part && index_.points < declared_) index_.warning = "its stream of points breaks off";
   }
 
-  // Points before the stream runs out, to a multiple of the block.
+  // Returns the number of points before the stream ends, rounded to a multiple of the block.
   std::uint64_t count_whole(ChunkSource& source, std::uint64_t offset, std::uint64_t bytes,
                             std::uint64_t points) const {
     if (!source.begin(offset, bytes, points)) return 0;

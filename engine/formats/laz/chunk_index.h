@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where the chunks of a file lie and which points they hold.
+// The places of the chunks in a file and the points that they contain.
 #pragma once
 #include <cstdint>
 #include <string>
@@ -11,7 +11,7 @@
 namespace ilot::laz {
 
 struct ChunkPlace {
-  std::uint64_t first = 0;  // point
+  std::uint64_t first = 0;  // number of the first point
   std::uint64_t points = 0;
   std::uint64_t offset = 0;  // in the file
   std::uint64_t bytes = 0;
@@ -19,13 +19,12 @@ struct ChunkPlace {
 
 struct ChunkIndex {
   std::vector<ChunkPlace> chunks;
-  std::uint64_t points = 0;  // readable: at most the declared ones
+  std::uint64_t points = 0;  // readable points: at most the declared ones
   std::string warning;       // empty when everything is as declared
 };
 
-// Finds the chunks of `declared` points from `begin` (the place of the points) on. By the table of chunks
-// where it makes sense; else by scanning for whole chunks, which decodes formats 0-5. Throws Error when that
-// is impossible.
+// Finds the chunks of `declared` points from `begin` (the place of the points) on. Uses the table of chunks when it is
+// plausible. Otherwise it searches for whole chunks, which decodes formats 0-5. Throws Error when that is impossible.
 ChunkIndex index_chunks(const InputFile& file, std::uint64_t begin, std::uint64_t declared,
                         const Compression& compression);
 

@@ -7,13 +7,13 @@ namespace ilot::laz {
 
 namespace {
 
-// Most chunks of 50,000 points fit, so that they are read at once.
+// Most chunks of 50,000 points fit and are read at once.
 constexpr std::uint64_t kWindow = std::uint64_t{1} << 20;
-// A window serves until its last quarter: little is read twice.
+// A window is used until its last quarter, so little is read twice.
 constexpr std::uint64_t kReserve = kWindow / 4;
 
-// A symbol uses up 15 bits at most and is followed by at most 24 raw bits. No item has more than two symbols for each
-// of its bytes; 64 more bytes cover what changed, full GPS times and offsets of waveforms.
+// A symbol uses at most 15 bits and is followed by at most 24 raw bits. No item has more than two symbols for each of
+// its bytes. 64 more bytes cover the bits of changed fields, full GPS times and offsets of waveforms.
 std::uint64_t most_bytes_of_point(const ChunkLayout& layout) {
   return 4u * layout.record_length + 64u;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A chunk of a file, decoded as it is read. Chunks of formats 0-5 are one stream and pass through a window of bounded
-// size, however long they are (files before 2011 are one single chunk); layered ones are read whole.
+// A chunk of a file that is decoded while it is read. A chunk of formats 0-5 is one stream and passes through a window
+// of bounded size, whatever its length (files before 2011 are one single chunk). Layered chunks are read whole.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -11,12 +11,12 @@
 
 namespace ilot::laz {
 
-// As ChunkDecoder, whose functions these are: one chunk after the other, one thread at a time.
+// Has the functions of ChunkDecoder: it decodes one chunk after the other, for one thread at a time.
 class ChunkSource {
  public:
   ChunkSource(const InputFile& file, const ChunkLayout& layout);
 
-  // The chunk of `points` > 0 points in [offset, offset + bytes) of the file. False: it cannot hold them.
+  // Starts the chunk of `points` > 0 points in [offset, offset + bytes) of the file. False: it cannot contain them.
   bool begin(std::uint64_t offset, std::uint64_t bytes, std::uint64_t points, std::uint32_t fields = kAllFields);
   bool next(std::span<std::byte> records);
   std::uint64_t consumed() const { return decoder_.consumed(); }
@@ -28,7 +28,7 @@ class ChunkSource {
   const InputFile& file_;
   ChunkLayout layout_;
   ChunkDecoder decoder_;
-  std::uint64_t most_bytes_;  // that a point can use up
+  std::uint64_t most_bytes_;  // greatest number of bytes that a point can use
   std::uint64_t offset_ = 0, bytes_ = 0;
   std::uint64_t window_end_ = 0;  // in the chunk
   std::vector<std::byte> window_;

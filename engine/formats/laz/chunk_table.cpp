@@ -29,7 +29,8 @@ enum ItemType : std::uint16_t {
   kByte14 = 14
 };
 
-// The items of a point format, in the layout's version; waveform packets of formats 4 and 5 have version 1 only.
+// Returns the items of a point format, in the version of the layout; waveform packets of formats 4 and 5 have only
+// version 1.
 std::vector<Item> items_of(const ChunkLayout& layout) {
   const std::uint8_t f = layout.point_format;
   const std::uint16_t v = layout.item_version;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands around the chunks: the LASzip record and the table of chunks. Memory only.
+// The parts of a LAZ file around the chunks: the LASzip record and the table of chunks. It works in memory only.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,12 +18,12 @@ constexpr const char* kLaszipUserId = "laszip encoded";
 
 struct Compression {
   ChunkLayout layout;
-  bool one_stream = false;                       // compressor 1: no chunks, no table
-  std::uint32_t chunk_size = kDefaultChunkSize;  // points; kVariableChunks: the table says
+  bool one_stream = false;                       // compressor 1: there are no chunks and no table
+  std::uint32_t chunk_size = kDefaultChunkSize;  // points; kVariableChunks: the table gives the sizes
 };
 
-// Reads the payload of a LASzip record against the header's point format and record length. On failure
-// `problem` says why, in words that follow "its LASzip record ".
+// Reads the payload of a LASzip record and compares it with the header's point format and record length. On failure
+// `problem` gives the reason, as the continuation of "its LASzip record ".
 struct ParsedCompression {
   Compression compression;
   std::string problem;
@@ -31,7 +31,7 @@ struct ParsedCompression {
 ParsedCompression parse_laszip_record(std::span<const std::byte> payload, std::uint8_t point_format,
                                       std::uint16_t record_length);
 
-// The payload that tells readers how chunks of this layout are written.
+// Returns the payload that describes to readers how chunks of this layout are written.
 std::vector<std::byte> laszip_record(const Compression& compression);
 
 struct ChunkEntry {
@@ -39,8 +39,8 @@ struct ChunkEntry {
   std::uint32_t bytes = 0;
 };
 
-// Decodes a table that starts at table[0] (8 bytes of version and count, then a stream). `most` bounds the
-// count before anything is allocated. Empty and ok == false when it is damaged.
+// Decodes a table that starts at table[0] (8 bytes of version and count, then a stream). `most` bounds the count before
+// memory is allocated. The result is empty with ok == false when the table is damaged.
 struct ChunkTable {
   std::vector<ChunkEntry> chunks;
   bool ok = false;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours: red by its bytes' differences to the last point, green and blue corrected by the change of red.
+// Colours: red is coded by the differences of its bytes to the last point; green and blue are corrected by the change
+// of red.
 #pragma once
 #include <cstdint>
 
@@ -15,7 +16,7 @@ struct Rgb {
 template <class Coder>
 class RgbCodec {
  public:
-  // Encodes `value` given the last colour, or decodes into it. Returns 0 when nothing changed.
+  // Encodes `value` relative to the last colour, or decodes it. Returns 0 when nothing changed.
   std::uint32_t code(Coder& coder, const Rgb& last, Rgb& value) {
     if constexpr (!Coder::kEncodes) value = last;
     const std::uint32_t used = coder.symbol(used_, Coder::kEncodes ? changes(last, value) : 0);
@@ -56,7 +57,7 @@ class RgbCodec {
     return (static_cast<std::int32_t>(d) + predicted) & 255;
   }
 
-  // The low (0) or high (1) bytes of green, then blue; changed: bit 0 green, bit 2 blue.
+  // Codes the low (0) or high (1) bytes of green, then blue. In `changed`, bit 0 is green and bit 2 is blue.
   void code_half(Coder& coder, std::uint32_t changed, std::uint32_t half, const Bytes& last, Bytes& v) {
     const std::int32_t red = v.r[half] - last.r[half];
     if (changed & 1) v.g[half] = difference(coder, 2 + half, clamp_byte(red + last.g[half]), v.g[half]);
@@ -73,7 +74,7 @@ class RgbCodec {
 template <class Coder>
 class NirCodec {
  public:
-  // As RgbCodec::code.
+  // The same as RgbCodec::code.
   std::uint32_t code(Coder& coder, std::uint16_t last, std::uint16_t& value) {
     if constexpr (!Coder::kEncodes) value = last;
     const std::uint32_t difference = last ^ value;

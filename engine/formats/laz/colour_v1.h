@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Colours in item version 1: the bytes that changed, each predicted by the last point's.
+// Colours in item version 1: only the changed bytes, each predicted from the last point.
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace ilot::laz {
 template <class Coder>
 class RgbCodecV1 {
  public:
-  // Encodes `value` given the last colour, or decodes into it.
+  // Encodes `value` relative to the last colour, or decodes it.
   void code(Coder& coder, const Rgb& last, Rgb& value) {
     const Bytes before = std::bit_cast<Bytes>(last);
     Bytes bytes = Coder::kEncodes ? std::bit_cast<Bytes>(value) : before;

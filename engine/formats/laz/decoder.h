@@ -12,16 +12,16 @@
 
 namespace ilot::laz {
 
-// Reads an arithmetic stream of LAZ. No allocation, no exception: damage is told by overrun().
+// Reads an arithmetic stream of LAZ. It allocates nothing and throws nothing; overrun() reports damage.
 class Decoder {
  public:
   static constexpr bool kEncodes = false;
   template <std::uint32_t kCapacity>
   using Model = SymbolModel<kCapacity, true>;
 
-  // Streams lie inside `memory`, which bounds every read; `stream` is where this one is said to lie. Bytes
-  // behind the stream but inside memory are read without complaint, which overrun() tells; bytes behind
-  // memory are read as zero.
+  // Streams are inside `memory`, which bounds every read. `stream` is the declared place of this stream. Bytes behind
+  // the stream but inside memory are read without an error, which overrun() reports; bytes behind memory are read as
+  // zero.
   void start(std::span<const std::byte> memory, std::span<const std::byte> stream, std::uint32_t epoch) {
     begin_ = at_ = reinterpret_cast<const std::uint8_t*>(stream.data());
     stream_end_ = begin_ + stream.size();
@@ -31,18 +31,18 @@ class Decoder {
     length_ = 0xFFFFFFFFu;
     value_ = next_four();
     corrupt_ = value_ >= length_;
-    if (corrupt_) value_ = 0;  // value_ < length_ always: it bounds every table index below
+    if (corrupt_) value_ = 0;  // value_ < length_ always holds: it bounds every table index below
     skip(4);
   }
 
-  // Goes on in `memory`, all of which is of this stream and which begins with its byte number consumed().
+  // Continues in `memory`, which belongs completely to this stream and begins with its byte number consumed().
   void move_to(std::span<const std::byte> memory) {
     before_ += static_cast<std::size_t>(at_ - begin_);
     begin_ = at_ = reinterpret_cast<const std::uint8_t*>(memory.data());
     stream_end_ = memory_end_ = begin_ + memory.size();
   }
 
-  // Bytes that the symbols so far have used up; more than the stream's size when it is damaged.
+  // Returns the bytes that the symbols have used so far; more than the size of the stream when it is damaged.
   std::size_t consumed() const { return before_ + static_cast<std::size_t>(at_ - begin_) + missing_; }
   bool overrun() const { return at_ > stream_end_ || missing_ != 0 || corrupt_; }
 
@@ -53,7 +53,7 @@ class Decoder {
     const std::uint32_t unit = length_ >> kSymbolShift;
     const std::uint32_t s = model.find(value_ / unit);
     const std::uint32_t low = model.below(s) * unit;
-    const std::uint32_t last = s == model.last_symbol(), mask = 0u - last;  // no branch on the data
+    const std::uint32_t last = s == model.last_symbol(), mask = 0u - last;  // no branch that depends on the data
     const std::uint32_t high = (length_ & mask) | (model.below(s + 1) * unit & ~mask);
     value_ -= low;
     length_ = high - low;
@@ -74,7 +74,7 @@ class Decoder {
     return b;
   }
 
-  // k equally likely bits, 1 <= k <= 32.
+  // Reads k equally likely bits, 1 <= k <= 32.
   std::uint32_t raw(std::uint32_t k, std::uint32_t = 0) {
     if (k <= 19) return few_bits(k);
     const std::uint32_t low = few_bits(16);
@@ -94,7 +94,7 @@ class Decoder {
     return v;
   }
 
-  // No branch on the data: the number of whole leading zero bytes of length_ is at most 3.
+  // There is no branch that depends on the data: the number of whole leading zero bytes of length_ is at most 3.
   [[gnu::always_inline]] void renormalise() {
     const std::uint32_t shift = static_cast<std::uint32_t>(std::countl_zero(length_)) & 24u;
     const std::uint64_t window = static_cast<std::uint64_t>(value_) << 32 | next_four();

@@ -10,7 +10,7 @@
 
 namespace ilot::laz {
 
-// Writes an arithmetic stream of LAZ into a buffer of its own, which it keeps between streams.
+// Writes an arithmetic stream of LAZ into its own buffer, which it keeps between streams.
 class Encoder {
  public:
   static constexpr bool kEncodes = true;
@@ -53,7 +53,7 @@ class Encoder {
     return v;
   }
 
-  // Ends the stream; valid until the next start().
+  // Ends the stream; the result is valid until the next start().
   std::span<const std::byte> finish() {
     const bool extra = length_ > 2 * kMinLength;
     narrow(extra ? kMinLength : kMinLength >> 1, extra ? kMinLength >> 1 : kMinLength >> 9);
@@ -78,7 +78,7 @@ class Encoder {
       length_ <<= 8;
     }
   }
-  // The sum of all bytes so far is below one, so a byte that takes the carry exists.
+  // The sum of all bytes so far is below one, so there is a byte that takes the carry.
   void carry() {
     std::size_t i = out_.size() - 1;
     while (out_[i] == 0xFF) out_[i--] = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Extra bytes of point formats 0-5: each is predicted by the last point's, with models of its own.
+// Extra bytes of point formats 0-5: each byte is predicted from the last point and has its own models.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace ilot::laz {
 
-// Item version 2: differences modulo 256 as symbols.
+// Item version 2 codes differences modulo 256 as symbols.
 template <class Coder>
 struct ByteDifferences {
   typename Coder::template Model<256> differences;
@@ -21,7 +21,7 @@ struct ByteDifferences {
   }
 };
 
-// Item version 1: differences as integers of 8 bits; the models of their values are the same for all bytes.
+// Item version 1 codes differences as integers of 8 bits. All bytes share the models of the values.
 template <class Coder>
 struct ByteIntegers {
   using Shared = IntegerCodec<Coder, 8, 1>;

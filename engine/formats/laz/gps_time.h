@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// GPS times as bit patterns: up to four interleaved sequences, each predicted by multiples of its last step.
-// kMayRepeat: the variant of point formats 0-5, which also says that a time is the last one.
+// GPS times as bit patterns: up to four interleaved sequences, each predicted by multiples of its last step. kMayRepeat
+// selects the variant of point formats 0-5, which can also code that a time equals the last one.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +18,7 @@ class GpsTimeCodec {
     current_ = newest_ = 0;
   }
 
-  // Encodes `value` (or decodes it); returns it.
+  // Encodes or decodes `value` and returns it.
   std::uint64_t code(Coder& coder, std::uint64_t value) {
     for (int turn = 0; turn < kMaxTurns; ++turn) {
       Sequence& s = sequences_[current_];
@@ -44,14 +44,14 @@ class GpsTimeCodec {
   struct Sequence {
     std::uint64_t time = 0;
     std::int32_t step = 0;
-    std::uint32_t extremes = 0;  // steps far from `step` in a row or nearly so
+    std::uint32_t extremes = 0;  // steps that differ much from `step`, consecutive or nearly so
   };
   static constexpr std::uint32_t kRepeat = 511;
   static constexpr std::uint32_t kFull = kMayRepeat ? 512 : 511;
   static constexpr std::uint32_t kFullWithoutStep = kMayRepeat ? 2 : 1;
-  static constexpr std::uint32_t kManySteps = 500;      // and its multiple
-  static constexpr std::uint32_t kManyBackwards = 510;  // the multiple -10
-  static constexpr int kMaxTurns = 5;                   // encoders switch once; damaged streams must end too
+  static constexpr std::uint32_t kManySteps = 500;      // this and its multiple
+  static constexpr std::uint32_t kManyBackwards = 510;  // this is the multiple -10
+  static constexpr int kMaxTurns = 5;                   // encoders switch once; a damaged stream must end too
 
   static bool fits(std::uint64_t difference) {
     return static_cast<std::int64_t>(difference) == static_cast<std::int32_t>(difference);
@@ -71,9 +71,9 @@ class GpsTimeCodec {
     return special;
   }
 
-  // In double: old files come from compilers that kept such quotients in wide registers. Builds of LASzip
-  // that round the quotient to float choose the neighbouring multiple for about one time in 10^5, at the same
-  // size.
+  // The quotient is computed in double, because old files come from compilers that kept such quotients in wide
+  // registers. Builds of LASzip that round the quotient to float choose the neighbouring multiple about once in 10^5
+  // times, at the same size.
   static std::uint32_t multiple_of(std::int32_t difference, std::int32_t step) {
     const double ratio = static_cast<double>(difference) / step;
     const double bounded = std::clamp(ratio, -1000.0, 1000.0);

@@ -17,7 +17,7 @@ class GpsTimeCodecV1 {
     extremes_ = 0;
   }
 
-  // Encodes `value` (or decodes it); returns it.
+  // Encodes or decodes `value` and returns it.
   std::uint64_t code(Coder& coder, std::uint64_t value) {
     std::uint32_t symbol = Coder::kEncodes ? choose(value) : 0;
     const bool steps = step_ != 0;
@@ -30,7 +30,7 @@ class GpsTimeCodecV1 {
   }
 
  private:
-  static constexpr std::uint32_t kManySteps = 509;  // and its multiple
+  static constexpr std::uint32_t kManySteps = 509;  // this and its multiple
   static constexpr std::uint32_t kFull = 510, kRepeat = 511;
   static constexpr std::uint32_t kFullWithoutStep = 2;
 
@@ -42,7 +42,7 @@ class GpsTimeCodecV1 {
     return fits ? multiple_of(static_cast<std::int32_t>(difference)) : kFull;
   }
 
-  // Rounded; backwards is 0. Any choice decodes to the same time.
+  // Returns the rounded quotient; a step backwards gives 0. Any choice decodes to the same time.
   std::uint32_t multiple_of(std::int32_t difference) const {
     const double ratio = static_cast<double>(difference) / step_ + 0.5;
     return static_cast<std::uint32_t>(std::clamp(ratio, 0.0, static_cast<double>(kManySteps)));
@@ -70,7 +70,7 @@ class GpsTimeCodecV1 {
 
   std::uint64_t time_;
   std::int32_t step_;
-  std::uint32_t extremes_;  // steps backwards or of kManySteps and more since step_ changed
+  std::uint32_t extremes_;  // steps backwards or of at least kManySteps since step_ changed
   typename Coder::template Model<512> multiple_;
   typename Coder::template Model<3> no_step_;
   IntegerCodec<Coder, 32, 6> differences_;

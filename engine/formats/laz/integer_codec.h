@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integers as correctors to a prediction: the number of bits k of the corrector by one of kContexts models,
-// then its high 8 bits by a model of k, then the rest raw. Values are taken modulo 2^kBits (8, 16 or 32).
+// Integers as correctors to a prediction. First the number of bits k of the corrector is coded with one of kContexts
+// models, then its high 8 bits with a model of k, then the rest as raw bits. Values are taken modulo 2^kBits (8, 16 or
+// 32).
 #pragma once
 #include <bit>
 #include <cstdint>
@@ -16,11 +17,11 @@ class IntegerCodec {
  public:
   using LengthModel = typename Coder::template Model<kBits + 1>;
 
-  // Encodes `real` (or decodes it); returns it. For 8 and 16 bits the result is in [0, 2^kBits - 1].
+  // Encodes or decodes `real` and returns it. For 8 and 16 bits the result is in [0, 2^kBits - 1].
   std::int32_t code(Coder& coder, std::int32_t predicted, std::int32_t real, std::uint32_t context) {
     return code(coder, predicted, real, lengths_[context]);
   }
-  // The same with a model of the caller's for the number of bits, where the number of contexts is not fixed.
+  // The same with a model for the number of bits that the caller gives, for when the number of contexts is not fixed.
   std::int32_t code(Coder& coder, std::int32_t predicted, std::int32_t real, LengthModel& lengths) {
     std::uint32_t corrector = 0;
     if constexpr (Coder::kEncodes) {
@@ -33,14 +34,14 @@ class IntegerCodec {
     return static_cast<std::int32_t>(kBits == 32 ? sum : sum & ((1u << (kBits % 32)) - 1));
   }
 
-  // Bits of the last corrector: a context for others.
+  // Returns the bits of the last corrector, which are a context for other values.
   std::uint32_t last_bits() const { return k_; }
 
  private:
   static constexpr std::uint32_t kHighBits = 8;
   using HighModel = typename Coder::template Model<1u << kHighBits>;
 
-  // k of the interval [-(2^k - 1), 2^k] that holds the corrector.
+  // Returns the k of the interval [-(2^k - 1), 2^k] that contains the corrector.
   static std::uint32_t bits_of(std::uint32_t corrector) {
     const bool positive = static_cast<std::int32_t>(corrector) > 0;
     return static_cast<std::uint32_t>(std::bit_width(positive ? corrector - 1 : 0u - corrector));
@@ -52,7 +53,7 @@ class IntegerCodec {
     if (k_ == 32) return 0x80000000u;
     const bool negative = static_cast<std::int32_t>(corrector) < 0;
     const std::uint32_t mapped = code_mapped(coder, negative ? corrector + (1u << k_) - 1 : corrector - 1);
-    // The lower half is negative. Which half it is is anyone's guess: no branch.
+    // The lower half is negative. Both halves are about equally likely, so there is no branch.
     const std::uint32_t lower_half = mapped < 1u << (k_ - 1);
     return mapped + 1 - (lower_half << k_);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// All items of one point of formats 6-10, in a stream for each attribute.
+// All items of one point of formats 6-10, with one stream for each attribute.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -47,11 +47,11 @@ class LayeredCodec {
   static constexpr bool kEncodes = Coder::kEncodes;
   using ByteModel = typename Coder::template Model<256>;
 
-  // Models of the items behind the core, and the last record's bytes behind the core: one set for each
-  // scanner channel.
+  // The models of the items behind the core and the last record's bytes behind the core: one set for each scanner
+  // channel.
   struct Tail {
     explicit Tail(const LayeredPlan& plan) : last(plan.record_length), extra(plan.extra_count) {}
-    std::vector<std::byte> last;  // as a record, of which the core is not used
+    std::vector<std::byte> last;  // a whole record, whose core is not used
     std::vector<ByteModel> extra;
     RgbCodec<Coder> rgb{};
     NirCodec<Coder> nir{};

@@ -10,7 +10,7 @@
 
 namespace ilot::laz {
 
-// Streams of a chunk in file order; those of the items behind the core follow from kCoreLayers on.
+// The streams of a chunk in file order; the streams of the items behind the core begin at kCoreLayers.
 enum Layer : std::uint32_t {
   kLayerXy,
   kLayerZ,
@@ -24,7 +24,7 @@ enum Layer : std::uint32_t {
   kCoreLayers
 };
 
-// Where the items behind the core lie in the record and which streams they have; 0: absent.
+// The offsets in the record of the items behind the core, and their streams; 0: absent.
 struct LayeredPlan {
   explicit LayeredPlan(const ChunkLayout& layout) {
     const std::uint8_t format = layout.point_format;

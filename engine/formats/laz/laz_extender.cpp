@@ -9,10 +9,10 @@
 namespace ilot {
 namespace {
 
-// Of a chunk, of which a few are in memory decoded.
+// Limits for a chunk; a few decoded chunks are in memory.
 constexpr std::uint64_t kMostPoints = 500'000, kMostBytes = std::uint64_t{32} << 20;
 
-// A chunk found without the table may hold what the record of the compression does not say.
+// A chunk that was found without the table may differ from the declaration in the record of the compression.
 bool is_as_declared(const laz::ChunkPlace& chunk, const LazChunks& input) {
   const std::uint32_t size = input.compression.chunk_size;
   if (chunk.points > kMostPoints || chunk.points * input.compression.layout.record_length > kMostBytes) return false;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A LAZ file again with our fields behind its rows. The streams of its own attributes are copied as they stand and only
-// those of the new fields are coded, which takes a fraction of the time of decoding and encoding everything.
+// Writes a LAZ file again with our fields appended to its rows. The streams of its own attributes are copied unchanged
+// and only those of the new fields are coded. This takes a fraction of the time for decoding and encoding everything.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -18,25 +18,25 @@ namespace ilot {
 
 class LazExtender {
  public:
-  // `spec` with fields appended to the input's rows. Null where streams cannot be copied: formats other than LAZ, point
-  // formats 0 to 5, files of which not all declared points can be read, chunks of more than 500,000 points. `input`
-  // must outlive it.
+  // `spec` has fields that are appended to the rows of the input. Returns null when streams cannot be copied: for
+  // formats other than LAZ, point formats 0 to 5, files of which not all declared points can be read, and chunks of
+  // more than 500,000 points. `input` must outlive it.
   static std::unique_ptr<LazExtender> open(const PointReader& input, const std::filesystem::path& path,
                                            const CloudSpec& spec);
 
-  // Bytes of a row's new fields.
+  // Returns the bytes of the new fields of a row.
   std::size_t appended_length() const;
 
   struct Chunk {
     std::vector<std::byte> bytes;
     PointStatistics statistics;
   };
-  // The chunk of that number, one for each two boundaries() of the input. Thread-safe. `records`: its rows, decoded at
-  // least to their heights (kFieldZ); `appended`: as many rows of appended_length() bytes. Throws Error when the input
-  // has changed since it was opened.
+  // Returns the chunk of that number; there is one chunk between each two neighbouring boundaries() of the input.
+  // Thread-safe. `records` are its rows, decoded at least up to their heights (kFieldZ). `appended` has as many rows of
+  // appended_length() bytes. Throws Error when the input has changed since it was opened.
   Chunk extend(std::size_t chunk, std::span<const std::byte> records, std::span<const std::byte> appended) const;
 
-  // Chunks in order, by one thread; nothing appears before finish().
+  // Takes chunks in order from one thread. No file appears before finish().
   void append(const Chunk& chunk) { output_.append(chunk.bytes, chunk.statistics); }
   void finish() { output_.finish(); }
 

@@ -30,7 +30,7 @@ LazOutput::LazOutput(const std::filesystem::path& path, LasPlan plan, const laz:
   mark_compressed(plan_.header);
   point_offset_ = prefix.size();
   file_.append(prefix);
-  file_.append(std::vector<std::byte>(8));  // the place of the table, later
+  file_.append(std::vector<std::byte>(8));  // space for the place of the table, which is written later
 }
 
 void LazOutput::append(std::span<const std::byte> chunk, const PointStatistics& statistics) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands around the chunks of a LAZ output: header, VLRs, the table of chunks. Used by all that make chunks.
+// The parts of a LAZ output around the chunks: header, VLRs, the table of chunks. All code that makes chunks uses it.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -12,20 +12,21 @@
 
 namespace ilot {
 
-// How a planned output is compressed: what LASzip does by default with its rows.
+// Returns the compression of a planned output: the default of LASzip for its rows.
 laz::Compression compression_of(const LasPlan& plan, std::uint32_t chunk_points);
 
 class LazOutput {
  public:
-  // `compression.layout` is that of the plan's rows. Writes all that stands before the chunks.
+  // `compression.layout` is that of the plan's rows. Writes everything before the chunks.
   LazOutput(const std::filesystem::path& path, LasPlan plan, const laz::Compression& compression);
 
   const LasPlan& plan() const { return plan_; }
 
-  // The next chunk and what its rows add to the header. Throws Error when it exceeds 4 GiB.
+  // Appends the next chunk; `statistics` are what its rows add to the header. Throws Error when the chunk exceeds 4
+  // GiB.
   void append(std::span<const std::byte> chunk, const PointStatistics& statistics);
 
-  // The table, EVLRs and the header; renames into place. Nothing appears before that.
+  // Writes the table, EVLRs and the header, and renames the file to its final name. No file appears before that.
   void finish();
 
  private:

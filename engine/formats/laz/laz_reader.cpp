@@ -10,10 +10,10 @@
 namespace ilot {
 namespace {
 
-// What is decoded at a time to get to the first point wanted: so many points, and so many bytes, at most.
+// The greatest number of points, and of bytes, that are decoded at a time to reach the first wanted point.
 constexpr std::uint64_t kSkipBlock = 512, kSkipBytes = 64 * 1024;
 
-// A decoder in the middle of a chunk, ready to go on.
+// A decoder in the middle of a chunk, ready to continue.
 struct Cursor {
   Cursor(const InputFile& file, const laz::ChunkLayout& layout) : source(file, layout) {}
   laz::ChunkSource source;
@@ -46,7 +46,7 @@ class LazReader final : public PointReader {
   bool random_access() const override { return !compression_.one_stream; }
   void limit_to(std::uint32_t fields) override {
     fields_ = fields;
-    idle_.clear();  // they stand in chunks begun with other fields
+    idle_.clear();  // they are in chunks that were begun with other fields
   }
 
   std::vector<std::uint64_t> boundaries() const override {
@@ -75,7 +75,7 @@ class LazReader final : public PointReader {
   }
 
  private:
-  // One that stands at `first`, if there is.
+  // Returns a decoder that is at `first`, if there is one.
   std::unique_ptr<Cursor> borrow(std::uint64_t first) {
     const std::lock_guard lock(mutex_);
     if (idle_.empty()) return std::make_unique<Cursor>(*file_, compression_.layout);
@@ -85,7 +85,8 @@ class LazReader final : public PointReader {
     idle_.erase(it);
     return cursor;
   }
-  // One at the end of its chunk is of no more use, and half a megabyte: there may be thousands of inputs.
+  // A decoder at the end of its chunk is no longer useful and takes half a megabyte, and there may be thousands of
+  // inputs.
   void give_back(std::unique_ptr<Cursor> cursor) {
     if (cursor->at == UINT64_MAX) return;
     const std::lock_guard lock(mutex_);
@@ -110,7 +111,7 @@ class LazReader final : public PointReader {
     return true;
   }
 
-  // A single stream has no size of its own, and may have been cut.
+  // A single stream has no size of its own and may have been cut.
   bool advance(Cursor& c, std::span<std::byte> records) {
     c.at += records.size() / info_.layout.record_length;
     const bool ended = c.at == c.end;

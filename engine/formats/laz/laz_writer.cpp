@@ -11,14 +11,14 @@
 namespace ilot {
 namespace {
 
-// Chunks of longer rows than 335 bytes have fewer of them: one must not need more than this.
+// Chunks of rows longer than 335 bytes have fewer rows, so that a chunk needs no more than this.
 constexpr std::size_t kChunkBytes = std::size_t{16} << 20;
 
 std::uint32_t rows_per_chunk(const RecordLayout& layout, std::uint32_t chunk_points) {
   return static_cast<std::uint32_t>(rows_at_a_time(layout.record_length, chunk_points, kChunkBytes));
 }
 
-// What encodes one chunk of a batch.
+// The data for encoding one chunk of a batch.
 struct Slot {
   explicit Slot(const laz::ChunkLayout& layout) : encoder(layout) {}
   laz::ChunkEncoder encoder;
@@ -56,11 +56,11 @@ class LazWriter final : public PointWriter {
             std::uint64_t waiting_bytes)
       : output_(path, plan, compression),
         chunk_bytes_(std::size_t{compression.chunk_size} * plan.layout.record_length) {
-    const std::uint64_t each = 2 * chunk_bytes_ + laz::encoder_bytes(compression.layout);  // rows, and what they become
+    const std::uint64_t each = 2 * chunk_bytes_ + laz::encoder_bytes(compression.layout);  // rows, raw and coded
     const auto slots =
         std::clamp<std::uint64_t>(waiting_bytes / each, 1, 2 * static_cast<std::uint64_t>(thread_count()));
     for (std::uint64_t i = 0; i < slots; ++i) slots_.emplace_back(compression.layout);
-    pending_.reserve(chunk_bytes_ * slots_.size());  // growing would take it twice
+    pending_.reserve(chunk_bytes_ * slots_.size());  // growth would need twice the memory
   }
 
   const RecordLayout& layout() const { return output_.plan().layout; }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Adaptive probability models of the LAZ arithmetic coder. A model is all zero bytes before its first use; it
-// belongs to the chunk whose epoch it carries and starts afresh when a coder of another epoch meets it. So a
-// decoder allocates its models once, and a new chunk costs nothing for models that it never touches.
+// Adaptive probability models of the LAZ arithmetic coder. A model is all zero bytes before its first use. It belongs
+// to the chunk whose epoch it stores and is reset when a coder of another epoch uses it. So a decoder allocates its
+// models once, and a new chunk costs nothing for models that it never uses.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -10,19 +10,19 @@
 
 namespace ilot::laz {
 
-constexpr std::uint32_t kMinLength = 0x01000000;  // of the coder's interval
+constexpr std::uint32_t kMinLength = 0x01000000;  // of the interval of the coder
 constexpr std::uint32_t kSymbolShift = 15;
 constexpr std::uint32_t kSymbolTotal = 1u << kSymbolShift;
 
-// Width of the lookup table of a model with `symbols` symbols: about two buckets per symbol, so that the
-// search behind the lookup rarely takes a step.
+// Returns the width of the lookup table of a model with `symbols` symbols: about two buckets for each symbol, so that
+// the search after the lookup rarely takes a step.
 constexpr std::uint32_t table_bits(std::uint32_t symbols) {
   std::uint32_t bits = 4;
   while ((1u << bits) < 2 * symbols && bits < 9) ++bits;
   return bits;
 }
 
-// At most kCapacity symbols; kLookup: with the table that decoders search by.
+// A model of at most kCapacity symbols. kLookup: it has the table that decoders use to search.
 template <std::uint32_t kCapacity, bool kLookup>
 class SymbolModel {
  public:
@@ -30,18 +30,18 @@ class SymbolModel {
   static constexpr std::uint32_t kTableShift = kSymbolShift - kTableBits;
   static_assert(kTableShift >= 6, "targets reach kSymbolTotal + 63, which must fall into the last bucket");
 
-  // Makes the model ready for a chunk; cheap when it already is. symbols in [2, kCapacity].
+  // Makes the model ready for a chunk; this is cheap when it already is. symbols is in [2, kCapacity].
   void prepare(std::uint32_t epoch, std::uint32_t symbols = kCapacity) {
     if (epoch_ != epoch) [[unlikely]]
       restart(epoch, symbols);
   }
 
   std::uint32_t last_symbol() const { return last_; }
-  // Cumulative frequency below symbol s, of kSymbolTotal; s <= last_symbol() + 1, where it is a guard above
-  // all others.
+  // Returns the cumulative frequency below symbol s, in units of 1 / kSymbolTotal. s <= last_symbol() + 1; for that
+  // value it is a guard above all others.
   std::uint32_t below(std::uint32_t s) const { return cumulated_[s]; }
 
-  // The largest s with below(s) <= target; target < kSymbolTotal + 64.
+  // Returns the largest s with below(s) <= target; target < kSymbolTotal + 64.
   std::uint32_t find(std::uint32_t target) const {
     static_assert(kLookup);
     std::uint32_t s = table_[target >> kTableShift];
@@ -97,8 +97,8 @@ class SymbolModel {
     }
   }
 
-  // table_[b] = the symbol that holds the first target of bucket b. Most symbols have a few buckets only: each
-  // fills kStride of them at once, and the next one overwrites what is too many.
+  // table_[b] is the symbol that contains the first target of bucket b. Most symbols have only a few buckets. Each
+  // symbol fills kStride of them at once, and the next symbol overwrites the surplus.
   void fill_table() {
     std::uint32_t bucket = 0;
     for (std::uint32_t s = 0; s < last_; ++s) {
@@ -109,7 +109,7 @@ class SymbolModel {
     fill(bucket, kBuckets, last_);
   }
 
-  // [bucket, end) and up to kStride - 1 entries behind.
+  // Fills [bucket, end) and up to kStride - 1 entries behind.
   void fill(std::uint32_t bucket, std::uint32_t end, std::uint32_t s) {
     const std::uint64_t every =
         static_cast<std::uint64_t>(s) * (sizeof(Entry) == 1 ? 0x0101010101010101u : 0x0001000100010001u);

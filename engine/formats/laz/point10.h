@@ -42,8 +42,8 @@ class Point10Codec {
     std::fill(std::begin(last_z_), std::end(last_z_), 0);
   }
 
-  // Encodes p (or decodes a point, which is last() then). Decoding works in place, value by value: a copy of
-  // fields just written would wait for all of them, and with it the next point.
+  // Encodes p, or decodes a point, which is last() then. Decoding works in place, value by value: a copy of fields that
+  // were just written would wait for all of them, and so would the next point.
   void code(Coder& coder, const Point10& p) {
     const std::uint32_t changed = coder.symbol(changed_, Coder::kEncodes ? changes(p) : 0);
     if constexpr (Coder::kEncodes) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The core of point formats 0-5 in item version 1, as compressors before 2011 wrote it: coordinates first, each value
-// after the last point's.
+// The core of point formats 0-5 in item version 1, which compressors before 2011 wrote: coordinates first, each value
+// predicted from the last point.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -18,7 +18,7 @@ class Point10CodecV1 {
     turn_ = 0;
   }
 
-  // Encodes p (or decodes a point, which is last() then).
+  // Encodes p, or decodes a point, which is last() then.
   void code(Coder& coder, const Point10& p) {
     Point10 value = Coder::kEncodes ? p : last_;
     const std::uint32_t bits = code_coordinates(coder, value);
@@ -32,7 +32,7 @@ class Point10CodecV1 {
  private:
   enum Change : std::uint32_t { kSource = 1, kUser = 2, kAngle = 4, kClass = 8, kReturns = 16, kIntensity = 32 };
   using ByteModel = typename Coder::template Model<256>;
-  using Steps = std::array<std::int32_t, 3>;  // the last three, in turns
+  using Steps = std::array<std::int32_t, 3>;  // the last three, used as a ring
   static constexpr std::uint32_t kLastContext = 19;
 
   std::uint32_t changes(const Point10& p) const {
@@ -41,7 +41,7 @@ class Point10CodecV1 {
            (p.user != last_.user ? kUser : 0u) | (p.source != last_.source ? kSource : 0u);
   }
 
-  // Returns the mean number of bits of the steps in x and y, a context for what follows.
+  // Returns the mean number of bits of the steps in x and y, which is a context for the next values.
   std::uint32_t code_coordinates(Coder& coder, Point10& p) {
     p.x = step(coder, x_, x_steps_, last_.x, p.x, 0);
     p.y = step(coder, y_, y_steps_, last_.y, p.y, std::min(x_.last_bits(), kLastContext));

@@ -13,13 +13,13 @@
 
 namespace ilot::laz {
 
-// A stream and its state: decoding, `active` tells whether it is decoded at all; encoding, whether anything
-// changed in it, without which it is dropped.
+// A stream and its state. When decoding, `active` says whether the stream is decoded at all. When encoding, it says
+// whether anything changed in it; a stream without a change is dropped.
 template <class Coder>
 struct Stream {
   Coder coder;
   bool active = false;
-  bool constant = false;  // encoding: nothing changes in it, so that no symbol of it is worth coding
+  bool constant = false;  // encoding: nothing changes in the stream, so none of its symbols is coded
 };
 
 template <class Coder>
@@ -35,9 +35,9 @@ class Point14Codec {
 
   std::uint32_t channel() const { return current_; }
 
-  // Encodes p (or decodes a point, which is last() then). Returns whether the scanner channel differs from
-  // the last point's. Decoding works in place, value by value: a copy of fields just written would wait for
-  // all of them, and with it the next point.
+  // Encodes p, or decodes a point, which is last() then. Returns whether the scanner channel differs from that of the
+  // last point. Decoding works in place, value by value: a copy of fields that were just written would wait for all of
+  // them, and so would the next point.
   bool code(Stream<Coder>* streams, const Point14& p) {
     const std::uint32_t change = code_change(streams[kLayerXy].coder, channels_[current_]->last, p);
     Channel& c = *channels_[current_];
@@ -105,7 +105,7 @@ class Point14Codec {
            (p.channel() != current_ ? kChannel : 0u);
   }
 
-  // Codes what changed, and moves on to the point's scanner channel.
+  // Codes the changed fields and switches to the scanner channel of the point.
   std::uint32_t code_change(Coder& coder, const Point14& previous, const Point14& p) {
     Channel& c = *channels_[current_];
     const std::uint32_t context =
@@ -135,7 +135,7 @@ class Point14Codec {
     const std::uint32_t last_n = c.last.n(), last_r = c.last.r();
     std::uint32_t n = last_n, r = last_r;
     if (change & kReturnCount) n = coder.symbol(c.return_count[last_n], p.n());
-    // 0: as before, 1: the next, 2: the one before, without a branch on which; 3: any other.
+    // 0: the same as before, 1: the next, 2: the previous, all without a branch; 3: any other.
     r = (r + (0xF10u >> 4 * (change & kReturnMask))) & 15u;
     if ((change & kReturnMask) == 3) {
       if (change & kGps) {
@@ -168,7 +168,7 @@ class Point14Codec {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(last) + static_cast<std::uint32_t>(d));
   }
 
-  // Calls body with the stream's coder, when it is one to code; notes whether the value changed.
+  // Calls body with the coder of the stream when the stream is coded; records whether the value changed.
   template <class Value, class Body>
   static void layer(Stream<Coder>& stream, Value last, Value& value, const Body& body) {
     if constexpr (kEncodes) {
@@ -180,7 +180,7 @@ class Point14Codec {
     }
   }
 
-  // What every point has a symbol for.
+  // Codes the attributes for which every point has a symbol.
   static void code_attributes(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t cpr, bool new_time) {
     const Point14& last = c.last;
     layer(streams[kLayerClass], last.classification, p.classification, [&](Coder& coder) {
@@ -198,7 +198,7 @@ class Point14Codec {
           [&](Coder& coder) { return coder.symbol(c.user[last.user >> 2], p.user); });
   }
 
-  // What only changed points have a symbol for.
+  // Codes the attributes for which only changed points have a symbol.
   static void code_rare(Stream<Coder>* streams, Channel& c, Point14& p, std::uint32_t change) {
     const Point14& last = c.last;
     if (change & kAngle) {

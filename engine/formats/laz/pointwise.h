@@ -17,7 +17,7 @@
 
 namespace ilot::laz {
 
-// The codecs of a version of items; waveform packets have one only.
+// The codecs of one version of items; waveform packets have only one version.
 template <class C>
 struct ItemsV1 {  // before 2011
   using Coder = C;

@@ -7,8 +7,8 @@
 
 namespace ilot::laz {
 
-// A running median of the last values: five sorted values, of which each new one drives out the largest or
-// the smallest, in turns of the side it falls on. Without branches on the values.
+// A running median of the last values. It keeps five sorted values. Each new value replaces the largest or the smallest
+// one, alternating with the side on which it lies. It has no branches that depend on the values.
 class Median5 {
  public:
   std::int32_t get() const { return v_[2]; }
@@ -25,19 +25,19 @@ class Median5 {
   }
 
  private:
-  // As std::min and std::max, of which compilers make branches.
+  // The same as std::min and std::max, for which compilers generate branches.
   static std::int32_t smaller(std::int32_t a, std::int32_t b) { return b ^ ((a ^ b) & -(a < b)); }
   static std::int32_t larger(std::int32_t a, std::int32_t b) { return a ^ ((a ^ b) & -(a < b)); }
 
   std::int32_t v_[5] = {};
-  std::uint32_t low_ = 0;  // 1: the next value drives out the smallest
+  std::uint32_t low_ = 0;  // 1: the next value replaces the smallest
 };
 
 constexpr std::int32_t clamp_byte(std::int32_t v) {
   return std::clamp(v, 0, 255);
 }
 
-// Contexts that bin the number of bits of the coordinates coded before.
+// Contexts that group the number of bits of the coordinates coded before.
 constexpr std::uint32_t y_context(std::uint32_t x_bits) {
   return x_bits < 20 ? x_bits & ~1u : 20;
 }

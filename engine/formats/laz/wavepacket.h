@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// References to waveform packets: packets mostly follow each other in the file.
+// References to waveform packets. Most packets follow each other directly in the file.
 #pragma once
 #include <cstdint>
 
@@ -37,7 +37,7 @@ class WavepacketCodec {
     last_kind_ = 0;
   }
 
-  // Encodes `w` given the last packet, or decodes into it.
+  // Encodes `w` relative to the last packet, or decodes it.
   void code(Coder& coder, const Wavepacket& last, Wavepacket& w) {
     w.descriptor = static_cast<std::uint8_t>(coder.symbol(descriptor_, w.descriptor));
     code_offset(coder, last, w);

@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint64_t kGrain = 1u << 16;  // rows between two boundaries
 constexpr std::size_t kSample = 1000;
 
-// Rows read at a time, as they are in the file and as numbers.
+// Returns the number of rows that are read at a time, as they are in the file and as numbers.
 std::size_t batch_of(const BinaryBody& body, const std::vector<TableColumn>& columns) {
   return rows_at_a_time(std::max<std::size_t>(1, body.stride + columns.size() * sizeof(double)), 1024);
 }
@@ -48,7 +48,7 @@ double value_at(const std::byte* p, FieldType type, bool big_endian) {
   return 0;
 }
 
-// Values of `count` rows from `first` on; fewer when the source ends.
+// Returns the values of `count` rows from `first` on; fewer when the source ends.
 std::vector<double> read_values(const BinaryBody& body, const std::vector<TableColumn>& columns, std::uint64_t first,
                                 std::size_t count) {
   std::vector<std::byte> raw(count * body.stride);
@@ -66,7 +66,7 @@ std::vector<double> leading_rows(const BinaryBody& body, const std::vector<Table
                      std::min({kSample, batch_of(body, columns), static_cast<std::size_t>(body.rows)}));
 }
 
-// Rows from all over the file: the leading ones may be rays without an echo.
+// Returns rows from the whole file, because the first ones may be rays without an echo.
 std::vector<double> spread_rows(const BinaryBody& body, const std::vector<TableColumn>& columns) {
   constexpr std::uint64_t kPlaces = 32, kRows = 32;
   std::vector<double> values;

@@ -57,7 +57,7 @@ bool LineReader::next(std::string_view& line) {
       searched = kLongestLine;
     }
     if (fill()) continue;
-    // A file that has become shorter ends inside a line: what is left of it is no row.
+    // When a file has become shorter, it ends inside a line. The rest of that line is not a row.
     if (begin_ == end_ || next_ < file_->size()) return false;
     line = {buffer_.data() + begin_, std::min(end_ - begin_, kLongestLine)};
     begin_ = end_;

@@ -23,7 +23,7 @@ struct Header {
   std::uint64_t offset = 0, lines = 0;
 };
 
-// One field of the file: `count` values of a type side by side.
+// One field of the file: `count` values of one type side by side.
 struct Group {
   std::string name;
   FieldType type = FieldType::opaque;
@@ -117,7 +117,7 @@ std::uint64_t declared_points(const InputFile& file, const Header& header) {
   return points;
 }
 
-// Columns of the groups, and their places in a row. Padding fields are named "_".
+// Returns the columns of the groups and their places in a row. Padding fields are named "_".
 std::vector<TableColumn> columns_of(const std::vector<Group>& groups, BinaryBody& body) {
   std::vector<TableColumn> columns;
   for (const Group& group : groups) {
@@ -133,7 +133,7 @@ std::vector<TableColumn> columns_of(const std::vector<Group>& groups, BinaryBody
   return columns;
 }
 
-// The compressed block holds field after field; rows are put together again.
+// The compressed block has one field after the other; this puts the rows together again.
 std::vector<std::byte> expand_rows(const InputFile& file, const Header& header, const std::vector<Group>& groups,
                                    std::size_t stride, std::uint64_t rows) {
   std::byte head[8];

@@ -10,15 +10,15 @@
 
 namespace ilot {
 
-// Binary files are random access, ascii ones are read front to back. binary_compressed is one block and is held in
+// Binary files are random access, ascii files are read front to back. binary_compressed is one block and is kept in
 // memory, at most 1 GiB. The packed colours rgb and rgba become LAS colours. Throws Error when the header is not
 // understood or the compressed block is damaged.
 std::unique_ptr<PointReader> open_pcd(std::unique_ptr<InputFile> file);
 
 bool looks_like_pcd(std::span<const std::byte> beginning);
 
-// Expands a block of LZF: literal runs of up to 32 bytes, and copies of up to 264 bytes from up to 8 KiB behind.
-// True when it fills `out` exactly and uses all of `in`. O(out), never reads or writes outside.
+// Expands a block of LZF: literal runs of up to 32 bytes, and copies of up to 264 bytes from up to 8 KiB behind. True
+// when the result fills `out` exactly and uses all of `in`. O(out); never reads or writes outside the buffers.
 bool expand_lzf(std::span<const std::byte> in, std::span<std::byte> out);
 
 }  // namespace ilot

@@ -43,7 +43,7 @@ struct Element {
 struct Header {
   Coding coding = Coding::unknown;
   std::vector<Element> elements;
-  std::uint64_t data = 0, lines = 0;  // bytes and lines that the header takes
+  std::uint64_t data = 0, lines = 0;  // bytes and lines of the header
 };
 
 [[noreturn]] void refuse(const InputFile& file, std::uint64_t line, const std::string& why) {
@@ -116,7 +116,7 @@ Header read_header(const InputFile& file) {
   throw Error(file.path().string() + ": the PLY header has no end_header");
 }
 
-// Walks over elements whose rows hold lists; reads only the counts.
+// Skips elements whose rows have lists; reads only the counts.
 class Walker {
  public:
   Walker(const InputFile& file, std::uint64_t at, bool big_endian) : file_(file), at_(at), big_endian_(big_endian) {}

@@ -21,7 +21,7 @@ const char* type_name(FieldType type) {
   return kNames[static_cast<std::size_t>(type)];
 }
 
-// PLY names are words, and each stands once.
+// Names in PLY are single words, and each name occurs once.
 std::string property_name(const std::string& name, std::set<std::string>& taken) {
   std::string word = name.empty() ? "unnamed" : name;
   for (char& c : word)
@@ -90,7 +90,7 @@ class PlyWriter final : public PointWriter {
  private:
   void append(const std::string& text) { file_.append(std::as_bytes(std::span(text))); }
 
-  // As long for any number of rows: a comment takes what the digits leave.
+  // The header has the same length for any number of rows: a comment fills the space that the digits leave.
   std::string header() const {
     const std::string count = std::to_string(rows_);
     std::string text = "ply\nformat binary_little_endian 1.0\ncomment " + std::string(20 - count.size(), '-') +

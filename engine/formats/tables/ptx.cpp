@@ -17,16 +17,16 @@ namespace {
 
 constexpr std::size_t kHeadLines = 10, kSample = 1000, kMostNumbers = 8, kMostBlocks = 10000;
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 44;
-constexpr std::uint64_t kProbes = 8;          // places of a scan where its angular steps are looked at
-constexpr std::uint64_t kProbeCells = 40000;  // at each of them at most
+constexpr std::uint64_t kProbes = 8;          // places of a scan where its angular steps are measured
+constexpr std::uint64_t kProbeCells = 40000;  // greatest number at each of them
 
 // One scan of the file.
 struct Block {
   std::uint64_t offset = 0;  // of its first point
   std::uint64_t line = 0;    // number of that line
   std::uint64_t declared = 0, points = 0;
-  std::uint64_t rows = 0;             // points of a column, which follow each other
-  std::vector<std::uint64_t> probes;  // offsets of lines where a column begins, evenly over the scan
+  std::uint64_t rows = 0;             // points of a column; the points of a column are consecutive
+  std::vector<std::uint64_t> probes;  // offsets of lines where a column begins, distributed evenly over the scan
   std::uint64_t probe_columns = 1;    // between them
   Vec3 position;
   std::array<Vec3, 4> matrix{};  // rows: images of the axes, translation
@@ -34,7 +34,7 @@ struct Block {
 
 using Numbers = std::array<double, kMostNumbers>;
 
-// Number of values of a line of numbers; 0 when there are none, too many, or something else.
+// Returns the number of values of a line of numbers; 0 when there are none, too many, or other content.
 std::size_t parse_line(std::string_view line, const TextDialect& dialect, std::vector<std::string_view>& fields,
                        Numbers& values) {
   split_row(line, dialect, kMostNumbers, fields);
@@ -51,7 +51,7 @@ bool is_count(double v) {
   return v >= 0 && v <= 1e9 && v == std::floor(v);
 }
 
-// From the head and the first rows of the file, the numbers of columns and rows before them left out.
+// Uses the header and the first rows of the file, without the numbers of columns and rows in front of them.
 TextDialect dialect_of(const InputFile& file, const OpenOptions& options) {
   if (options.dialect) return *options.dialect;
   constexpr std::size_t kCounts[] = {3, 4, 6, 7};
@@ -64,7 +64,7 @@ TextDialect dialect_of(const InputFile& file, const OpenOptions& options) {
 
 enum class Head { found, end_of_file, malformed };
 
-// Takes the ten lines before the points, and blank ones before them; `number` counts lines.
+// Reads the ten lines before the points, and blank lines before them; `number` counts lines.
 Head read_head(LineReader& lines, const TextDialect& dialect, std::uint64_t& number, Block& block) {
   constexpr std::size_t kExpected[kHeadLines] = {1, 1, 3, 3, 3, 3, 4, 4, 4, 4};
   std::array<Numbers, kHeadLines> n{};
@@ -93,10 +93,10 @@ Head read_head(LineReader& lines, const TextDialect& dialect, std::uint64_t& num
 
 struct Walk {
   std::vector<Block> blocks;
-  std::string problem;  // what ended it before the end of the file
+  std::string problem;  // the reason for an end before the end of the file
 };
 
-// Counts the lines of every block. Blank lines count for nothing.
+// Counts the lines of every block. Blank lines are not counted.
 Walk walk_blocks(const InputFile& file, const TextDialect& dialect) {
   LineReader lines(file, 0);
   Walk walk;
@@ -123,7 +123,7 @@ Walk walk_blocks(const InputFile& file, const TextDialect& dialect) {
   }
 }
 
-// Directions in the scanner's own frame, at some of the columns and those beside them.
+// Returns directions in the frame of the scanner, at some of the columns and the columns beside them.
 std::vector<GridPoint> probe_grid(const InputFile& file, const TextDialect& dialect, const Block& block) {
   std::vector<GridPoint> points;
   std::vector<std::string_view> fields;
@@ -143,7 +143,7 @@ std::vector<GridPoint> probe_grid(const InputFile& file, const TextDialect& dial
   return points;
 }
 
-// Where the scanner stood and how it turned. The matrix has the axes' images in its rows.
+// Returns the place of the scanner and its rotation. The rows of the matrix are the images of the axes.
 Station station_of(const InputFile& file, const TextDialect& dialect, const Block& block, const std::string& name) {
   const AngularSteps steps = steps_of_grid(probe_grid(file, dialect, block));
   Station station{name, block.position, steps.azimuth, steps.elevation};
@@ -156,7 +156,7 @@ struct Content {
   bool intensity = false, colour = false;
 };
 
-// What the numbers of a line of a point are: x y z, then intensity, red green blue, or both.
+// Returns the meaning of the numbers on the line of a point: x y z, then intensity, red green blue, or both.
 std::optional<Content> content_of(std::size_t numbers) {
   if (numbers == 3) return Content{};
   if (numbers == 4) return Content{true, false};
@@ -176,7 +176,7 @@ class PtxReader final : public PointReader {
       const std::string name = "scan " + std::to_string(info_.scans.size() + 1);
       info_.scans.push_back({name, block.points});
       info_.stations.push_back(station_of(*file_, dialect_, block, name));
-      if (info_.scans.size() <= UINT16_MAX)  // as rows have it
+      if (info_.scans.size() <= UINT16_MAX)  // as in the rows
         info_.stations.back().source_id = static_cast<std::uint16_t>(info_.scans.size());
       info_.declared_points += block.declared;
       info_.points += block.points;
@@ -227,7 +227,7 @@ class PtxReader final : public PointReader {
     lines_ = LineReader(*file_, blocks_[block].offset);
   }
 
-  // The next line of a point.
+  // Finds the next line of a point.
   bool next_row(std::string_view& line) {
     while (block_ < blocks_.size() && in_block_ == blocks_[block_].points) {
       if (block_ + 1 == blocks_.size()) return false;
@@ -243,7 +243,7 @@ class PtxReader final : public PointReader {
     return false;
   }
 
-  // The values of columns; false for cells without a return and lines that are not points.
+  // Reads the values of the columns; false for cells without a return and for lines that are not points.
   bool parse_row(std::string_view line) {
     Numbers n{};
     const std::size_t count = parse_line(line, dialect_, fields_, n);
@@ -263,7 +263,7 @@ class PtxReader final : public PointReader {
     return true;
   }
 
-  // Columns after the first points of every block; lattice after some points of each.
+  // The columns follow from the first points of every block, the lattice from some points of each.
   void plan_rows() {
     std::string_view line;
     Numbers n{};
@@ -286,7 +286,7 @@ class PtxReader final : public PointReader {
     note_lattice(info_, plan_->lattice());
   }
 
-  // Grids begin with cells without a return as a rule: looks farther for points than it takes of them.
+  // Grids usually begin with cells without a return, so it reads more cells than it takes as points.
   std::vector<double> sample(std::size_t each) {
     constexpr std::size_t kLookFarther = 1000;
     std::vector<double> values;

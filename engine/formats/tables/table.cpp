@@ -139,7 +139,7 @@ void store_as(FieldType type, double value, std::byte* p) {
   }
 }
 
-// Bits of the packed colour of the PCL: a float or an unsigned integer whose lower bytes are r, g, b.
+// Returns the bits of the packed colour of the PCL: a float or an unsigned integer whose lower bytes are r, g, b.
 std::uint32_t packed_bits(double value, bool as_float) {
   if (!as_float) return saturated<std::uint32_t>(value);
   std::uint32_t bits;
@@ -197,7 +197,7 @@ void set_field(PointFields& f, int role, double value) {
   }
 }
 
-// The lattice of two samples. How many decimals binary numbers mean nobody knows.
+// Returns the lattice of two samples. The number of decimals of binary numbers is not known.
 TableLattice lattice_of(std::span<const TableColumn> columns, std::span<const double> sample,
                         std::span<const double> spread) {
   const auto [x, y, z] = coordinate_columns(columns);

@@ -16,8 +16,8 @@ constexpr double kFarthest = 1e12;      // beyond it the doubles themselves are 
 constexpr double kRaster = 1000;        // of offsets
 constexpr int kUsual = 4, kFinest = 6, kCoarsest = 2;  // decimals of scales
 constexpr std::array<double, 5> kScales{1e-6, 1e-5, 1e-4, 1e-3, 1e-2};
-constexpr int kDegreeDecimals = 5;                  // that steps of degrees are finer: 1e-5 degrees are about a metre
-constexpr std::uint64_t kOneIn = 100, kFewest = 3;  // rows that may be alone, and from how many rows on
+constexpr int kDegreeDecimals = 5;                  // additional decimals for degrees: 1e-5 degrees are about a metre
+constexpr std::uint64_t kOneIn = 100, kFewest = 3;  // isolated rows; fewest rows for it
 
 bool is_usable(Vec3 p) {
   return std::abs(p.x) < kFarthest && std::abs(p.y) < kFarthest && std::abs(p.z) < kFarthest;
@@ -38,7 +38,7 @@ std::array<double, 3> raster_below(Vec3 p) {
           std::floor(p.z / kRaster) * kRaster};
 }
 
-// The band of a reach: its scale has 6, 5, 4 ... decimals.
+// Returns the band of a reach; its scale has 6, 5, 4 ... decimals.
 int band_of(double reach, int bands) {
   int band = 0;
   for (double most = kReach; band + 1 < bands && reach > most; most *= 10) ++band;
@@ -76,7 +76,7 @@ void LatticeSurvey::choose_offset() {
   const auto first = first_not_isolated();
   const Vec3 begin = first ? sample_[*first] : sample_.front();
   offset_ = raster_below(begin);
-  // A first row at the origin begins the cloud when it is not far from it.
+  // A first row at the origin begins the cloud when the cloud is near the origin.
   const bool zero_first = first_->x == 0 && first_->y == 0 && first_->z == 0;
   if (zero_first && reach_of(*first_, {begin.x, begin.y, begin.z}) < kNear) offset_ = raster_below(*first_);
   for (const Vec3& p : sample_) count(p);
@@ -98,7 +98,7 @@ TableLattice LatticeSurvey::choose() {
   const int wished = band_with(std::clamp(decimals_ - more, kUsual, kFinest)), coarsest = band_with(kCoarsest);
   const std::uint64_t alone = rows_ >= kFewest ? std::max<std::uint64_t>(1, rows_ / kOneIn) : 0;
   int band = wished;
-  // Finer scales than the usual one are a favour: nothing is left out for them.
+  // Scales finer than the usual one are optional, so no row is left out for them.
   while (band < coarsest && rows_beyond(band) > (band < band_with(kUsual) ? 0 : alone)) ++band;
   TableLattice lattice;
   lattice.decimals = decimals_;

@@ -17,9 +17,9 @@ constexpr std::size_t kMostFields = 1001;
 constexpr int kMostHeaderLines = 200;
 constexpr std::size_t kBeginning = 1000;  // rows from which the dialect is found
 
-// What stands before the points.
+// The content before the points.
 struct Preamble {
-  std::vector<TableColumn> columns;  // empty: not named
+  std::vector<TableColumn> columns;  // empty: the columns have no names
   std::uint64_t declared = 0;        // 0: no line with the count
   std::uint64_t offset = 0, first_line = 1;
   bool ended = false;  // there are no points
@@ -36,14 +36,14 @@ std::vector<TableColumn> named_columns(const std::vector<std::string_view>& fiel
   return columns;
 }
 
-// A line of one number is a count: of the points, or 0 when it cannot be one.
+// A line with one number is a count: of the points, or 0 when it cannot be a count.
 std::optional<std::uint64_t> count_of(const std::vector<std::string_view>& fields) {
   double value = 0;
   if (fields.size() != 1 || !parse_number(fields[0], value)) return std::nullopt;
   return value >= 1 && value < 1e15 ? static_cast<std::uint64_t>(value) : 0;
 }
 
-// Takes lines until one begins the points: comments, names of columns and one count are understood before it.
+// Reads lines until the points begin. Comments, names of columns and one count may come before.
 Preamble read_preamble(const InputFile& file) {
   constexpr std::uint64_t kByteOrderMark = 3;
   std::byte mark[kByteOrderMark]{};
@@ -86,14 +86,14 @@ std::vector<std::string> beginning(const InputFile& file, const Preamble& preamb
   return rows;
 }
 
-// The dialect that was asked for with as many columns as most of the rows have, or the one that is found.
+// Returns the requested dialect with the number of columns that most rows have, or else the dialect that is found.
 FoundDialect dialect_of(std::span<const std::string> rows, const Preamble& preamble, const OpenOptions& options,
                         const std::string& place) {
   if (!options.dialect) return find_dialect(rows, preamble.columns.size(), {}, place);
   return {*options.dialect, columns_of_most(rows, *options.dialect)};
 }
 
-// The values of the first row that is as it should be.
+// Returns the values of the first correct row.
 std::vector<double> first_values(std::span<const std::string> rows, const FoundDialect& found) {
   std::vector<double> values(found.columns);
   std::vector<std::string_view> fields;
@@ -102,7 +102,7 @@ std::vector<double> first_values(std::span<const std::string> rows, const FoundD
   return values;
 }
 
-// A header that names fewer columns than there are leaves the others without a name.
+// When a header names fewer columns than there are, the others have no name.
 std::vector<TableColumn> completed(std::vector<TableColumn> columns, std::size_t count, const std::string& path) {
   if (columns.size() > count)
     throw Error(path + ": its header names " + std::to_string(columns.size()) + " columns, but its rows have " +

@@ -38,7 +38,8 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-// Bytes of the blank at the front that keeps digits together: a blank, U+00A0 (in Latin-1 and UTF-8) or U+202F.
+// Returns the number of bytes of a blank at the front that groups digits: a blank, U+00A0 (in Latin-1 and UTF-8) or
+// U+202F.
 std::size_t group_blank(std::string_view text) {
   if (text.starts_with(' ') || text.starts_with('\xA0')) return 1;
   if (text.starts_with("\xC2\xA0")) return 2;
@@ -56,7 +57,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-// Takes the whole digits, in groups of three behind the first where the dialect has them; false when they are none.
+// Reads the whole digits, in groups of three after the first group if the dialect has them; false when there are none.
 bool take_whole(std::string_view& text, char thousands, std::string& plain) {
   std::size_t run = 0;
   const auto take_digits = [&] {
@@ -75,7 +76,7 @@ bool take_whole(std::string_view& text, char thousands, std::string& plain) {
   return true;
 }
 
-// The number as C writes it; false when it is none of the dialect's.
+// Returns the number in C syntax; false when it is not a number of the dialect.
 bool as_c_number(std::string_view text, const TextDialect& dialect, std::string& plain) {
   plain.clear();
   if (text.size() > kLongestNumber) return false;
@@ -102,7 +103,7 @@ std::size_t skip_blanks(std::string_view line, std::size_t at) {
   return at;
 }
 
-// The end of a quoted field that begins at `at`, behind its closing quote.
+// Returns the end of a quoted field that begins at `at`, behind its closing quote.
 std::size_t end_of_quoted(std::string_view line, std::size_t at) {
   const std::size_t close = line.find('"', at + 1);
   return close == std::string_view::npos ? line.size() : close + 1;
@@ -140,7 +141,7 @@ void split_at_signs(std::string_view line, char sign, std::size_t signs_within, 
   }
 }
 
-// True when a number of the row has two points: they stand between thousands.
+// True when a number of the row has two points: they group thousands.
 bool has_two_points(std::string_view row) {
   for (std::size_t at = row.find('.'); at != std::string_view::npos; at = row.find('.', at + 1)) {
     const std::size_t end = row.find_first_not_of("0123456789", at + 1);
@@ -149,7 +150,7 @@ bool has_two_points(std::string_view row) {
   return false;
 }
 
-// All dialects that the characters of the rows allow, the plainest first.
+// Returns all dialects that the characters of the rows allow, the simplest first.
 std::vector<TextDialect> candidates(std::span<const std::string> rows) {
   bool comma = false, semicolon = false, tab = false, apostrophe = false, blank = false, quote = false, points = false;
   for (const std::string& row : rows) {
@@ -181,14 +182,14 @@ std::vector<TextDialect> candidates(std::span<const std::string> rows) {
 // The rows as one dialect reads them.
 struct Reading {
   TextDialect dialect;
-  std::vector<std::vector<double>> rows;  // empty where the row is not numbers
-  std::size_t columns = 0;                // that most rows have
-  std::size_t fitting = 0;                // rows with so many
+  std::vector<std::vector<double>> rows;  // empty when the row is not numbers
+  std::size_t columns = 0;                // of most rows
+  std::size_t fitting = 0;                // rows with this number of columns
 };
 
 constexpr std::size_t kMostColumns = 1001;
 
-// A row whose only points could be decimal ones says nothing of points between thousands.
+// A row whose only points could be decimal points does not show that points group thousands.
 bool shows_thousands(std::string_view row, const TextDialect& dialect) {
   return dialect.thousands != '.' || row.find('.') == std::string_view::npos ||
          row.find(',') != std::string_view::npos || has_two_points(row);
@@ -219,21 +220,21 @@ bool is_same(double a, double b) {
   return a == b || (a != a && b != b);
 }
 
-// Where two readings differ: a row that both understand; rows.size() when there is none.
+// Returns the first row that both readings understand differently; rows.size() when there is none.
 std::size_t first_difference(const Reading& a, const Reading& b) {
   for (std::size_t i = 0; i < a.rows.size(); ++i)
     if (!a.rows[i].empty() && !b.rows[i].empty() && !std::ranges::equal(a.rows[i], b.rows[i], is_same)) return i;
   return a.rows.size();
 }
 
-// Commas both as separators and as decimal commas are written by careless programs only; whole numbers between commas
-// are not rare. Decimals have leading zeros in one of ten: where none of a hundred has one, they are none.
+// Only faulty programs write commas both as separators and as decimal commas, while whole numbers between commas are
+// common. One in ten decimals has a leading zero. When none of a hundred has one, they are not decimals.
 bool are_decimals(std::span<const std::string> rows) {
   constexpr std::size_t kEnough = 100;
   std::vector<std::string_view> fields;
   std::size_t seen = 0;
   for (const std::string& row : rows) {
-    if (row.find('"') != std::string::npos) return true;  // quotes keep decimal commas together
+    if (row.find('"') != std::string::npos) return true;  // quotes show that commas are decimal commas
     split_row(row, {Separator::comma, '.', 0}, kMostColumns, fields);
     for (std::size_t i = 1; i < fields.size(); i += 2) {
       if (fields[i].size() < 2) continue;
@@ -381,7 +382,8 @@ bool looks_like_numbers(std::string_view line) {
     if (wide == 0 && line[at] != '\'') plain.push_back(line[at]);
     at += std::max<std::size_t>(wide, 1);
   }
-  // German thousands ("6.861.000,5") are digits and points only: what stands between signs must begin as a number.
+  // German thousands ("6.861.000,5") consist only of digits and points, so the text between separators must begin as a
+  // number.
   std::vector<std::string_view> fields;
   split_fields(plain, kMostColumns, fields);
   double value = 0;

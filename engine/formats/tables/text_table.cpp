@@ -18,7 +18,7 @@ bool is_blank_line(std::string_view line) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-// The number of a line that holds one natural number and nothing else.
+// Returns the number on a line that contains only one natural number.
 std::optional<std::uint64_t> lone_count(std::string_view line) {
   const std::size_t begin = line.find_first_not_of(" \t");
   if (begin == std::string_view::npos || line.size() - begin > 24) return std::nullopt;
@@ -79,7 +79,7 @@ class TextTable final : public PointReader {
     later_counts_ = 0;
   }
 
-  // The next line that is not blank, while rows may follow.
+  // Finds the next line that is not blank, while rows may follow.
   bool next_row(std::string_view& line) {
     if (row_ >= body_.most_rows) return false;
     while (lines_.next(line)) {
@@ -97,10 +97,11 @@ class TextTable final : public PointReader {
     return count.has_value();
   }
 
-  // Reads every row once: how many there are, which are malformed, what their places and decimals ask of the lattice.
+  // Reads every row once. It counts the rows and the malformed ones, and collects their places and decimals for the
+  // lattice.
   void survey() {
     const std::array<std::size_t, 3> axes = coordinate_columns(columns_);
-    const bool placed = has_coordinates(columns_);  // else the plan throws
+    const bool placed = has_coordinates(columns_);  // otherwise the plan throws
     LatticeSurvey lattice(body_.degrees);
     std::vector<double> sample;
     std::string_view line;
@@ -117,7 +118,7 @@ class TextTable final : public PointReader {
     plan_.emplace(info_.path, columns_, sample, std::span<const double>{}, lattice.choose());
   }
 
-  // Of the coordinates of the row that was parsed last.
+  // of the coordinates of the last parsed row
   int decimals(const std::array<std::size_t, 3>& axes) const {
     int most = TableLattice::kUnknown;
     if (body_.dialect)
