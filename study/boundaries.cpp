@@ -2,7 +2,7 @@
 // Boundary error E [Lorraine thesis, 3.4.3] of the facades of a scanned building, as seen from their best station and
 // from their best two. Compares thresholds that follow the sampling step, predicted or measured, with one threshold for
 // the whole plane. This is done for alpha shapes and for the ends of long edges, at the best factor of each plane and
-// at one common factor. Usage: study_boundaries FILE [LEAST]
+// at the factor 1. Usage: study_boundaries FILE [LEAST]
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -24,7 +24,8 @@ double top_of(const Opening& opening) {
   return opening.springing + opening.rise;
 }
 
-// The tangent of the half angle is half / (radius - rise). By the half-angle formula it follows from rise / half.
+// The tangent of this angle is half / (radius - rise). By the half-angle formula, the tangent of half of this angle is
+// rise / half.
 double arch_half_angle_deg(const Opening& opening) {
   return 2 * atan_deg(opening.rise / ((opening.right - opening.left) / 2));
 }

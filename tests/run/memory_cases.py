@@ -239,7 +239,7 @@ def corridor(m):
     return Inputs(las(m.folder / "cloud.las", rows))
 
 
-# Many points, in one cell or in blocks.
+# Many points, in one unit or in blocks.
 
 @case("planes")
 def plane_of_10_million(m):

@@ -101,7 +101,7 @@ class Strays(RunTest):
         self.assertGreaterEqual(run_json["counts"]["planes"], 2 * one["counts"]["planes"] - 4)
 
     def test_an_area_makes_no_point_a_stray(self):
-        """Isolated points are found with the points outside the area."""
+        """Whether a point is isolated is decided with the points outside the area, too."""
         clean = Las.read(self.district(40000))
         x, y, _ = clean.points()[0]
         path = clean.write(self.folder / "stray.las", with_strays(clean, "above")[0])
