@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Measures how far `ilot validate` agrees with val3dity 2.6, from the tables under ILOT_DATA/validity, and its time.
 
-bench/validity.py [PROGRAM]      prints the rows that differ, the shares, and milliseconds per building and per 50 faces"""
+bench/validity.py [PROGRAM]      the rows that differ, the shares, milliseconds per building and per 50 faces"""
 import csv
 import json
 import os

@@ -26,7 +26,7 @@ constexpr double kAround = 0.2;      // metres around an opening in which its co
 constexpr double kPixel = 0.01;      // metres
 constexpr double kNear = 0.02;       // metres; points within it belong to a line, for both methods
 constexpr std::size_t kLines = 12;   // lines sought in the contour of one opening
-constexpr double kLeastShare = 0.1;  // of the points of the strongest line
+constexpr double kLeastShare = 0.1;  // share of the points of the strongest line
 constexpr int kDraws = 500;
 constexpr double kFiveDegrees =
     0.0872;  // sine of the angle by which a side may differ from level or upright [Marchand 2018, II.5.1]

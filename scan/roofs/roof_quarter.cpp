@@ -194,7 +194,7 @@ class QuarterBuilder {
   std::vector<Rect> rooms_;
   RoofFrame frame_;
   Integer foot_ = 0, next_u_ = 0;
-  std::ptrdiff_t least_faces_ = 2;  // of the roof that is being drawn
+  std::ptrdiff_t least_faces_ = 2;  // fewest faces of the roof that is being drawn
   bool terraced_ = false, adjoins_ = false, continues_ = false;
 };
 

@@ -16,8 +16,8 @@ namespace ilot::scan {
 
 struct MobileParams {
   double from = 0, to = 100;  // metres along the street
-  double lane = -1.6;         // of the vehicle, from the street's axis
-  double height = 2.6;        // of the heads above the road
+  double lane = -1.6;         // lane of the vehicle, from the street's axis
+  double height = 2.6;        // height of the heads above the road
   double profiles = 10;       // turns per metre and head
   double step_deg = 0.4;      // between pulses of a turn
   double turned_deg = 40;     // turn of the planes from straight across the street

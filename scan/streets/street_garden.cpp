@@ -10,7 +10,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kSunk = 0.3;          // metres below the ground that walls and sheds reach
-constexpr double kHedgeSpacing = 0.6;  // of its bushes
+constexpr double kHedgeSpacing = 0.6;  // metres between the bushes of a hedge
 
 class VegetationBuilder {
  public:

@@ -70,7 +70,7 @@ void smooth(std::vector<Corner>& ring) {
 }
 
 double cost_of(const Corner& a, const Corner& b, const Corner& c) {
-  constexpr double kCosine = 0.70710678118654752;  // of 45 degrees; the cosine of 135 degrees is its negative
+  constexpr double kCosine = 0.70710678118654752;  // cosine of 45 degrees; that of 135 degrees is its negative
   if (b.junction() || std::abs(cosine_at(a.at, b.at, c.at)) <= kCosine) return std::numeric_limits<double>::infinity();
   const Vec3 u = b.at - a.at, v = c.at - a.at;
   return std::abs(u.x * v.y - u.y * v.x) / 2;
