@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Area opening of 50 pixels of a street's filled range image beside the union-find as published (Meijster, Wilkinson
-// 2002) over std::sort, and as a share of copying. Values must be equal before any timing.
+// Area opening of 50 pixels of the filled range image of a street. It is compared with the published union-find
+// (Meijster, Wilkinson 2002) over std::sort, and given as a share of copying. Values must be equal before any timing.
 #include "kernels/morphology/area_opening.h"
 
 #include <numeric>
@@ -18,7 +18,7 @@ constexpr std::uint32_t kArea = 50;
 
 struct Published {
   const Image& f;
-  std::vector<std::int64_t> parent = std::vector<std::int64_t>(f.size(), 0);  // of roots: minus the area
+  std::vector<std::int64_t> parent = std::vector<std::int64_t>(f.size(), 0);  // for roots: minus the area
 
   std::size_t root(std::size_t i) {
     if (parent[i] < 0) return i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Euclidean clusters of the houses of a town, 0.5 m, beside the flood that libraries do, over nanoflann's tree. The
-// partitions must be equal before any timing.
+// Euclidean clusters of the houses of a town, 0.5 m. They are compared with the flood that libraries use, over
+// nanoflann's tree. The partitions must be equal before any timing.
 #include "kernels/neighbours/clusters.h"
 
 #include "bench/compare.h"
@@ -10,7 +10,7 @@ namespace {
 
 using namespace ilot;
 
-// Numbered by first appearance, like ours.
+// Labels are numbered by first appearance, like ours.
 std::vector<std::uint32_t> flood(const bench::PeerTree& peer, double radius) {
   constexpr std::uint32_t kNone = 0xffffffffu;
   const Points& p = peer.adaptor.p;

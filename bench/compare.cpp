@@ -45,7 +45,7 @@ double median_ratio(const Seconds& a, const Seconds& b) {
   return median(ratios);
 }
 
-// times[way][round]. A first round warms up and is not counted, unless one round is all.
+// Returns times[way][round]. The first round warms up and is not counted, unless there is only one round.
 std::vector<Seconds> rounds_of(const std::vector<Way>& ways, int fewest) {
   constexpr int kMost = 25;
   std::vector<Seconds> times(ways.size());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delaunay triangulations and alpha shapes of points seen from above. With other libraries: peers/cgal_delaunay.cpp.
+// Delaunay triangulations and alpha shapes of points seen from above. peers/cgal_delaunay.cpp compares them with
+// another library.
 #include "kernels/delaunay/delaunay.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals as one writes them with nanoflann and Eigen: search, covariance in double, Eigen's direct 3 x 3 solver.
+// Normals in the usual way with nanoflann and Eigen: search, covariance in double, Eigen's direct 3 x 3 solver.
 #pragma once
 #include <Eigen/Eigenvalues>
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Places in the axes of a facade, as its JSON gives them."""
+"""Positions in the axes of a facade, as its JSON file states them."""
 
 
 def dot(a, b):

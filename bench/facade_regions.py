@@ -1,14 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Regions of facades [Lorraine thesis, 4.1], the bodies of elements [Lorraine thesis, 4.2.1] and the meshes of irregularities [Lorraine thesis, 4.2.2] beside the truth of a
-scanned scene: what `ilot run --products facades` found of each true part, its size against its stated uncertainty, how
-far the meshes lie from the exact surface, whether walls close at corners.
+"""Compares with the truth of a scanned scene the regions of facades [Lorraine thesis, 4.1], the bodies of elements
+[Lorraine thesis, 4.2.1] and the meshes of irregularities [Lorraine thesis, 4.2.2]: what `ilot run --products facades`
+found of each true part, its size against its stated uncertainty, the distance of the meshes from the exact surface,
+and whether walls close at corners.
 
     ilot scan building --points 3000000 -o b.laz;  ilot run b.laz -o out --products facades --stations b.stations.csv
     ilot scan building --points 3000000 --set scene.noise=0 --set scene.angle_noise=0 -o exact.laz
     bench/facade_regions.py out b.truth.json [--exact exact.laz]
 
-The exact cloud is another scan of the same scene, without noise: its points of class bulge lie on the surface.
+The exact cloud is another scan of the same scene, without noise. Its points of class bulge are on the surface.
 """
 import argparse
 import csv
@@ -22,7 +23,7 @@ import tempfile
 from facade_frame import in_axes
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-REGION = {"bulge": "irregularity"}  # of a true element's kind; every other is an element
+REGION = {"bulge": "irregularity"}  # by the kind of a true element; every other kind is an element
 NEAR, COVER, CORNER = 0.15, 0.5, 0.005
 
 
@@ -51,14 +52,14 @@ def common(a, b):
 
 
 def on_facade(frame, width, ring):
-    """The box of a true element in a facade's axes, or None where it belongs to another."""
+    """Returns the box of a true element in the axes of a facade, or None if the element belongs to another facade."""
     box = box_in(frame, ring)
     inside = box[0] > -0.3 and box[1] < width + 0.3
     return box if inside and abs(box[4] + box[5]) / 2 < 0.3 and box[5] - box[4] < 0.05 else None
 
 
 def best_match(box, candidates):
-    """The one that has most in common, as a share of both."""
+    """Returns the candidate with the greatest intersection over union."""
     share = lambda c: common(box, c[0]) / max(1e-9, area(box) + area(c[0]) - common(box, c[0]))
     best = max(candidates, key=share, default=None)
     return (best, share(best)) if best and share(best) > 0 else (None, 0)
@@ -98,7 +99,8 @@ def evaluate_regions(facades, truth, show):
 
 
 def distance_to_mesh(heights, frame, place):
-    """Along the wall's normal, in the triangle above the place; None beside the mesh."""
+    """Returns the distance along the wall's normal to the triangle above the position, or None if it is not on the
+    mesh."""
     u, v, w = in_axes(frame, place)
     for a, b, c in heights:
         d = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
@@ -112,7 +114,8 @@ def distance_to_mesh(heights, frame, place):
 
 
 def evaluate_meshes(facades, places):
-    """Root mean square of the distances of exact points to each mesh, along the normal; how many of them lie on one."""
+    """Returns the root mean square of the distances of exact points to each mesh, along the normal, and the number of
+    points on a mesh."""
     rows = []
     for facade in facades:
         frame = facade["frame"]
@@ -148,7 +151,7 @@ def exact_places(ilot, cloud, number):
 
 
 def corners_closed(facades):
-    """Ends of walls that lie on a neighbour's end, of all."""
+    """Returns the number of ends of walls that meet the end of a neighbour, and the number of all ends."""
     rings = [next(e for e in f["elements"] if e["region"] == "facade")["ring"] for f in facades]
     closed = total = 0
     for i, ring in enumerate(rings):

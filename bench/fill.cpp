@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Filling the holes of a street's range image, as it is (one pixel in ten missing) and upside down (objects are holes
-// then), beside a priority flood (Barnes 2014: std::priority_queue, pits in a plain queue) and as a share of copying.
-// Values must be equal before any timing. Tiles of 512 pixels beside the whole.
+// Fills the holes of the range image of a street, as it is (one pixel in ten is missing) and upside down (objects are
+// holes then). It is compared with a priority flood (Barnes 2014: std::priority_queue, pits in a plain queue), and
+// given as a share of copying. Values must be equal before any timing. Tiles of 512 pixels are compared with the whole
+// image.
 
 #include <queue>
 
@@ -57,7 +58,7 @@ Image upside_down(Image image) {
   return image;
 }
 
-// Whole image in memory: only the kernel is timed.
+// The whole image is in memory, so only the kernel is timed.
 Image in_tiles(const Image& image) {
   const TileGrid grid{image.width, image.height, 512};
   Image out = filled_image(image.width, image.height, 0);

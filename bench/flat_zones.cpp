@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lambda-flat zones of a street's filled range image (1 m, the ground mask) and connected components of its objects,
-// beside the flood from pixel to pixel that one writes first. Labels must be equal before any timing.
+// Lambda-flat zones of the filled range image of a street (1 m, the ground mask) and connected components of its
+// objects. They are compared with a simple flood from pixel to pixel. Labels must be equal before any timing.
 #include "kernels/morphology/flat_zones.h"
 
 #include <cstdlib>

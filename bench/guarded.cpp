@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// One kernel, once, on a small fixed input: what bench/guard counts the instructions of. Only what happens inside
-// guarded() is counted. Usage: guarded NAME; without a name it lists them.
+// Runs one kernel once on a small fixed input. bench/guard counts its instructions, and only those inside guarded().
+// Usage: guarded NAME. Without a name it lists the kernels.
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -26,7 +26,7 @@
 #include "kernels/planes/ransac.h"
 #include "tests/oracles/whole_fill.h"
 
-// Found by its name in the machine code; never inlined.
+// bench/guard finds this function by its name in the machine code. It is never inlined.
 extern "C" __attribute__((noinline)) void guarded(const std::function<void()>* run) {
   (*run)();
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Weighted Hough lines of a street's range image at 5 pixels a metre, beside the loop that one writes first: pixel by
-// pixel over all directions. The same cell must win before any timing.
+// Weighted Hough lines of the range image of a street at 5 pixels per metre. They are compared with a simple loop,
+// pixel by pixel over all directions. The same cell must win before any timing.
 #include "kernels/rasters/hough_lines.h"
 
 #include <cmath>
@@ -41,7 +41,7 @@ Cell plain(const Image& image, int directions) {
   return best;
 }
 
-// Every fourth pixel each way: 5 for 20 a metre.
+// Takes every fourth pixel in each direction: 5 per metre from 20 per metre.
 Image coarse_street(double millions) {
   const Image fine = bench::make_street_image(static_cast<std::size_t>(16e6 * millions));
   Image out = filled_image(fine.width / 4, fine.height / 4, 0);

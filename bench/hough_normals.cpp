@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Hough normals beside the same method as its paper describes it (Boulch and Marlet 2012), written directly with
-// nanoflann and Eigen: for each of five rotations up to 700 random triplets vote into bins of polar angles until the
-// leading bin is significantly ahead; the mean of the best rotation's bin wins. Both are random, so instead of equal
-// bits both must be near the truth of a ridge of 45 degrees: away from its edge, and at it, where principal components
-// are not.
+// Hough normals, compared with a direct implementation of the same method as its paper describes it (Boulch and Marlet
+// 2012), with nanoflann and Eigen. In each of five rotations, up to 700 random triplets vote into bins of polar angles
+// until the leading bin is significantly ahead. The mean of the best bin of all rotations wins. Both implementations
+// are random, so equal bits are not required. Instead, both must be near the truth of a ridge of 45 degrees, away from
+// its edge and also at it, where principal components fail.
 #include "kernels/neighbours/hough_normals.h"
 
 #include <Eigen/Geometry>
@@ -94,7 +94,7 @@ class DirectHough {
   std::array<Eigen::Matrix3d, 5> rotations_;
 };
 
-// ---- a ridge of 45 degrees, 12 points a square metre, 2 cm of noise
+// ---- a ridge of 45 degrees, 12 points per square metre, 2 cm of noise
 
 struct Ridge {
   bench::Surface surface;
@@ -117,7 +117,7 @@ Ridge make_ridge() {
 }
 
 struct Errors {
-  std::vector<double> edge, flat;  // degrees; within 0.29 m (one step) of the edge, and farther than four
+  std::vector<double> edge, flat;  // degrees; within 0.29 m (one step) of the edge, and farther than four steps
 };
 
 template <class Normal>

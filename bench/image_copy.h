@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The ceiling of raster kernels: each pixel read once and written once, to memory that is new as a result's is.
+// The ceiling of raster kernels: each pixel is read once and written once to newly allocated memory, as a result is.
 #pragma once
 #include "kernels/rasters/image.h"
 

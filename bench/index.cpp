@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a file on disk to blocks on disk, against decoding alone: seconds per million points and the median of their
-// ratios, pair by pair. usage: bench_index FILE FOLDER [THREADS] [PAIRS]
+// Times the way from a file on disk to blocks on disk, against decoding alone: seconds per million points and the
+// median of their ratios, pair by pair. usage: bench_index FILE FOLDER [THREADS] [PAIRS]
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -27,7 +27,7 @@ double seconds_of(const Body& body) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// All rows with all their attributes, into memory that is thrown away.
+// Decodes all rows with all their attributes into memory that is not used.
 void decode(PointReader& reader) {
   const std::vector<std::uint64_t> cuts = reader.boundaries();
   const std::size_t length = reader.info().layout.record_length;

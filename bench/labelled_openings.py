@@ -1,11 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Windows and doors of two real facades (NUIST), as `ilot run --products facades` draws them, beside the labelled ones.
-Needs ILOT_DATA.
+"""Compares the windows and doors of two real facades (NUIST), as `ilot run --products facades` draws them, with the
+labelled ones. Needs ILOT_DATA.
 
-A facade's folder has a file of points for every labelled thing; together they are the cloud, without labels and without
-a station. A labelled window or door is the rectangle that all but 0.2 % of its points lie in on each side, in the axes
-of a facade that was found; each is paired with at most one that was drawn, best intersection over union first.
+The folder of a facade has a file of points for every labelled object. Together they are the cloud, without labels and
+without a station. A labelled window or door is the rectangle that contains all but 0.2 % of its points on each side, in
+the axes of a facade that was found. Each is paired with at most one drawn rectangle. The pair with the best
+intersection over union is made first.
 
 usage: bench/labelled_openings.py [ILOT] [--keep FOLDER] [--list] [--set KEY=VALUE ...]
 """
@@ -56,7 +57,7 @@ def quantile(values, share):
 
 
 def box_of_points(frame, points):
-    """None where they belong to another facade."""
+    """Returns None where the points belong to another facade."""
     places = [in_axes(frame, p) for p in points]
     if abs(quantile([p[2] for p in places], 0.5)) > BESIDE:
         return None
@@ -72,7 +73,8 @@ def overlap(a, b):
 
 
 def pairs(labelled, facades):
-    """(best intersection over union, what was drawn) by label, each drawn one once; and how many were drawn."""
+    """Returns for each label (best intersection over union, the drawn element), where each drawn element is used once,
+    and the number of drawn elements."""
     scores, drawn = [], 0
     for facade in facades:
         boxes = [(name, box_of_points(facade["frame"], points)) for name, points in labelled]

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// LAZ: decoding, selective decoding and encoding of a real file in memory, points per second. The file is
-// ILOT_BENCH_LAZ (any .laz), else files of ILOT_DATA for formats 3, 6 (made from 8), 7 and 8.
+// LAZ: decoding, selective decoding and encoding of a real file in memory, in points per second. The file is
+// ILOT_BENCH_LAZ (any .laz). Otherwise files of ILOT_DATA are used for formats 3, 6 (made from 8), 7 and 8.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>
@@ -48,7 +48,7 @@ Sample load_sample(const std::filesystem::path& path) {
   return sample;
 }
 
-// The core of each record only.
+// Keeps only the core of each record.
 Sample as_format_6(const Sample& from) {
   Sample sample{{6, 30, 3}, {}, 0};
   for (const Chunk& c : from.chunks) {
@@ -66,7 +66,7 @@ void count_points(benchmark::State& state, const Sample& sample) {
 }
 
 void decode(benchmark::State& state, const Sample& sample, std::uint32_t fields, int threads) {
-  constexpr std::size_t kCopies = 16;  // so that two threads share evenly: chunks differ in size
+  constexpr std::size_t kCopies = 16;  // chunks differ in size; with this number two threads get equal work
   const std::size_t count = sample.chunks.size() * kCopies;
   std::vector<std::unique_ptr<laz::ChunkDecoder>> decoders;
   std::vector<std::vector<std::byte>> out(count);

@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Protrusions and recesses of fourteen small buildings whose colours are the labels (MinimalHouse). Colours are stripped,
-`ilot run --products facades` runs, what it found is counted against the labels. Needs ILOT_DATA.
+"""Counts the protrusions and recesses that are found on fourteen small buildings whose colours are the labels
+(MinimalHouse). Colours are removed, `ilot run --products facades` runs, and its result is compared with the labels.
+Needs ILOT_DATA.
 
-Each building three times: as it is; with 5 mm of noise; with that, and only what one of four stations sees, each before
-one side and all to the left of it. No station is told to the program.
+Each building is used three times: as it is; with 5 mm of noise; and with this noise and only the points that one of
+four stations sees. There is one station before each side, to the left of it. The program does not know the stations.
 
-A labelled part is a piece of the reference mesh. An element is right when it stands out of its facade (label protrusion)
-or goes into it (recess) and half of its points are the part's; a part is found when right elements hold half of its
-points together. Four pairs of these buildings are one shape under
-two labels: an upper storey that stands out, or a lower one that stands back. So besides `as labelled` there is `either
-way`: an element of the other sign also counts where its points include the face between the two (a twentieth of them).
+A labelled part is a piece of the reference mesh. An element is right when it stands out of its facade (label
+protrusion) or goes into it (recess) and half of its points belong to the part. A part is found when right elements
+together contain half of its points. Four pairs of these buildings are one shape with two labels: an upper storey that
+stands out, or a lower one that stands back. So besides `as labelled` there is `either way`: an element of the other
+sign also counts where its points include the face between the two storeys (a twentieth of them).
 
 usage: bench/minimal_houses.py [ILOT] [--only NUMBER ...] [--variants plain noise scan] [--keep FOLDER] [--list]
 """
@@ -31,7 +32,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COLOURS = {"protrusion": lambda r, g, b: g > r and g > b, "recess": lambda r, g, b: b < r and b < g and r > 0 and g > 0}
 MATERIALS = {"Convex": "protrusion", "Concave": "recess"}
 NOISE, WITHIN, SHARE, SHARED_FACE, RIGHT = 0.005, 0.03, 0.5, 0.05, 0.01  # metres, metres, shares, metres
-JUDGED = 4  # of so many points one is counted: this is Python
+JUDGED = 4  # one in this number of points is evaluated, because Python is slow
 
 
 def arguments():
@@ -52,7 +53,7 @@ def call(command):
 
 
 def labelled_points(ilot, cloud, folder):
-    """[(place, label or None)]"""
+    """Returns [(position, label or None)]."""
     text = folder / "labelled.csv"
     call([ilot, "convert", cloud, text, "--overwrite"])
     points = []
@@ -65,7 +66,7 @@ def labelled_points(ilot, cloud, folder):
 
 
 def labelled_parts(mesh):
-    """Pieces of the mesh of one material, joined over corners: [(label, low, high)]."""
+    """Returns the pieces of the mesh of one material, joined over corners: [(label, low, high)]."""
     corners, faces, material = [], [], None
     for line in open(mesh):
         words = line.split()
@@ -97,7 +98,7 @@ def noisy(points, seed):
 
 
 def seen(points):
-    """Those that one of four stations sees: a depth image of each."""
+    """Returns the points that one of four stations sees, by a depth image of each."""
     low = [min(p[k] for p, _ in points) for k in range(3)]
     high = [max(p[k] for p, _ in points) for k in range(3)]
     middle, half = [(a + b) / 2 for a, b in zip(low, high)], [(b - a) / 2 for a, b in zip(low, high)]
@@ -129,7 +130,7 @@ def run(ilot, points, folder):
 
 
 def found_elements(facades, points):
-    """What stands out of a facade or goes into it, with the points on it."""
+    """Returns the elements that stand out of a facade or go into it, with the points on them."""
     found = []
     for facade in facades:
         local = [in_axes(facade["frame"], p) for p, _ in points]
@@ -159,7 +160,7 @@ def points_of_parts(parts, points):
 
 
 def true_size(frame, part, sign):
-    """Width, height, and how far it lies before the facade (or behind it): a part may go round a corner."""
+    """Returns width, height, and the distance before the facade (or behind it). A part may continue around a corner."""
     size = [b - a for a, b in zip(part[1], part[2])]
     corners = [in_axes(frame, [part[1 + (i >> k & 1)][k] for k in range(3)]) for i in range(8)]
     return [sum(abs(frame[axis][k]) * size[k] for k in range(3)) for axis in ("right", "up")] + \
@@ -167,7 +168,8 @@ def true_size(frame, part, sign):
 
 
 def evaluate(parts, points, found):
-    """Per part and per element: 2 as labelled, 1 either way, 0 not found or wrong; errors of sizes, metres."""
+    """Returns for each part and each element 2 (as labelled), 1 (either way) or 0 (not found or wrong), and the errors
+    of sizes in metres."""
     held = points_of_parts(parts, points)
     of_part, of_found, errors = [0] * len(parts), [0] * len(found), []
     for k, part in enumerate(parts):

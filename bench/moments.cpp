@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact integer sums of points picked by index, beside the same sums in double with Eigen. The covariances must agree
-// to 1e-9 of their trace before any timing.
+// Exact integer sums of points that are selected by index, compared with the same sums in double with Eigen. The
+// covariances must agree to 1e-9 of their trace before any timing.
 #include "kernels/core/moments.h"
 
 #include <Eigen/Core>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Normals of a whole cloud, ours, and how far another library's are from them.
+// Our normals of a whole cloud, and their angles to the normals of another library.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace ilot::bench {
 
-// The index included.
+// The time includes the index.
 inline std::vector<PackedNormal> all_normals(Points p, int k) {
   const NeighbourIndex index = build_neighbour_index(p);
   const auto queries = all_of(p.size);
@@ -25,7 +25,7 @@ inline std::vector<PackedNormal> all_normals(Points p, int k) {
   return out;
 }
 
-// The sorting by Morton code included, as for points in any order.
+// The time includes the sorting by Morton code, as points in any order need it.
 inline std::vector<PackedNormal> all_normals_unsorted(const Surface& s, int k) {
   std::vector<std::uint64_t> codes(s.size);
   for (std::size_t i = 0; i < s.size; ++i)
@@ -46,7 +46,7 @@ struct NormalErrors {
 };
 constexpr double kSameNormal = 1e-4 * 180 / 3.141592653589793;  // 1e-4 rad
 
-// normal(i): theirs, of any length and sign. Points without a normal of ours are left out.
+// normal(i) returns their normal, of any length and sign. Points for which we have no normal are left out.
 template <class Normal>
 NormalErrors normal_errors(const std::vector<PackedNormal>& ours, const Normal& normal) {
   std::vector<double> errors;

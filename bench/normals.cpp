@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Neighbours and normals of an airborne town, beside nanoflann and Eigen on the same points in the same order. Before
-// any timing the k-th distances must be equal and the normals within 1e-4 rad.
+// Neighbours and normals of an airborne town, compared with nanoflann and Eigen on the same points in the same order.
+// Before any timing, the k-th distances must be equal and the normals must agree within 1e-4 rad.
 #include "kernels/neighbours/normals.h"
 
 #include "bench/compare.h"
@@ -17,7 +17,7 @@ struct Town {
   NeighbourIndex index;
 };
 
-// A stretch in the middle of the town, long enough to leave the caches.
+// A stretch in the middle of the town that is larger than the caches.
 std::vector<std::uint32_t> stretch(std::size_t n) {
   std::vector<std::uint32_t> q(std::min<std::size_t>(n, 200000));
   std::iota(q.begin(), q.end(), static_cast<std::uint32_t>((n - q.size()) / 2));

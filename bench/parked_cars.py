@@ -1,13 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Parked cars that `ilot run --products streets` finds from the air, beside those that the eye finds (`ign`, three tiles
-of 50 m). Needs ILOT_DATA.
+"""Compares the parked cars that `ilot run --products streets` finds from the air with those that a person sees (`ign`,
+three tiles of 50 m). Needs ILOT_DATA.
 
-parked_cars.csv holds what was seen in pictures of the tiles' points, coloured by height and by class, before any model
-was trained on clouds from the air: `whole` cars, and `part`: cut by the end of the cloud, seen by one flight line alone,
-or perhaps something else; these count neither as lost nor, where they are called car, as false. A car is found when
-something called car has its middle in the car's rectangle, grown by half a metre; one for each. False is what is called
-car and is none of the list.
+parked_cars.csv contains what was seen in pictures of the points of the tiles, coloured by height and by class, before
+any model was trained on clouds from the air. There are cars marked `whole` and cars marked `part`. A `part` is cut by
+the end of the cloud, seen by only one flight line, or perhaps another object; it counts neither as lost nor, where it
+is classified as car, as false. A car is found when an object classified as car has its middle in the rectangle of the
+car, grown by half a metre. Each object counts for one car. An object is false if it is classified as car and is not in
+the list.
 
 usage: bench/parked_cars.py [ILOT] [--alone] [--set KEY=VALUE ...] [--list]
 """
@@ -44,7 +45,7 @@ def seen_cars():
 
 
 def middle_of(geometry):
-    """Of a rectangle in a GeoPackage."""
+    """Returns the bounds of a rectangle in a GeoPackage."""
     at = 8 + {0: 0, 1: 32, 2: 48, 3: 48, 4: 64}[geometry[3] >> 1 & 7]
     kind, _, corners = struct.unpack_from("<3I", geometry, at + 1)
     size = 24 if kind > 1000 else 16
@@ -53,7 +54,7 @@ def middle_of(geometry):
 
 
 def objects_of(run):
-    """What stands on the ground: x, y, class and so on."""
+    """Returns the objects on the ground: x, y, class and so on."""
     with sqlite3.connect(run / "streets/objects.gpkg") as base:
         base.row_factory = sqlite3.Row
         rows = [dict(r) for r in base.execute("select o.*, e.geom as box from objects o join extents e using (object_id)")]
@@ -70,7 +71,7 @@ def contains(car, detected):
 
 
 def evaluate(cars, objects):
-    """Each car's finds, nearest first, and the objects called car that are none."""
+    """Returns the finds of each car, nearest first, and the objects classified as car that are not cars."""
     called = [o for o in objects if o["class"] == "car"]
     found, taken = [], set()
     for car in cars:

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The whole run, from LAS on disk to labelled LAZ on disk, at growing sizes: seconds per million points and peak memory
-must stay flat; 1 against 2 threads is judged by the machine's own scaling, measured in between.
+"""Times the whole run, from LAS on disk to labelled LAZ on disk, at growing sizes. Seconds per million points and peak
+memory must not grow. The ratio of 1 to 2 threads is compared with the scaling of the machine, which is measured in
+between.
 
 usage: bench/pipeline.py BUILD_DIR WORK_DIR [MILLIONS ...]
 """
@@ -44,7 +45,8 @@ def sizes(ilot, work, millions, memory):
 
 
 def scaling(build, ilot, work, millions, repeats):
-    """Pairs of runs, one after the other, each with the ceilings of its moment; the median of the ratios."""
+    """Makes pairs of runs, one after the other, each with the ceilings measured at that time. Returns the median of the
+    ratios."""
     cloud = scan(ilot, work, millions)
     rows = []
     for _ in range(repeats):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane scoring on an airborne town: one, 16 and 64 planes at a time, with and without normals, beside the loop that
-// one writes first (double, array of structures, one plane) and as a share of the arithmetic ceiling.
+// Plane scoring on an airborne town: one, 16 and 64 planes at a time, with and without normals. It is compared with a
+// simple loop (double, array of structures, one plane), and given as a share of the arithmetic ceiling.
 #include "kernels/planes/plane_score.h"
 
 #include <cmath>
@@ -14,13 +14,13 @@ namespace {
 
 using namespace ilot;
 
-constexpr float kDistance = 64;  // 64 mm; the planes are chosen so that no point lies on the edge of it
+constexpr float kDistance = 64;  // 64 mm; the planes are chosen so that no point is exactly at this distance
 
 struct Normals {
   std::vector<float> x, y, z;
 };
 
-// Level and sloping planes through the town, with coefficients that float32 and double hold alike.
+// Returns horizontal and sloping planes through the town, with coefficients that are exact in float32 and in double.
 std::vector<PlaneHypothesis> planes(std::size_t count) {
   std::vector<PlaneHypothesis> list;
   for (std::size_t i = 0; i < count; ++i)
@@ -29,7 +29,7 @@ std::vector<PlaneHypothesis> planes(std::size_t count) {
   return list;
 }
 
-// The plain loop, and with normals as far as anybody would write it.
+// The simple loop; with normals, as a programmer would usually write it.
 std::uint32_t plain(const std::vector<Vec3>& points, const PlaneHypothesis& h) {
   const Plane plane{{h[0], h[1], h[2]}, h[3]};
   std::uint32_t count = 0;
@@ -37,7 +37,7 @@ std::uint32_t plain(const std::vector<Vec3>& points, const PlaneHypothesis& h) {
   return count;
 }
 
-// Grains of whole lanes, each counted for itself.
+// Counts grains of whole lanes, each separately.
 std::vector<std::uint32_t> in_parallel(const OrientedPoints& points, const std::vector<PlaneHypothesis>& list) {
   constexpr std::size_t kGrain = 1 << 16;
   const std::size_t grains = (points.points.size + kGrain - 1) / kGrain;
@@ -70,7 +70,7 @@ void against_plain_loop(const OrientedPoints& points, const std::vector<Vec3>& s
   }
 }
 
-// The ceiling's ratio is the share of it that we reach.
+// The ratio of the ceiling is the share of it that we reach.
 void against_ceiling(const OrientedPoints& points, const std::string& size, int threads) {
   const auto list = planes(16);
   const double items = static_cast<double>(points.points.size * list.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What triangulations are timed on: the town seen from above, in Morton order and in none, and a raster of as many
-// points, all of whose cells are cocircular.
+// The point sets on which triangulations are timed: the town seen from above, in Morton order and unordered, and a
+// raster of as many points. All cells of the raster are cocircular.
 #pragma once
 #include "bench/surface.h"
 #include "kernels/geometry/point2.h"
@@ -10,7 +10,7 @@ namespace ilot::bench {
 struct PlanePoints {
   const char* name;
   std::vector<Point2> points;
-  float reach;  // of alpha shapes, in lattice units
+  float reach;  // reach of alpha shapes, in lattice units
 };
 
 inline std::vector<PlanePoints> plane_points(std::size_t n) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Reconstruction by dilation, as h-maxima of 10 cm of a street's range image, beside the hybrid of scans and a plain
-// queue as published (Vincent 1993), and a corridor that winds through the image, where scans alone settle nothing.
-// Values must be equal before any timing; as a share of copying.
+// Reconstruction by dilation, as h-maxima of 10 cm of the range image of a street. It is compared with the published
+// hybrid of scans and a plain queue (Vincent 1993). A second image has a corridor that winds through it, where scans
+// alone are not sufficient. Values must be equal before any timing. The time is also given as a share of copying.
 #include "kernels/morphology/reconstruct.h"
 
 #include <queue>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace ilot;
 
-// One raster scan, one back, then first in, first out; neighbours by bounds.
+// One raster scan forward, one back, then a first-in first-out queue. Neighbours are found by comparing bounds.
 Image hybrid(const Image& marker, const Image& mask) {
   Image g = marker;
   const auto w = static_cast<std::int64_t>(mask.width), h = static_cast<std::int64_t>(mask.height);
@@ -62,7 +62,7 @@ Image hybrid(const Image& marker, const Image& mask) {
   return g;
 }
 
-// Rows of height 9 between walls of 0, joined at alternate ends; the marker has 9 where the way starts.
+// Rows of height 9 between walls of 0, joined at alternate ends. The marker is 9 where the corridor starts.
 Image corridor(std::uint32_t side) {
   Image image = filled_image(side, side, 0);
   for (std::uint32_t y = 0; y < side; ++y)

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Roofs of real clouds beside the models that others made of the same points: distances of all points to the faces,
-judged by one code (`ilot evaluate --models`), and whether the solids are valid (`ilot validate`). Needs ILOT_DATA.
+"""Compares roofs of real clouds with the models that others made of the same points: the distances of all points to the
+faces, measured by the same code (`ilot evaluate --models`), and whether the solids are valid (`ilot validate`). Needs
+ILOT_DATA.
 
 usage: bench/roofs.py [ILOT] [--only NAME ...]
 """
@@ -15,7 +16,7 @@ import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 ONE_BUILDING = ["--points-of", "plan", "--margin", "1000"]  # all points of a cloud
-BUILDINGS = ["--set", "classes.building=[0,1,6]"]  # clouds of buildings alone
+BUILDINGS = ["--set", "classes.building=[0,1,6]"]  # clouds that contain only buildings
 
 
 def arguments():
@@ -26,7 +27,8 @@ def arguments():
 
 
 def sets(data):
-    """Name, clouds, options of the run, options of the judgement, the others' models (name, files beside the clouds)."""
+    """Name, clouds, options of the run, options of the evaluation, and the models of others (name, files beside the
+    clouds)."""
     district = data / "roofs/city3d/district_east"
     rows = [("district_east", [f"{district}.las"], [*BUILDINGS, "--crs", "EPSG:28992", "--footprints",
              f"{district}_footprints.geojson"], [], [("City3D", [f"{district}_city3d.obj"])]),
@@ -60,8 +62,8 @@ def quantile(values, share):
 
 
 def judged(ilot, models, cloud, options):
-    """RMSE and share within 0.2 m of every building, or of the whole cloud where that is one building. No model: a
-    failure."""
+    """Returns the RMSE and the share within 0.2 m of every building, or of the whole cloud where it is one building. A
+    missing model is a failure."""
     text = call([ilot, "evaluate", "--models", models, "--cloud", cloud, "--json", "--faces", "all", *options], fails=True)
     if not text:
         return [(float("inf"), 0)]

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The image that raster kernels are timed on: a street from above at 20 pixels a metre, in millimetres. Facades on both
-// sides, a pavement, noise of 2 cm, a slope of 2 %, cars, posts and walkers every few metres with the shadows that they
-// throw, and one pixel in ten that no pulse met. Made from a counter, so it is the same everywhere.
+// The image on which raster kernels are timed: a street from above at 20 pixels per metre, with heights in millimetres.
+// It has facades on both sides, a pavement, noise of 2 cm, a slope of 2 %, cars, posts and walkers every few metres
+// with their laser shadows, and one pixel in ten that no pulse met. It is made from a counter, so it is the same
+// everywhere.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -25,21 +26,21 @@ inline void put_box(Image& image, const Box& box, Height height) {
       image.values[std::size_t{y} * image.width + x] = height;
 }
 
-// Ground and facades without noise. x runs along the street.
+// Returns the height of ground and facades without noise. x runs along the street.
 inline Height bare_height(std::uint32_t x, std::uint32_t y) {
-  const auto slope = static_cast<Height>(x);  // 1 mm a pixel of 5 cm
+  const auto slope = static_cast<Height>(x);  // 1 mm per pixel of 5 cm
   if (y < 160 || y >= 640) return slope + 12000 + static_cast<Height>(x / 300 % 5) * 1500;
   return slope + (y < 240 || y >= 560 ? 150 : 0);
 }
 
-// An object of `height` and the shadow behind it.
+// Puts an object of `height` and the laser shadow behind it into the image.
 inline void put_object(Image& image, Box box, Height height) {
   const Height ground = bare_height(box.x, box.y);
   put_box(image, box, ground + height);
   put_box(image, {box.x, box.y + box.height, box.width, 30}, kNoHeight);
 }
 
-// As many whole columns as make up about `pixels`.
+// The image has as many whole columns as give about `pixels`.
 inline Image make_street_image(std::size_t pixels) {
   Image image = filled_image(static_cast<std::uint32_t>(pixels / kStreetWidth), kStreetWidth, 0);
   for (std::uint32_t y = 0; y < image.height; ++y)

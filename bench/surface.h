@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The cloud that kernels are timed on: a town seen from the air at 1 mm, gable roofs on ground, 12 points a square
-// metre with 2 cm of noise, Morton sorted. Made from a counter, so it is the same everywhere.
+// The cloud on which kernels are timed: a town seen from the air at 1 mm, with gable roofs on ground, 12 points per
+// square metre and 2 cm of noise. It is Morton sorted. It is made from a counter, so it is the same everywhere.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -19,7 +19,7 @@ struct Surface : PaddedPoints {
   Points view() const { return points(); }
 };
 
-// Morton sorted, from codes of whole millimetres.
+// Makes the Morton-sorted surface from codes of integer millimetres.
 inline Surface surface_of(std::vector<std::uint64_t> codes) {
   std::sort(codes.begin(), codes.end());
   Surface s;
@@ -33,11 +33,11 @@ inline Surface surface_of(std::vector<std::uint64_t> codes) {
   return s;
 }
 
-// A house of 10 m every 20 m, with a gable roof; elsewhere ground.
+// There is a house of 10 m with a gable roof every 20 m, and ground elsewhere.
 inline std::uint64_t code_at(double x, double y, Rng& rng) {
   const double u = x - 20000 * std::floor(x / 20000), v = y - 20000 * std::floor(y / 20000);
   const bool roof = u < 10000 && v < 10000;
-  double noise = -6;  // sum of twelve uniforms: near enough to normal
+  double noise = -6;  // sum of twelve uniform numbers: sufficiently close to normal
   for (int i = 0; i < 12; ++i) noise += rng.uniform();
   const double z = 10000 + 20 * noise + (roof ? 5000 + 0.7 * (5000 - std::abs(v - 5000)) : 0);
   return morton_code({static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), static_cast<std::uint32_t>(z)});
@@ -54,7 +54,7 @@ inline Surface make_surface(std::size_t n) {
   return surface_of(std::move(codes));
 }
 
-// The roofs of such a town alone.
+// Makes only the roofs of such a town.
 inline Surface make_houses(std::size_t n) {
   Rng rng(2);
   const double houses = std::ceil(std::sqrt(static_cast<double>(n) / (12 * 100)));  // per side of the town

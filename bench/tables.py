@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Results of bench/run as Markdown tables and SVG plots.
+"""Makes Markdown tables and SVG plots from the results of bench/run.
 
-usage: bench/tables.py results.json FOLDER    draws them anew
+usage: bench/tables.py results.json FOLDER    draws them again
 """
 import json
 import math
@@ -41,7 +41,7 @@ def is_ceiling(row):
 
 
 def comparisons(results):
-    """(line, our row, other row) for every peer."""
+    """Returns (line, our row, other row) for every peer."""
     for line in results["lines"]:
         for row in line.get("rows", [])[1:]:
             if not is_ours(row) and not is_ceiling(row):
@@ -127,7 +127,7 @@ def text(x, y, content, anchor="start", colour="#222"):
 
 
 def ratio_plot(results):
-    """A bar per comparison, logarithmic; to the left of 1 the peer wins."""
+    """Draws a bar per comparison on a logarithmic scale. To the left of 1 the peer wins."""
     bars = [(f"{l['kernel']}, {l['variant']}, {l['threads']} thr.: {b['name']}", b["ratio"])
             for l, _, b in comparisons(results)]
     left, width, step = 520, 1000, 18
@@ -151,7 +151,7 @@ def ratio_plot(results):
 
 
 def pipeline_plot(results):
-    """Seconds per million points and peak memory against size: both should be flat."""
+    """Draws seconds per million points and peak memory against size. Both should be flat."""
     sizes = results["pipeline"]["sizes"]
     panels = [("seconds per million points", "seconds_per_million"), ("peak resident, MiB", "peak_mib")]
     body = []

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the benches of neighbours share: the town, its index, and nanoflann's tree over the same points.
+// Shared by the benches of neighbours: the town, its index, and nanoflann's tree over the same points.
 #pragma once
 #include <cstdint>
 #include <nanoflann.hpp>
@@ -37,7 +37,7 @@ struct Adaptor {
   }
 };
 
-// Distances in double: the squares of coordinates of a town do not fit float32.
+// Computes distances in double: the squares of the coordinates of a town do not fit into float32.
 struct PeerTree {
   using Tree = nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<float, Adaptor, double>, Adaptor, 3,
                                                    std::uint32_t>;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Joining the neighbours of a shuffled grid, beside Boost's disjoint sets (union by rank, full path compression). The
-// number of sets must be equal before any timing.
+// Joins the neighbours of a shuffled grid, compared with Boost's disjoint sets (union by rank, full path compression).
+// The number of sets must be equal before any timing.
 #include "kernels/core/union_find.h"
 
 #include <boost/pending/disjoint_sets.hpp>
@@ -14,7 +14,7 @@ namespace {
 using namespace ilot;
 using Edges = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
-// Seven of eight edges of a grid of side x side, in random order.
+// Returns seven of eight edges of a grid of side x side, in random order.
 Edges grid_edges(std::uint32_t side) {
   Edges edges;
   for (std::uint32_t i = 0; i < side * side; ++i) {

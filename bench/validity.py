@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""How far `ilot validate` agrees with val3dity 2.6, from the tables under ILOT_DATA/validity, and what it costs.
+"""Measures how far `ilot validate` agrees with val3dity 2.6, from the tables under ILOT_DATA/validity, and its time.
 
-bench/validity.py [PROGRAM]      the rows that differ, the shares, milliseconds a building and of 50 faces"""
+bench/validity.py [PROGRAM]      the rows that differ, the shares, milliseconds per building and per 50 faces"""
 import csv
 import json
 import os
@@ -23,7 +23,7 @@ def rows_of(path):
 
 
 def compare(title, wanted, found):
-    """wanted, found: codes by name; none = valid."""
+    """wanted and found are codes by name; none = valid."""
     valid = sum((not wanted[name]) == (not found[name]) for name in wanted)
     same = sum(wanted[name] == found[name] for name in wanted)
     for name in wanted:

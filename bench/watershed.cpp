@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Marker-driven watershed of the gradient of a street's filled range image, from its maxima above 10 cm, beside one
-// priority queue by level, step and label: the same rule for ties. Labels must be equal before any timing.
+// Marker-driven watershed of the gradient of the filled range image of a street, from its maxima above 10 cm. It is
+// compared with one priority queue by level, step and label, which decides ties by the same rule. Labels must be equal
+// before any timing.
 #include "kernels/morphology/watershed.h"
 
 #include <queue>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What can be set about a scene: each key declared once with its default, unit, range and meaning.
+// The options of a scene. Each key is declared once, with its default, unit, range and meaning.
 #pragma once
 #include <array>
 #include <cstddef>
@@ -14,11 +14,11 @@ struct SceneOption {
   std::string_view key;  // "scene.density"
   double standard;
   std::string_view unit;
-  double low, high;  // both allowed
+  double low, high;  // both ends are allowed
   std::string_view help;
 };
 
-// Options that all terrestrial scenes share, before their own.
+// Puts the options that all terrestrial scenes share before the scene's own options.
 template <std::size_t N>
 constexpr std::array<SceneOption, N + 6> with_beam_options(const std::array<SceneOption, N>& own) {
   std::array<SceneOption, N + 6> all{{
@@ -33,21 +33,21 @@ constexpr std::array<SceneOption, N + 6> with_beam_options(const std::array<Scen
   return all;
 }
 
-// Options of the scene `district`.
+// Returns the options of the scene `district`.
 std::span<const SceneOption> district_options();
 
 class SceneValues {
  public:
   explicit SceneValues(std::span<const SceneOption> options) : options_(options) {}
 
-  // Takes "scene.key=value". Throws Error (usage) for an unknown key, naming the nearest, and for what is not
-  // a number within the range.
+  // Takes "scene.key=value". Throws Error (usage) for an unknown key and names the nearest known key. Throws Error
+  // (usage) too when the value is not a number within the range.
   void set(std::string_view assignment);
 
-  double get(std::string_view key) const;  // the default where nothing was set; the key must exist
+  double get(std::string_view key) const;  // the default if nothing was set; the key must exist
   bool is_set(std::string_view key) const;
 
-  // All values as members of a JSON object, each with a comma before it: ,"density":12
+  // Returns all values as members of a JSON object. Each member has a comma before it: ,"density":12
   std::string json() const;
 
  private:

@@ -10,17 +10,17 @@
 
 namespace ilot::scan {
 
-// Writes NAME.truth.json as the scan goes: one plane per line, so that any number needs no memory. Each has
-// its id as in true_plane, class, equation a x + b y + c z + d = 0 in world coordinates, the number of points
-// that carry it, and its polygons with the buildings they belong to. Appears under its name at finish() or
-// not at all.
+// Writes NAME.truth.json while the scan runs. There is one plane per line, so memory does not grow with the number of
+// planes. Each plane has its id as in true_plane, its class, its equation a x + b y + c z + d = 0 in world coordinates,
+// the number of points that carry the id, and its polygons with the buildings that they belong to. The file appears
+// under its name at finish(), or not at all.
 class TruthJson {
  public:
-  // `settings` is the body of a JSON object that tells how the scan was made.
+  // `settings` is the body of a JSON object that describes how the scan was made.
   TruthJson(const std::filesystem::path& path, const std::string& settings);
 
-  // The planes of one cell: ids from first_plane on, buildings from first_building on; points per plane of
-  // the cell.
+  // Adds the planes of one cell. Their ids start at first_plane, and the ids of the buildings start at first_building.
+  // `points` has one count for each plane of the cell.
   void add_cell(const Cell& cell, std::uint32_t first_plane, std::uint32_t first_building,
                 std::span<const std::uint64_t> points);
   void add_ground(const Ground& ground, const Rect& area, std::uint64_t points);

@@ -11,7 +11,7 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kChunk = 1 << 20;  // bytes copied at a time
+constexpr std::size_t kChunk = 1 << 20;  // bytes that are copied at a time
 
 std::string place_text(Vec3 local) {
   const Vec3 p = local + kSceneOrigin;
@@ -53,8 +53,8 @@ std::string arc_text(const TrueArc& arc) {
 struct TruthWriter::Spool {
   Spool(std::string_view name, const std::filesystem::path& path) : kind(name), file(path) {}
   std::string kind;
-  OutputFile file;      // never committed: it leaves with the writer
-  std::string pending;  // not yet in the file
+  OutputFile file;      // never committed: it is deleted with the writer
+  std::string pending;  // not yet written to the file
   bool empty = true;
 
   void flush() {

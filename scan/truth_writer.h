@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// NAME.truth.json: what a scene really holds, one item a line. docs/scenes.md tells the schema.
+// NAME.truth.json describes what a scene really contains, with one item per line. The schema is in docs/scenes.md.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +16,7 @@
 
 namespace ilot::scan {
 
-// All places are metres in the scene; the file holds world coordinates.
+// All positions are metres in the scene. The file contains world coordinates.
 
 struct TruePolygon {
   std::uint32_t building = 0;  // 0 = none
@@ -31,14 +31,14 @@ struct TruePlane {
   std::uint64_t points = 0;
   std::uint32_t element = 0;
   std::vector<TruePolygon> polygons;
-  double area = 0;  // square metres of the polygons; 0 = not told
+  double area = 0;  // square metres of the polygons; 0 = not recorded
 };
 
 struct TrueShape {
   std::uint32_t id = 0;  // in the numbering of the planes
   std::string kind;      // cylinder, sphere, cone
   Vec3 point, axis{0, 0, 1};
-  double radius = 0, half_angle_deg = 0, length = 0;  // 0 = has none
+  double radius = 0, half_angle_deg = 0, length = 0;  // 0 = does not apply
   std::uint64_t points = 0;
 };
 
@@ -101,12 +101,12 @@ struct TrueNoise {
   double range = 0, angle_deg = 0, divergence_mrad = 0, beam_diameter = 0;
 };
 
-// Items may come in any order and number: each kind goes to a file of its own until finish() joins them, so that memory
-// does not grow. Kinds stand in the order in which they first came. The file appears under its name at finish() or not
-// at all. Throws Error.
+// Items may be added in any order and in any number. Each kind is written to a file of its own until finish() joins
+// these files, so memory does not grow. The kinds are written in the order in which they were first added. The output
+// appears under its name at finish(), or not at all. Throws Error.
 class TruthWriter {
  public:
-  // settings: the body of a JSON object that tells how the scan was made.
+  // `settings` is the body of a JSON object that describes how the scan was made.
   TruthWriter(const std::filesystem::path& path, const std::string& settings);
   ~TruthWriter();
 
@@ -136,7 +136,7 @@ class TruthWriter {
   std::vector<std::unique_ptr<Spool>> spools_;
 };
 
-// NAME.truth.json of NAME.las.
+// Returns NAME.truth.json for NAME.las.
 std::filesystem::path truth_path(const std::filesystem::path& cloud);
 
 }  // namespace ilot::scan

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Boundary error E [Lorraine thesis, 3.4.3] of the facades of a scanned building, as seen from their best station and
-// from their best two: thresholds that follow the sampling step, predicted or measured, against one for the whole
-// plane, for alpha shapes and for the ends of long edges, at the best factor of each plane and at one. Usage:
-// study_boundaries FILE [LEAST]
+// from their best two. Compares thresholds that follow the sampling step, predicted or measured, with one threshold for
+// the whole plane. This is done for alpha shapes and for the ends of long edges, at the best factor of each plane and
+// at the factor 1. Usage: study_boundaries FILE [LEAST]
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 
 using namespace ilot;
 
-constexpr double kSteps = 4000;  // of the plane's lattice a metre
+constexpr double kSteps = 4000;  // lattice steps of the plane per metre
 constexpr double kRadians = 0.017453292519943295;
 constexpr int kNeighbours = 6;
 
@@ -41,7 +41,7 @@ struct Scan {
   std::map<std::uint32_t, std::vector<ScannedPoint>> of_plane;
   std::map<std::uint32_t, Scanner> stations;
   Truth truth;
-  std::vector<Ring3> projecting;  // outlines of what stands out from the facades
+  std::vector<Ring3> projecting;  // outlines of elements that project from the facades
 };
 
 std::uint32_t true_plane_of(const RecordLayout& layout, const std::byte* record) {
@@ -95,7 +95,7 @@ Scan read_scan(const std::filesystem::path& file) {
   return scan;
 }
 
-// The wall ends where something stands out from it, too.
+// The wall also ends where an element projects from it.
 TruePlane with_covers(TruePlane plane, const std::vector<Ring3>& projecting) {
   constexpr double kDepth = 0.5;
   for (Ring3 ring : projecting) {
@@ -110,7 +110,7 @@ TruePlane with_covers(TruePlane plane, const std::vector<Ring3>& projecting) {
   return plane;
 }
 
-// One facade as some stations see it.
+// One facade as it is seen from some stations.
 struct View {
   std::vector<Point2> places;
   std::vector<FlatPoint> flat;
@@ -165,7 +165,7 @@ std::vector<std::uint8_t> alpha_boundary(const View& v, const std::vector<float>
   return marked;
 }
 
-// Ends of edges longer than gamma times the larger step of their ends.
+// Returns the ends of edges that are longer than gamma times the larger step of their ends.
 std::vector<std::uint8_t> long_ends(const View& v, const std::vector<float>& step, double gamma) {
   std::vector<std::uint8_t> marked(v.places.size());
   for (std::uint32_t e = 0; e < v.t.corner.size(); ++e) {
@@ -176,7 +176,7 @@ std::vector<std::uint8_t> long_ends(const View& v, const std::vector<float>& ste
   return marked;
 }
 
-// Mean distance of the rings at a factor from the true edges, millimetres.
+// Returns the mean distance of the rings at a factor from the true edges, in millimetres.
 double ring_distance_mm(const View& v, const std::vector<float>& step, double gamma) {
   const Polygons rings = assemble_rings(shape_edges(v, step, gamma), v.places);
   double sum = 0, vertices = 0;
@@ -223,7 +223,7 @@ void print_view(const std::string& name, const View& v) {
              bend / kSteps * 1000, counts_of(v, ends_of_long_edges(v.t, v.places, bend)).error());
 }
 
-// Stations by how many points of the plane they gave, most first.
+// Returns the stations sorted by the number of points that they gave of the plane, most first.
 std::vector<std::uint32_t> stations_of(const std::vector<ScannedPoint>& points) {
   std::map<std::uint32_t, std::size_t> count;
   for (const ScannedPoint& p : points) ++count[p.station];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Whether colour helps [Lorraine thesis, 2.2.1 and 2.2.2], on a coloured scene with truth. Draws until 95% of a plane's
-// support is reached, for the first five planes, classical and guided, median over seeds; and which space parts colours
-// best: the share of inertia within classes (the less the better) and the V-measure (Rosenberg and Hirschberg 2007)
-// against true classes. Usage: study_colour SCENE.laz [seeds [20]]
+// Tests whether colour helps [Lorraine thesis, 2.2.1 and 2.2.2], on a coloured scene with truth. First, it counts the
+// draws until 95% of the support of a plane is reached, for the first five planes, classical and guided, as the median
+// over seeds. Second, it finds the colour space that separates colours best, by two measures against the true classes:
+// the share of inertia within classes (less is better) and the V-measure (Rosenberg and Hirschberg 2007). Usage:
+// study_colour SCENE.laz [seeds [20]]
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -52,7 +53,8 @@ void evaluate_spaces(const Scene& s) {
   }
 }
 
-// Draws until the consensus held 95% of the plane's points after refinement; all draws where it never did.
+// Returns the draws until the consensus set contains 95% of the points of the plane after refinement, or all draws if
+// it never does.
 std::vector<std::uint64_t> draws_needed(const ColourRansacPlanes& r) {
   std::vector<std::uint64_t> size(r.segments.planes.size() + 1, 0), needed;
   for (const std::uint32_t l : r.segments.label) ++size[l];
@@ -89,7 +91,7 @@ int main(int argc, char** argv) {
     for (int seed = 1; seed <= seeds; ++seed)
       for (int guided = 0; guided < 2; ++guided) {
         ColourRansacParams params;
-        params.epsilon = 0.02 / s.unit_metres;  // the document's
+        params.epsilon = 0.02 / s.unit_metres;  // the value of the document
         params.max_planes = kPlanes;
         params.min_points = 500;
         params.key = static_cast<std::uint64_t>(seed);

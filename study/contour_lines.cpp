@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sides of openings from the contour of the wall's points: lines by a 2D Hough transform [Lorraine thesis, 4.1] beside
-// lines by 2D RANSAC and orthogonal least squares [Marchand 2018, II.5.1], and the edges of our plans, which use rays
-// and side faces. Each side's distance from the truth, at its middle. Usage: study_contour_lines OUT TRUTH, OUT of ilot
-// run --products facades.
+// Finds the sides of openings from the contour of the wall's points. Compares lines by a 2D Hough transform [Lorraine
+// thesis, 4.1], lines by 2D RANSAC and orthogonal least squares [Marchand 2018, II.5.1], and the edges of our plans,
+// which use rays and side faces. Prints the distance of each side from the truth at its middle. Usage:
+// study_contour_lines OUT TRUTH. OUT is the folder of ilot run --products facades.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -22,14 +22,14 @@ namespace {
 using namespace ilot;
 
 constexpr double kOnWall = 0.015;    // metres
-constexpr double kAround = 0.2;      // metres around an opening, where its contour may run
+constexpr double kAround = 0.2;      // metres around an opening in which its contour may be
 constexpr double kPixel = 0.01;      // metres
-constexpr double kNear = 0.02;       // metres: points of a line, for both methods
-constexpr std::size_t kLines = 12;   // sought in the contour of one opening
-constexpr double kLeastShare = 0.1;  // of the strongest line's points
+constexpr double kNear = 0.02;       // metres; points within it belong to a line, for both methods
+constexpr std::size_t kLines = 12;   // lines sought in the contour of one opening
+constexpr double kLeastShare = 0.1;  // share of the points of the strongest line
 constexpr int kDraws = 500;
 constexpr double kFiveDegrees =
-    0.0872;  // its sine: how far a side may be from level or upright [Marchand 2018, II.5.1]
+    0.0872;  // sine of the angle by which a side may differ from level or upright [Marchand 2018, II.5.1]
 
 enum Side : std::size_t { kBottom, kRight, kTop, kLeft };
 constexpr std::array kSideNames{"bottom", "right", "top", "left"};
@@ -40,7 +40,7 @@ struct Rectangle {
 };
 using Sides = std::array<std::optional<double>, 4>;
 
-// nx u + ny v = d, the strongest first.
+// The line nx u + ny v = d. Lines are sorted with the strongest first.
 struct ContourLine {
   double nx, ny, d;
 };
@@ -54,7 +54,7 @@ Rectangle box_of(const std::vector<Vec3>& ring, const Facade& f) {
   return box;
 }
 
-// Which side of the opening each line is, if any: the strongest of each.
+// Returns for each side of the opening the strongest line that belongs to it, if there is one.
 Sides sides_of(const std::vector<ContourLine>& lines, const Rectangle& about) {
   const double u = (about.u0 + about.u1) / 2, v = (about.v0 + about.v1) / 2;
   Sides sides;
@@ -85,7 +85,7 @@ std::vector<ContourLine> hough(const std::vector<FlatPoint>& chain, const Rectan
   params.least_share = kLeastShare;
   std::vector<ContourLine> lines;
   for (const HoughLine& h : hough_lines(image, params)) {
-    // Centres of pixels are whole numbers there.
+    // In the Hough transform, the centres of pixels are integers.
     const double shift = (box.u0 / kPixel + 0.5) * h.line.nx + (box.v0 / kPixel + 0.5) * h.line.ny;
     lines.push_back({h.line.nx, h.line.ny, (shift - h.line.d) * kPixel});
   }
@@ -96,7 +96,7 @@ bool is_near(const ContourLine& line, FlatPoint p) {
   return std::abs(line.nx * p.x + line.ny * p.y - line.d) <= kNear;
 }
 
-// Orthogonal least squares of the points near a line.
+// Fits a line to the points near it by orthogonal least squares.
 ContourLine refined(const ContourLine& line, const std::vector<FlatPoint>& chain) {
   double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;
   for (const FlatPoint& p : chain)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Every segmentation method on one scanned scene, judged by its truth: seconds, planes, share found, and per class the
-// sensitivity and the precision as the documents count them (evaluate/confusion.h).
+// Runs every segmentation method on one scanned scene and compares it with the truth. Prints seconds, planes and the
+// share found, and for each class the sensitivity and the precision as the documents count them (evaluate/confusion.h).
 // Usage: study_methods SCENE.laz [--normals K] [--epsilon METRES] [--gap STEPS] [--least POINTS] [--only TEXT] [--clean
 // 1]
 #include <fmt/core.h>
@@ -180,7 +180,7 @@ void print_row(const Scene& s, const char* name, double seconds, std::size_t pla
   std::fflush(stdout);
 }
 
-// Beyond epsilon of its own plane there must be no point.
+// Checks that no point is farther than epsilon from its own plane.
 void check_epsilon(const Scene& s, const PlaneSegments& r, double epsilon, const char* name) {
   for (std::size_t i = 0; i < s.size(); ++i) {
     if (r.label[i] == 0) continue;
@@ -190,8 +190,8 @@ void check_epsilon(const Scene& s, const PlaneSegments& r, double epsilon, const
   }
 }
 
-// A shape is found when one of its kind has its parameters within 1% or 5 mm (angles: half a degree) and holds half of
-// its points.
+// Returns whether a shape is found. A found shape of the same kind must have its parameters within 1% or 5 mm (angles:
+// half a degree) and contain half of its points.
 bool agrees(const bench::TrueShape& t, const FoundShape& f, double unit) {
   const double near = 0.005 / unit;
   const auto close = [&](double a, double b) { return std::abs(a - b) <= std::max(near, 0.01 * std::abs(b)); };
@@ -251,7 +251,7 @@ struct Options {
   double epsilon = 0;  // metres; 0 = from the noise
   double gap = 3;      // connectivity in steps
   std::uint32_t least = 100;
-  std::string only;  // part of a method's name
+  std::string only;  // a part of the name of a method
   bench::Cleaning cleaning = bench::Cleaning::kNone;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Roof faces found, method by method, on the scene `roofs`: buildings are clusters [Boltcheva et al. 2019, 3.1] of roof
-// and wall points; a true face counts as found when one found plane shares half of the points of both together. By area
-// of the face and by the kind of roof, so that documents' D2 + D3 against D4 can be read off. Usage: study_roofs
-// ROOFS.laz
+// Counts the roof faces that each method finds on the scene `roofs`. Buildings are clusters [Boltcheva et al. 2019,
+// 3.1] of roof and wall points. A true face is found when one found plane has an intersection over union of at least
+// half with it, in points. The results are by area of the face and by kind of roof, so that D2 + D3 of the documents
+// can be compared with D4. Usage: study_roofs ROOFS.laz
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -32,7 +32,7 @@ namespace {
 using namespace ilot;
 using bench::Scene;
 
-// One building's points, from its lowest corner, with both kinds of normals.
+// The points of one building, relative to its lowest corner, with both kinds of normals.
 struct Building : PaddedOrientedPoints {  // sharp normals
   std::vector<PackedNormal> sharp;
   std::vector<std::uint32_t> near, truth;
@@ -46,7 +46,7 @@ struct Face {
 };
 
 constexpr double kUnit = 0.001;
-const double kEpsilon = 0.083 / kUnit;  // Boltcheva's twelfth of a metre
+const double kEpsilon = 0.083 / kUnit;  // Boltcheva's value: a twelfth of a metre
 constexpr std::int64_t kGap = 1000;
 constexpr std::uint32_t kLeast = 12;
 

@@ -105,7 +105,7 @@ void estimate(Scene& s, int k) {
   }
 }
 
-// Takes mixed pixels out of the rows, station by station.
+// Removes mixed pixels from the rows, station by station.
 void clean(Scene& s, std::vector<Row>& rows, const Json& truth, const RecordLayout& layout) {
   if (!truth.contains("stations")) return;
   std::vector<std::uint8_t> kept(rows.size(), 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scanned scene with its truth, as kernels want it: whole units from its lowest corner, in Morton order.
+// A scanned scene with its truth, in the form that kernels use: integer units from its lowest corner, in Morton order.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -27,10 +27,10 @@ struct Scene {
   std::vector<std::uint8_t> red, green, blue;  // empty without colour
   std::vector<std::uint16_t> intensity;
   std::vector<std::uint32_t> true_class, true_plane;
-  std::vector<std::uint32_t> dropped_class;  // of points that cleaning took out [Marchand 2018, II.1]
+  std::vector<std::uint32_t> dropped_class;  // of points that cleaning removed [Marchand 2018, II.1]
   ClassNames classes;
   std::vector<TrueShape> shapes;
-  std::vector<std::uint32_t> near;  // kNear neighbours a point
+  std::vector<std::uint32_t> near;  // kNear neighbours per point
   double step = 0, noise = 0;       // units, measured
   double normal_seconds = 0, neighbour_seconds = 0;
   static constexpr int kNear = 13;
@@ -44,8 +44,8 @@ struct Scene {
 
 enum class Cleaning { kNone, kMixedPixels };
 
-// Reads FILE and FILE's truth (NAME.truth.json), cleans where stations are known, estimates normals from k
-// neighbours. Throws where either is missing.
+// Reads FILE and its truth (NAME.truth.json). Cleans the cloud if stations are known. Estimates normals from k
+// neighbours. Throws when the cloud or the truth is missing.
 Scene load_scene(const std::filesystem::path& file, int k, Cleaning cleaning);
 
 }  // namespace ilot::bench

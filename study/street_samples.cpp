@@ -22,22 +22,22 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uint32_t kTree = 7;  // true class
-constexpr double kHalf = 0.5;       // of an object: less is not it
-constexpr double kClearly = 0.2;    // by which one overlap is better than another
+constexpr double kHalf = 0.5;       // share of an object; with less, a candidate is not the object
+constexpr double kClearly = 0.2;    // difference by which one overlap is clearly better than another
 
 struct MatchedObject {
   std::string class_name, variant;
   std::uint64_t points = 0;
   bool touches = false;
-  // Of the thing that is most of it.
-  double overlap = 0;  // common points over those of both
+  // The values below are for the object candidate that overlaps the object best.
+  double overlap = 0;  // intersection over union of the points
   std::uint64_t common = 0, of_candidate = 0;
 };
 
 struct TrueStreet {
   std::map<std::uint32_t, MatchedObject> objects;
-  CutPlane ground;                            // of the road
-  std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides, along the street
+  CutPlane ground;                            // plane of the road
+  std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides of the blocks, along the street
 };
 
 Vec3 vec(const nlohmann::json& j) {
@@ -64,7 +64,7 @@ TrueStreet read_street(const fs::path& cloud) {
   return street;
 }
 
-// The block that is nearest along the street.
+// Returns the block that is nearest along the street.
 std::uint32_t block_of(const TrueStreet& street, double x, double y) {
   const Vec3 from = street.blocks.front().first, to = street.blocks.back().second;
   const double length = std::hypot(to.x - from.x, to.y - from.y);
@@ -81,7 +81,7 @@ std::uint32_t block_of(const TrueStreet& street, double x, double y) {
   return best;
 }
 
-// True points by thing, [0] unused: of the parts at first, then of all things.
+// True points by object candidate, [0] is unused. At first the index is a part, then any candidate.
 struct Shares {
   std::vector<std::map<std::uint32_t, std::uint64_t>> of_object, of_class;
   std::vector<std::uint64_t> points;
@@ -101,10 +101,10 @@ struct Shares {
   }
 };
 
-// Trunks of trees that stand free, once all above is cut off: objects that the truth does not number.
+// Trunks of trees that are isolated after everything above is cut off. The truth does not number these objects.
 class Trunks {
  public:
-  // The number of the trunk that a point of a tree belongs to.
+  // Returns the number of the trunk to which a point of a tree belongs.
   std::uint32_t at(double x, double y, TrueStreet& truth) {
     std::size_t t = 0;
     while (t < places_.size() && std::hypot(x - places_[t].first, y - places_[t].second) > kWidest) ++t;
@@ -118,11 +118,11 @@ class Trunks {
 
  private:
   static constexpr double kWidest = 1;        // metres
-  static constexpr std::size_t kFirst = 1e6;  // above all numbers of a truth
+  static constexpr std::size_t kFirst = 1e6;  // above all numbers in a truth
   std::vector<std::pair<double, double>> places_;
 };
 
-// Level and things of the pixel of a point; few tiles are kept.
+// Returns level and candidates of the pixel of a point. It keeps few tiles in memory.
 class PixelLookup {
  public:
   explicit PixelLookup(const FoundStreet& found) : tiles_(*found.tiles) {}
@@ -152,7 +152,7 @@ class PixelLookup {
   std::map<std::size_t, std::pair<Image, Image>> kept_;
 };
 
-// Reads all points: what stands in which thing, and how much of the ground is found.
+// Reads all points. Counts which true points are in which candidate, and how much of the ground is found.
 Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand, TrueStreet& truth, Street& street) {
   const CloudInfo& info = reader.info();
   const ExtraField kind = *find_integer_field(info.layout, "true_class");
@@ -187,7 +187,7 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
   return shares;
 }
 
-// The samples, by what overlaps each thing.
+// Adds the samples according to the objects that overlap each candidate.
 void add_samples(const FoundStreet& found, const Shares& shares, TrueStreet& truth, Street& street) {
   const TileRaster& raster = found.tiles->raster();
   for (std::size_t i = 1; i < shares.points.size(); ++i) {

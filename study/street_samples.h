@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Things of scanned streets beside their truth: what a machine that calls them by name learns from and is judged by.
+// Object candidates of scanned streets with their truth. A classifier learns from them and is evaluated on them.
 #pragma once
 #include <cstdint>
 #include <filesystem>
@@ -11,36 +11,36 @@
 
 namespace ilot {
 
-// What one cloud gave: things with their truth, and how many objects there were to find.
+// The result for one cloud: object candidates with their truth, and the number of objects that could be found.
 struct Street {
-  std::vector<TrainingSample> samples;      // groups are blocks
-  std::vector<ObjectCandidate> candidates;  // of the samples: pixels and parts; all of them only where just studied
-  std::vector<std::uint32_t> object;        // that a sample overlaps by half; 0 = none
-  std::vector<double> overlaps;             // with it: common points over those of both
-  std::map<std::string, std::uint64_t> objects;  // seen, by class
+  std::vector<TrainingSample> samples;           // groups are blocks
+  std::vector<ObjectCandidate> candidates;       // of the samples, with pixels and parts; all only after study()
+  std::vector<std::uint32_t> object;             // the object that a sample overlaps by half; 0 = none
+  std::vector<double> overlaps;                  // overlap with that object: intersection over union of the points
+  std::map<std::string, std::uint64_t> objects;  // objects that were seen, by class
   std::map<std::uint32_t, PointLabel> classes;   // of objects
   std::uint64_t blocks = 0, ground = 0, ground_found = 0;
 };
 
-// The classes of objects, as truth files name them.
+// Returns the classes of objects as truth files name them.
 const std::vector<std::string>& object_classes();
 PointLabel label_of(const std::string& name);
 std::string name_of(PointLabel label);
 
-// Finds a cloud's things as a run does and compares them with the truth beside it; prints the objects that no thing
-// overlaps by half. Throws where there is no truth. cut > 0: without what is higher above the road, metres; the trunks
-// of trees are objects then, of class other.
+// Finds the object candidates of a cloud as a run does, and compares them with the truth in the same folder. Prints the
+// objects that no candidate overlaps by half. Throws where there is no truth. If cut > 0, points higher than `cut`
+// metres above the road are left out; then the trunks of trees are objects too, of class other.
 Street study(const std::filesystem::path& cloud, double cut = 0);
 
-// A file of what was studied, and back.
+// Writes the result of study() to a file, and reads it back.
 void save(const Street& street, const std::filesystem::path& path);
 Street load(const std::filesystem::path& path);
 
-// Of each object that is found the sample that overlaps it best, by the object's number.
+// Returns for each object that is found the sample that overlaps it best, by the number of the object.
 std::map<std::uint32_t, std::size_t> best_samples(const Street& street);
 
-// Gives samples their roles: of the things that overlap an object by half the best one and those nearly as good are
-// it; what lies below in the tree of joins is part of it, what lies above is several.
+// Gives samples their roles. Among the candidates that overlap an object by half, the best one and those nearly as good
+// are the object. Candidates below them in the tree of joins are parts of it. Candidates above them are merged.
 void set_roles(Street& street);
 
 }  // namespace ilot

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What each step of streets takes, from blocks on disk to labels on disk: processor time, nanoseconds for each pixel of
-// the tiles that hold points, the peak of memory so far, and points a second of processor time in all. Defaults of all
-// settings. MEBIBYTES [1024]: what passes may hold.
+// Measures each step of streets, from blocks on disk to labels on disk: processor time, nanoseconds for each pixel of
+// the tiles that contain points, the peak of memory so far, and the total points per second of processor time. All
+// settings have their defaults. MEBIBYTES [1024] is the memory budget of the passes.
 // Usage: study_street_speed CLOUD WORK [THREADS [MEBIBYTES]]
 #include <fmt/format.h>
 #include <malloc.h>
@@ -65,7 +65,7 @@ class Clock {
   std::vector<Step> steps_;
 };
 
-// Which thing each point belongs to, by the default model.
+// Returns the object candidate to which each point belongs, by the default model.
 ObjectLabels labels_of(const FoundStreet& street) {
   static const StreetClasses model{&default_object_model(), {}};
   const std::vector<CandidateClass> classes = model.of(street.candidates);
@@ -119,7 +119,8 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "usage: study_street_speed CLOUD WORK [THREADS [MEBIBYTES]]\n");
     return 2;
   }
-  // The allocator keeps what it has, as in `ilot run`: images of 1 MiB are not the system's to clear again and again.
+  // The allocator keeps freed memory, as in `ilot run`. Otherwise the system would clear images of 1 MiB again and
+  // again.
   mallopt(M_MMAP_THRESHOLD, 16 << 20);
   mallopt(M_TRIM_THRESHOLD, 32 << 20);
   const int threads = argc > 3 ? std::atoi(argv[3]) : 1, mebibytes = argc > 4 ? std::atoi(argv[4]) : 1024;

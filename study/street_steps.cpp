@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures of each step by which a street is taken apart [Hernandez and Marcotegui 2008, 2.2 to 5.3], for one block:
-// what the document's figures 2 to 16 show. North up, a pixel of the images is two of the pictures. Usage:
-// study_street_steps CLOUD OUT [BLOCK]      the block's number along the first stretch, from 1; 0: all of a cloud, as a
-// tile from the air, if it is no larger than 3,000 pixels.
+// Draws pictures of each step of the segmentation of a street [Hernandez and Marcotegui 2008, 2.2 to 5.3], for one
+// block. They show what figures 2 to 16 of the document show. North is up. A pixel of the images is two pixels of the
+// pictures. Usage: study_street_steps CLOUD OUT [BLOCK]. BLOCK is the number of the block along the first stretch, from
+// 1. With 0, all of a cloud is drawn, such as a tile from the air, if it is no larger than 3,000 pixels.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -35,11 +35,11 @@ namespace fs = std::filesystem;
 using render::Rgb;
 
 constexpr double kBeside = 22;            // metres that are drawn on each side of the block's facades
-constexpr double kBeyond = 4;             // and beyond its ends
-constexpr std::uint32_t kLargest = 3000;  // pixels of a cloud that is drawn whole
+constexpr double kBeyond = 4;             // metres that are drawn beyond the ends of the block
+constexpr std::uint32_t kLargest = 3000;  // pixels of a cloud that is drawn as a whole
 constexpr Rgb kEmpty{24, 28, 48};
 
-// The pixels that are drawn.
+// The window of pixels that are drawn.
 struct Window {
   std::int64_t x = 0, y = 0;
   std::uint32_t width = 0, height = 0;
@@ -68,7 +68,7 @@ class Pictures {
   Window window_;
 };
 
-// Grey from the 2nd to the 98th of a hundred values.
+// Paints values grey, from the 2nd to the 98th percentile.
 Paint greys(const Image& image) {
   std::vector<Height> known;
   for (const Height v : image.values)
@@ -113,7 +113,7 @@ Rgb colour_of(PointLabel label) {
   }
 }
 
-// All pixels that hold a point.
+// Returns the window of all pixels that contain a point.
 Window window_with_points(const FoundStreet& street) {
   const TileGrid& grid = street.tiles->raster().grid;
   const Image range = layer_window(street.tiles->layers(), "range", 0, 0, grid.width, grid.height);
@@ -143,7 +143,7 @@ Window window_of(const FoundStreet& street, std::size_t block) {
   return {std::llround(x0), std::llround(y0), static_cast<std::uint32_t>(x1 - x0), static_cast<std::uint32_t>(y1 - y0)};
 }
 
-// The lines of facades over the range image, blocks in red, gaps in yellow.
+// Draws the lines of facades over the range image, with blocks in red and gaps in yellow.
 void draw_blocks(const FoundStreet& street, const Window& w, const Image& range, const Pictures& pictures) {
   std::vector<std::uint8_t> drawn(range.size(), 0);
   const double pixel = street.tiles->raster().scale.pixel;
@@ -164,7 +164,7 @@ void draw_blocks(const FoundStreet& street, const Window& w, const Image& range,
   });
 }
 
-// From the ground to the separation, on the window alone.
+// Draws the steps from the ground to the separation, computed on the window alone.
 void draw_steps(const Image& range, const RasterScale& scale, const Pictures& pictures) {
   GroundParams ground_params;
   ground_params.longest_gap = std::max(ground_params.longest_gap, 5 * scale.pixel);
@@ -192,7 +192,7 @@ void draw_steps(const Image& range, const RasterScale& scale, const Pictures& pi
   pictures.draw("b5-gradient", greys(gradient(opened, Adjacency::eight)));
 }
 
-// From the separation to the classes, as a run has them.
+// Draws the steps from the separation to the classes, as a run computes them.
 void draw_candidates(const FoundStreet& street, const Image& parts, const Pictures& pictures) {
   const std::vector<std::uint32_t> part_of(parts.values.begin(), parts.values.end());
   const auto part_at = [&](std::size_t i) { return parts.values[i] == kNoHeight ? 0u : part_of[i]; };

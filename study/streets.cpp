@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands on streets [Hernandez and Marcotegui 2008, 5.1 to 5.3], found and classed, on scenes `street`, judged by
-// their truth: how many objects are found, which features tell them apart and in which order, and the confusion matrix
-// of a cross-validation by block, with the document's features and with ours. With --model the machine that is trained
-// on all of it; --shipped judges the default model, on streets that it has not seen (with --air that for clouds from
-// the air). With --cut H each street stands for two, as it is and without what is higher than H metres above the road:
-// the machine learns from both, and each kind is judged by itself.
-// --most N learns from at most so many samples of a class.
+// Finds and classifies the objects on streets [Hernandez and Marcotegui 2008, 5.1 to 5.3] on scenes `street`, and
+// compares them with their truth. Prints how many objects are found, which features separate them and in which order,
+// and the confusion matrix of a cross-validation by block, with the features of the document and with ours. With
+// --model, the classifier that is trained on all data is written. With --shipped, the default model is evaluated on
+// streets that it has not seen; with --air, the default model for clouds from the air is used. With --cut H, each
+// street is used twice: as it is, and without the points higher than H metres above the road. The classifier learns
+// from both, and each kind is evaluated separately. With --most N, at most N samples of a class are used for learning.
 // Usage: study_streets STREET.laz... [--cut H] [--most N] [--air] [--cache FOLDER] [--model FILE] [--only-model |
 // --everything |
 // --shipped]
@@ -31,7 +31,7 @@ bool is_object(PointLabel label) {
   return label >= PointLabel::car && label <= PointLabel::other;
 }
 
-// Of each object that was found the thing that is most of it.
+// Returns for each object that was found the object candidate that overlaps it best.
 std::vector<TrainingSample> objects_of(const Street& street) {
   std::vector<TrainingSample> out;
   for (const auto& [object, i] : best_samples(street)) {
@@ -47,7 +47,8 @@ void print_ranking(const std::vector<TrainingSample>& samples, const ObjectTrain
   fmt::print("\n");
 }
 
-// What a run would give: the things that are whole, by class; all objects that points lie on count.
+// Evaluates the result that a run would give: the candidates that are whole, by class. All objects with points on them
+// count.
 void evaluate_selection(const Street& street, const std::vector<CandidateClass>& classes, Confusion& all,
                         RunShares& shares) {
   const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
@@ -80,7 +81,7 @@ void evaluate_selection(const Street& street, const std::vector<CandidateClass>&
   shares["false"].push_back(percent(wrong, wrong + right));
 }
 
-// The same with objects weighed more or less: how many are found, and how many of what is found are false.
+// The same with objects weighted more or less: counts of the objects found, and of the false ones among them.
 struct Found {
   std::uint64_t right = 0, wrong = 0;
 };
@@ -115,7 +116,8 @@ void print_trade(const std::vector<Street>& streets, const std::vector<std::vect
   }
 }
 
-// Samples of all streets, their blocks told apart; the lists repeat the streets after so many.
+// Collects the samples of all streets and keeps their blocks separate. The list repeats the streets after `different`
+// of them.
 std::vector<TrainingSample> pooled(const std::vector<std::vector<TrainingSample>>& streets, std::size_t different) {
   std::vector<TrainingSample> all;
   for (std::size_t s = 0; s < streets.size(); ++s) {
@@ -135,7 +137,7 @@ Confusion confusion_of(const std::vector<TrainingSample>& samples, const std::ve
   return m;
 }
 
-// Prints the figures of streets of one kind and begins anew.
+// Prints the figures of streets of one kind and resets them.
 void print_kind(Confusion& all, RunShares& shares, const char* kind) {
   fmt::print("  streets {}:\n", kind);
   print_confusion(all);
@@ -144,8 +146,8 @@ void print_kind(Confusion& all, RunShares& shares, const char* kind) {
   shares.clear();
 }
 
-// One cross-validation over the blocks of all streets: what the document does with 4 classes of what was found, or what
-// a run would give.
+// One cross-validation over the blocks of all streets. It evaluates either what the document does, with 4 classes of
+// the found objects, or what a run would give.
 enum class Judged : std::uint8_t { objects, everything };
 
 void evaluate(const std::vector<Street>& streets, std::size_t different, const char* title,
@@ -178,7 +180,7 @@ void evaluate(const std::vector<Street>& streets, std::size_t different, const c
   if (judged == Judged::everything) print_trade(streets, by_street);
 }
 
-// What a run with a model of the library gives.
+// Evaluates the result of a run with a model of the library.
 void evaluate_shipped(const std::vector<Street>& streets, std::size_t different, const ObjectModel& model) {
   fmt::print("\neverything found, the library's model\n");
   RunShares shares;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Do the pages tell the truth about the house? Every link and every path of a file or folder that a page names exists,
-and every folder of the engine and of the kernels has a README."""
+"""Checks that the pages are right about the source tree. Every link and every path of a file or folder in a page must
+exist. Every folder of the engine and of the kernels must have a README."""
 import pathlib
 import re
 import subprocess
@@ -22,7 +22,7 @@ def files():
 
 
 def faults(pages, names):
-    """pages: name -> text; names: of all files. One line a fault."""
+    """pages: name -> text. names: names of all files. Returns one line for each fault."""
     folders = {parent.as_posix() for name in names for parent in pathlib.PurePosixPath(name).parents}
     known = set(names) | folders
     endings = {"/".join(parts[i:]) for name in names for parts in [name.split("/")] for i in range(len(parts))}
@@ -35,7 +35,7 @@ def faults(pages, names):
         for word in CODE.findall(text):
             word = word.rstrip("/")
             if re.search(r"[A-Z]{4}", word) or word.startswith("bench/results") or word == "results.md":
-                continue  # a pattern of names, or what a program makes
+                continue  # a pattern of names, or the output of a program
             if word.split("/")[0] in TOPS and "/" in word and word not in known and word + ".h" not in known:
                 yield f"{page}: names {word}, which does not exist"
             elif SOURCE.match(word) and word not in endings:

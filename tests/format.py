@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Is every source as .clang-format wants it? Skipped (77) without clang-format 14, as other versions break lines
-elsewhere."""
+"""Checks that every source has the format of .clang-format. Skipped (77) without clang-format 14, because other
+versions break lines differently."""
 import pathlib
 import re
 import shutil

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reads the includes and checks the arrows of the house: tools -> engine -> kernels -> the public headers, which see
-themselves alone, and the doors inside."""
+"""Reads the includes and checks the allowed dependencies: tools -> engine -> kernels -> the public headers, which
+include only each other. It also checks the entry points of the folders."""
 import pathlib
 import re
 import sys
 
-# The layer "ilot" is the folder include/ilot: its files are known as they are included.
+# The layer "ilot" is the folder include/ilot. Its files are named as they are included.
 LAYER_SEES = {
     "ilot": {"ilot"},
     "kernels": {"kernels"},
@@ -18,13 +18,14 @@ LAYER_SEES = {
     "bench": {"bench", "tests", "tools", "engine", "kernels"},
     "tests": {"tests", "tools", "scan", "training", "engine", "kernels"},
 }
-# Folders of the engine by height: a folder sees itself and what is lower.
+# Folders of the engine by height. A folder includes itself and lower ones.
 HEIGHT = {"cloud": 0, "settings": 0, "model": 1, "report": 1, "formats": 1, "store": 2, "units": 3, "pass": 3, "tiles": 4,
           "visibility": 4, "columns": 4, "deliverables": 4, "validity": 5, "proof": 5, "products/planes": 6,
           "products/roofs": 7, "products/facades": 7, "products/streets": 7, "labels": 8, "compare": 8, "products": 5, "run": 9, "replay": 10, "api": 10}
-# Who may include engine/api, which turns the engine's types into public ones and is called through include/ilot.
+# Folders that may include engine/api. It converts the types of the engine into public ones and is called through
+# include/ilot.
 SEE_API = {"engine/api", "tools", "tests", "study"}
-# Headers of the standard library that the public ones may include: all that have neither a folder nor an extension.
+# Headers of the standard library that the public headers may include: all that have neither a folder nor an extension.
 STANDARD = re.compile(r"^[a-z_]+$")
 EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "engine/system_reason.h", "engine/version.h", "engine/whole_file.h",
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
@@ -46,7 +47,7 @@ def strip_comments(text):
 
 
 def folder(path):
-    """The room that a file of a layer stands in; products are rooms of their own."""
+    """Returns the folder group of a file of a layer. Each product is a group of its own."""
     parts = path.split("/")
     if parts[1] == "products" and len(parts) > 3:
         return "/".join(parts[1:3])
@@ -118,7 +119,8 @@ def cycle_in(graph):
 
 
 def names_taken_twice(files):
-    """Types of one name in two headers: the linker joins their functions, and one of the two runs the other's."""
+    """Finds types with the same name in two headers. The linker joins their functions, so one of the two would run the
+    functions of the other."""
     headers = {}
     for name, text in sorted(files.items()):
         if not name.endswith(".h") or name.split("/")[0] not in ("ilot", "kernels", "engine"):
@@ -150,7 +152,7 @@ def check(files):
 
 
 def self_test():
-    """The checker finds what it is there to find."""
+    """Tests that the checker finds known faults."""
     bad = {
         "kernels/core/a.h": '#include "engine/error.h"\n',
         "kernels/core/b.h": '#include "kernels/planes/c.h"\n',

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The full tier: the quick tests, then every executable *.py and *.sh in tests/full, one after the other by name.
+"""The full tier: runs the quick tests, then every executable *.py and *.sh in tests/full, in the order of their names.
 
-A step works on the program that ILOT_EXE names, finds tests/run/support.py through PYTHONPATH, and ends with 0 (passed),
-77 (skipped: it says why) or anything else (failed). One that fails does not stop the others. What a step prints is kept
-in build/full/STEP.log; names as arguments run these steps alone: tests/run_full.py kills.py
+A step works on the program that ILOT_EXE names, finds tests/run/support.py through PYTHONPATH, and ends with 0
+(passed), 77 (skipped: it states the reason) or any other code (failed). A failed step does not stop the others. The
+output of a step is kept in build/full/STEP.log. With names as arguments only these steps run: tests/run_full.py
+kills.py
 """
 import os
 import pathlib
@@ -18,7 +19,7 @@ VERDICTS = {0: "passed", 77: "skipped"}
 
 
 def steps(names):
-    """Names and commands, the quick tests first; all there are when no name is given."""
+    """Returns names and commands, the quick tests first. Without names it returns all steps."""
     found = [path for path in sorted((ROOT / "tests" / "full").glob("*")) if path.suffix in (".py", ".sh")]
     blocked = [path.name for path in found if not os.access(path, os.X_OK)]
     if blocked:
@@ -32,7 +33,7 @@ def steps(names):
 
 
 def run_step(name, command):
-    """Shows and keeps what the command prints; returns its verdict."""
+    """Shows and stores the output of the command. Returns its result."""
     support = os.pathsep.join(filter(None, [str(ROOT / "tests" / "run"), os.environ.get("PYTHONPATH", "")]))
     settings = {"ILOT_EXE": str(ROOT / "build" / "dev" / "tools" / "ilot"), **os.environ, "PYTHONPATH": support}
     with open(LOGS / f"{name.replace(' ', '_')}.log", "wb") as log:

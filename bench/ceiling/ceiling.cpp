@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What this machine can do at best, measured now: memory bandwidth (reading, and a triad, over arrays far larger than
-// the caches) and arithmetic that never leaves the registers. Kernels are judged against these.
-// Usage: ceiling [THREADS ...], 1 and 2 if none are given. One line of JSON for each: the best of five.
+// Measures the best performance of this machine: memory bandwidth (reading, and a triad, over arrays far larger than
+// the caches) and arithmetic that stays in the registers. Kernels are compared with these values.
+// Usage: ceiling [THREADS ...], 1 and 2 if none are given. It prints one line of JSON for each, the best of five.
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
@@ -32,7 +32,7 @@ struct Bandwidth {
   double read, triad;  // GB/s
 };
 
-// 8 bytes of traffic an element when reading, 24 in the triad.
+// Reading moves 8 bytes per element, the triad 24.
 Bandwidth bandwidth() {
   constexpr std::size_t kElements = std::size_t{1} << 25, kParts = 16, kPart = kElements / kParts;
   std::vector<double> a(kElements, 1), b(kElements, 2), c(kElements, 3), sums(kParts);

@@ -12,7 +12,7 @@ namespace {
 
 struct Loop {
   std::uint32_t (*run)(std::uint32_t);
-  double width;  // points a register holds
+  double width;  // points in a register
 };
 
 Loop loop_of_this_machine() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Four planes on one register of points. opaque() makes the compiler take a value for a new one, and costs nothing.
+// Scores four planes on one register of points. opaque() makes the compiler treat a value as new and has no cost.
 inline std::uint32_t loop(std::uint32_t rounds) {
   constexpr int kPlanes = 4;
   Wide x = splat_wide(1.0f), y = splat_wide(2.0f), z = splat_wide(3.0f);

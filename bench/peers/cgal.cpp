@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside CGAL: normals (pca_estimate_normals, parallel), in double.
+// Comparison with CGAL: normals (pca_estimate_normals, parallel), in double.
 #define CGAL_LINKED_WITH_TBB
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/pca_estimate_normals.h>
@@ -14,7 +14,7 @@ using namespace ilot;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using PointWithNormal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
-// CGAL asks for neighbours beside the point itself.
+// CGAL counts neighbours without the point itself.
 constexpr int kNeighbours = 16, kOthers = kNeighbours - 1;
 
 std::vector<PointWithNormal> cloud_of(Points p, double east, double north) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Delaunay triangulation and alpha shape beside CGAL's, of the same points in the same order. As many triangles before
-// any timing.
+// Delaunay triangulation and alpha shape compared with CGAL's, of the same points in the same order. The numbers of
+// triangles must be equal before any timing.
 #include <CGAL/Alpha_shape_2.h>
 #include <CGAL/Alpha_shape_face_base_2.h>
 #include <CGAL/Alpha_shape_vertex_base_2.h>

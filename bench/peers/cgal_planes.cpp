@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes of a cloud beside CGAL's Efficient RANSAC and region growing at the same epsilon, the latter also with its own
-// normals before it, in parallel.
+// Planes of a cloud compared with CGAL's Efficient RANSAC and region growing at the same epsilon. Region growing also
+// runs after CGAL's own normals, in parallel.
 // Usage: bench_cgal_planes CLOUD EPSILON_M WORK_DIR
 #define CGAL_LINKED_WITH_TBB
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -38,14 +38,14 @@ Cloud cgal_cloud(const bench::OrientedCloud& from) {
   return cloud;
 }
 
-// Its indices are those of the points as it has reordered them.
+// Its indices are those of the points in its own order.
 Found efficient_ransac(Cloud cloud, double epsilon) {
   CGAL::get_default_random() = CGAL::Random(0);
   Ransac ransac;
   ransac.set_input(cloud);
   ransac.add_shape_factory<CGAL::Shape_detection::Plane<Traits>>();
   Ransac::Parameters parameters;
-  parameters.probability = 0.01;  // of overlooking the best plane
+  parameters.probability = 0.01;  // probability that the best plane is not found
   parameters.min_points = bench::kPlaneMinPoints;
   parameters.epsilon = epsilon;
   parameters.normal_threshold = std::cos(bench::kPlaneAngleDeg * CGAL_PI / 180);
@@ -64,7 +64,7 @@ Found efficient_ransac(Cloud cloud, double epsilon) {
   return found;
 }
 
-// CGAL asks for neighbours beside the point itself. The signs of the normals do not count in what follows.
+// CGAL counts neighbours without the point itself. The signs of the normals have no effect on the next steps.
 Cloud with_own_normals(Cloud cloud) {
   CGAL::pca_estimate_normals<CGAL::Parallel_tag>(cloud, bench::kPlaneNeighbours - 1,
                                                  CGAL::parameters::point_map(PointMap()).normal_map(NormalMap()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside Open3D: normals (EstimateNormals), clusters (ClusterDBSCAN with one point a core), in double.
+// Comparison with Open3D: normals (EstimateNormals), clusters (ClusterDBSCAN, where every point is a core point), in
+// double.
 #include <omp.h>
 #include <open3d/geometry/PointCloud.h>
 #include <open3d/utility/Logging.h>
@@ -27,7 +28,7 @@ PointCloud cloud_of(Points p, double east, double north) {
 
 void open3d_normals(PointCloud& cloud, int threads) {
   omp_set_num_threads(threads);
-  cloud.normals_.clear();  // else they serve to orient the new ones
+  cloud.normals_.clear();  // else it uses them to orient the new ones
   cloud.EstimateNormals(open3d::geometry::KDTreeSearchParamKNN(kNeighbours), false);
 }
 
@@ -65,7 +66,7 @@ void compare_clusters(double millions) {
   const bench::Surface houses = bench::make_houses(static_cast<std::size_t>(millions * 1e6));
   const PointCloud cloud = cloud_of(houses.view(), 0, 0);
   const auto all = bench::all_of(houses.size);
-  const double tolerance = 0.5000005;  // half a square millimetre more: 0.5 m is closed in ours
+  const double tolerance = 0.5000005;  // half a square millimetre more, because 0.5 m is included in ours
   const auto ours = static_cast<double>(euclidean_clusters(houses.view(), all, 500).count);
   const auto theirs = static_cast<double>(open3d_clusters(cloud, tolerance));
   bench::report({.kernel = "clusters", .variant = "number, 0.5 m, " + bench::in_millions(millions)},
@@ -76,10 +77,10 @@ void compare_clusters(double millions) {
                   {"Open3D ClusterDBSCAN", [&] { open3d_clusters(cloud, tolerance); }}});
 }
 
-// One plane by RANSAC: the same number of hypotheses on all points.
+// Finds one plane by RANSAC, with the same number of hypotheses on all points.
 void compare_ransac(const bench::Surface& town, double millions) {
   constexpr int kHypotheses = 64;
-  constexpr double kDistance = 0.0645;  // between whole millimetres
+  constexpr double kDistance = 0.0645;  // between integer millimetres
   omp_set_num_threads(1);
   const PointCloud cloud = cloud_of(town.view(), 0, 0);
   Eigen::Vector4d plane;
@@ -91,7 +92,7 @@ void compare_ransac(const bench::Surface& town, double millions) {
   const OrientedPoints points{town.view()};
   std::uint32_t ours = 0;
   count_inliers(points, std::span(&same, 1), {1000 * static_cast<float>(kDistance), 0}, std::span(&ours, 1));
-  // What it returns is the plane fitted to the inliers of another, the best hypothesis: near, not equal.
+  // It returns the plane fitted to the inliers of the best hypothesis, so the counts are near but not equal.
   const double apart = std::abs(static_cast<double>(ours) - static_cast<double>(inliers.size()));
   bench::require(apart <= 0.02 * static_cast<double>(inliers.size()), "Open3D segments another plane");
   const std::vector<PlaneHypothesis> hypotheses(kHypotheses, same);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// Beside PCL: normals (NormalEstimationOMP), clusters (EuclideanClusterExtraction), the inliers of a plane
-// (SampleConsensusModelPlane, which SACSegmentation counts with). PCL holds coordinates in float32: the comparison is
-// on coordinates shifted to the town; what becomes of normals on coordinates of a national grid is reported beside it.
+// Comparison with PCL: normals (NormalEstimationOMP), clusters (EuclideanClusterExtraction), the inliers of a plane
+// (SampleConsensusModelPlane, with which SACSegmentation counts). PCL stores coordinates in float32, so the comparison
+// uses coordinates that are shifted to the town. The errors of normals on coordinates of a national grid are also
+// reported.
 #include <omp.h>
 #include <pcl/features/normal_3d_omp.h>
 #include <pcl/point_types.h>
@@ -26,7 +27,7 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 constexpr int kNeighbours = 16;
 
-// Metres; `east` and `north` are added in double before they become float32.
+// Coordinates are metres. `east` and `north` are added in double before the conversion to float32.
 Cloud::Ptr cloud_of(Points p, double east, double north) {
   const Cloud::Ptr cloud(new Cloud);
   for (std::size_t i = 0; i < p.size; ++i)
@@ -86,7 +87,7 @@ void compare_clusters(double millions) {
   const bench::Surface houses = bench::make_houses(static_cast<std::size_t>(millions * 1e6));
   const Cloud::Ptr cloud = cloud_of(houses.view(), 0, 0);
   const auto all = bench::all_of(houses.size);
-  // Half a step of float32 in both directions: 0.5 m is closed in ours.
+  // Half a step of float32 in both directions, because 0.5 m is included in ours.
   const double tolerance = 0.5000005;
   const auto ours = static_cast<double>(euclidean_clusters(houses.view(), all, 500).count);
   const auto theirs = static_cast<double>(pcl_clusters(cloud, tolerance));
@@ -98,7 +99,7 @@ void compare_clusters(double millions) {
                   {"PCL EuclideanClusterExtraction", [&] { pcl_clusters(cloud, tolerance); }}});
 }
 
-// The plane is level and its distances are exact in float32, so both must count the same points.
+// The plane is horizontal and its distances are exact in float32, so both must count the same points.
 void compare_plane_counts(const bench::Surface& town, double millions) {
   const Cloud::Ptr cloud(new Cloud);
   const Points p = town.view();
@@ -123,8 +124,9 @@ void compare_plane_counts(const bench::Surface& town, double millions) {
   bench::require(sink > 0, "PCL counted nothing");
 }
 
-// One plane by RANSAC: the same number of hypotheses on all points. Its inliers must be ours of the same coefficients,
-// up to the points that float32 rounds across the distance in another order of sums.
+// Finds one plane by RANSAC, with the same number of hypotheses on all points. Its inliers must equal ours of the same
+// coefficients. The only exceptions are points that float32 rounds across the distance because it sums in another
+// order.
 void compare_ransac(const bench::Surface& town, double millions) {
   constexpr int kHypotheses = 64;
   constexpr float kDistance = 0.064f;
@@ -145,7 +147,7 @@ void compare_ransac(const bench::Surface& town, double millions) {
     segmentation.setMethodType(pcl::SAC_RANSAC);
     segmentation.setOptimizeCoefficients(false);
     segmentation.setMaxIterations(kHypotheses);
-    segmentation.setProbability(1 - 1e-12);  // never early
+    segmentation.setProbability(1 - 1e-12);  // so that it never stops early
     segmentation.setDistanceThreshold(kDistance);
     segmentation.setInputCloud(cloud);
     segmentation.segment(inliers, found);

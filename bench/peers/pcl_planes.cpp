@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes of a cloud beside PCL's RegionGrowing, which knows angles and curvature but no epsilon: its segments get their
-// least-squares planes, and what lies beyond epsilon of those is counted.
+// Planes of a cloud compared with PCL's RegionGrowing, which uses angles and curvature but no epsilon. Its segments get
+// their least-squares planes, and the points farther than epsilon from these planes are counted.
 // Usage: bench_pcl_planes CLOUD EPSILON_M WORK_DIR
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
@@ -23,7 +23,7 @@ bench::Found region_growing(const bench::OrientedCloud& oriented, const Cloud::P
   growing.setNumberOfNeighbours(bench::kPlaneNeighbours);
   growing.setInputCloud(cloud);
   growing.setInputNormals(normals);
-  growing.setSmoothnessThreshold(3.0f / 180 * 3.14159265f);  // its tutorial's values
+  growing.setSmoothnessThreshold(3.0f / 180 * 3.14159265f);  // the values of its tutorial
   growing.setCurvatureThreshold(1.0f);
   std::vector<pcl::PointIndices> regions;
   growing.extract(regions);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Planes of a cloud beside another library's: what the comparisons share. Ours is what leads from the file to joined
-// planes and labels on disk (index, normals, planes, join); beside it the whole run, which draws outlines and writes
-// the points too. Theirs works on points in memory, with our normals where a name does not say that it makes its own.
-// Not only times: what share of the points each assigns, and what share of those lies beyond epsilon of their plane.
+// Shared by the comparisons of our planes with those of another library. Our times are for the steps from the file to
+// joined planes and labels on disk (index, normals, planes, join), and also for the whole run, which draws outlines and
+// writes the points too. The other library works on points in memory. It uses our normals unless the name states that
+// it makes its own. Besides times, the comparison gives the share of the points that each assigns, and the share of
+// these points that is farther than epsilon from their plane.
 #pragma once
 #include <cmath>
 #include <fstream>
@@ -26,7 +27,8 @@ constexpr int kPlaneNeighbours = 16;
 constexpr std::size_t kPlaneMinPoints = 50;
 constexpr double kPlaneConnectivity = 1.0, kPlaneAngleDeg = 25;
 
-// Metres relative to the cloud's lowest corner, in Morton order, and our normals of them: the same for everybody.
+// Points in metres relative to the lowest corner of the cloud, in Morton order, and our normals of them. All libraries
+// get the same input.
 struct OrientedCloud {
   std::vector<Vec3> points, normals;
 };
@@ -69,7 +71,7 @@ inline OrientedCloud load_oriented(const std::filesystem::path& path) {
 struct Found {
   std::size_t planes = 0, assigned = 0, beyond = 0;
 
-  // Members given to a plane.
+  // Counts the members of one plane.
   template <class Members>
   void add(const OrientedCloud& cloud, const Members& members, const Plane& plane, double epsilon) {
     ++planes;
@@ -80,7 +82,7 @@ struct Found {
   }
 };
 
-// The least-squares plane of some points, for methods that say only which belong together.
+// Returns the least-squares plane of some points, for methods that give only the groups of points.
 template <class Members>
 Plane plane_of(const OrientedCloud& cloud, const Members& members) {
   Moments m;
@@ -101,7 +103,7 @@ inline Settings plane_settings(double epsilon) {
   return settings;
 }
 
-// Every labelled point of ours is within epsilon by contract; tests and `ilot evaluate` check it.
+// Every labelled point of ours is within epsilon by contract. Tests and `ilot evaluate` check this.
 inline Found cloud_to_planes(const std::filesystem::path& path, double epsilon, const std::filesystem::path& work) {
   std::vector<std::unique_ptr<PointReader>> inputs;
   inputs.push_back(open_cloud(path));
@@ -152,8 +154,8 @@ struct PlaneWay {
   std::function<Found(const OrientedCloud&)> detect;
 };
 
-// argv: CLOUD EPSILON_M WORK_DIR [NAME], of the peers only those with NAME in theirs. Clouds of more than half a
-// million points are gone through once.
+// argv: CLOUD EPSILON_M WORK_DIR [NAME]. With NAME, only the peers whose name contains NAME run. Clouds of more than
+// half a million points are timed in one round.
 inline void compare_planes(int argc, char** argv,
                            const std::function<std::vector<PlaneWay>(const OrientedCloud&, double)>& peers) {
   require((argc == 4 || argc == 5) && std::atof(argv[2]) > 0, "usage: CLOUD EPSILON_M WORK_DIR [NAME]");

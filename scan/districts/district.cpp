@@ -10,14 +10,14 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kCellSide = 160;    // metres, about
-constexpr double kStreetPitch = 50;  // from one street's axis to the next
+constexpr double kCellSide = 160;    // metres, approximately
+constexpr double kStreetPitch = 50;  // metres from the axis of one street to the next
 constexpr double kHalfStreet = 5;
-constexpr double kMaxRise = 7;         // of a roof above its eaves
+constexpr double kMaxRise = 7;         // metres of a roof above its eaves
 constexpr double kSameNormal = 0.966;  // cosine of 15 degrees
 constexpr double kClearStep = 0.4;     // metres between nearly parallel roofs of neighbours
 
-// A house with its faces while its row is being built.
+// A house with its faces while its row is being made.
 struct Draft {
   HouseForm form;
   double eave_height = 0;  // above the foot of its terrace
@@ -27,7 +27,8 @@ struct Draft {
 
 enum class Touch { apart, coplanar, doubtful };
 
-// How two faces of adjoining houses meet: on one plane, clearly apart, or so close that no one could tell.
+// Compares two faces of adjoining houses. They are in one plane, clearly apart, or so close that they cannot be
+// distinguished.
 Touch compare(const Face& a, const Face& b) {
   if (a.surface != b.surface) return Touch::apart;
   const double cosine = dot(a.plane.n, b.plane.n);
@@ -85,7 +86,7 @@ class CellBuilder {
     }
   }
 
-  // Houses that adjoin one another, from u on; returns where the last one ends.
+  // Adds houses that adjoin one another, starting at u. Returns where the last one ends.
   double add_group(double street, int side, double u, std::uint64_t houses) {
     std::optional<Draft> previous;
     double foot = 0;
@@ -119,8 +120,8 @@ class CellBuilder {
     return draft;
   }
 
-  // Built together with its neighbour: the same walls and the same roof, which then are one plane. A hip has
-  // ends.
+  // Makes the house like its neighbour, with the same walls and the same roof, so that each pair of faces is one plane.
+  // Hips are not continued, because a hip has ends.
   static void imitate(Draft& draft, const Draft& model) {
     if (model.form.roof == RoofShape::hip) return;
     const double width = draft.form.width;
@@ -137,7 +138,8 @@ class CellBuilder {
     draft.form.y = centre_y_ + along * heading_.sin + across * heading_.cos;
   }
 
-  // Chooses the height of the eaves, from the one drawn on, so that no roof nearly continues the neighbour's.
+  // Chooses the height of the eaves, starting at the drawn one, so that no roof nearly continues the roof of the
+  // neighbour.
   bool choose_eave_height(Draft& draft, double foot, const std::optional<Draft>& previous) const {
     for (int attempt = 0; attempt < 13; ++attempt) {
       draft.form.eave = foot + draft.eave_height;
@@ -148,7 +150,7 @@ class CellBuilder {
     return false;
   }
 
-  // Takes the house into the cell when it stands wholly within the inner square.
+  // Adds the house to the cell if it is completely within the inner square.
   bool accept(const Draft& draft, bool adjoins) {
     for (const Face& face : draft.faces)
       for (Vec3 p : face.ring)
@@ -165,7 +167,7 @@ class CellBuilder {
     return true;
   }
 
-  // Faces of adjoining houses that lie on one plane meet at their party line: they are one plane.
+  // Faces of adjoining houses in one plane meet at their party wall, so they are one plane.
   void number_planes() {
     std::vector<std::uint32_t> parents(cell_.faces.size());
     UnionFind sets(parents);
@@ -216,7 +218,7 @@ class CellBuilder {
   Rect inner_;
   double centre_x_ = 0, centre_y_ = 0;
   SinCos heading_;
-  std::vector<bool> adjoins_;  // per house: to the one before it
+  std::vector<bool> adjoins_;  // for each house: whether it adjoins the one before it
 };
 
 }  // namespace

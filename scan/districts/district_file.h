@@ -10,16 +10,16 @@
 namespace ilot::scan {
 
 struct ScanSummary {
-  std::uint64_t points = 0, buildings = 0, planes = 0;  // planes with the ground
+  std::uint64_t points = 0, buildings = 0, planes = 0;  // planes: the ground is counted too
 };
 
-// Scans the district into a LAS file, its truth into NAME.truth.json and its houses into NAME.truth.city.jsonl beside
-// it. None stays half-written. Memory does not grow with the area. `written` hears of points as they are written.
-// Throws Error.
+// Scans the district into a LAS file. Writes its truth into NAME.truth.json and its houses into NAME.truth.city.jsonl
+// in the same folder. No file is left half-written. Memory does not grow with the area. `written` is called with the
+// count of points as they are written. Throws Error.
 ScanSummary write_district(const DistrictScan& scan, const std::filesystem::path& path,
                            const std::function<void(std::uint64_t)>& written = {});
 
-// The same from options: the entry of the table of scenes.
+// Does the same from options. This is the entry in the table of scenes.
 ScanCounts scan_district_scene(const ScanRequest& request);
 
 }  // namespace ilot::scan

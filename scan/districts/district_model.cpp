@@ -15,7 +15,7 @@ const char* name_of(RoofShape shape) {
   return kNames[static_cast<std::size_t>(shape)];
 }
 
-// Vertices are added per ring: the writer unites those that are one.
+// Adds vertices for each ring. The writer unites equal vertices.
 void add_surface(Building& model, SurfaceKind kind, std::uint32_t plane, const std::vector<Vec3>& ring) {
   BuildingSurface surface{kind, plane, {{}}};
   for (Vec3 p : ring) {
@@ -44,7 +44,7 @@ Building house_model(const Cell& cell, std::uint32_t house, std::uint32_t first_
       ridge = std::max(ridge, p.z);
       ground = std::min(ground, p.z);
     }
-    if (!roof) floor.push_back(face.ring[0]);  // walls follow each other around the house and begin at a foot
+    if (!roof) floor.push_back(face.ring[0]);  // the walls are in order around the house, and each begins at the ground
   }
   std::reverse(floor.begin(), floor.end());
   add_surface(model, SurfaceKind::ground, 0, floor);

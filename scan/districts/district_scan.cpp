@@ -16,16 +16,17 @@ namespace {
 
 constexpr double kBatchBytes = 160e6;  // of records in memory at a time
 
-// Cells per batch: from the scene alone, never from the number of threads.
+// Returns the number of cells per batch. It depends only on the scene and never on the number of threads.
 std::size_t batch_size(const DistrictScan& scan, const District& district) {
   const double cell_area = scan.district.side * scan.district.side / static_cast<double>(district.cell_count());
   const double cell_bytes = cell_area * scan.flight.density * 36;
   return static_cast<std::size_t>(std::clamp(kBatchBytes / cell_bytes, 1.0, 64.0));
 }
 
-// Pulses to send per point wanted. Rows and columns of pulses do not fill the area's border evenly, so a few
-// more than needed; but crowns give 0.0016 to 0.0018 further echoes per pulse for each tree per hectare
-// (measured), of which two thirds are relied upon where cells are large enough to hold trees.
+// Returns the pulses to send per requested point. Rows and columns of pulses do not fill the border of the area evenly,
+// so a few more pulses than necessary are sent. However, crowns give 0.0016 to 0.0018 further echoes per pulse for each
+// tree per hectare (measured). Two thirds of these echoes are taken into account where cells are large enough to
+// contain trees.
 double points_margin(double points, double area, double trees) {
   const double echoes = area > 1e4 ? 1 + 0.0012 * trees : 1;
   return (1.005 + 4 / std::sqrt(points)) / echoes;
@@ -60,7 +61,8 @@ DistrictScan plan_district(const SceneValues& values, std::uint64_t seed, std::o
   scan.district.flat = values.get("scene.flat");
   scan.district.hip = values.get("scene.hip");
   scan.district.seed = seed;
-  // As far as the highest house leans over in the obliquest view, and half a metre for the jitter of the aim.
+  // The clearance is the lean of the highest house in the most oblique view, plus half a metre for the jitter of the
+  // aim.
   scan.district.clearance = kMaxHouseHeight * (tan_deg(scan.flight.angle_deg) + kForwardTangent) + 0.5;
   return scan;
 }

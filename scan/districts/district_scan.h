@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `district`: a town seen from the air, streamed cell by cell.
+// The scene `district`: a town seen from the air. It is produced cell by cell.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,24 +17,24 @@ struct DistrictScan {
   DistrictParams district;
   AirborneParams flight;
   double noise = 0.02;                  // metres
-  std::optional<std::uint64_t> points;  // stop after exactly so many
+  std::optional<std::uint64_t> points;  // the scan stops after exactly this number
 };
 
-// From options. With `points`, the area is chosen to hold them at the density; where the area is set as well,
-// the density is. Throws Error (usage) when all three are given.
+// Makes the scan from options. If `points` is given, the area is chosen so that it gives that number of points at the
+// density. If the area is set as well, the density is chosen instead. Throws Error (usage) when all three are given.
 DistrictScan plan_district(const SceneValues& values, std::uint64_t seed, std::optional<std::uint64_t> points);
 
-// One scanned cell, ready to be written.
+// One scanned cell that is ready to be written.
 struct ScannedCell {
   Cell cell;
   std::uint32_t first_plane = 0,
                 first_building = 0;  // ids: true_plane of the cell's plane 0; building of its house 0
-  std::vector<std::byte> records;    // of scan_layout()
+  std::vector<std::byte> records;    // in the layout scan_layout()
 };
 
-// Scans cell after cell and hands each over, in order. Cells are made in parallel, a batch of bounded size at
-// a time, on the threads of the calling arena; what is handed over does not depend on their number. Throws
-// Error when ids or points run out: more planes than 32 bits, or fewer points than asked for.
+// Scans the cells one after the other and passes each to `take`, in order. Cells are made in parallel, in batches of
+// bounded size, on the threads of the calling arena. The result does not depend on the number of threads. Throws Error
+// when ids or points run out: when there are more planes than 32 bits can number, or fewer points than requested.
 void scan_district(const DistrictScan& scan, const std::function<void(const ScannedCell&)>& take);
 
 }  // namespace ilot::scan

@@ -8,14 +8,14 @@
 namespace ilot::scan {
 namespace {
 
-constexpr Integer kGap = 1000;  // between dormers and to the ends of the slope
+constexpr Integer kGap = 1000;  // between dormers, and to the ends of the slope
 constexpr Integer kGableSlope = 12, kShedSlope = 3;
 
 enum class DormerStyle { gable, shed, flat };
 
-// From the slope's eaves to where the dormer's roof meets it.
+// Returns the depth from the eaves of the slope to the position where the roof of the dormer meets the slope.
 Integer depth_of(const Slope& slope, DormerStyle style, Integer width, Integer setback, Integer height) {
-  const Integer above = height - slope.eave;  // of the dormer's eaves
+  const Integer above = height - slope.eave;  // height of the dormer's eaves above the slope's
   switch (style) {
     case DormerStyle::gable:
       return (above + kGableSlope * width / (2 * kSlopeUnit)) * kSlopeUnit / slope.slope;

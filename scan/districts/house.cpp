@@ -8,7 +8,7 @@
 namespace ilot::scan {
 namespace {
 
-// Corners of a house in a frame whose first axis runs along the ridge, counter-clockwise from the lower left.
+// The corners of a house in a frame whose first axis is parallel to the ridge, counter-clockwise from the lower left.
 struct Frame {
   const HouseForm& form;
   SinCos heading;
@@ -30,7 +30,7 @@ Frame ridge_frame(const HouseForm& form) {
   return {form, {form.heading.cos, -form.heading.sin}, form.depth / 2, form.width / 2};
 }
 
-// Newell's normal about the first vertex: exact enough far from the origin.
+// Computes Newell's normal relative to the first vertex, which is exact enough far from the origin.
 Plane plane_of(const std::vector<Vec3>& ring) {
   Vec3 normal{0, 0, 0};
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) normal = normal + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);

@@ -13,12 +13,12 @@ struct Bands {
   double depth = 0.02;    // of the grooves
 };
 
-// A wall from z0 to z1 whose courses lie in the facade's plane, with openings. Courses are an element each, of the kind
-// `course`, all grooves together one, of the kind `joint`.
+// Adds a wall from z0 to z1 with openings. Its courses lie in the plane of the facade. Each course is an element of the
+// kind `course`. All grooves together are one element of the kind `joint`.
 void add_banded_wall(FacadeBuilder& facade, double x0, double x1, double z0, double z1,
                      const std::vector<Opening>& openings, const Bands& bands, Finish course, Finish joint);
 
-// The parts of [x0, x1] at height z that lie in no opening, from left to right.
+// Returns the parts of [x0, x1] at height z that are in no opening, from left to right.
 std::vector<std::array<double, 2>> solid_intervals(double x0, double x1, double z,
                                                    const std::vector<Opening>& openings);
 

@@ -27,7 +27,7 @@ constexpr std::array kOptions = with_beam_options(std::array{
 });
 
 constexpr double kStorey = 3.1, kEaves = 0.45, kPitchOfWindows = 3.0, kWindowWidth = 1.1;
-constexpr double kSillHeight = 0.9, kHeadHeight = 2.45;  // of a window above its floor
+constexpr double kSillHeight = 0.9, kHeadHeight = 2.45;  // heights of a window above its floor
 constexpr double kRoofPitchDeg = 42;
 constexpr Vec3 kUp{0, 0, 1};
 
@@ -56,12 +56,12 @@ struct House {
         height(kStorey * std::round(values.get("scene.storeys"))),
         heading(sin_cos_deg(values.get("scene.heading"))) {}
 
-  // From the middle of the house, along its length and across it.
+  // Returns a position from the middle of the house, along its length and across it.
   Vec3 place(double along, double across, double z) const {
     return {along * heading.cos - across * heading.sin, along * heading.sin + across * heading.cos, z};
   }
 
-  // Facades 0 and 2 are the long ones; each begins where the one before ends.
+  // Facades 0 and 2 are the long ones. Each facade begins where the previous one ends.
   FacadeFrame frame(int side) const {
     const Vec3 u = place(1, 0, 0), v = place(0, 1, 0);
     const double l = length / 2, w = width / 2;
@@ -74,7 +74,7 @@ struct House {
   double facade_length(int side) const { return side % 2 == 0 ? length : width; }
 };
 
-// A cap of a sphere on the wall.
+// Adds a cap of a sphere to the wall.
 void add_cap(FacadeBuilder& facade, double x, double z, double radius, double height, const Finish& finish) {
   const double sphere_radius = (radius * radius + height * height) / (2 * height);
   const Vec3 centre = facade.frame().place(x, height - sphere_radius, z);
@@ -95,7 +95,7 @@ bool clear_of(const std::vector<Opening>& openings, double x, double z, double r
   });
 }
 
-// A main cap with two or three smaller ones on its flanks: no simple shape.
+// Adds a main cap with two or three smaller caps on its sides. The result is not a simple shape.
 void add_bulge(FacadeBuilder& facade, std::vector<Opening>& taken, double length, double height, double rise,
                Rng& rng) {
   const double radius = 0.35 + 0.3 * rng.uniform(), reach = 1.25 * radius;
@@ -121,7 +121,7 @@ void add_bulge(FacadeBuilder& facade, std::vector<Opening>& taken, double length
   }
 }
 
-// A band of stone around the house below each storey but the first.
+// Adds a band of stone around the house below each storey except the first.
 void add_bands(FacadeBuilder& facade, double length, int storeys, std::vector<Opening>& taken) {
   constexpr double kOut = 0.04, kHeight = 0.16;
   for (int storey = 1; storey < storeys; ++storey) {
@@ -138,8 +138,8 @@ void add_bands(FacadeBuilder& facade, double length, int storeys, std::vector<Op
   }
 }
 
-// One facade: a wall with a regular grid of windows, on the long sides a door in the middle. Returns where nothing
-// else may stand.
+// Adds one facade: a wall with a regular grid of windows. The long sides have a door in the middle. Returns the areas
+// where nothing else may be placed.
 std::vector<Opening> add_facade(FacadeBuilder& facade, double length, double height, int side, Rng& rng) {
   const int columns = std::max(1, static_cast<int>((length - 1) / kPitchOfWindows));
   const int storeys = static_cast<int>(height / kStorey + 0.5);
@@ -161,14 +161,14 @@ std::vector<Opening> add_facade(FacadeBuilder& facade, double length, double hei
       add_door(facade, openings[i], {row + 1, column + 1}, DoorKind::door, window_style(), rng);
     else
       add_window(facade, openings[i], {row + 1, column + 1}, window_style(), rng);
-    taken[i].bottom -= 0.15;  // sill and lintel
+    taken[i].bottom -= 0.15;  // space for sill and lintel
     taken[i].springing += 0.25;
   }
   add_bands(facade, length, storeys, taken);
   return taken;
 }
 
-// A hip roof over eaves, and the strip of boards below them. Returns the height of the ridge.
+// Adds a hip roof over eaves, and the strip of boards below them. Returns the height of the ridge.
 double add_roof(FacadeBuilder& facade, const House& house, TrueBuilding& building) {
   const double slope = tan_deg(kRoofPitchDeg), l = house.length / 2 + kEaves, w = house.width / 2 + kEaves;
   const double foot = house.height + 0.05, ridge = foot + slope * w;
@@ -176,7 +176,7 @@ double add_roof(FacadeBuilder& facade, const House& house, TrueBuilding& buildin
   const std::array<Vec3, 4> eave{house.place(-l, -w, foot), house.place(l, -w, foot), house.place(l, w, foot),
                                  house.place(-l, w, foot)};
   const Vec3 o = facade.frame().origin;
-  const auto local = [&](Vec3 p) {  // plates are given in the facade's own coordinates
+  const auto local = [&](Vec3 p) {  // plates are given in the coordinates of the facade
     return Vec3{dot(p - o, facade.frame().along), dot(p - o, facade.frame().out), p.z};
   };
   const auto add = [&](const std::vector<Vec3>& ring) {

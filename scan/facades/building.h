@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `building`: a free-standing house seen from six stations all around, with windows, sills and lintels on
-// four facades and irregular bulges in its render (methods.md, cloud of the Lorraine thesis).
+// The scene `building`: a free-standing house that six stations around it see. Its four facades have windows, sills and
+// lintels, and its render has irregular bulges (methods.md, cloud of the Lorraine thesis).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace ilot::scan {
 
-// Values of true_class. other: frames, panes, doors, eaves, chimneys, rooms behind panes.
+// Values of true_class. The class `other` contains frames, panes, doors, eaves, chimneys and rooms behind panes.
 enum class BuildingClass : std::uint8_t {
   mixed = kMixedClass,
   facade = 1,

@@ -24,7 +24,8 @@ double top_of(const Opening& opening) {
   return opening.springing + opening.rise;
 }
 
-// Its tangent is half / (radius - rise), and by half angles rise / half.
+// The tangent of this angle is half / (radius - rise). By the half-angle formula, the tangent of half of this angle is
+// rise / half.
 double arch_half_angle_deg(const Opening& opening) {
   return 2 * atan_deg(opening.rise / ((opening.right - opening.left) / 2));
 }
@@ -75,7 +76,7 @@ std::uint32_t FacadeBuilder::plane_parallel(double out, const Finish& finish, Tr
     pieces.push_back({low, high, known});
     TruePlane& plane = scene_.planes[known];
     plane.polygons.push_back(std::move(polygon));
-    if (plane.element != finish.element) plane.element = 0;  // shared by several
+    if (plane.element != finish.element) plane.element = 0;  // several elements share the plane
     return plane.id;
   }
   const Plane plane{frame_.out, -dot(frame_.out, frame_.place(0, out, 0))};
@@ -135,7 +136,7 @@ void FacadeBuilder::plate(const std::vector<Vec3>& ring, const Finish& finish, F
     middle.x += panel.ring.back().x / static_cast<double>(places.size());
     middle.y += panel.ring.back().y / static_cast<double>(places.size());
   }
-  for (FlatPoint& p : panel.ring) {  // a little larger, so that no ray slips past its edge
+  for (FlatPoint& p : panel.ring) {  // a little larger, so that no ray passes its edge
     const double dx = p.x - middle.x, dy = p.y - middle.y, grow = 1 + 2 * kOverlap / std::sqrt(dx * dx + dy * dy);
     p = {middle.x + grow * dx, middle.y + grow * dy};
   }
@@ -149,7 +150,7 @@ void FacadeBuilder::sweep(const std::vector<Vec3>& ring, Vec3 way, const Finish&
     const std::size_t n = ring.size();
     for (std::size_t face = 0; face < n + 2; ++face) {
       const Plane& plane = solid.planes[face];
-      if (dot(plane.n, frame_.out) < -0.999) continue;  // its back
+      if (dot(plane.n, frame_.out) < -0.999) continue;  // the back of the block
       std::vector<Vec3> outline;
       if (face < n)
         outline = {ring[face], ring[(face + 1) % n], ring[(face + 1) % n] + way, ring[face] + way};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Builds facades from readable pieces, and the truth along with them. Coordinates of a facade: x along it to the right
-// seen from outside, out of the wall towards the street, z up.
+// Builds facades from simple pieces and records the truth about them. In the coordinates of a facade, x runs along it
+// to the right as seen from outside, `out` points from the wall towards the street, and z points up.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -14,28 +14,29 @@
 
 namespace ilot::scan {
 
-// A place and its directions: the facade's lower left corner, along the wall, out of it.
+// A position with two directions: the lower left corner of the facade, the direction along the wall, and the direction
+// out of it.
 struct FacadeFrame {
   Vec3 origin, along{1, 0, 0}, out{0, -1, 0};
   Vec3 place(double x, double outward, double z) const { return origin + x * along + outward * out + Vec3{0, 0, z}; }
 };
 
-// What a piece is: one of the scene's classes, the element it belongs to (0 = none) and what it is made of.
+// Describes a piece: its class of the scene, the element that it belongs to (0 = none), and its material.
 struct Finish {
   std::uint8_t surface_class = 0;
   std::uint32_t element = 0;
   Material material = Material::render;
 };
 
-// Whether the faces of a piece are planes of the truth, or too small to be.
+// States whether the faces of a piece are planes of the truth. Some are too small to be planes.
 enum class Faces { true_planes, unnamed };
 
 struct Block {
   double x0 = 0, x1 = 0, out0 = 0, out1 = 0, z0 = 0, z1 = 0;
 };
 
-// Adds parts, planes and elements to a scene. Flat pieces parallel to the facade that touch, lie at the same distance
-// and are of the same class share one plane; every other has its own.
+// Adds parts, planes and elements to a scene. Flat pieces parallel to the facade share one plane if they touch, lie at
+// the same distance and are of the same class. Every other piece has a plane of its own.
 class FacadeBuilder {
  public:
   FacadeBuilder(TerrestrialScene& scene, const FacadeFrame& frame, std::uint32_t facade)
@@ -44,46 +45,46 @@ class FacadeBuilder {
   const FacadeFrame& frame() const { return frame_; }
   std::uint32_t facade() const { return facade_; }
 
-  // An element without geometry of its own yet; returns its id.
+  // Adds an element that has no geometry of its own yet. Returns its id.
   std::uint32_t add_element(TrueElement element);
 
   void add_opening(std::uint32_t element, std::vector<Vec3> ring);
   void control_point(const char* group, std::uint32_t element, double x, double out, double z);
 
-  // A rectangle parallel to the facade with openings.
+  // Adds a rectangle parallel to the facade, with openings.
   void wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
             const Finish& finish);
 
-  // A flat piece in any direction: ring in x, out, z.
+  // Adds a flat piece in any direction. The ring is in x, out, z.
   void plate(const std::vector<Vec3>& ring, const Finish& finish, Faces faces = Faces::true_planes);
 
-  // A box. Its back, where it meets the wall, is no plane of the truth.
+  // Adds a box. Its back touches the wall and is not a plane of the truth.
   void block(const Block& block, const Finish& finish, Faces faces = Faces::true_planes);
 
-  // A convex profile in (out, z), swept from x0 to x1.
+  // Adds a convex profile in (out, z) that is swept from x0 to x1.
   void moulding(const std::vector<FlatPoint>& profile, double x0, double x1, const Finish& finish,
                 Faces faces = Faces::true_planes);
 
-  // A convex shape in (x, z), swept outwards from out0 to out1.
+  // Adds a convex shape in (x, z) that is swept outwards from out0 to out1.
   void relief(const std::vector<FlatPoint>& shape, double out0, double out1, const Finish& finish,
               Faces faces = Faces::true_planes);
 
-  // A round upright bar or post.
+  // Adds a round upright bar or post.
   void post(double x, double out, double z0, double z1, double radius, const Finish& finish);
 
-  // The sides of an opening from out0 back to out1: jambs, ledge and soffit, which is a part of a cylinder under an
-  // arch.
+  // Adds the sides of an opening from out0 back to out1: jambs, ledge and soffit. Under an arch the soffit is a part of
+  // a cylinder.
   enum class Ledge { with, without };
   void reveal(const Opening& opening, double out0, double out1, const Finish& finish, Ledge ledge = Ledge::with);
 
-  // Any part, as it is.
+  // Adds any part without a change.
   void add(Part part) { scene_.model.parts.push_back(std::move(part)); }
 
-  // A surface that belongs to no plane of the truth.
+  // Adds a surface that belongs to no plane of the truth.
   SurfaceId surface(const Finish& finish, std::uint32_t plane = 0);
 
-  // The outline of an opening in the facade's plane, from the lower left counter-clockwise; arcs as chords of at most
-  // chord_deg.
+  // Returns the outline of an opening in the plane of the facade, counter-clockwise from the lower left. Arcs are
+  // chords of at most chord_deg degrees.
   std::vector<Vec3> outline(const Opening& opening, double out, double chord_deg = 5) const;
 
   TerrestrialScene& scene() { return scene_; }
@@ -97,7 +98,7 @@ class FacadeBuilder {
   TerrestrialScene& scene_;
   FacadeFrame frame_;
   std::uint32_t facade_;
-  // A flat piece parallel to the facade: where it lies, and which of the scene's planes it belongs to.
+  // A flat piece parallel to the facade: its extent, and the index of its plane in the scene.
   struct Piece {
     FlatPoint low, high;
     std::size_t plane;
@@ -105,10 +106,10 @@ class FacadeBuilder {
   std::map<std::pair<std::int64_t, std::uint8_t>, std::vector<Piece>> parallel_;  // by tenths of a millimetre and class
 };
 
-// Height of the crown of an opening.
+// Returns the height of the crown of an opening.
 double top_of(const Opening& opening);
 
-// Half the angle that its arch spans at its centre.
+// Returns half the angle that the arch of the opening spans at its centre.
 double arch_half_angle_deg(const Opening& opening);
 
 }  // namespace ilot::scan

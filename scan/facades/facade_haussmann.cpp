@@ -21,11 +21,11 @@ constexpr std::array kOptions = with_beam_options(std::array{
     SceneOption{"scene.balcony", 0.8, "m", 0.3, 2, "how far the balconies project"},
 });
 
-constexpr double kBay = 3, kEnd = 0.7;  // width of a bay; of the pilaster at either end
-// Heights of the storeys' floors, of the cornice, the roof's foot and its top.
+constexpr double kBay = 3, kEnd = 0.7;  // width of a bay; width of the pilaster at each end
+// Heights of the floors of the storeys, the cornice, the foot of the roof and its top.
 constexpr double kMezzanine = 4.6, kNoble = 8.3, kThird = 12.1, kFourth = 15.3, kCornice = 18.2, kRoof = 18.95,
                  kRoofTop = 22.4;
-constexpr double kRoofSetback = 0.15, kRoofLean = 0.36;  // out of the roof's foot; lean per metre of height
+constexpr double kRoofSetback = 0.15, kRoofLean = 0.36;  // `out` of the foot of the roof; lean per metre of height
 
 std::uint8_t value(HaussmannClass c) {
   return static_cast<std::uint8_t>(c);
@@ -47,7 +47,7 @@ WindowStyle window_style() {
   return style;
 }
 
-// The front with its measures; one function for each storey.
+// The facade with its measures. There is one function for each storey.
 class Front {
  public:
   Front(FacadeBuilder& facade, const SceneValues& values, Rng& rng)
@@ -60,7 +60,7 @@ class Front {
 
   double width() const { return width_; }
 
-  // Shops under round arches, the carriage entrance in the middle.
+  // Adds shops under round arches, with the carriage entrance in the middle.
   void ground_floor() {
     const std::vector<Opening> arches = openings(2.1, 0.1, 2.55, 1.05);
     add_banded_wall(facade_, 0, width_, 0, kMezzanine, arches, bands_, stone(HaussmannClass::facade),
@@ -76,7 +76,7 @@ class Front {
     band("band", kMezzanine - 0.05, 0.12, 0.3);
   }
 
-  // Low windows under flat arches, in banded stone, brick below them.
+  // Adds low windows under flat arches, in banded stone, with brick below them.
   void mezzanine() {
     const std::vector<Opening> windows = openings(1.25, 5.65, 7.35, 0.18);
     add_banded_wall(facade_, 0, width_, kMezzanine, kNoble, windows, bands_, stone(HaussmannClass::facade),
@@ -86,7 +86,7 @@ class Front {
     for (std::uint32_t bay = 0; bay < bays_; ++bay) add_window(facade_, windows[bay], {2, bay + 1}, style, rng_);
   }
 
-  // Tall windows with pediments behind a balcony of stone.
+  // Adds tall windows with pediments behind a stone balcony.
   void noble_floor() {
     const std::vector<Opening> windows = openings(1.3, kNoble + 0.2, 11.0, 0);
     facade_.wall(0, width_, kNoble, kThird, 0, windows, stone(HaussmannClass::facade));
@@ -103,7 +103,7 @@ class Front {
     balustrade(kNoble + 0.1, element);
   }
 
-  // Windows with sills and iron railings, brick panels between them.
+  // Adds windows with sills and iron railings, with brick panels between them.
   void third_floor() {
     const std::vector<Opening> windows = openings(1.2, kThird + 0.55, 14.5, 0);
     facade_.wall(0, width_, kThird, kFourth, 0, windows, stone(HaussmannClass::facade));
@@ -121,7 +121,7 @@ class Front {
     band("band", kThird - 0.12, 0.08, 0.2);
   }
 
-  // Round-headed windows behind a balcony of iron.
+  // Adds round-headed windows behind an iron balcony.
   void fourth_floor() {
     const std::vector<Opening> windows = openings(1.2, kFourth + 0.15, 16.7, 0.6);
     facade_.wall(0, width_, kFourth, kCornice, 0, windows, stone(HaussmannClass::facade));
@@ -164,13 +164,13 @@ class Front {
     for (std::uint32_t bay = 0; bay < bays_; ++bay) dormer(dormers, bay);
   }
 
-  // Blocks of two lengths in turn up both ends.
+  // Adds blocks of two alternating lengths at both ends.
   void quoins() {
     for (const bool left : {true, false}) {
       const std::uint32_t element = strip_element("quoins", kMezzanine, kCornice, 0.04);
       int course = 0;
       for (double z = kMezzanine + 0.3; z + bands_.pitch < kCornice; z += bands_.pitch, ++course) {
-        if (z + bands_.pitch > kNoble - 0.35 && z < kNoble + 0.35) continue;  // the balconies
+        if (z + bands_.pitch > kNoble - 0.35 && z < kNoble + 0.35) continue;  // space of the balconies
         if (z + bands_.pitch > kFourth - 0.35 && z < kFourth + 0.35) continue;
         const double length = course % 2 == 0 ? kEnd : 0.45;
         const double x0 = left ? 0 : width_ - length;
@@ -203,7 +203,7 @@ class Front {
   }
   std::uint32_t balcony_element(double z0, double z1) { return strip_element("balcony", z0, z1, balcony_); }
 
-  // A band along the whole front: a flat course under a sloping one.
+  // Adds a band along the whole facade: a flat course under a sloping one.
   void band(const char* kind, double z, double out, double height) {
     const std::uint32_t element = strip_element(kind, z, z + height, out);
     facade_.moulding(
@@ -247,7 +247,7 @@ class Front {
     }
   }
 
-  // Turned balusters between pedestals, under a handrail.
+  // Adds turned balusters between pedestals, under a handrail.
   void balustrade(double z, std::uint32_t element) {
     const Finish carved = stone(HaussmannClass::balcony, element);
     const double out = balcony_ - 0.12;
@@ -271,7 +271,7 @@ class Front {
     const Vec3 up{0, 0, 1};
     facade_.add(cylinder(at(0), up, 0.07, 0.06, surface));
     facade_.add(sphere(at(0.22), 0.075, surface));
-    facade_.add(cone(at(1.3), -1.0 * up, 0.6, 1.06, 0.058, surface));  // from the belly up to the neck
+    facade_.add(cone(at(1.3), -1.0 * up, 0.6, 1.06, 0.058, surface));  // from the widest part up to the neck
     facade_.add(cylinder(at(0.69), up, 0.07, 0.06, surface));
   }
 

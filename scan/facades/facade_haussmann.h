@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `facade-haussmann`: a Paris front of the 1860s in banded stone, with round arches, balconies with
-// balusters, pediments, a cornice and a mansard roof with dormers, seen from across the street (methods.md, cloud 1).
+// The scene `facade-haussmann`: a Paris facade of the 1860s in banded stone. It has round arches, balconies with
+// balusters, pediments, a cornice and a mansard roof with dormers. It is scanned from across the street (methods.md,
+// cloud 1).
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,8 +10,8 @@
 
 namespace ilot::scan {
 
-// Values of true_class. joint: grooves between the bands; surround: borders, keystones, pediments and lintels; balcony:
-// slabs, consoles, balusters and railings; moulding: bands, cornice, quoins; roof: the inclined parts; other: frames,
+// Values of true_class. joint: grooves between the bands. surround: borders, keystones, pediments and lintels. balcony:
+// slabs, consoles, balusters and railings. moulding: bands, cornice, quoins. roof: the inclined parts. other: frames,
 // panes, doors, rooms behind panes.
 enum class HaussmannClass : std::uint8_t {
   mixed = kMixedClass,

@@ -43,14 +43,14 @@ WindowStyle window_style(const SceneValues& values, std::uint32_t row) {
   style.recess = values.get("scene.recess");
   style.panes_up = row == 0 ? 4 : 3;
   if (row == 0)
-    style.railing = 0.85;  // tall windows of the main floor
+    style.railing = 0.85;  // tall windows on the main floor
   else
     style.sill_out = values.get("scene.sill_out");
   style.sill_height = 0.145;
   return style;
 }
 
-// The upper floors: one wall, fifteen windows.
+// Adds the upper floors: one wall with fifteen windows.
 void add_floors(FacadeBuilder& facade, const SceneValues& values, Rng& rng) {
   std::vector<Opening> openings;
   for (const auto& [bottom, top] : kRows)
@@ -65,7 +65,7 @@ void add_floors(FacadeBuilder& facade, const SceneValues& values, Rng& rng) {
   }
 }
 
-// Shops and the entrance, clad in stone.
+// Adds shops and the entrance, covered with stone.
 void add_ground_floor(FacadeBuilder& facade, const SceneValues& values, Rng& rng) {
   const std::vector<Opening> openings{
       {1.1, 3.1, 0.05, 2.8, 0}, {4.8, 6.9, 0.05, 2.8, 0}, {8.9, 10.2, 0.05, 2.7, 0}, {11.6, 13.8, 0.05, 2.8, 0}};
@@ -99,20 +99,22 @@ void add_mouldings_and_roof(FacadeBuilder& facade) {
   facade.post(kWidth - 0.3, 0.07, 0.1, kCornice, 0.05, other(Material::zinc, 0));  // rain pipe
 }
 
-// The neighbours stand further out at the right end and further back at the left, so that both ends show a wall.
+// The neighbouring house at the right end projects farther and the one at the left end is set back, so that a wall is
+// visible at both ends.
 void add_returns(FacadeBuilder& facade, const SceneValues& values) {
   const Finish wall = finish(RestorationClass::wall, Material::render);
   const double right = values.get("scene.return_right"), left = -values.get("scene.return_left");
   facade.plate({{kWidth, 0, 0}, {kWidth, 0, kCornice}, {kWidth, right, kCornice}, {kWidth, right, 0}}, wall);
   facade.plate({{0, left, 0}, {0, 0, 0}, {0, 0, kRoofFoot}, {0, left, kRoofFoot}}, wall);
-  // The fronts of the neighbours, cut off afterwards.
+  // The fronts of the neighbours. They are removed after the scan.
   const double far = 12, top = kRoofTop + 3;
   facade.plate({{-far, left, 0}, {0, left, 0}, {0, left, top}, {-far, left, top}}, wall, Faces::unnamed);
   facade.plate({{kWidth, right, 0}, {kWidth + far, right, 0}, {kWidth + far, right, top}, {kWidth, right, top}}, wall,
                Faces::unnamed);
 }
 
-// Things in the street between the station and the ground floor: cut off afterwards, their shadows stay.
+// Adds objects in the street between the station and the ground floor. They are removed after the scan, but their laser
+// shadows remain.
 void add_obstacles(FacadeBuilder& facade, double share) {
   const Finish van = finish(RestorationClass::other, Material::car_paint);
   const auto place = [&](double at) { return at < share; };

@@ -18,7 +18,7 @@ constexpr std::array kOptions = with_beam_options(std::array{
 });
 
 constexpr double kPitch = 2.4, kFloorMargin = 1.5;
-constexpr double kLargest = 0.85, kShrink = 0.6;  // radius of the first size; each next to the one before
+constexpr double kLargest = 0.85, kShrink = 0.6;  // radius of the first size; ratio of each size to the one before
 
 class ShapesBuilder {
  public:
@@ -46,7 +46,7 @@ class ShapesBuilder {
     scene_.model.parts.push_back(solid);
   }
 
-  // Cut above its apex, so that it ends in a disc.
+  // The cone is cut above its apex, so it ends in a disc.
   void add_cone(Vec3 foot, double radius) {
     const Vec3 up = draw_axis(), axis = -1.0 * up;
     const double tangent = tan_deg(15 + 5 * static_cast<double>(rng_.below(5)));
@@ -69,7 +69,7 @@ class ShapesBuilder {
     scene_.model.parts.push_back(sphere(centre, radius, label(ShapeClass::sphere, id, draw_material())));
   }
 
-  // A box, turned about the vertical.
+  // Adds a box that is turned about the vertical.
   void add_box(Vec3 foot, double half) {
     const SinCos turn = sin_cos_deg(5 + 80 * rng_.uniform());
     const Vec3 u{turn.cos, turn.sin, 0}, v{-turn.sin, turn.cos, 0}, up{0, 0, 2 * half};
@@ -112,7 +112,7 @@ class ShapesBuilder {
         label(ShapeClass::plane, add_plane({normal, -dot(normal, centre)}, std::move(ring)), material);
   }
 
-  // Upwards, more or less.
+  // Draws an axis that is approximately vertical.
   Vec3 draw_axis() {
     const bool upright = rng_.uniform() >= tilted_;
     const double tilt = 15 + 60 * rng_.uniform(), turn = 360 * rng_.uniform() - 180;
@@ -121,7 +121,7 @@ class ShapesBuilder {
     return {t.sin * a.cos, t.sin * a.sin, t.cos};
   }
 
-  // So high that a disc of that radius across the axis does not reach below the floor.
+  // Raises a shape so that a disc of the given radius across the axis does not reach below the floor.
   static Vec3 raise(Vec3 foot, Vec3 axis, double radius) {
     return foot + Vec3{0, 0, radius * std::sqrt(std::max(0.0, 1 - axis.z * axis.z))};
   }
@@ -152,7 +152,7 @@ TerrestrialScan plan_shapes(const SceneValues& values, std::uint64_t seed) {
   builder.add_floor(-half_x - kFloorMargin, -half_y - kFloorMargin, half_x + kFloorMargin, half_y + kFloorMargin);
   double radius = kLargest;
   for (int size = 0; size < sizes; ++size, radius *= kShrink) {
-    // Each row of shapes begins elsewhere, so that the large ones do not stand in one corner.
+    // Each row of shapes begins at a different position, so that the large ones are not all in one corner.
     const auto foot = [&](int row) {
       const int column = (size + row * sizes / 4) % sizes;
       return Vec3{kPitch * column - half_x, kPitch * row - half_y, 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `shapes`: cylinders, spheres, cones and boxes of several sizes on a floor, upright and tilted, some with
-// fewer than 500 points.
+// The scene `shapes`: cylinders, spheres, cones and boxes of several sizes on a floor. They are upright or tilted, and
+// some have fewer than 500 points.
 #pragma once
 #include <cstdint>
 #include <span>

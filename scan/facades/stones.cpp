@@ -27,7 +27,7 @@ Finish finish(StonesClass surface_class, std::uint32_t element, Material materia
   return {static_cast<std::uint8_t>(surface_class), element, material};
 }
 
-// Where everything stands along the facade.
+// The positions of all parts along the facade.
 struct Layout {
   double width, height, joint, depth, total, top;
   explicit Layout(const SceneValues& v)
@@ -63,11 +63,11 @@ void add_stones(FacadeBuilder& facade, const Layout& at) {
     }
 }
 
-// The ground of the joints and the edges of the stones along them.
+// Adds the ground of the joints and the edges of the stones along them.
 void add_joints(FacadeBuilder& facade, const Layout& at) {
   const double x0 = at.width, x1 = at.width + at.joint, z0 = kFloor + at.height, z1 = z0 + at.joint;
   TrueElement joint = element(facade, "joint", {0, at.total, z0, z1, 0}, -at.depth);
-  joint.ring.clear();  // a cross; its arms are the polygons of its plane
+  joint.ring.clear();  // the joint is a cross; its arms are the polygons of its plane
   for (const auto& [x, z] : {std::pair{x0, kFloor},
                              {x1, kFloor},
                              {x1, z0},

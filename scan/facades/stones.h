@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `stones`: four facing stones, the joints between them, and two walls perpendicular to them, cut out of a
-// scan of a facade (methods.md 6, cloud 1bis).
+// The scene `stones`: four facing stones, the joints between them, and two walls perpendicular to them. It imitates a
+// part that is cut out of the scan of a facade (methods.md 6, cloud 1bis).
 #pragma once
 #include <cstdint>
 #include <span>

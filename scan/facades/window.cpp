@@ -35,7 +35,7 @@ TrueElement describe(const FacadeBuilder& facade, const char* kind, const Openin
   return element;
 }
 
-// The frame's openings for its panes, within a rectangle that holds the whole opening.
+// Returns the openings of the frame for its panes, within a rectangle that contains the whole opening.
 std::vector<Opening> panes_of(const Opening& o, const WindowStyle& style) {
   std::vector<Opening> panes;
   const double left = o.left + kFrame, right = o.right - kFrame, bottom = o.bottom + kFrame;
@@ -66,7 +66,7 @@ void add_curtains(FacadeBuilder& facade, const Opening& o, double out, double sh
       facade.plate({{x0, out, z0}, {x1, out, z0}, {x1, out, z1}, {x0, out, z1}}, finish, Faces::unnamed);
 }
 
-// Frame, panes, curtains and room in the opening's back.
+// Adds frame, panes, curtains and room at the back of the opening.
 void glaze(FacadeBuilder& facade, const Opening& o, const WindowStyle& style, std::uint32_t element, Rng& rng) {
   const auto finish = [&](Material m) { return Finish{style.classes.other, element, m}; };
   const double out = -style.recess, e = kOverlap;
@@ -100,7 +100,7 @@ void add_lintel(FacadeBuilder& facade, const Opening& o, Place place, const Wind
   facade.block({front.left, front.right, -kOverlap, style.lintel_out, front.bottom, front.springing}, finish);
 }
 
-// Two upright borders and one above, of one thickness.
+// Adds two upright borders and one above them, all of one thickness.
 void add_surround(FacadeBuilder& facade, const Opening& o, const WindowStyle& style, std::uint32_t element) {
   const Finish finish{style.classes.lintel, element, style.wall};
   const double w = style.surround_width, out = style.surround_out, top = top_of(o);

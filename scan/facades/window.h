@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Windows, doors and what belongs to them, each an element with its opening, outline and control points.
+// Windows, doors and their parts. Each is an element with its opening, outline and control points.
 #pragma once
 #include <cstdint>
 
@@ -8,7 +8,7 @@
 
 namespace ilot::scan {
 
-// The scene's classes of a window's pieces.
+// The classes that the scene uses for the pieces of a window.
 struct WindowClasses {
   std::uint8_t reveal = 0, sill = 0, lintel = 0, other = 0;
 };
@@ -16,32 +16,32 @@ struct WindowClasses {
 struct WindowStyle {
   WindowClasses classes;
   Material wall = Material::limestone;  // of reveals, sill and lintel
-  double recess = 0.25;                 // of the frame behind the facade
+  double recess = 0.25;                 // of the frame behind the facade, metres
   int panes_across = 2, panes_up = 3;
   double sill_out = 0, sill_height = 0.1, sill_beside = 0.07;       // sill_out 0 = none
   double lintel_out = 0, lintel_height = 0.2, lintel_beside = 0.1;  // lintel_out 0 = none
   double surround_out = 0, surround_width = 0.16;                   // a raised border; 0 = none
   double railing = 0;                                               // height of an iron railing, 0 = none
-  double curtains = 0.5;                                            // share of the width that they may hide
-  double room_beside = 0.6;                                         // how far the room behind is wider, to either side
+  double curtains = 0.5;                                            // greatest share of the width that curtains hide
+  double room_beside = 0.6;                                         // how much wider the room behind is, on either side
 };
 
 struct Place {
   std::uint32_t row = 0, column = 0;
 };
 
-// A window in an opening that the wall already has. Behind its panes are curtains, as rng decides, and a room. Adds
-// control points: window_top and window_bottom at the corners of the opening, sill_top and sill_bottom at the front
-// corners of the sill. Returns its element.
+// Adds a window in an opening that the wall already has. Behind its panes there is a room, and rng decides about
+// curtains. Adds the control points window_top and window_bottom at the corners of the opening, and sill_top and
+// sill_bottom at the front corners of the sill. Returns the element of the window.
 std::uint32_t add_window(FacadeBuilder& facade, const Opening& opening, Place place, const WindowStyle& style,
                          Rng& rng);
 
-// A door of wood, or a shop front, in an opening that the wall already has.
+// Adds a wooden door or a shop front in an opening that the wall already has.
 enum class DoorKind { door, shop };
 std::uint32_t add_door(FacadeBuilder& facade, const Opening& opening, Place place, DoorKind kind,
                        const WindowStyle& style, Rng& rng);
 
-// An iron railing along the facade.
+// Adds an iron railing along the facade.
 void add_railing(FacadeBuilder& facade, double x0, double x1, double out, double z, double height,
                  const Finish& finish);
 

@@ -7,16 +7,17 @@
 
 namespace ilot::scan {
 
-// One device serves the whole process, as Embree advises; it lives until the end. Throws Error.
+// Returns the device. One device serves the whole process, as Embree advises, and it exists until the process ends.
+// Throws Error.
 RTCDevice embree_device();
 
-// The box in floats about the anchor, grown by the margin.
+// Writes the box as floats relative to the anchor, grown by the margin.
 void set_embree_bounds(const Box3<Vec3>& box, Vec3 anchor, double margin, RTCBounds& out);
 
-// A ray to everything along it, about the anchor.
+// Makes an Embree ray relative to the anchor. Its length is not limited.
 RTCRayHit embree_query(const Ray& ray, Vec3 anchor);
 
-// Throws Error when Embree could not do what was asked.
+// Throws Error if Embree reports an error.
 void check_embree(const char* what, std::size_t count);
 
 }  // namespace ilot::scan

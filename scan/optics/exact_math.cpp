@@ -6,7 +6,7 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-// Taylor series; |x| <= pi/8, so that ten terms leave an error below 1e-18.
+// Uses the Taylor series. |x| <= pi/8, so ten terms leave an error below 1e-18.
 SinCos small_angle(double x) {
   double sine = 0, cosine = 0, term = 1;
   for (int k = 0; k < 20; ++k) {

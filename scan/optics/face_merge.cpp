@@ -16,7 +16,7 @@ namespace {
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
 using Ring = std::vector<std::uint32_t>;
 
-// Rises from 0 to 4 as b turns clockwise from a through a whole turn.
+// Returns a value that increases from 0 to 4 while b turns clockwise from a through a full turn.
 double clockwise_turn(FlatPoint a, FlatPoint b) {
   const double sine = b.x * a.y - b.y * a.x, cosine = a.x * b.x + a.y * b.y;
   const double share = sine / (std::abs(sine) + std::abs(cosine));
@@ -24,7 +24,8 @@ double clockwise_turn(FlatPoint a, FlatPoint b) {
   return share < 0 ? 4 + share : share;
 }
 
-// The edges of a plane's patches that no neighbour of the same plane cancels, as a set of ways out of each vertex.
+// Returns the edges of the patches of a plane that no neighbour of the same plane cancels. For each vertex it is the
+// set of vertices to which these edges lead.
 std::map<std::uint32_t, std::set<std::uint32_t>> border_of(std::span<const Patch> patches, std::uint32_t plane) {
   std::set<Edge> edges;
   for (const Patch& patch : patches) {
@@ -39,7 +40,7 @@ std::map<std::uint32_t, std::set<std::uint32_t>> border_of(std::span<const Patch
   return ways;
 }
 
-// Of the ways out of a vertex the one that keeps closest to the inside.
+// Returns the vertex whose edge stays closest to the inside, among those to which edges lead.
 std::uint32_t tightest(const std::set<std::uint32_t>& ways, std::uint32_t from, std::uint32_t at,
                        std::span<const Vec3> vertices, Vec3 normal) {
   if (ways.size() == 1) return *ways.begin();
@@ -83,7 +84,7 @@ std::vector<FlatPoint> flatten_ring(const Ring& ring, std::span<const Vec3> vert
   return flat;
 }
 
-// One face per outline, each hole with the smallest outline around it.
+// Makes one face per outline. Each hole belongs to the smallest outline around it.
 std::vector<MergedFace> sort_rings(std::vector<Ring> rings, std::uint32_t plane, std::span<const Vec3> vertices,
                                    Vec3 normal) {
   std::vector<MergedFace> faces;

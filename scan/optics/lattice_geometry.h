@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Plane geometry without rounding: lines with whole coefficients, the spots where two of them meet, and the convex
-// pieces they bound. Coefficients of directions stay below 2^8 and coordinates below 2^17 (131 m in millimetres), so
-// that every product fits 64 bits.
+// Plane geometry without rounding: lines with integer coefficients, the spots where two of them meet, and the convex
+// pieces that they bound. Coefficients of directions are below 2^8 and coordinates below 2^17 (131 m in millimetres),
+// so every product fits into 64 bits.
 #pragma once
 #include <compare>
 #include <cstdint>
@@ -12,32 +12,32 @@ namespace ilot::scan {
 
 using Integer = std::int64_t;
 
-// The half-plane a u + b v + c >= 0, and its border.
+// The half-plane a u + b v + c >= 0 and its border.
 struct GridLine {
   Integer a = 0, b = 0, c = 0;
   friend auto operator<=>(const GridLine&, const GridLine&) = default;
 };
 
-// The same half-plane with coefficients that have no common divisor.
+// Returns the same half-plane with coefficients that have no common divisor.
 GridLine reduced(const GridLine& line);
 GridLine opposite(const GridLine& line);
 
-// The place (u / w, v / w); w > 0 and no common divisor, so that equal places have equal numbers.
+// The position (u / w, v / w). w is positive and there is no common divisor, so equal positions have equal numbers.
 struct Spot {
   Integer u = 0, v = 0, w = 1;
   friend auto operator<=>(const Spot&, const Spot&) = default;
 };
 
-// Where two lines that are not parallel meet.
+// Returns the spot where two lines meet. The lines must not be parallel.
 Spot meet(const GridLine& p, const GridLine& q);
 
-// 1 inside the half-plane, 0 on its border, -1 outside.
+// Returns 1 inside the half-plane, 0 on its border and -1 outside.
 int side(const GridLine& line, const Spot& spot);
 
-// A convex polygon, counter-clockwise, with no three corners in line. Empty: no area.
+// A convex polygon, counter-clockwise, in which no three corners are on one line. An empty polygon has no area.
 struct Corner {
   Spot at;
-  GridLine edge;  // of the side that leads on to the next corner; the polygon lies in its half-plane
+  GridLine edge;  // line of the side that leads to the next corner; the polygon is in its half-plane
 };
 using Piece = std::vector<Corner>;
 
@@ -47,10 +47,11 @@ struct GridRect {
 Piece rectangle(const GridRect& rect);
 std::vector<GridLine> half_planes(const GridRect& rect);
 
-// The part within a half-plane.
+// Returns the part of the piece within a half-plane.
 Piece clip(const Piece& piece, const GridLine& line);
 
-// The part outside the intersection of half-planes, cut into convex pieces. The piece itself where they do not overlap.
+// Returns the part of the piece outside the intersection of half-planes, cut into convex pieces. If they do not
+// overlap, the result is the piece itself.
 std::vector<Piece> subtract(const Piece& piece, std::span<const GridLine> hole);
 
 }  // namespace ilot::scan

@@ -60,7 +60,7 @@ Recipe recipe_of(Material material) {
   return {0.5, {220, 220, 220}, 0, 1, 0, 0};
 }
 
-// Uniform in [-1, 1) for each lattice cell.
+// Returns a uniform value in [-1, 1) for each lattice cell.
 double cell_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t key) {
   const std::uint64_t bits = mix64(mix64(mix64(static_cast<std::uint64_t>(x) ^ key) ^ static_cast<std::uint64_t>(y)) ^
                                    static_cast<std::uint64_t>(z));
@@ -71,8 +71,8 @@ double mix(double a, double b, double share) {
   return a + (b - a) * share;
 }
 
-// Continuous value noise: a random value at each corner of a lattice, smoothly between them. (Perlin 1985, values in
-// place of gradients)
+// Continuous value noise: there is a random value at each corner of a lattice, with smooth interpolation between
+// corners. (Perlin 1985, values in place of gradients)
 double noise(Vec3 p, std::uint64_t key) {
   const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
   const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy), z = static_cast<std::int64_t>(fz);
@@ -86,7 +86,7 @@ double noise(Vec3 p, std::uint64_t key) {
   return mix(layers[0], layers[1], w);
 }
 
-// Brightness of brickwork: mortar every 6.5 cm of height.
+// Tests for a bed joint: brickwork has mortar every 6.5 cm of height.
 bool is_bed_joint(double z) {
   constexpr double kRow = 0.065, kJoint = 0.012;
   return z - kRow * std::floor(z / kRow) < kJoint;

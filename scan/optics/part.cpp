@@ -17,7 +17,7 @@ Vec3 facing(Vec3 normal, const Ray& ray) {
   return dot(normal, ray.direction) > 0 ? -1.0 * normal : normal;
 }
 
-// Where a t^2 + 2 b t + c <= 0, for a > 0.
+// Returns the interval where a t^2 + 2 b t + c <= 0, for a > 0.
 std::optional<Chord> between_roots(double a, double b, double c) {
   const double discriminant = b * b - a * c;
   if (!(discriminant > 0)) return std::nullopt;
@@ -37,7 +37,7 @@ std::optional<Chord> cone_chord(const Ray& ray, const Quadric& cone) {
     if (!both || height + climb * (both->enter + both->leave) / 2 < 0) return std::nullopt;
     return both;
   }
-  if (a == 0) return std::nullopt;  // parallel to the mantle: met by no ray but a vanishing few
+  if (a == 0) return std::nullopt;  // the ray is parallel to the mantle; this is negligibly rare
   const double root = std::sqrt(std::max(0.0, b * b - a * c));
   const double first = (-b + root) / a, last = (-b - root) / a;  // a < 0: first <= last
   return climb > 0 ? Chord{last, kInfinity} : Chord{-kInfinity, first};
@@ -49,13 +49,13 @@ Box3<Vec3> bounds_of_points(std::span<const Vec3> points) {
   return box;
 }
 
-// Half the extent of a disc along each axis.
+// Returns half the extent of a disc along each axis.
 Vec3 disc_extent(Vec3 axis, double radius) {
   const auto extent = [&](double a) { return radius * std::sqrt(std::max(0.0, 1 - a * a)); };
   return {extent(axis.x), extent(axis.y), extent(axis.z)};
 }
 
-// The entry into a convex solid, as in enter() of solid.h, with a quadric as one more constraint.
+// Finds the entry into a convex solid, as enter() of solid.h does, with a quadric as one more constraint.
 std::optional<PartHit> meet_solid(const Ray& ray, const Solid& solid, double from) {
   double leave = kInfinity, enter = -kInfinity;
   std::uint32_t face = 0;
@@ -181,7 +181,7 @@ Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface) {
   assert(ring.size() >= 3 && ring.size() + 2 <= Solid::kMaxPlanes);
   Solid solid;
   const Vec3 area = doubled_area(ring);
-  const double side = dot(area, sweep) > 0 ? 1 : -1;  // of the sweep seen from the ring
+  const double side = dot(area, sweep) > 0 ? 1 : -1;  // side of the sweep, seen from the ring
   for (std::size_t i = 0; i < ring.size(); ++i)
     add_plane(solid, side * cross(ring[(i + 1) % ring.size()] - ring[i], sweep), ring[i]);
   add_plane(solid, -side * area, ring[0]);
@@ -226,7 +226,7 @@ Solid sphere(Vec3 centre, double radius, SurfaceId surface) {
 
 void cut(Solid& solid, const Plane& plane, SurfaceId surface) {
   assert(solid.plane_count < Solid::kMaxPlanes);
-  solid.surfaces[solid.plane_count + 1] = solid.surfaces[solid.plane_count];  // the quadric's comes last
+  solid.surfaces[solid.plane_count + 1] = solid.surfaces[solid.plane_count];  // the surface of the quadric stays last
   solid.surfaces[solid.plane_count] = surface;
   solid.planes[solid.plane_count++] = plane;
 }

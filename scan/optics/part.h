@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the scenes on the ground are made of: convex solids bounded by planes and one quadric, flat panels with
-// openings, and the insides of quadrics (soffits of arches). All are opaque. Intersections are computed in double;
-// where parts meet, builders let them overlap by kOverlap, so that no ray slips through a joint.
+// The parts of the scenes on the ground: convex solids bounded by planes and one quadric, flat panels with openings,
+// and the inner sides of quadrics (soffits of arches). All parts are opaque. Intersections are computed in double.
+// Where parts meet, builders let them overlap by kOverlap, so that no ray passes through a joint.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -16,7 +16,8 @@
 
 namespace ilot::scan {
 
-// Metres by which neighbouring parts overlap: far above the rounding of doubles, far below the grid of the points.
+// Metres by which neighbouring parts overlap. This is far above the rounding of doubles and far below the grid of the
+// points.
 constexpr double kOverlap = 1e-6;
 
 // Index into the surfaces of a scene.
@@ -30,14 +31,15 @@ struct Quadric {
   double tangent = 0;  // cone: radius gained per metre
 };
 
-// The part of a ray inside the (convex) quadric; a cone is its one nappe. Nothing when the ray misses it.
+// Returns the part of a ray inside the quadric, which is convex. Only one nappe of a cone counts. Returns nothing when
+// the ray misses the quadric.
 std::optional<Chord> chord(const Ray& ray, const Quadric& quadric);
 
-// Outward unit normal at a point of the surface.
+// Returns the outward unit normal at a point of the surface.
 Vec3 normal_at(const Quadric& quadric, Vec3 point);
 
-// The intersection of half-spaces (outward normals) and, if any, the inside of a quadric. Faces are numbered as the
-// planes, then the quadric.
+// The intersection of half-spaces (with outward normals) and, if there is a quadric, its inside. Faces are numbered in
+// the order of the planes. The quadric has the last number.
 struct Solid {
   static constexpr std::size_t kMaxPlanes = 10;
   std::array<Plane, kMaxPlanes> planes;
@@ -47,27 +49,28 @@ struct Solid {
   Box3<Vec3> bounds;
 };
 
-// A hole in a panel: a rectangle whose upper side may be the arc of a circle. The arc's centre lies on the middle of
-// the opening; rise is how far its crown stands above the springing: width / 2 for a round arch, 0 for none.
+// A hole in a panel: a rectangle whose upper side may be the arc of a circle. The centre of the arc lies on the
+// vertical axis of the opening. `rise` is the height of the crown above the springing: width / 2 for a round arch, 0
+// for no arch.
 struct Opening {
   double left = 0, right = 0, bottom = 0, springing = 0, rise = 0;
 };
 double arch_radius(const Opening& opening);
 bool contains(const Opening& opening, FlatPoint p);
 
-// A flat region, seen from both sides: inside the ring and in none of the openings. x and y run along u and v from the
-// origin; u, v of unit length and perpendicular. The plane's normal is u x v.
+// A flat region that is visible from both sides. It is inside the ring and in none of the openings. x and y run along u
+// and v from the origin. u and v are perpendicular and of unit length. The normal of the plane is u x v.
 struct Panel {
   Vec3 origin, u, v;
-  std::vector<FlatPoint> ring;  // simple, either way round, not closed
+  std::vector<FlatPoint> ring;  // simple, clockwise or counter-clockwise, not closed
   std::vector<Opening> openings;
   SurfaceId surface = 0;
 };
 
-// The part of a quadric inside all half-spaces, seen from both sides.
+// The part of a quadric inside all half-spaces. It is visible from both sides.
 struct Shell {
   Quadric quadric;
-  std::vector<Plane> clips;  // kept where the signed distance is at most 0
+  std::vector<Plane> clips;  // a point is kept where the signed distance is at most 0
   SurfaceId surface = 0;
   Box3<Vec3> bounds;
 };
@@ -80,27 +83,28 @@ struct PartHit {
   Vec3 normal;  // unit length, towards the ray's origin
 };
 
-// The first place beyond `from` where the ray meets the part; a solid only where it enters. Deterministic and, for one
-// solid, watertight.
+// Returns the first position beyond `from` where the ray meets the part. A solid is met only where the ray enters it.
+// The result is deterministic and, for one solid, watertight.
 std::optional<PartHit> meet(const Ray& ray, const Part& part, double from);
 
 Box3<Vec3> bounds_of(const Part& part);
 
-// Solids from simple descriptions. All their faces get `surface`; change single ones afterwards.
+// The functions below make solids from simple descriptions. All faces get `surface`. Change single faces afterwards.
 
-// A convex ring of at most 8 points in a plane, swept along `sweep`. Faces: the sides from ring[i] to ring[i + 1], then
-// the ring itself, then its copy.
+// Returns a prism: a convex ring of at most 8 points in a plane, swept along `sweep`. Its faces are the sides from
+// ring[i] to ring[i + 1], then the ring itself, then the copy of the ring.
 Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface);
 
-// A cylinder with flat ends. Faces: the base, the top, the mantle.
+// Returns a cylinder with flat ends. Its faces are the base, the top and the mantle.
 Solid cylinder(Vec3 base, Vec3 axis, double length, double radius, SurfaceId surface);
 
-// A cone cut at two distances from its apex. Faces: the end nearer to the apex, the other, the mantle.
+// Returns a cone that is cut at two distances from its apex. Its faces are the end nearer to the apex, the other end
+// and the mantle.
 Solid cone(Vec3 apex, Vec3 axis, double from, double to, double tangent, SurfaceId surface);
 
 Solid sphere(Vec3 centre, double radius, SurfaceId surface);
 
-// The part of a solid behind a plane. Its new face is the last plane; the bounds stay.
+// Keeps the part of a solid behind a plane. The new face is the last plane. The bounds do not change.
 void cut(Solid& solid, const Plane& plane, SurfaceId surface);
 
 }  // namespace ilot::scan

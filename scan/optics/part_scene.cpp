@@ -9,8 +9,8 @@
 namespace ilot::scan {
 namespace {
 
-// Rays and boxes are floats about the anchor: each rounding is below 2^-24 of the extent, and a direction's error grows
-// with the way. Sixteen of them are more than there are.
+// Rays and boxes are floats relative to the anchor. Each rounding is below 2^-24 of the extent, and the error of a
+// direction grows with the distance. The constant allows sixteen roundings, which is more than there are.
 constexpr double kRounding = 0x1p-20;
 
 struct CastContext {
@@ -19,7 +19,7 @@ struct CastContext {
   std::vector<Candidate>* found;
 };
 
-// Where the ray enters the box, 0 when it starts inside; infinity when it misses it.
+// Returns where the ray enters the box: 0 when it starts inside, infinity when it misses the box.
 double entry(const Ray& ray, const Box3<Vec3>& box) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double enter = 0, leave = kInfinity;
@@ -52,7 +52,7 @@ struct PartScene::State {
     set_embree_bounds(self.boxes[args->primID], self.anchor, self.margin, *args->bounds_o);
   }
 
-  // Never shortens the ray: every box it pierces is reported, in whatever order.
+  // Never shortens the ray, so every box that the ray meets is reported, in any order.
   static void hit_box(const RTCIntersectFunctionNArguments* args) {
     if (args->valid[0] == 0) return;
     const auto& self = *static_cast<const State*>(args->geometryUserPtr);
@@ -72,9 +72,9 @@ PartScene::PartScene(std::span<const Part> parts, double reach) : state_(std::ma
   const Box3<Vec3> all = bounds_of(parts);
   state_->parts = parts;
   state_->anchor = 0.5 * (all.min + all.max);
-  // Sensors stand outside the parts, but not further away than a few times their extent.
+  // Sensors are outside the parts, but not farther away than a few times their extent.
   state_->margin = 1e-4 + kRounding * 4 * norm(all.max - all.min);
-  // Grown in double by more than its rounding, so that flat boxes are met too.
+  // The boxes are grown in double by more than the rounding of double, so that flat boxes are met too.
   const double by = reach + 1e-5;
   for (const Part& part : parts) {
     const Box3<Vec3> box = bounds_of(part);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A scene that stands still, made of parts, and what rays meet in it.
+// A static scene made of parts, and the search for what a ray meets in it.
 #pragma once
 #include <cstdint>
 #include <memory>
@@ -13,7 +13,7 @@
 
 namespace ilot::scan {
 
-// What a point on a surface is.
+// The labels of a point on a surface.
 struct SurfaceLabel {
   std::uint8_t true_class = 0;
   std::uint32_t plane = 0;    // true_plane: id of a plane or a shape, 0 = none
@@ -33,33 +33,35 @@ struct SceneModel {
 
 Box3<Vec3> bounds_of(std::span<const Part> parts);
 
-// A part that a ray may meet, not before `enters` along it.
+// A part that a ray may meet. The ray does not meet it before the distance `enters`.
 struct Candidate {
   double enters = 0;
   std::uint32_t part = 0;
 };
 
-// Embree only culls, with the boxes of the parts grown beyond the rounding of its floats; what is met is decided in
-// double by meet(), ties by the smaller index, so that results do not depend on the instruction set Embree chose. Keeps
-// a view of the parts: they must outlive it. Several threads may ask at once. Coordinates may lie anywhere; extents
-// must stay below 4 km.
+// Embree only culls. It uses the boxes of the parts, which are grown beyond the rounding of its floats. meet() decides
+// in double what a ray hits. Ties go to the smaller index, so results do not depend on the instruction set that Embree
+// chooses. The scene keeps a view of the parts, so the parts must outlive it. Several threads may query it at once.
+// Coordinates may have any size, but extents must be below 4 km.
 class PartScene {
  public:
-  // reach: metres within which rays beside another share its candidates: those of a beam those of its axis, as long as
-  // no point of theirs is further than that from the axis's point at the same length.
+  // `reach` is a distance in metres. Rays within this distance of another ray share its candidates: the rays of a beam
+  // share those of its axis. The condition is that each of their points is at most `reach` from the point of the axis
+  // at the same length.
   explicit PartScene(std::span<const Part> parts, double reach = 0);
   ~PartScene();
   PartScene(const PartScene&) = delete;
   PartScene& operator=(const PartScene&) = delete;
 
-  // All parts that the ray, or one within reach of it, may meet anywhere along it, by the place where their boxes
-  // begin, then by index. Memory of `out` is reused.
+  // Finds all parts that the ray, or a ray within reach of it, may meet anywhere along it. They are sorted by the
+  // distance at which their boxes begin, then by index. The memory of `out` is reused.
   void candidates(const Ray& ray, std::vector<Candidate>& out) const;
 
-  // The nearest of these parts beyond `from`; stops where the next box begins behind it.
+  // Returns the hit with the nearest of these parts beyond `from`. The search stops where the next box begins behind
+  // that hit.
   std::optional<PartHit> nearest(const Ray& ray, std::span<const Candidate> candidates, double from = 0) const;
 
-  // Both in one.
+  // Runs candidates() and nearest() in one call.
   std::optional<PartHit> cast(const Ray& ray, double from = 0) const;
 
  private:

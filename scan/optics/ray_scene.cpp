@@ -8,10 +8,10 @@
 namespace ilot::scan {
 namespace {
 
-// Rays and boxes are floats within 4 km of the anchor: rounding stays below 0.5 mm at each end.
+// Rays and boxes are floats within 4 km of the anchor. Rounding is below 0.5 mm at each end.
 constexpr double kMargin = 0.05;
 
-// What one cast carries through Embree's callbacks: the context must come first.
+// The data that one cast passes through Embree's callbacks. The context must come first.
 struct CastContext {
   RTCIntersectContext embree;
   const Ray* ray;
@@ -91,8 +91,8 @@ void RayScene::cast(const Ray& ray, CastResult& result) const {
   CastContext context{{}, &ray, &result};
   rtcInitIntersectContext(&context.embree);
   RTCRayHit query = embree_query(ray, state_->anchor);
-  // The callbacks never shorten the ray: every box it pierces is tested, in whatever order, and the nearest
-  // hit wins.
+  // The callbacks never shorten the ray. So every box that the ray meets is tested, in any order, and the nearest hit
+  // wins.
   rtcIntersect1(state_->scene, &context.embree, &query);
   std::sort(result.crowns.begin(), result.crowns.end(),
             [](const CrownHit& a, const CrownHit& b) { return a.crown < b.crown; });

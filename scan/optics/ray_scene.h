@@ -22,14 +22,13 @@ struct CrownHit {
 
 struct CastResult {
   std::optional<SolidHit> solid;  // the nearest face
-  std::vector<CrownHit> crowns;   // those the ray crosses anywhere along it, by rising number
+  std::vector<CrownHit> crowns;   // all crowns that the ray crosses anywhere along it, in increasing order
 };
 
-// Finds what rays meet among many solids and crowns. Embree only culls, with boxes grown beyond the rounding
-// of its floats; the hit is decided in double by enter() and cross(), ties by the smaller face, so that
-// results do not depend on the instruction set Embree chose. Keeps views of the solids and crowns: they must
-// outlive it. Several threads may cast at once. Coordinates may lie anywhere; extents around the anchor must
-// stay below 4 km.
+// Finds what rays meet among many solids and crowns. Embree only culls, with boxes that are grown beyond the rounding
+// of its floats. enter() and cross() decide the hit in double. Ties go to the smaller face, so results do not depend on
+// the instruction set that Embree chooses. The scene keeps views of the solids and crowns, so these must outlive it.
+// Several threads may cast at once. Coordinates may have any size, but extents around the anchor must be below 4 km.
 class RayScene {
  public:
   RayScene(std::span<const ConvexSolid> solids, std::span<const Crown> crowns, Vec3 anchor);
@@ -37,7 +36,7 @@ class RayScene {
   RayScene(const RayScene&) = delete;
   RayScene& operator=(const RayScene&) = delete;
 
-  // The result is passed in so that its memory is reused from ray to ray.
+  // The result is an argument so that its memory is reused from ray to ray.
   void cast(const Ray& ray, CastResult& result) const;
 
  private:

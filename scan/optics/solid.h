@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What rays meet: convex solids with opaque faces, and tree crowns that let part of the light through.
+// The objects that rays meet: convex solids with opaque faces, and tree crowns that let a part of the light through.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -19,8 +19,8 @@ inline Vec3 point_at(const Ray& ray, double t) {
   return ray.origin + t * ray.direction;
 }
 
-// The intersection of at most kMaxFaces half-spaces, outward normals. It may be open where no ray comes from
-// (a house has no floor): bounds still have to hold all of the surface that can be seen.
+// The intersection of at most kMaxFaces half-spaces with outward normals. It may be open where no ray comes from (a
+// house has no floor). The bounds must still contain all of the surface that can be seen.
 struct ConvexSolid {
   static constexpr std::size_t kMaxFaces = 12;
   std::array<Plane, kMaxFaces> planes;
@@ -39,15 +39,15 @@ struct FaceHit {
   std::uint32_t face = 0;  // within the solid; the smaller one on an edge
 };
 
-// Where the ray enters the solid; nothing when it misses it or starts inside. Watertight: computed from the
-// planes in double, so that no ray slips between two faces.
+// Returns where the ray enters the solid. Returns nothing when the ray misses the solid or starts inside. The result is
+// watertight: it is computed from the planes in double, so no ray passes between two faces.
 std::optional<FaceHit> enter(const Ray& ray, const ConvexSolid& solid);
 
 struct Chord {
   double enter = 0, leave = 0;
 };
 
-// The part of the ray inside the crown; nothing when it misses it.
+// Returns the part of the ray inside the crown. Returns nothing when the ray misses it.
 std::optional<Chord> cross(const Ray& ray, const Crown& crown);
 
 }  // namespace ilot::scan

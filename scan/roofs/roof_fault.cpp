@@ -10,10 +10,10 @@ namespace ilot::scan {
 namespace {
 
 using Edge = std::pair<std::uint32_t, std::uint32_t>;
-// For every way along an edge the vertex from which its face comes.
+// For each directed edge, the vertex from which its face comes.
 using EdgeMap = std::map<Edge, std::uint32_t>;
 
-// Nothing when a way is taken twice, or a face meets itself.
+// Returns nothing when a directed edge occurs twice or a face meets itself.
 std::optional<EdgeMap> edges_of(const RoofSolid& solid) {
   EdgeMap edges;
   for (const RoofFace& face : solid.faces) {
@@ -30,7 +30,7 @@ std::optional<EdgeMap> edges_of(const RoofSolid& solid) {
   return edges;
 }
 
-// Whether the faces around every vertex form one fan.
+// Returns whether the faces around every vertex form one fan.
 bool one_fan_per_vertex(const EdgeMap& edges) {
   auto first = edges.begin();
   while (first != edges.end()) {

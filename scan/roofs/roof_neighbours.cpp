@@ -12,7 +12,7 @@ namespace {
 constexpr double kSameNormal = 0.966;  // cosine of 15 degrees
 constexpr double kClearStep = 0.4;     // metres between nearly parallel faces
 constexpr double kSamePlace = 1e-6;    // metres
-constexpr double kNear = 0.5;          // metres between boxes of faces that could be taken for one
+constexpr double kNear = 0.5;          // metres between boxes of faces that could be in almost one plane
 
 Box3<Vec3> box_of(const RoofSolid& solid, const RoofFace& face) {
   const Vec3 first = solid.vertices[face.rings[0][0]];
@@ -33,7 +33,7 @@ struct Gap {
   double low = 1e9, high = -1e9;
 };
 
-// Between a plane and the vertices of a face.
+// Returns the gap between a plane and the vertices of a face.
 Gap gap_between(const Plane& plane, const RoofSolid& solid, const RoofFace& face) {
   Gap gap;
   for (std::uint32_t v : face.rings[0]) {
@@ -57,7 +57,7 @@ bool doubtful_faces(const RoofSolid& solid_a, const RoofFace& a, const RoofSolid
   return gap.low <= kClearStep && gap.high >= -kClearStep;
 }
 
-// Whether a side of one face runs along a side of the other, beyond a point.
+// Returns whether a side of one face and a side of the other have more than a point in common.
 bool share_an_edge(const RoofSolid& solid_a, const RoofFace& a, const RoofSolid& solid_b, const RoofFace& b) {
   const auto for_each_side = [](const RoofSolid& solid, const RoofFace& face, const auto& visit) {
     const auto& ring = face.rings[0];

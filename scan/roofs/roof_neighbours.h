@@ -4,12 +4,13 @@
 
 namespace ilot::scan {
 
-// Whether a roof or wall of one building lies so close to the plane of one of the other, in almost its direction, that
-// no one could tell them apart, and yet not on it. The buildings share a frame; they may be the same.
+// Returns whether a roof or wall of one building is so close to the plane of one of the other, with almost the same
+// direction, that the two cannot be distinguished, although they are not in the same plane. The buildings must share a
+// frame. They may be the same building.
 bool doubtful(const RoofBuilding& a, const RoofBuilding& b);
 
-// Numbers the planes of all faces but the floors. Coplanar faces of buildings that follow each other in the town share
-// one where they meet.
+// Numbers the planes of all faces except the floors. Coplanar faces share one plane where they meet, if their buildings
+// follow each other in the town.
 void number_planes(RoofTown& town);
 
 }  // namespace ilot::scan

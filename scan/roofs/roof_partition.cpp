@@ -10,7 +10,7 @@ namespace {
 
 enum class Order { below, equal, above, varies };
 
-// The half-plane in which q is at least as high as p.
+// Returns the half-plane in which q is at least as high as p.
 GridLine not_below(const RoofPlane& q, const RoofPlane& p) {
   return {q.a - p.a, q.b - p.b, q.c - p.c};
 }
@@ -21,7 +21,7 @@ Order compare(const RoofPlane& q, const RoofPlane& p) {
   return line.c > 0 ? Order::above : line.c < 0 ? Order::below : Order::equal;
 }
 
-// Where the plane is the lowest of its wing; of equal planes the first.
+// Returns the piece where the plane is the lowest of its wing. Of equal planes the first one counts.
 Piece seen_in_wing(const Wing& wing, std::size_t plane) {
   Piece piece = rectangle(wing.rect);
   for (std::size_t other = 0; other < wing.planes.size() && !piece.empty(); ++other) {
@@ -33,7 +33,7 @@ Piece seen_in_wing(const Wing& wing, std::size_t plane) {
   return piece;
 }
 
-// Where the wing hides the plane; nothing when it does nowhere.
+// Returns where the wing hides the plane. Returns nothing when it does so nowhere.
 std::optional<std::vector<GridLine>> hidden_by(const Wing& wing, const RoofPlane& plane, bool comes_first) {
   std::vector<GridLine> region = half_planes(wing.rect);
   for (const RoofPlane& other : wing.planes) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// A building as wings: each stands on a rectangle of the footprint and ends in the lowest of its roof planes; where
-// wings overlap, the highest counts. So any roof without overhang can be put together, and what is seen of it from
-// above is a partition of the footprint into convex pieces with a plane each. Exact: whole millimetres, slopes in
-// sixteenths.
+// A building is described by wings. Each wing stands on a rectangle of the footprint and ends in the lowest of its roof
+// planes. Where wings overlap, the highest counts. Any roof without overhang can be composed in this way. Its view from
+// above is a partition of the footprint into convex pieces with one plane each. The computation is exact: it uses
+// integer millimetres, and slopes in sixteenths.
 #pragma once
 #include <span>
 #include <vector>
@@ -18,7 +18,7 @@ struct RoofPlane {
 };
 constexpr Integer kSlopeUnit = 16;
 
-// Convex: it is the prism over the rectangle below all of its planes.
+// A wing is convex: it is the prism over the rectangle below all of its planes.
 struct Wing {
   GridRect rect;
   std::vector<RoofPlane> planes;
@@ -29,11 +29,11 @@ struct RoofPiece {
   RoofPlane plane;
 };
 
-// What is seen of the wings from above, every place once. Of equal planes the first wing's is seen. Time grows with the
-// square of the number of wings.
+// Returns what is visible of the wings from above. Every position is covered once. If planes are equal, the plane of
+// the first wing is visible. Time grows with the square of the number of wings.
 std::vector<RoofPiece> partition_roof(std::span<const Wing> wings);
 
-// Height of a plane above a place in millimetres, and of the lowest plane of a wing.
+// Returns the height in millimetres of a plane above a position, or of the lowest plane of a wing.
 double height_mm(const RoofPlane& plane, double u, double v);
 double height_mm(const Wing& wing, double u, double v);
 

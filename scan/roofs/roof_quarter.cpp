@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kMetres = 0.001;
 constexpr std::array<double, 4> kHeadings{8, 27, 51, 72};
-constexpr double kRich = 0.25;              // share of detached complex roofs that are to have more than ten faces
+constexpr double kRich = 0.25;              // share of detached complex roofs that must have more than ten faces
 constexpr Integer kLongestTerrace = 60000;  // millimetres, without the last house
 constexpr double kLeastEdge = 0.12, kLeastWidth = 0.4;  // metres
 
@@ -29,7 +29,7 @@ class QuarterBuilder {
         kinds_(kinds),
         rng_(params.seed ^ 0x726f6f6673ull, index) {}
 
-  // Rows from the middle outwards, until all are placed. Fewer when there is no room.
+  // Fills rows from the middle outwards until all buildings are placed. Places fewer when there is no room.
   std::vector<RoofBuilding> build() {
     const double reach = 0.75 * (quarter_.area.x1 - quarter_.area.x0);
     const int rows = static_cast<int>(reach / kStreetPitch) + 1;
@@ -56,7 +56,7 @@ class QuarterBuilder {
     }
   }
 
-  // Returns where it ends along the street; nothing when there is no room for it.
+  // Returns where the building ends along the street. Returns nothing when there is no room for it.
   std::optional<double> add_building(double street, int side, double u) {
     const RoofKind kind = next_kind();
     if (!adjoins_) terraced_ = kind != RoofKind::hip && rng_.uniform() < params_.adjoining;
@@ -92,7 +92,7 @@ class QuarterBuilder {
     return side > 0 ? setback - bounds.v0 : -setback - bounds.v1;
   }
 
-  // A frame and a foot for a building and those that will adjoin it.
+  // Makes a frame and a base height for a building and for those that will adjoin it.
   void start_group(double street, int side, double u, const GridRect& bounds) {
     const double v = street + side * (kRoofHalfStreet + 2);
     const Vec3 start = quarter_.frame.to_town({u, v, 0});
@@ -127,7 +127,7 @@ class QuarterBuilder {
                                         [](const RoofFace& f) { return f.part == RoofPart::roof; });
   }
 
-  // In the quarter's coordinates.
+  // Returns the rectangle in the coordinates of the quarter.
   Rect room_of(const GridRect& bounds) const {
     const Vec3 low = quarter_.frame.to_local(
         frame_.to_town({kMetres * static_cast<double>(bounds.u0), kMetres * static_cast<double>(bounds.v0), 0}));
@@ -194,7 +194,7 @@ class QuarterBuilder {
   std::vector<Rect> rooms_;
   RoofFrame frame_;
   Integer foot_ = 0, next_u_ = 0;
-  std::ptrdiff_t least_faces_ = 2;  // of the roof being drawn
+  std::ptrdiff_t least_faces_ = 2;  // fewest faces of the roof that is being drawn
   bool terraced_ = false, adjoins_ = false, continues_ = false;
 };
 

@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kMetres = 0.001;  // per unit of the lattice
 
-// A plane of the solid by its whole coefficients, in the order of faces: roof planes, walls (the half-plane on whose
-// border they stand), the floor.
+// A plane of the solid, given by its integer coefficients. Planes are sorted in the order of faces: roof planes, walls
+// (the half-plane on whose border they stand), the floor.
 struct PlaneKey {
   RoofPart part = RoofPart::roof;
   Integer a = 0, b = 0, c = 0;
@@ -54,14 +54,14 @@ class Builder {
  private:
   struct Side {
     std::size_t spot;
-    GridLine line;  // of the side that leads on from the spot
+    GridLine line;  // line of the side that leads from the spot to the next one
   };
 
   std::size_t number_of(const Spot& spot) const {
     return static_cast<std::size_t>(std::lower_bound(spots_.begin(), spots_.end(), spot) - spots_.begin());
   }
 
-  // The spots along a piece's border: its corners, and those of its neighbours on its sides.
+  // Finds the spots along the border of a piece: its corners, and those of its neighbours on its sides.
   void split_edges() {
     std::sort(spots_.begin(), spots_.end());
     spots_.erase(std::unique(spots_.begin(), spots_.end()), spots_.end());
@@ -93,7 +93,7 @@ class Builder {
     return between;
   }
 
-  // Where the roofs of pieces side by side cross between the ends of their common border.
+  // Adds the spots where the roofs of adjacent pieces cross between the ends of their common border.
   void add_crossings() {
     std::vector<Spot> crossings;
     for (const auto& [way, piece] : left_of_) {
@@ -120,7 +120,7 @@ class Builder {
             0};
   }
 
-  // Heights at a spot are whole in units of 1 / (kSlopeUnit w) millimetres.
+  // Heights at a spot are integers in units of 1 / (kSlopeUnit w) millimetres.
   Integer roof_level(std::size_t piece, std::size_t spot) const {
     const RoofPlane& plane = pieces_[piece].plane;
     const Spot& s = spots_[spot];
@@ -128,7 +128,7 @@ class Builder {
   }
   Integer floor_level(std::size_t spot) const { return kSlopeUnit * spots_[spot].w * floor_; }
 
-  // Of the piece on the other side of an edge; the floor outside the footprint.
+  // Returns the level of the piece on the other side of an edge. Outside the footprint it is the floor.
   Integer level_beyond(std::size_t from, std::size_t to, std::size_t at) const {
     const auto twin = left_of_.find({to, from});
     return twin == left_of_.end() ? floor_level(at) : roof_level(twin->second, at);
@@ -170,12 +170,13 @@ class Builder {
     add_patch({RoofPart::floor, 0, 0, 0}, std::move(floor));
   }
 
-  // Rising, with both ends.
+  // Returns the levels in increasing order, with both ends.
   std::vector<Integer> levels_between(std::size_t spot, Integer low, Integer high) const {
     return {levels_[spot].lower_bound(low), levels_[spot].upper_bound(high)};
   }
 
-  // The wall between the piece and a lower neighbour, with a vertex wherever another face ends on its upright edges.
+  // Adds the wall between the piece and a lower neighbour. It has a vertex wherever another face ends on its upright
+  // edges.
   void add_wall(std::size_t piece, std::size_t i) {
     const std::size_t from = rings_[piece][i].spot, to = rings_[piece][(i + 1) % rings_[piece].size()].spot;
     const Integer low_from = level_beyond(from, to, from), low_to = level_beyond(from, to, to);
@@ -223,7 +224,7 @@ class Builder {
   Integer floor_;
   std::vector<Spot> spots_;
   std::vector<std::vector<Side>> rings_;                                // per piece
-  std::map<std::pair<std::size_t, std::size_t>, std::size_t> left_of_;  // piece to the left of a way between spots
+  std::map<std::pair<std::size_t, std::size_t>, std::size_t> left_of_;  // piece left of a directed edge
   std::vector<std::set<Integer>> levels_;                               // per spot
   std::map<std::pair<std::size_t, Integer>, std::uint32_t> vertex_numbers_;
   std::vector<Vec3> vertices_;

@@ -18,7 +18,7 @@ bool happens(Rng& rng, double chance) {
   return rng.uniform() < chance;
 }
 
-// The body of a house, its ridge along u.
+// The body of a house. Its ridge is parallel to u.
 struct Body {
   Integer length = 0, depth = 0, eave = 0, slope = 0;
   GridRect rect() const { return {0, 0, length, depth}; }
@@ -44,7 +44,7 @@ void turn_at_random(Rng& rng, std::vector<Wing>& wings) {
   }
 }
 
-// A lower building against the right end: a garage under a flat or a shed roof.
+// Adds a lower building against the right end: a garage under a flat or a shed roof.
 void add_annex(Rng& rng, const Body& body, std::vector<Wing>& wings) {
   const Integer from = step(rng, 0, 500, 4), depth = std::min(body.depth - from, step(rng, 4000, 500, 6));
   const GridRect rect{body.length, from, body.length + step(rng, 2500, 500, 5), from + depth};
@@ -55,7 +55,7 @@ void add_annex(Rng& rng, const Body& body, std::vector<Wing>& wings) {
     wings.push_back(shed_wing(rect, height - 250, 3, Uphill::west));
 }
 
-// Leaves the body southwards; its ridge runs along v, up to below the body's.
+// Returns a wing that leaves the body southwards. Its ridge is parallel to v and ends below the ridge of the body.
 Wing cross_wing(Rng& rng, const Body& body, Integer from, Integer width) {
   const GridRect rect{from, -step(rng, 0, 750, 8), from + width, body.depth / 2};
   const Integer eave = happens(rng, 0.7) ? body.eave : body.eave - step(rng, 500, 250, 3);
@@ -64,7 +64,8 @@ Wing cross_wing(Rng& rng, const Body& body, Integer from, Integer width) {
   return wing;
 }
 
-// L, T, U, H and crosses: a body with cross wings on either side, dormers on what is left of the slopes.
+// Draws L, T, U, H and cross forms: a body with cross wings on either side, and dormers on the free parts of the
+// slopes.
 std::vector<Wing> draw_winged(Rng& rng) {
   Body body = draw_body(rng);
   body.length = std::max(body.length, Integer{11000});
@@ -136,7 +137,7 @@ std::vector<Wing> draw_mansard(Rng& rng, BuiltForm built_form) {
   return wings;
 }
 
-// Flat roofs at two to four levels.
+// Draws flat roofs at two to four levels.
 std::vector<Wing> draw_stepped(Rng& rng, BuiltForm built_form) {
   Body body = draw_body(rng);
   body.eave = step(rng, 5000, 500, 8);
@@ -151,7 +152,7 @@ std::vector<Wing> draw_stepped(Rng& rng, BuiltForm built_form) {
   return wings;
 }
 
-// Two sheds back to back with a step between them, or a saw-tooth.
+// Draws two sheds back to back with a step between them, or a saw-tooth roof.
 std::vector<Wing> draw_sheds(Rng& rng, BuiltForm built_form) {
   const Body body = draw_body(rng);
   if (built_form == BuiltForm::detached && happens(rng, 0.25)) {
@@ -166,7 +167,7 @@ std::vector<Wing> draw_sheds(Rng& rng, BuiltForm built_form) {
           shed_wing({0, split, body.length, body.depth}, body.eave - step(rng, 0, 250, 3), 6, Uphill::south)};
 }
 
-// Two gables side by side with a valley between, or a gable with a lower one beside it.
+// Draws two gables side by side with a valley between them, or a gable with a lower one beside it.
 std::vector<Wing> draw_double(Rng& rng, BuiltForm built_form) {
   Body body = draw_body(rng);
   const Integer second = step(rng, 5000, 500, 7), lower = happens(rng, 0.5) ? 0 : step(rng, 750, 250, 5);
@@ -176,7 +177,7 @@ std::vector<Wing> draw_double(Rng& rng, BuiltForm built_form) {
           gable_wing(beside, Axis::u, std::max(body.eave - lower, Integer{2250}), body.slope)};
 }
 
-// A gable or hip with a square tower at a corner or amid the front.
+// Draws a gable or hip with a square tower at a corner or in the middle of the front.
 std::vector<Wing> draw_tower(Rng& rng) {
   const Body body = draw_body(rng);
   std::vector<Wing> wings{happens(rng, 0.5) ? gable_wing(body.rect(), Axis::u, body.eave, body.slope)
@@ -215,7 +216,7 @@ std::vector<Wing> draw_simple(Rng& rng, RoofKind kind, BuiltForm built_form) {
   return {gable_wing(body.rect(), ridge, body.eave, body.slope)};
 }
 
-// 60 x 60 cm, 1.2 m above the roof.
+// A chimney is 60 x 60 cm and ends 1.2 m above the roof.
 void add_chimney(Rng& rng, std::vector<Wing>& wings) {
   const GridRect& body = wings[0].rect;
   const Integer u = body.u0 + step(rng, 1250, 500, static_cast<std::uint64_t>((body.u1 - body.u0 - 3000) / 500 + 1));

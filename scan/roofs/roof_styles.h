@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws roofs: a gable, a hip, or one of many complex kinds (cross wings, dormers, mansards, split levels, annexes).
+// Draws roofs at random: a gable, a hip, or one of many complex kinds (cross wings, dormers, mansards, split levels,
+// annexes).
 #pragma once
 #include <vector>
 
@@ -18,13 +19,14 @@ struct RoofDesign {
   std::vector<Wing> wings;  // heights above the foot of the building
 };
 
-// Nothing of a roof is higher than this above the foot of its building.
+// No part of a roof is higher than this above the foot of its building.
 constexpr Integer kMaxRoofHeight = 17000;  // millimetres
 
-// chimneys: share of the houses that have one. Not every draw is a sound solid: see fault_of.
+// Draws a roof. `chimneys` is the share of the houses that have one. Not every drawn roof is a sound solid: see
+// fault_of.
 RoofDesign draw_roof(Rng& rng, RoofKind kind, BuiltForm built_form, double chimneys);
 
-// Around all wings.
+// Returns the box around all wings.
 GridRect bounds_of(const std::vector<Wing>& wings);
 
 }  // namespace ilot::scan

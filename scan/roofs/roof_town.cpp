@@ -17,7 +17,7 @@ namespace {
 constexpr double kMetres = 0.001;
 constexpr double kLotArea = 400;  // square metres per building, at least
 
-// Deals out the kinds of roof in a random order.
+// Distributes the kinds of roof in a random order.
 std::vector<RoofKind> deal_kinds(Rng& rng, std::uint64_t buildings) {
   const RoofCounts counts = roof_counts(buildings);
   std::vector<RoofKind> kinds(counts.gable, RoofKind::gable);
@@ -27,7 +27,7 @@ std::vector<RoofKind> deal_kinds(Rng& rng, std::uint64_t buildings) {
   return kinds;
 }
 
-// Distance in the plane from a place to the nearest wing.
+// Returns the horizontal distance from a position to the nearest wing.
 double distance_to(const RoofBuilding& building, double x, double y) {
   const Vec3 p = building.frame.to_local({x, y, 0});
   double nearest = 1e9;
@@ -61,7 +61,7 @@ void add_trees(RoofTown& town, double per_hectare, Rng& rng) {
   }
 }
 
-// A town of squares of that side; nothing when they cannot hold all buildings.
+// Fills a town of square quarters with the given side. Returns nothing when they have no room for all buildings.
 std::optional<std::vector<RoofBuilding>> fill(const RoofTownParams& params, const Ground& ground, double side,
                                               std::span<const RoofKind> kinds) {
   std::vector<RoofBuilding> all;

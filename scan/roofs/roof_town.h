@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The town of the scene `roofs`: four quarters about two avenues, each with streets of its own direction, detached and
-// adjoining buildings with every kind of roof, and trees beside them.
+// The town of the scene `roofs`. It has four quarters around two avenues. Each quarter has streets in its own
+// direction, detached and adjoining buildings with every kind of roof, and trees beside them.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -22,7 +22,7 @@ struct RoofTownParams {
   std::uint64_t seed = 0;
 };
 
-// Where the frame of a building lies: its u runs along `heading`. Heights are absolute.
+// The frame of a building: its position and direction. Its u runs along `heading`. Heights are absolute.
 struct RoofFrame {
   double x = 0, y = 0;
   SinCos heading;
@@ -41,7 +41,7 @@ struct RoofBuilding {
   double eave = 0, ridge = 0, floor = 0;  // z
 };
 
-// The number of roofs of each kind among so many buildings: in the proportion 128 : 52 : 265.
+// The number of roofs of each kind in a given number of buildings, in the proportion 128 : 52 : 265.
 struct RoofCounts {
   std::uint64_t gable = 0, hip = 0, complex = 0;
 };
@@ -51,17 +51,17 @@ struct RoofTown {
   Ground ground;
   Rect area;
   std::vector<RoofBuilding> buildings;
-  std::uint32_t plane_count = 0;  // of all faces but the floors; connected coplanar faces of neighbours share one
+  std::uint32_t plane_count = 0;  // for all faces except the floors; connected coplanar faces of neighbours share one
   std::vector<Crown> crowns;
 };
 
 constexpr std::uint32_t kNoPlane = ~0u;
 
-// Pure: the same town for the same parameters. Every solid is sound, and no two faces lie so close to one plane without
-// lying on it that no one could tell them apart.
+// Builds the town. The function is pure: the same parameters give the same town. Every solid is sound. No two faces are
+// so close to one plane, without being in it, that they cannot be distinguished.
 RoofTown build_roof_town(const RoofTownParams& params);
 
-// What covers the ground at a place: asphalt on streets, paving beside them, grass.
+// Returns what covers the ground at a position: asphalt on streets, paving beside them, grass elsewhere.
 Material ground_cover(const RoofTown& town, double x, double y);
 
 }  // namespace ilot::scan

@@ -6,7 +6,7 @@
 namespace ilot::scan {
 namespace {
 
-// The plane that leaves the rectangle's lowest side at `eave` and rises by `slope`.
+// Returns the plane that begins at `eave` on the lowest side of the rectangle and rises by `slope`.
 RoofPlane rising(const GridRect& rect, Uphill uphill, Integer eave, Integer slope) {
   const Integer z = kSlopeUnit * eave;
   switch (uphill) {
@@ -36,7 +36,7 @@ void add_pair(Wing& wing, Pair directions, Integer eave, Integer slope) {
   wing.planes.push_back(rising(wing.rect, directions.second, eave, slope));
 }
 
-// A slope of `steep` up to `knee` above the eaves and `shallow` from there on.
+// Adds a pair of slopes: `steep` up to `knee` above the eaves and `shallow` above it.
 void add_broken_pair(Wing& wing, Pair directions, Integer eave, Integer steep, Integer shallow, Integer knee) {
   add_pair(wing, directions, eave, steep);
   add_pair(wing, directions, eave + knee - knee * shallow / steep, shallow);

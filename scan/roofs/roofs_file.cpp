@@ -54,7 +54,7 @@ TruePlane ground_plane(const RoofTown& town) {
   return plane;
 }
 
-// All planes, by id.
+// Returns all planes, sorted by id.
 std::vector<TruePlane> planes_of(const RoofTown& town, const std::vector<std::uint64_t>& points) {
   std::vector<TruePlane> planes(town.plane_count + kFirstTownPlane);
   planes[kTownGround] = ground_plane(town);

@@ -32,7 +32,7 @@ constexpr double kEchoesPerTree = 0.0022;
 constexpr double kTile = 40;                                                // metres
 constexpr double kBatchBytes = 100e6;                                       // of records in memory at a time
 constexpr double kMetres = 0.001;                                           // per unit of a wing
-constexpr double kPlaneTolerance = 1e-6;                                    // metres, for planes that are one
+constexpr double kPlaneTolerance = 1e-6;                                    // metres; tolerance for equal planes
 constexpr std::uint8_t kVegetation = 4, kRoof = 2, kWall = 3, kGround = 1;  // true_class
 
 Plane plane_in_town(const Plane& plane, const RoofFrame& frame) {
@@ -40,7 +40,7 @@ Plane plane_in_town(const Plane& plane, const RoofFrame& frame) {
   return {n, plane.d - n.x * frame.x - n.y * frame.y};
 }
 
-// The roof planes and the four walls of a wing, in its own frame and metres.
+// Returns the roof planes and the four walls of a wing, in its own frame and in metres.
 std::vector<Plane> planes_of(const Wing& wing) {
   std::vector<Plane> planes;
   for (const RoofPlane& p : wing.planes) {
@@ -90,7 +90,7 @@ double distance_to_outline(const RoofSolid& solid, const RoofFace& face, Vec3 p)
   return nearest;
 }
 
-// Everything about the town that a tile needs.
+// All data about the town that a tile needs.
 struct Stage {
   const RoofTown& town;
   const RoofsScan& scan;
@@ -215,7 +215,7 @@ std::uint32_t face_met(const RoofTown& town, const RoofsScene::Target& target, V
   const Vec3 local = building.frame.to_local(place);
   for (std::uint32_t f : target.faces)
     if (face_contains(building.solid, building.solid.faces[f], local)) return f;
-  // On an edge: rounding may put the place beside its face.
+  // Near an edge, rounding may move the position outside its face.
   std::uint32_t nearest = 0;
   double least = 1e9;
   for (std::uint32_t f = 0; f < building.solid.faces.size(); ++f) {

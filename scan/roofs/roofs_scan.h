@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `roofs`: a town of 445 roofs seen from the air by two overlapping flight lines, with its model as truth.
+// The scene `roofs`: a town of 445 roofs that two overlapping flight lines see from the air. Its model is the truth.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,19 +20,19 @@ struct RoofsScan {
   RoofTownParams town;
   AirborneParams flight;
   double noise = 0.02;                  // metres
-  std::optional<std::uint64_t> points;  // about so many: the density follows
+  std::optional<std::uint64_t> points;  // approximate number; the density follows from it
 };
 
-// From options. Throws Error (usage) when both --points and scene.density are given.
+// Makes the scan from options. Throws Error (usage) when both --points and scene.density are given.
 RoofsScan plan_roofs(const SceneValues& values, std::uint64_t seed, std::optional<std::uint64_t> points);
 
-// Pulses per square metre that give about so many points, within 2%.
+// Returns the pulses per square metre that give about this number of points, within 2%.
 double density_for(const RoofTown& town, std::uint64_t points);
 
-// The town as what rays meet.
+// The objects of the town that rays meet.
 struct RoofsScene {
   std::vector<ConvexSolid> solids;
-  // Per face of the solids: its building, and the faces of the building's solid that lie in its plane.
+  // For each face of the solids: its building, and the faces of the building's solid that are in its plane.
   struct Target {
     std::uint32_t building = 0;
     std::vector<std::uint32_t> faces;
@@ -41,14 +41,14 @@ struct RoofsScene {
 };
 RoofsScene make_roofs_scene(const RoofTown& town);
 
-// The face of the building's solid that was met at a place, seen from outside.
+// Returns the face of the building's solid that a ray met at a position, as seen from outside.
 std::uint32_t face_met(const RoofTown& town, const RoofsScene::Target& target, Vec3 place);
 
-// true_plane of the ground, and of the town's plane 0.
+// The true_plane of the ground, and that of plane 0 of the town.
 constexpr std::uint32_t kTownGround = 1, kFirstTownPlane = 2;
 
-// Scans the town, tile by tile, and hands over records of coloured_layout(0.001) in order. Tiles are made in parallel,
-// a batch of bounded size at a time; what is handed over does not depend on the number of threads.
+// Scans the town tile by tile and passes records of coloured_layout(0.001) to `take` in order. Tiles are made in
+// parallel, in batches of bounded size. The result does not depend on the number of threads.
 void scan_roofs(const RoofsScan& scan, const RoofTown& town,
                 const std::function<void(std::span<const std::byte>)>& take);
 

@@ -10,7 +10,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kSpeed = 60;  // metres per second over the ground
-// GPS week time: line 0 passes y = 0 at kFirstSecond, each line starts kLineSeconds after the one before.
+// GPS week time: line 0 passes y = 0 at kFirstSecond. Each line starts kLineSeconds after the previous one.
 constexpr double kFirstSecond = 50000, kLineSeconds = 1000;
 constexpr std::int64_t kLinesPerWeek = 500;
 
@@ -53,7 +53,8 @@ Pulse FlightPlan::make_pulse(std::int64_t line, std::int64_t row, std::int64_t c
 }
 
 void FlightPlan::for_each_pulse(const Rect& area, const std::function<void(const Pulse&)>& visit) const {
-  // Within a row the aircraft moves on by one row spacing: column c aims (c + 1/2) / columns of it further.
+  // Within a row the aircraft moves forward by one row spacing: column c aims (c + 1/2) / columns of the spacing
+  // farther.
   const double columns = 2 * static_cast<double>(half_columns_);
   const std::int64_t first_line = floor_of(area.x0 / half_swath_) - 1, last_line = floor_of(area.x1 / half_swath_) + 2;
   const std::int64_t first_row = floor_of(area.y0 / along_) - 2, last_row = floor_of(area.y1 / along_) + 2;

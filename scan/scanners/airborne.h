@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where an airborne scanner's pulses start and point: parallel flight lines along y, flown to and fro, each
-// swath overlapping its neighbours by half, so that every place is seen from two sides.
+// The origins and directions of the pulses of an airborne scanner. Parallel flight lines along y are flown in
+// alternating directions. Each swath overlaps its neighbours by half, so every position is seen from two sides.
 #pragma once
 #include <cstdint>
 #include <functional>
@@ -19,7 +19,7 @@ struct AirborneParams {
   double jitter = 0.2;    // largest shift of a pulse's aim, as a share of the spacing
 };
 
-// How far the beam leans along the flight, so that walls across it are seen too.
+// Tangent of the angle by which the beam leans forward along the flight, so that walls across it are seen too.
 constexpr double kForwardTangent = 0.05;
 
 struct Pulse {
@@ -34,9 +34,8 @@ class FlightPlan {
  public:
   FlightPlan(const AirborneParams& params, const Ground& ground, std::uint64_t seed);
 
-  // Calls visit for each pulse aimed at a place on the ground within the rectangle, by row, line and column.
-  // Every pulse belongs to exactly one of any set of rectangles that tile the plane, and is the same
-  // whichever that is.
+  // Calls visit for each pulse that is aimed at a position on the ground within the rectangle, by row, line and column.
+  // If rectangles tile the plane, every pulse belongs to exactly one of them. The pulse is the same for every tiling.
   void for_each_pulse(const Rect& area, const std::function<void(const Pulse&)>& visit) const;
 
   double density() const { return params_.density; }

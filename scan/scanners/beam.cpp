@@ -11,12 +11,12 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
-constexpr double kMinEnergy = 0.004;   // energy below which the receiver hears nothing
+constexpr double kMinEnergy = 0.004;   // the receiver detects nothing below this energy
 constexpr std::size_t kMaxEchoes = 5;  // of one pulse
-constexpr double kBehind = 1e-4;       // metres behind a pane where the ray goes on
+constexpr double kBehind = 1e-4;       // metres behind a pane where the ray continues
 
-// The footprint: places in units of its radius, and shares of the light. A Gaussian beam holds a quarter of its energy
-// within 0.38 of its 1/e2 radius; the rest is spread over a ring whose mean lies at 0.62 of it.
+// A position in the footprint in units of its radius, and its share of the light. A Gaussian beam has a quarter of its
+// energy within 0.38 of its 1/e2 radius. The rest is spread over a ring with a mean radius of 0.62.
 struct Spot {
   double right, up, share;
 };
@@ -50,7 +50,7 @@ Transmission transmission(Material material) {
   }
 }
 
-// `chance` is one number in [0, 1) for the whole pulse, so that a pane does the same to all of its footprint.
+// `chance` is one number in [0, 1) for the whole pulse, so a pane has the same effect on the whole footprint.
 void BeamTracer::touch(const Ray& ray, double weight, double chance) {
   double from = 0;
   for (int pane = 0; pane < 4; ++pane) {
@@ -66,7 +66,7 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     }
     from = hit->t + kBehind;
     weight *= 0.7;
-    chance = (chance - way.lost) / way.through;  // uniform again
+    chance = (chance - way.lost) / way.through;  // makes it uniform again
   }
 }
 
@@ -84,7 +84,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       moment += touches_[end].energy * touches_[end].range;
       ++end;
     }
-    // The surface with most energy, the nearer of equals, and its own mean range.
+    // The echo gets the surface with most energy, of equal ones the nearest, and the mean range of that surface.
     Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0};
     double most = 0;
     for (std::size_t i = first; i < end; ++i) {

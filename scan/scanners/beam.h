@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// One pulse of a terrestrial scanner: what its footprint touches and the echoes that come back.
+// One pulse of a terrestrial scanner: the surfaces that its footprint touches and the echoes that come back.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -15,7 +15,7 @@ struct BeamParams {
   double angle_noise_deg = 0.002;  // standard deviation about each of two axes
   double divergence_mrad = 0.2;    // full angle, 1/e2
   double diameter = 0.0045;        // metres, at the scanner, 1/e2
-  double separation = 0.3;         // metres: echoes closer than that reach the receiver as one
+  double separation = 0.3;         // metres: closer echoes reach the receiver as one
 };
 
 // Radius of the footprint in metres.
@@ -26,26 +26,27 @@ inline double footprint_radius(const BeamParams& beam, double range) {
 struct Echo {
   double range = 0;          // metres, with mixing, without noise
   double energy = 0;         // received: share of the light times reflectance times cosine of incidence
-  SurfaceId surface = 0;     // that gave most of the energy; pieces of one plane count as one
-  double surface_range = 0;  // its own: differs from range where the footprint mixes two surfaces
+  SurfaceId surface = 0;     // the surface that gave most of the energy; pieces of one plane count as one
+  double surface_range = 0;  // range of that surface; differs from range where the footprint mixes two surfaces
 };
 
-// What the windows and the finish of a material do to a pulse.
+// What glass and the finish of a material do to a pulse.
 struct Transmission {
-  double lost = 0;     // share of pulses that give no echo at all: mirrored away
-  double through = 0;  // share that goes on behind
+  double lost = 0;     // share of pulses that give no echo at all because they are mirrored away
+  double through = 0;  // share that continues behind the surface
 };
 Transmission transmission(Material material);
 
-// Follows pulses through one scene. Keeps its own memory: one per thread.
+// Follows pulses through one scene. It keeps its own memory, so each thread needs one.
 class BeamTracer {
  public:
   BeamTracer(const SceneModel& model, const PartScene& scene, const BeamParams& beam)
       : model_(model), scene_(scene), beam_(beam) {}
 
-  // The echoes of one pulse, nearest first; none when nothing comes back. rng decides where the beam truly points and
-  // what glass does. The footprint is seven rays: one along the axis and six about it, with the weights of a Gaussian
-  // beam; what they find within the receiver's separation becomes one echo at the mean range, weighted by energy.
+  // Finds the echoes of one pulse, nearest first. There are none when nothing comes back. rng decides where the beam
+  // really points and what glass does. The footprint consists of seven rays: one along the axis and six around it, with
+  // the weights of a Gaussian beam. The hits within the receiver's separation become one echo at the mean range,
+  // weighted by energy.
   void trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>& echoes);
 
  private:
@@ -64,7 +65,7 @@ class BeamTracer {
   std::vector<Touch> touches_;
 };
 
-// Surfaces further from the station than this are not followed.
+// Surfaces farther from the station than this are ignored.
 constexpr double kMaxRange = 300;  // metres
 
 }  // namespace ilot::scan

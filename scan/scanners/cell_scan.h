@@ -13,10 +13,10 @@
 
 namespace ilot::scan {
 
-// Point format 6 with the extra bytes true_class u8 and true_plane u32.
+// Returns the layout: point format 6 with the extra bytes true_class u8 and true_plane u32.
 RecordLayout scan_layout();
 
-// Reads true_plane of a record of that layout.
+// Reads true_plane of a record in that layout.
 std::uint32_t true_plane_of(const std::byte* record);
 
 // One echo of a pulse.
@@ -28,13 +28,13 @@ struct Return {
 
 constexpr std::uint32_t kGroundPlane = 1;
 
-// Traces the pulses aimed at one cell. Keeps a view of the cell; several threads need a tracer each.
+// Traces the pulses that are aimed at one cell. It keeps a view of the cell. Each thread needs its own tracer.
 class CellTracer {
  public:
-  // The cell's plane p bears the id first_plane + p.
+  // Plane p of the cell gets the id first_plane + p.
   CellTracer(const Cell& cell, const Ground& ground, std::uint32_t first_plane);
 
-  // The echoes of one pulse, nearest first, at least one. `rng` decides what crowns let through.
+  // Finds the echoes of one pulse, nearest first. There is at least one. `rng` decides what crowns let through.
   void trace(const Ray& ray, Rng& rng, std::vector<Return>& returns);
 
  private:
@@ -45,8 +45,8 @@ class CellTracer {
   std::vector<PulseEcho> echoes_;
 };
 
-// Records of all the pulses aimed at the cell, in the order of the flight plan, echoes of a pulse nearest
-// first. noise: standard deviation of the range in metres.
+// Returns the records of all pulses that are aimed at the cell, in the order of the flight plan. Echoes of a pulse are
+// nearest first. `noise` is the standard deviation of the range in metres.
 std::vector<std::byte> scan_cell(const Cell& cell, const FlightPlan& flight, const Ground& ground,
                                  std::uint32_t first_plane, double noise);
 

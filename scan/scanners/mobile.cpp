@@ -10,9 +10,9 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kNearest = 0.8;  // metres: nearer echoes come from the vehicle itself
+constexpr double kNearest = 0.8;  // metres: nearer echoes are from the vehicle itself
 
-// Leaves stop two pulses in three, sooner rather than later along their way through a crown.
+// Leaves stop two pulses in three, more likely early than late on the path through a crown.
 std::optional<double> leaf_range(const std::vector<CrownHit>& crowns, double farthest, Rng& rng) {
   std::optional<double> nearest;
   for (const CrownHit& hit : crowns) {

@@ -5,7 +5,7 @@
 
 namespace ilot::scan {
 
-// Where a thing stands and looks to: turned up about its y axis, then about z, then moved.
+// The position and direction of an object: it is turned up about its y axis, then turned about z, then moved.
 struct Pose {
   Vec3 base;
   SinCos heading;
@@ -17,15 +17,16 @@ struct Pose {
 
 Solid placed(const Solid& solid, const Pose& pose);
 
-// A box on the ground plan that may be turned.
+// A box in the ground plan that may be turned.
 struct PlanBox {
   double x = 0, y = 0;  // centre
   SinCos heading;
   double half_length = 0, half_width = 0;  // along and across the heading
 };
 
-// Whether two boxes come closer than `apart`; for a negative one, whether they overlap by more than that. Exact for
-// boxes that overlap, and for separate ones no further than the gap between their sides.
+// Returns whether two boxes are closer than `apart`. If `apart` is negative, returns whether they overlap by more than
+// its absolute value. The result is exact for boxes that overlap. For separate boxes the distance is at most the gap
+// between their sides.
 bool closer(const PlanBox& a, const PlanBox& b, double apart);
 
 }  // namespace ilot::scan

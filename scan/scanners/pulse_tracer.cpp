@@ -7,10 +7,10 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::size_t kMaxEchoes = 5;
-constexpr double kMinSeparation = 0.5;  // metres between echoes that the receiver tells apart
+constexpr double kMinSeparation = 0.5;  // metres between echoes that the receiver can distinguish
 
-// Leaves stop a pulse somewhere along its chord, sooner rather than later; half of the light goes on. Returns whether
-// any of it reaches the last echo.
+// Leaves stop a pulse somewhere along its chord, more likely early than late. Half of the light continues. Returns
+// whether any of it reaches the last echo.
 bool add_crown_echoes(std::span<const CrownHit> crowns, double last, Rng& rng, std::vector<PulseEcho>& echoes) {
   bool passes = true;
   for (const CrownHit& hit : crowns) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What comes back of a pulse from above: echoes from crowns that let part of it through, then from what is solid.
+// The echoes of a pulse from above: first from crowns, which let a part of it through, then from a solid or the ground.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -17,17 +17,17 @@ struct PulseEcho {
   std::uint32_t face = 0;  // number in the list of faces of the scene
 };
 
-// The echoes of a pulse that meets these crowns on its way to what is solid, `last`: nearest first, at least one, at
-// most five. `rng` decides what crowns let through.
+// Finds the echoes of a pulse that crosses these crowns before it meets `last`, a solid or the ground. Nearest first,
+// at least one and at most five. `rng` decides what crowns let through.
 void find_echoes(std::span<const CrownHit> crowns, const PulseEcho& last, Rng& rng, std::vector<PulseEcho>& echoes);
 
-// Traces pulses over a plane of ground with solids and crowns on it. The scene must outlive it; several threads need a
-// tracer each and may share the scene.
+// Traces pulses over a plane of ground with solids and crowns on it. The scene must outlive the tracer. Each thread
+// needs its own tracer; tracers may share the scene.
 class PulseTracer {
  public:
   PulseTracer(const RayScene& scene, const Plane& ground) : scene_(scene), ground_(ground) {}
 
-  // The echoes, as find_echoes has them. The ray points down.
+  // Finds the echoes as find_echoes does. The ray must point down.
   void trace(const Ray& ray, Rng& rng, std::vector<PulseEcho>& echoes);
 
  private:

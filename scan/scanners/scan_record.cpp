@@ -11,7 +11,8 @@ constexpr std::uint8_t kFormat = 7;
 constexpr std::size_t kStandardSize = 36, kGpsTime = 22, kRgb = 30;
 constexpr std::size_t kTrueClass = 36, kTruePlane = 37, kTrueElement = 41, kRecordSize = 45;
 
-// EPSG:2154 as WKT 1, the form LAS 1.4 asks for. A constant: PROJ's own text changes with its version.
+// EPSG:2154 as WKT 1, the form that LAS 1.4 requires. It is a constant because the text of PROJ changes with its
+// version.
 constexpr const char* kLambert93 =
     R"(PROJCS["RGF93 v1 / Lambert-93",GEOGCS["RGF93 v1",DATUM["Reseau_Geodesique_Francais_1993_v1",)"
     R"(SPHEROID["GRS 1980",6378137,298.257222101,AUTHORITY["EPSG","7019"]],AUTHORITY["EPSG","6171"]],)"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where scenes stand on the French national grid, and what the points of coloured scenes look like as records.
+// The position of the scenes on the French national grid, and the record format of the points of coloured scenes.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,15 +10,15 @@
 
 namespace ilot::scan {
 
-// World coordinates of every scene's own origin, on the French national grid (EPSG:2154).
+// World coordinates of the origin of every scene, on the French national grid (EPSG:2154).
 constexpr double kEastOrigin = 651000, kNorthOrigin = 6861000;
 constexpr Vec3 kSceneOrigin{kEastOrigin, kNorthOrigin, 0};
 
-// Point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32; the
-// user data are the true material. grid: metres per coordinate unit.
+// Returns the layout: point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32. The
+// user data contain the true material. `grid` is in metres per coordinate unit.
 RecordLayout coloured_layout(double grid);
 
-// A cloud to write records of that layout into, in EPSG:2154.
+// Returns the specification of a cloud for records of that layout, in EPSG:2154.
 CloudSpec cloud_spec(const RecordLayout& layout);
 
 struct ColouredPoint {
@@ -37,14 +37,14 @@ struct ColouredPoint {
 
 void append_record(std::vector<std::byte>& records, const ColouredPoint& point, const RecordLayout& layout);
 
-// The truth that a record of that layout carries.
+// The truth in a record of that layout.
 struct RecordTruth {
   std::uint8_t true_class = 0;
   std::uint32_t true_plane = 0, true_element = 0;
 };
 RecordTruth truth_of(const std::byte* record);
 
-// Its place, metres in the scene.
+// Returns the position of the record, in metres in the scene.
 Vec3 place_of(const std::byte* record, const RecordLayout& layout);
 
 }  // namespace ilot::scan

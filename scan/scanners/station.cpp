@@ -7,9 +7,9 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kMaxElevation = 88;  // degrees, of a window
+constexpr double kMaxElevation = 88;  // degrees; of a window
 
-// Angle in degrees of a place `across` to the side and `ahead` in front, within [-180, 180].
+// Returns the angle in degrees of a position that is `across` to the side and `ahead` in front, within [-180, 180].
 double angle_deg(double across, double ahead) {
   if (std::abs(across) > std::abs(ahead)) return (across < 0 ? -90 : 90) - atan_deg(ahead / across);
   if (ahead == 0) return 0;

@@ -10,8 +10,8 @@
 
 namespace ilot::scan {
 
-// Angles in degrees, about the station's forward direction; azimuth to the right, elevation up. |azimuth| < 180,
-// |elevation| < 90.
+// Angles in degrees, relative to the forward direction of the station. Azimuth is positive to the right, elevation
+// upwards. |azimuth| < 180, |elevation| < 90.
 struct AngleWindow {
   double left = 0, right = 0, low = 0, high = 0;
 };
@@ -24,17 +24,17 @@ struct StationParams {
   AngleWindow window;
 };
 
-// A station that looks at the middle of a box and scans all of it, up to 88 degrees above and below the horizon. The
-// box must not hold the station.
+// Returns a station that looks at the middle of a box and scans all of it, up to 88 degrees above and below the
+// horizon. The box must not contain the station.
 StationParams station_towards(std::uint16_t id, Vec3 position, const Box3<Vec3>& target, double step_deg);
 
-// Where a pulse points: the axis of the beam and two directions perpendicular to it, all of unit length.
+// The direction of a pulse: the axis of the beam and two directions perpendicular to it, all of unit length.
 struct Aim {
   Vec3 axis, right, up;
 };
 
-// The pulses of a station: columns from left to right, rows upwards. A pulse's angles are whole multiples of the steps,
-// whatever the window.
+// The pulses of a station: columns from left to right, rows upwards. The angles of a pulse are integer multiples of the
+// steps and do not depend on the window.
 class StationGrid {
  public:
   explicit StationGrid(const StationParams& params);
@@ -42,11 +42,11 @@ class StationGrid {
   std::uint64_t columns() const { return columns_; }
   std::uint64_t rows() const { return rows_.size(); }
 
-  // The sine and cosine of the column's azimuth serve all its rows.
+  // The sine and cosine of the azimuth of a column are computed once for all its rows.
   SinCos azimuth(std::uint64_t column) const;
   Aim aim(const SinCos& azimuth, std::uint64_t row) const;
 
-  // The same for the same angles, whatever the window.
+  // Returns a key that depends on the angles only and not on the window.
   std::uint64_t key(std::uint64_t column, std::uint64_t row) const;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// NAME.stations.csv: where the scanners of a scene stood and how they turned, as `ilot run --stations` reads it.
+// NAME.stations.csv: the positions and directions of the scanners of a scene, in the format that `ilot run --stations`
+// reads.
 #pragma once
 #include <filesystem>
 #include <span>
@@ -8,10 +9,10 @@
 
 namespace ilot::scan {
 
-// NAME.stations.csv of NAME.las.
+// Returns NAME.stations.csv for NAME.las.
 std::filesystem::path stations_path(const std::filesystem::path& cloud);
 
-// World coordinates, degrees, a line a station. Whole or not at all. Throws Error.
+// Writes world coordinates and degrees, one line per station. The file is written whole or not at all. Throws Error.
 void write_stations(const std::filesystem::path& path, std::span<const StationParams> stations);
 
 }  // namespace ilot::scan

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::uint64_t kGrainPulses = 1 << 16, kGrainsAtOnce = 24;
 constexpr double kPulseRate = 100000, kStationSeconds = 3600, kFirstSecond = 200000;
-constexpr double kIntensityRange = 8;  // metres: a white, perpendicular surface fills the scale there
+constexpr double kIntensityRange = 8;  // metres: at this range a white, perpendicular surface fills the scale
 constexpr double kMostPilotPulses = 400000, kLeastPilotPulses = 60000;
 
-// Columns [first, first + count) of a station.
+// The columns [first, first + count) of a station.
 struct Grain {
   std::size_t station = 0;
   std::uint64_t first = 0, count = 0;
@@ -97,7 +97,7 @@ class TerrestrialScanner {
     point.return_count = static_cast<std::uint8_t>(echoes.size());
     point.source = station.id;
     point.gps_time = second;
-    // Mixing that the noise would hide leaves the point to its main surface.
+    // If the noise is larger than the effect of mixing, the point belongs to its main surface.
     if (std::abs(echo.range - echo.surface_range) <= std::max(scan_.beam.range_noise, scan_.grid)) {
       point.true_class = label.true_class;
       point.true_plane = label.plane;
@@ -112,7 +112,7 @@ class TerrestrialScanner {
   RecordLayout layout_;
   PartScene scene_;
   std::vector<StationGrid> grids_;
-  std::vector<Vec3> shifts_;  // of the stations' places as registered
+  std::vector<Vec3> shifts_;  // registration errors of the positions of the stations
 };
 
 void scale_steps(TerrestrialScan& scan, double factor) {
@@ -128,7 +128,7 @@ std::uint64_t count_points(const TerrestrialScan& scan) {
   return bytes / coloured_layout(scan.grid).record_length;
 }
 
-// Points per plane and per element, by id.
+// Counts points per plane and per element, by id.
 struct Tally {
   std::vector<std::uint64_t> planes, elements, classes = std::vector<std::uint64_t>(256);
   std::uint64_t points = 0;

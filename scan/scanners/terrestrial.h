@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Scenes scanned from tripods: their parts with the truth about them, and the scan, streamed in grains of fixed size.
+// Scenes that are scanned from tripods: their parts with the truth about them, and the scan, which runs in grains of
+// fixed size.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -20,7 +21,7 @@
 
 namespace ilot::scan {
 
-// The value of true_class of points that hang between two surfaces. They have no plane and no element.
+// The value of true_class of points between two surfaces. They have no plane and no element.
 constexpr std::uint8_t kMixedClass = 0;
 
 struct TerrestrialScene {
@@ -34,33 +35,34 @@ struct TerrestrialScene {
   std::vector<TrueControlPoint> control_points;
   std::vector<TrueBuilding> buildings;
   std::vector<StationParams> stations;
-  Box3<Vec3> keep;  // what lies outside is cut off, as an office cuts a facade out of its scan
+  Box3<Vec3> keep;  // points outside are removed, as an office cuts a facade out of its scan
 };
 
 struct TerrestrialScan {
   TerrestrialScene scene;
   BeamParams beam;
-  double registration = 0;  // metres: standard deviation of each station's place, per axis; its points move along
+  double registration = 0;  // metres: standard deviation of each station's position, per axis; its points move with it
   double grid = 0.0001;     // metres per coordinate unit
   std::uint64_t seed = 0;
 };
 
-// A scan without a scene, from the options that all terrestrial scenes share.
+// Returns a scan without a scene, from the options that all terrestrial scenes share.
 TerrestrialScan empty_scan(const SceneValues& values, std::uint64_t seed);
 
-// Scales all angular steps so that about so many points come out: a sparse scan of the same scene is counted first.
-// Exact to about 1 % from 100,000 points on.
+// Scales all angular steps so that the scan gives about this number of points. To do so, it first counts a sparse scan
+// of the same scene. The result is within about 1 % from 100,000 points on.
 void fit_points(TerrestrialScan& scan, std::uint64_t points);
 
-// Scans station after station, from left to right, and hands the records of coloured_layout() over in order. Grains of
-// a fixed number of pulses are scanned in parallel, a batch of bounded size at a time, on the threads of the calling
-// arena; what is handed over does not depend on their number.
+// Scans the stations one after the other, each from left to right, and passes the records of coloured_layout() to
+// `take` in order. Grains of a fixed number of pulses are scanned in parallel, in batches of bounded size, on the
+// threads of the calling arena. The result does not depend on the number of threads.
 void scan_terrestrial(const TerrestrialScan& scan, const std::function<void(std::span<const std::byte>)>& take);
 
-// Scans into a cloud and its truth, each whole or not at all. Memory does not grow with the points. Throws Error.
+// Scans into a cloud and its truth. Each file is written whole or not at all. Memory does not grow with the points.
+// Throws Error.
 ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& request);
 
-// The entry in the table of scenes of a terrestrial scene, from the function that plans it.
+// Makes the entry of a terrestrial scene in the table of scenes from the function that plans it.
 template <TerrestrialScan (*plan)(const SceneValues& values, std::uint64_t seed)>
 ScanCounts scan_planned(const ScanRequest& request) {
   TerrestrialScan scan = plan(request.values, request.seed);

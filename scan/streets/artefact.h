@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What stands in a street: cars, lampposts, pedestrians and other things, each of several variants, built from boxes,
+// The objects of a street: cars, lampposts, pedestrians and others. Each class has several variants, built from boxes,
 // prisms, cylinders, cones and spheres.
 #pragma once
 #include <cstdint>
@@ -17,32 +17,33 @@ namespace ilot::scan {
 enum class ArtefactClass : std::uint8_t { car, lamppost, pedestrian, other };
 const char* name_of(ArtefactClass artefact_class);
 
-// In its own frame: x ahead, y to the left, z up, standing on z = 0 about the origin. The surfaces of the solids are
-// values of Material.
+// An object in its own frame: x ahead, y to the left, z up. It stands on z = 0 around the origin. The surface ids of
+// the solids are values of Material.
 struct Artefact {
   std::vector<Solid> solids;
 
   void box(Vec3 centre, Vec3 size, Material material);
-  // A convex outline in the plane x z, swept over the width about y = 0. Faces as those of prism().
+  // Adds a convex outline in the plane x z, swept over the width about y = 0. Faces are numbered as those of prism().
   Solid& profile(std::span<const FlatPoint> outline, double width, Material material);
-  // A convex outline in the plane x y, from one height to another.
+  // Adds a convex outline in the plane x y, from one height to another.
   void column(std::span<const FlatPoint> outline, double from, double to, Material material);
-  void rod(Vec3 from, Vec3 to, double radius, Material material);  // a cylinder between two places
+  void rod(Vec3 from, Vec3 to, double radius, Material material);  // a cylinder between two positions
   void disc(Vec3 centre, Vec3 axis, double thickness, double radius, Material material);
   void ball(Vec3 centre, double radius, Material material);
-  // A cone about z that narrows from one radius at the bottom to another, smaller one at the top.
+  // Adds a cone about z that narrows from one radius at the bottom to another, smaller one at the top.
   void taper(Vec3 base, double height, double bottom_radius, double top_radius, Material material);
 };
 
 Box3<Vec3> bounds_of(const Artefact& artefact);
 
-// Names of the variants of a class, at least five. Of `other` each stands as often as it comes among 144 things.
+// Returns the names of the variants of a class, at least five. A variant of `other` is listed as often as it occurs
+// among 144 objects.
 std::span<const std::string_view> variants_of(ArtefactClass artefact_class);
 
-// Draws the sizes that differ within a variant. The variant must be one of the class.
+// Makes an object. Draws the sizes that differ within a variant. The variant must belong to the class.
 Artefact make_artefact(ArtefactClass artefact_class, std::string_view variant, Rng& rng);
 
-// The four sources of the above.
+// The four functions that make_artefact() calls.
 Artefact make_car(std::string_view variant, Rng& rng);
 Artefact make_lamppost(std::string_view variant, Rng& rng);
 Artefact make_pedestrian(std::string_view variant, Rng& rng);

@@ -6,10 +6,10 @@
 namespace ilot::scan {
 namespace {
 
-// Metres. The cabin's corners are measured from the rear bumper.
+// Lengths in metres. The corners of the cabin are measured from the rear bumper.
 struct CarSize {
   double length, width, height;
-  double tail, rear, front, screen;  // cabin: foot and top behind, top and foot ahead
+  double tail, rear, front, screen;  // cabin: bottom and top at the rear, top and bottom at the front
 };
 
 CarSize size_of(std::string_view variant) {

@@ -41,7 +41,7 @@ void make_bicycle(Artefact& a, Rng& rng) {
   a.box({-0.18, 0, 0.95}, {0.26, 0.16, 0.07}, Material::iron);
 }
 
-// As tall as a person.
+// A parking meter is as tall as a person.
 void make_parking_meter(Artefact& a, Rng& rng) {
   const double h = 1.45 + 0.3 * rng.uniform();
   a.rod({0, 0, 0}, {0, 0, h - 0.5}, 0.1, Material::iron);
@@ -58,7 +58,7 @@ void make_pay_station(Artefact& a, Rng& rng) {
 void make_bus_shelter(Artefact& a, Rng& rng) {
   const double length = 3.4 + 1.2 * rng.uniform();
   a.box({0, 0, 2.42}, {1.5, length + 0.3, 0.1}, Material::zinc);
-  // The panes let the light through: of the back only their rails are there, at the end a poster.
+  // The panes let the light through, so the back has only their rails. There is a poster at the end.
   for (double z : {0.3, 1.2, 2.2}) a.box({-0.62, 0, z}, {0.04, length, 0.06}, Material::zinc);
   a.box({-0.1, -length / 2, 1.25}, {1.0, 0.12, 1.9}, Material::white_target);
   for (double y : {-length / 2, length / 2})

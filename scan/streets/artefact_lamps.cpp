@@ -8,7 +8,7 @@ void add_foot(Artefact& lamp, double height, double radius) {
   lamp.taper({0, 0, 0}, height, radius, 0.6 * radius, Material::iron);
 }
 
-// An arm ahead with a lamp at its end.
+// Adds an arm in forward direction with a lamp at its end.
 void add_arm(Artefact& lamp, double height, double reach) {
   lamp.rod({0, 0, height - 0.3}, {reach, 0, height}, 0.04, Material::iron);
   lamp.box({reach + (reach > 0 ? 0.25 : -0.25), 0, height}, {0.7, 0.3, 0.14}, Material::iron);
@@ -16,7 +16,7 @@ void add_arm(Artefact& lamp, double height, double reach) {
 
 }  // namespace
 
-// x points to the road.
+// The x axis points to the road.
 Artefact make_lamppost(std::string_view variant, Rng& rng) {
   const double stretch = 0.9 + 0.2 * rng.uniform();
   Artefact lamp;

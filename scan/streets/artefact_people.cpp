@@ -6,7 +6,7 @@
 namespace ilot::scan {
 namespace {
 
-// Half axes of an ellipse, as eight corners on it.
+// Returns eight corners on an ellipse with the given half axes.
 std::array<FlatPoint, 8> oval(double x, double y) {
   constexpr double kDiagonal = 0.70710678118654752;
   return {{{x, 0},

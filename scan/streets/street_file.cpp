@@ -99,7 +99,7 @@ std::map<int, std::string> material_names(const StreetModel& model) {
   return names;
 }
 
-// What is written of a street, whoever scans it.
+// The part of the output of a street that does not depend on the scanner.
 class StreetFile {
  public:
   StreetFile(const ScanRequest& request, const std::string& settings, double noise, const StreetStage& stage)
@@ -127,7 +127,7 @@ class StreetFile {
     request_.written(records.size() / layout_.record_length);
   }
 
-  // Planes, objects and blocks; before what the scanner adds to the truth.
+  // Adds planes, objects and blocks. The scanner adds its own truth afterwards.
   void add_street() {
     for (const TruePlane& plane : stage_.model.planes) truth_.add(in_scene(plane, on_plane_[plane.id]));
     for (const StreetObject& object : stage_.objects) truth_.add(in_scene(object, on_object_[object.id]));

@@ -31,12 +31,12 @@ constexpr std::array<SceneOption, 10> kFlight{{
 constexpr double kGrid = 0.001;        // metres per coordinate unit
 constexpr double kTile = 40;           // metres
 constexpr std::size_t kAtOnce = 32;    // tiles
-constexpr double kAhead = 10;          // metres that are seen beyond the ends of the street
-constexpr double kGlass = 2.0 / 3;     // of the pulses on it go elsewhere
-constexpr double kDarkCars = 1.0 / 3;  // of the cars; the paint of the others gives all of the light back
+constexpr double kAhead = 10;          // metres beyond the ends of the street that are scanned
+constexpr double kGlass = 2.0 / 3;     // share of the pulses on glass that are mirrored away
+constexpr double kDarkCars = 1.0 / 3;  // share of the cars; the paint of the others returns all of the light
 constexpr double kEchoes = 1.05;       // per pulse (measured)
 
-// The road's plane in the scene.
+// Returns the plane of the road in the scene.
 Ground ground_of(const Street& street) {
   const SinCos h = street_heading();
   const Vec3 origin = street_to_scene({0, 0, 0});
@@ -48,7 +48,7 @@ bool is_seen(const Street& street, Vec3 p, double beyond = 0) {
   return p.x >= -kAhead - beyond && p.x <= street.length + kAhead + beyond && std::abs(p.y) <= kGardenTo + beyond;
 }
 
-// Tiles of the scene that may hold some of what is seen.
+// Returns the tiles of the scene that may contain a part of what is scanned.
 std::vector<Rect> tiles_of(const Street& street) {
   double x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   for (const double s : {-kAhead, street.length + kAhead})
@@ -80,7 +80,7 @@ struct Overflight {
         plan(f.flight, ground_of(s.street), f.street.seed) {}
 };
 
-// Whether the light goes elsewhere.
+// Returns whether the light is mirrored away.
 bool is_mirrored(const Overflight& scene, const SurfaceLabel& label, Rng& rng) {
   if (label.material == Material::glass) return rng.uniform() < kGlass;
   if (label.material != Material::car_paint) return false;
@@ -94,7 +94,7 @@ ColouredPoint point_of(const SurfaceLabel& label, Vec3 surface_place, double cos
   return point;
 }
 
-// The echoes of one pulse, as records.
+// Makes records of the echoes of one pulse.
 void follow(const Overflight& scene, Pulse& pulse, std::vector<PulseEcho>& echoes, CastResult& crowns,
             std::vector<std::byte>& records) {
   static const SurfaceLabel leaves{static_cast<std::uint8_t>(StreetClass::vegetation), 0, 0, Material::foliage};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `street-air`: the street of the scene `street`, and the gardens behind its houses, seen from flight lines.
+// The scene `street-air`: the street of the scene `street` and the gardens behind its houses, scanned from flight
+// lines.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -17,21 +18,21 @@ struct StreetFlight {
   StreetParams street;
   AirborneParams flight;
   double noise = 0.02;    // metres, standard deviation of the range
-  double gardens = 4;     // things behind the houses, per block and side
+  double gardens = 4;     // objects behind the houses, per block and side
   double mirrored = 0.6;  // share of the pulses that the darkest paint of a car mirrors away
 };
 
 StreetFlight plan_street_flight(const SceneValues& values, std::uint64_t seed);
 
-// The street as that of scan_street, with its gardens.
+// Makes the street of scan_street with its gardens.
 StreetStage set_stage(const StreetFlight& flight);
 
-// Chooses the density so that about so many points come out.
+// Chooses the density that gives about this number of points.
 void fit_points(StreetFlight& flight, const StreetStage& stage, std::uint64_t points);
 
-// Hands over records of coloured_layout(0.001) of what lies up to the end of the gardens. Glass mirrors two thirds of
-// the pulses away, the paint of one car in three a share of its own, evenly drawn up to `mirrored`. Tiles are scanned
-// in parallel, a batch of bounded size at a time; what is handed over does not depend on the threads.
+// Passes records of coloured_layout(0.001) to `take`, up to the far end of the gardens. Glass mirrors two thirds of the
+// pulses away. The paint of one car in three mirrors a share of its own away, which is drawn evenly up to `mirrored`.
+// Tiles are scanned in parallel, in batches of bounded size. The result does not depend on the threads.
 void scan_street_flight(const StreetFlight& flight, const StreetStage& stage,
                         const std::function<void(std::span<const std::byte>)>& take);
 

@@ -9,8 +9,8 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kSunk = 0.3;          // metres that walls and sheds reach below the ground
-constexpr double kHedgeSpacing = 0.6;  // of its bushes
+constexpr double kSunk = 0.3;          // metres below the ground that walls and sheds reach
+constexpr double kHedgeSpacing = 0.6;  // metres between the bushes of a hedge
 
 class VegetationBuilder {
  public:
@@ -48,7 +48,7 @@ class VegetationBuilder {
            height * between(0.9, 1.1));
   }
 
-  // Its trunk is thinner than what pulses from so high tell apart.
+  // The trunk is left out: it is thinner than pulses from this height can resolve.
   void tree(double s, double t) {
     const double half = between(1.2, 3), radius = between(1, 3), foot = between(0.3, 2.5);
     stage_.model.crowns.push_back({{s, t, ground(s, t) + foot + half}, {radius, radius, half}});

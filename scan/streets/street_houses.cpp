@@ -8,7 +8,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr double kDoorHeight = 2.6, kShopHead = 3.0, kSill = 0.9;
-constexpr double kBelowGround = 2.5;  // how far walls reach below the threshold
+constexpr double kBelowGround = 2.5;  // metres below the threshold that walls reach
 constexpr double kRoofRise = 2.6, kRoofRun = 1.3;
 
 struct Span {
@@ -23,7 +23,7 @@ SurfaceLabel label(StreetClass street_class, std::uint32_t plane, Material mater
   return {static_cast<std::uint8_t>(street_class), plane, 0, material};
 }
 
-// Works outwards from the axis: `out` is the distance from it.
+// Builds outwards from the axis: `out` is the distance from it.
 class HouseBuilder {
  public:
   HouseBuilder(StreetModel& model, const Street& street, const StreetHouse& house)
@@ -48,7 +48,7 @@ class HouseBuilder {
                                     {s.low, t + out.high - out.low, z.low}}};
     return prism(ring, {0, 0, z.high - z.low}, surface);
   }
-  // Faces of block(): the one towards the axis, then those at the ends.
+  // The faces of block(): first the one towards the axis, then those at the ends.
   std::size_t front_face() const { return house_.side > 0 ? 0 : 2; }
 
   double foot() const { return std::min(street_.road_height(house_.from), street_.road_height(house_.to)) - 0.3; }
@@ -83,7 +83,7 @@ class HouseBuilder {
       }
   }
 
-  // Strips of wall between the rows of windows, and piers within a row.
+  // Adds strips of wall between the rows of windows, and piers within a row.
   void add_front() {
     const Span all{house_.from, house_.to}, z{foot(), house_.eave()};
     TruePlane& front = add_plane(model_, "facade", upright_plane(kHalfStreet), upright_ring(kHalfStreet, all, z));
@@ -113,7 +113,7 @@ class HouseBuilder {
     add_wall(all, {top, house_.eave()});
   }
 
-  // The strip below the row of the ground floor stops at the door.
+  // Ends the strip below the windows of the ground floor at the door.
   void open_door(const Window& door, double low) {
     Part& strip = model_.scene.parts[first_strip_];
     strip = wall_block({door.s.high, house_.to}, {foot() - kBelowGround, low});
@@ -160,7 +160,7 @@ class HouseBuilder {
     add_moulding({house_.eave() - 0.35, house_.eave() + 0.05}, 0.3);
   }
 
-  // A mansard: steep towards the street and the yard, flat on top.
+  // Adds a mansard roof: steep towards the street and the yard, flat on top.
   void add_roof() {
     const double low = house_.eave(), near_side = kHalfStreet + 0.1, far_side = kHalfStreet + kHouseDepth;
     std::vector<Vec3> ring{at(house_.from, near_side, low), at(house_.from, far_side, low),

@@ -4,11 +4,11 @@
 
 namespace ilot::scan {
 
-// Adds a house: a wall with windows and a door cut kReveal deep out of it, string course, cornice and roof. Planes: the
-// front with its openings, what lies in them, the two sides, the roof's slope.
+// Adds a house: a wall with windows and a door that are cut kReveal deep into it, string course, cornice and roof. The
+// planes are the front with its openings, the planes inside the openings, the two sides and the slope of the roof.
 void add_house(StreetModel& model, const Street& street, const StreetHouse& house);
 
-// The next free true_plane, with its place in the truth.
+// Adds a plane with the next free true_plane and records it in the truth.
 TruePlane& add_plane(StreetModel& model, const char* surface_class, const Plane& plane, std::vector<Vec3> ring);
 
 }  // namespace ilot::scan

@@ -39,7 +39,7 @@ void add_road(StreetModel& model, const Street& street) {
   model.scene.parts.push_back(road);
 }
 
-// A slab whose upright sides are the kerbs.
+// Adds a slab. Its upright sides are the kerbs.
 void add_pavement(StreetModel& model, const Street& street, const StreetBlock& block, int side) {
   const double s0 = block.from - kCorner, s1 = block.to + kCorner;
   const double t0 = side > 0 ? kHalfRoad : -kCrossStreet, t1 = side > 0 ? kCrossStreet : -kHalfRoad;

@@ -23,11 +23,12 @@ enum class StreetClass : std::uint8_t {
 StreetClass class_of(ArtefactClass artefact_class);
 const char* name_of(StreetClass street_class);
 
-// The street as what rays meet, in street coordinates. true_plane numbers the planes, true_element the objects.
+// The street as the objects that rays meet, in street coordinates. true_plane numbers the planes, true_element the
+// objects.
 struct StreetModel {
   SceneModel scene;
   std::vector<Crown> crowns;
-  std::vector<TruePlane> planes;  // street coordinates; points not yet counted
+  std::vector<TruePlane> planes;  // street coordinates; points are not counted yet
 };
 
 StreetModel build_street_model(const Street& street, const std::vector<StreetObject>& objects);

@@ -17,7 +17,7 @@ struct Wanted {
 
 enum class Side : std::uint8_t { ahead, beside };
 
-// A thing by itself, or two that touch.
+// One object, or two objects that touch.
 struct Group {
   std::vector<Wanted> members;
   Side side = Side::beside;
@@ -28,7 +28,7 @@ void shuffle(std::vector<T>& list, Rng& rng) {
   for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[rng.below(i)]);
 }
 
-// So many of a class, every variant as often as it comes in the list of variants.
+// Returns `count` objects of a class. Each variant occurs in the proportion of the list of variants.
 std::vector<Wanted> deal(ArtefactClass artefact_class, std::uint64_t count, Rng& rng) {
   const auto variants = variants_of(artefact_class);
   std::vector<Wanted> dealt;
@@ -41,7 +41,7 @@ std::vector<Wanted> deal(ArtefactClass artefact_class, std::uint64_t count, Rng&
   return dealt;
 }
 
-// The last one that fits beside another anywhere on a pavement; the last one where there is none.
+// Takes the last object that fits beside another anywhere on a pavement. If there is none, takes the last object.
 Wanted take_small(std::vector<Wanted>& list) {
   constexpr std::array<std::string_view, 5> kLarge{"bus_shelter", "advert_column", "bench", "motorbike", "bicycle"};
   const auto small = std::find_if(list.rbegin(), list.rend(), [&](const Wanted& w) {
@@ -53,7 +53,7 @@ Wanted take_small(std::vector<Wanted>& list) {
   return wanted;
 }
 
-// Pairs of the classes by turns, until the share asked for touches another.
+// Makes pairs of the classes in turn until the requested share touches another object.
 std::vector<Group> group(const Street& street, Rng& rng) {
   constexpr auto kPerson = static_cast<std::size_t>(ArtefactClass::pedestrian);
   constexpr auto kOther = static_cast<std::size_t>(ArtefactClass::other);
@@ -80,7 +80,7 @@ std::vector<Group> group(const Street& street, Rng& rng) {
   for (const auto& wanted : left)
     for (const Wanted& w : wanted) rest.push_back({{w}, Side::beside});
   shuffle(rest, rng);
-  // Large things first, while there is room.
+  // Large objects come first, while there is room.
   std::stable_partition(rest.begin(), rest.end(), [](const Group& g) {
     return g.members[0].artefact_class == ArtefactClass::car || g.members[0].variant == "bus_shelter";
   });
@@ -88,7 +88,7 @@ std::vector<Group> group(const Street& street, Rng& rng) {
   return groups;
 }
 
-// Where a thing of its kind stands: distance from the axis, and where it looks to.
+// The position of an object of this kind: distance from the axis, and direction.
 struct Placement {
   double t = 0, heading_deg = 0;
 };
@@ -99,7 +99,7 @@ Placement draw_placement(const Wanted& wanted, int side, double lane, Rng& rng) 
   if (wanted.artefact_class == ArtefactClass::car) return {side * (kHalfRoad - 1.15), along + 0.2 * wobble};
   if (wanted.artefact_class == ArtefactClass::lamppost) return {side * (kHalfRoad + 0.45), to_road};
   if (wanted.artefact_class == ArtefactClass::pedestrian) {
-    // A few cross the road, clear of the vehicle.
+    // Some cross the road, away from the lane of the vehicle.
     const double away = lane < 0 ? 1 : -1, across = rng.uniform(), place = rng.uniform();
     const double t = across < 0.08 ? lane + away * (2.2 + 1.6 * place) : side * (kHalfRoad + 0.6 + 2.6 * place);
     return {t, 360 * rng.uniform() - 180};
@@ -114,7 +114,7 @@ Placement draw_placement(const Wanted& wanted, int side, double lane, Rng& rng) 
   return {side * (kHalfRoad + 0.55 + 0.15 * rng.uniform()), to_road + wobble};
 }
 
-// A box with the height of what stands in it above its foot.
+// A box with the height of its object above its base.
 struct Obstacle {
   PlanBox plan;
   double foot = 0, height = 0;
@@ -124,7 +124,7 @@ Obstacle obstacle_of(const StreetObject& object) {
   return {object.plan, object.pose.base.z, object.box.max.z};
 }
 
-// Whether the way from a head of the scanner to a place is free of an obstacle.
+// Returns whether an obstacle leaves the line from a head of the scanner to a position free.
 bool passes(Vec3 head, Vec3 place, const Obstacle& obstacle) {
   constexpr int kSteps = 40;
   for (int step = 1; step < kSteps; ++step) {
@@ -144,7 +144,7 @@ class Placer {
   std::vector<StreetObject> place() {
     const std::vector<Group> groups = group(street_, rng_);
     for (std::size_t i = 0; i < groups.size(); ++i) {
-      // Spread over the blocks; where one is full, the next will do.
+      // Objects are spread over the blocks. If a block is full, the next one is used.
       const std::size_t first = rng_.below(street_.blocks.size());
       bool done = false;
       for (std::size_t k = 0; k < street_.blocks.size() && !done; ++k)
@@ -206,7 +206,7 @@ class Placer {
                    (object.box.max.x - object.box.min.x) / 2, (object.box.max.y - object.box.min.y) / 2};
   }
 
-  // The sides of their boxes meet, and the shapes where they reach furthest.
+  // Places the second object so that the sides of the boxes touch, and the shapes touch where they project most.
   void put_against(const StreetObject& first, StreetObject& second, Side side) const {
     const Vec3 offset = side == Side::ahead ? Vec3{first.box.max.x - second.box.min.x, 0, 0}
                                             : Vec3{0, first.box.max.y - second.box.min.y, 0};
@@ -215,13 +215,14 @@ class Placer {
                  first.pose.base.y + offset.x * h.sin + offset.y * h.cos);
   }
 
-  // Within the street, off the cross streets, clear of the kerb's edge and of everything else.
+  // Returns whether the object is in the street, not on a cross street, and clear of the kerb's edge and of all other
+  // objects.
   bool fits(const StreetObject& object) const {
     const PlanBox& plan = object.plan;
     const double across = std::abs(plan.half_length * plan.heading.sin) + std::abs(plan.half_width * plan.heading.cos);
     const double inner = std::abs(plan.y) - across, outer = std::abs(plan.y) + across;
     const bool road = outer<kHalfRoad - 0.02, pavement = inner> kHalfRoad + 0.02 && outer < kHalfStreet - 0.35;
-    // Arms of lampposts reach over the road.
+    // The arms of lampposts project over the road.
     if (!road && !pavement && object.artefact_class != ArtefactClass::lamppost) return false;
     const bool clear =
         std::none_of(trees_.begin(), trees_.end(), [&](const PlanBox& tree) { return closer(plan, tree, kClearance); });
@@ -234,7 +235,7 @@ class Placer {
     return std::abs(a.plan.x - b.plan.x) < 14;
   }
 
-  // Whether at least one head sees the upper part of an object past all others and one more.
+  // Returns whether at least one head sees the upper part of an object past all others and past `more`.
   bool seen(const StreetObject& object, const StreetObject& more) const {
     const Viewpoint& scanner = street_.params.scanner;
     const Vec3 top{object.plan.x, object.plan.y, object.pose.base.z + 0.75 * object.box.max.z};

@@ -9,7 +9,7 @@
 namespace ilot::scan {
 namespace {
 
-constexpr double kFirstBlock = 12;  // metres of street before the first block and behind the last
+constexpr double kFirstBlock = 12;  // metres of street before the first block and after the last
 
 void add_blocks(Street& street, Rng& rng) {
   double s = kFirstBlock;

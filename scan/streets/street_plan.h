@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plan of the scene `street`: a straight street with pavements, blocks of houses on both sides, cross streets
-// between the blocks. Street coordinates: s along the street, t to the left of its axis, z up; metres.
+// The plan of the scene `street`: a straight street with pavements, blocks of houses on both sides, and cross streets
+// between the blocks. In street coordinates, s runs along the street, t to the left of its axis and z up, in metres.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace ilot::scan {
 
-// Where the scanning vehicle drives, and how far its scanning planes are turned from straight across.
+// The path of the scanning vehicle, and the turn of its scanning planes from straight across.
 struct Viewpoint {
   double lane = -1.6, height = 2.6, turned_deg = 40;
 };
@@ -21,16 +21,16 @@ struct StreetParams {
   double slope_percent = 2;  // rising with s
   double touching = 0.15;    // share of the objects that touch another
   double trees = 1.5;        // per block
-  Viewpoint scanner;         // nothing stands in its lane, and it sees some of everything
+  Viewpoint scanner;         // no object stands in its lane, and it sees a part of every object
   std::uint64_t seed = 0;
 };
 
 constexpr double kHalfRoad = 5.6, kHalfStreet = 9.6;  // the pavements lie between
 constexpr double kKerb = 0.12;
-constexpr double kCorner = 1.5;   // of pavement around a block, along the cross streets
-constexpr double kReveal = 0.25;  // how deep windows lie
+constexpr double kCorner = 1.5;   // width of pavement around a block, along the cross streets
+constexpr double kReveal = 0.25;  // depth of the windows in the wall
 constexpr double kHouseDepth = 11;
-constexpr double kCrossStreet = 45;  // how far pavements reach from the axis
+constexpr double kCrossStreet = 45;  // distance from the axis to which pavements reach
 
 struct StreetHouse {
   int side = 1;  // 1 = left, -1 = right
@@ -67,15 +67,15 @@ struct Street {
   double ground_height(double s, double t) const { return road_height(s) + (on_pavement(s, t) ? kKerb : 0); }
 };
 
-// Pure: the same street for the same parameters.
+// Plans the street. The function is pure: the same parameters give the same street.
 Street plan_street(const StreetParams& params);
 
-// From street coordinates to metres in the scene: the street runs 23 degrees north of east.
+// Street coordinates are turned and moved into metres in the scene. The street runs 23 degrees north of east.
 SinCos street_heading();
 constexpr double kStreetHeadingDeg = 23;
 Vec3 street_to_scene(Vec3 p);
 
-// Back from the scene; turned_to_street of directions.
+// The inverse functions. turned_to_street is for directions.
 Vec3 scene_to_street(Vec3 p);
 Vec3 turned_to_street(Vec3 v);
 

@@ -29,9 +29,9 @@ constexpr std::array<SceneOption, 12> kStreet{{
 }};
 
 constexpr double kGrid = 0.001;          // metres per coordinate unit
-constexpr std::uint64_t kStretch = 8;    // turns scanned at a time
+constexpr std::uint64_t kStretch = 8;    // turns that are scanned together
 constexpr std::size_t kStretches = 64;   // per batch
-constexpr double kFullIntensity = 14.0;  // metres at which half of the light fills half of the scale
+constexpr double kFullIntensity = 14.0;  // metres; half of the light fills half of the scale there
 
 struct Rays {
   PartScene parts;
@@ -75,7 +75,7 @@ MobileScene mobile_scene(const StreetStage& stage, const Rays& rays) {
   return {stage.model.scene, rays.parts, rays.crowns, leaves, stage.street.base, stage.street.slope};
 }
 
-// Echoes of every n-th turn.
+// Counts the echoes of every n-th turn.
 std::uint64_t count_echoes(const MobileParams& drive, const StreetStage& stage, std::uint64_t every) {
   const Rays rays = make_rays(stage);
   const MobileScene scene = mobile_scene(stage, rays);
@@ -144,12 +144,12 @@ StreetStage set_stage(StreetScan& scan) {
 }
 
 void fit_points(StreetScan& scan, const StreetStage& stage, std::uint64_t points) {
-  // A sparse drive with its own spacing, whatever was asked for: a turn every 2.5 m, a pulse every degree.
+  // A sparse drive with its own spacing, independent of the request: a turn every 2.5 m, a pulse every degree.
   MobileParams sparse = scan.drive;
   sparse.profiles = 0.4;
   sparse.step_deg = 1;
   const double scale = std::sqrt(static_cast<double>(points) / static_cast<double>(count_echoes(sparse, stage, 1)));
-  // The proportion of profiles to pulses stays as set.
+  // The proportion of profiles to pulses does not change.
   const double shape = std::sqrt(scan.drive.profiles * scan.drive.step_deg / (sparse.profiles * sparse.step_deg));
   scan.drive.profiles = sparse.profiles * scale * shape;
   scan.drive.step_deg = sparse.step_deg / scale * shape;
@@ -161,7 +161,7 @@ void scan_street(const StreetScan& scan, const StreetStage& stage,
   const MobileScene scene = mobile_scene(stage, rays);
   const RecordLayout layout = coloured_layout(kGrid);
   const std::uint64_t turns = profile_count(scan.drive), stretches = (turns + kStretch - 1) / kStretch;
-  // Long turns make for few of them at a time: a batch holds a bounded number of pulses.
+  // A batch contains a bounded number of pulses, so it has few turns if they are long.
   const MobileScanner ready(scan.drive, scene);
   const std::uint64_t pulses = 2 * kStretch * ready.pulses_per_turn();
   const std::uint64_t at_once = std::clamp<std::uint64_t>(2'000'000 / pulses, 1, kStretches);

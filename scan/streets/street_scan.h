@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene `street`: blocks on both sides of a straight street and what stands on its pavements, scanned from a
+// The scene `street`: blocks on both sides of a straight street and the objects on its pavements, scanned from a
 // vehicle.
 #pragma once
 #include <cstddef>
@@ -18,28 +18,30 @@ std::span<const SceneOption> street_options();
 
 struct StreetScan {
   StreetParams street;
-  MobileParams drive;  // its ends follow from the street
+  MobileParams drive;  // its ends are computed from the street
 };
 
 StreetScan plan_street_scan(const SceneValues& values, std::uint64_t seed);
 
-// All that a scan needs, ready to be scanned.
+// All data that a scan needs.
 struct StreetStage {
   Street street;
   std::vector<StreetObject> objects;
   StreetModel model;
 };
 StreetStage set_stage(const StreetParams& street);
-StreetStage set_stage(StreetScan& scan);  // and the ends of its drive
+StreetStage set_stage(StreetScan& scan);  // also sets the ends of the drive
 
-// What a record says of the surface that it lies on: classes, colour, material and truth; the place chooses the colour.
+// Returns a point with what a record states about its surface: classes, colour, material and truth. The position
+// determines the colour.
 ColouredPoint labelled_point(const SurfaceLabel& label, Vec3 surface_place);
 
-// Chooses the density of profiles and pulses so that about so many points come out, both scaled alike.
+// Chooses the density of profiles and pulses that gives about this number of points. Both are scaled by the same
+// factor.
 void fit_points(StreetScan& scan, const StreetStage& stage, std::uint64_t points);
 
-// Scans from one end to the other and hands over records of coloured_layout(0.001) in order. Stretches of fixed length
-// are scanned in parallel, a batch of bounded size at a time; what is handed over does not depend on the threads.
+// Scans from one end to the other and passes records of coloured_layout(0.001) to `take` in order. Stretches of fixed
+// length are scanned in parallel, in batches of bounded size. The result does not depend on the threads.
 void scan_street(const StreetScan& scan, const StreetStage& stage,
                  const std::function<void(std::span<const std::byte>)>& take);
 

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boltcheva's roof polygons [D5 to D9] as written, on the scene `roofs`: the share of buildings whose polygons close
-// before vertices are projected, and the share that is still right after it; beside our own models by the same measure.
+// Tests Boltcheva's roof polygons [D5 to D9] as they are described, on the scene `roofs`. Prints the share of buildings
+// whose polygons close before vertices are projected, and the share that is still right afterwards. Our own models are
+// measured in the same way.
 //
-// The document counts a roof as done when the walk around each label's polygon comes back to its first vertex and the
-// polygon is not degenerate; after projection, when no vertex was put in a wrong place. It does not say what degenerate
-// and wrong are. Here: a polygon has three corners at least, an area, and does not touch itself in plan; after
-// projection the same, with the sense of its turn kept, every vertex within 1 cm of the planes of all its faces and
-// moved by less than --move (1 m) in plan; planes that have no common point fail. Outlines of windows that meet no
-// other line get no polygon: the document leaves them out on purpose, so they are counted apart ("no face lost").
-// A dormer at the eaves or the ridge meets other lines in two vertices alone, so its polygon is a line: it is open, as
-// the document has it, and a second count leaves it out like a window ("lines left out").
+// The document counts a roof as done when the walk around the polygon of each label returns to its first vertex and the
+// polygon is not degenerate. After projection, a roof is done when no vertex was put in a wrong position. The document
+// does not define degenerate and wrong. Here, a polygon must have at least three corners and an area, and must not
+// touch itself in plan. After projection the same conditions apply, and the polygon must keep its sense of rotation.
+// Every vertex must be within 1 cm of the planes of all its faces and must have moved by less than --move (1 m) in
+// plan. Planes without a common point are a failure. Outlines of windows that meet no other line get no polygon. The
+// document leaves them out on purpose, so they are counted separately ("no face lost"). A dormer at the eaves or the
+// ridge meets other lines in only two vertices, so its polygon is a line. It is open by the definition of the document,
+// and a second count leaves it out like a window ("lines left out").
 //
-// Where the document can be read in two ways the one that fails less is taken: its longest boundary chain, vertices
-// where planes meet are never removed, the line between two faces ends in the middle of the boundary's edge. Its walk
-// takes any unvisited neighbour that has the label ("by vertex"); "by edge" asks that the edge has it, too.
-// Planes are least squares through the points of a label. Labels: the true faces, or our own plane search, of which
-// each piece of a plane that the mesh holds together is a face, and pieces below --least points are left out.
+// Where the document is ambiguous, the reading that fails less is taken: its longest boundary chain is used, vertices
+// where planes meet are never removed, and the line between two faces ends in the middle of the boundary's edge. Its
+// walk takes any unvisited neighbour that has the label ("by vertex"); "by edge" requires that the edge has it, too.
+// Planes are fitted by least squares to the points of a label. Labels are the true faces or come from our own plane
+// search. In the second case each piece of a plane that is connected in the mesh is a face, and pieces of fewer than
+// --least points are left out.
 //
 // Usage: study_document_roofs ROOFS.laz [--models ROOFS.city.jsonl] [--alpha M] [--radius M] [--move M] [--least N]
 #include <fmt/format.h>
@@ -40,7 +43,7 @@ using namespace ilot::bench;
 struct Options {
   std::string cloud, models;
   double alpha = 0.6;   // metres; the document's longest edge
-  double radius = 0.4;  // metres; one vertex within it: the narrowest that the scene's walls are
+  double radius = 0.4;  // metres; one vertex within it: the width of the narrowest wall of the scene
   double move = 1;      // metres in plan
   std::uint32_t least = 12;
 };
@@ -49,7 +52,7 @@ struct Row {
   std::string labels, distance, walk;
   std::size_t buildings = 0, faces = 0, polygons = 0, open = 0, degenerate = 0, lost = 0;
   std::size_t closed = 0, closed_all = 0, right = 0, right_all = 0;
-  std::size_t lines = 0, other_closed = 0, other_right = 0;  // polygons of two corners; buildings without these
+  std::size_t lines = 0, other_closed = 0, other_right = 0;  // polygons of two corners; results without these polygons
   std::size_t complex = 0, complex_closed = 0, complex_right = 0;
   std::size_t parallel = 0, moved = 0, not_planar = 0, crossed = 0;  // buildings, by the first fault
 };
@@ -116,7 +119,8 @@ struct Ours {
   std::size_t models = 0, closed = 0, right = 0, faces = 0;
 };
 
-// A roof face of a model: its corners within 1 cm of one plane, its outer ring simple in plan.
+// Returns whether a roof face of a model is right: its corners are within 1 cm of one plane, and its outer ring is
+// simple in plan.
 bool is_right(const PolygonModel& m, const PolygonFace& face) {
   const auto& ring = face.rings.at(0);
   const Vec3 first = m.vertices[ring[0]];
@@ -157,7 +161,7 @@ double percent(std::size_t n, std::size_t of) {
   return of == 0 ? 0 : 100 * static_cast<double>(n) / static_cast<double>(of);
 }
 
-// Percent of all, of gables and hips, of complex roofs.
+// Returns the percentages of all roofs, of gables and hips, and of complex roofs.
 std::string shares(const Row& r, std::size_t all, std::size_t complex) {
   return fmt::format("{:.1f} ({:.1f}, {:.1f})", percent(all, r.buildings),
                      percent(all - complex, r.buildings - r.complex), percent(complex, r.complex));

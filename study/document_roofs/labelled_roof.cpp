@@ -41,7 +41,8 @@ double squared_to_ring(const Ring3& ring, Vec3 p) {
   return nearest;
 }
 
-// Of a plane's polygons (adjoining buildings may share one) the one that holds the point in plan, else the nearest.
+// Returns the polygon of a plane that contains the point in plan, else the nearest polygon. Adjoining buildings may
+// share one plane.
 std::size_t polygon_of(const TruePlane& plane, Vec3 p) {
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
@@ -55,7 +56,7 @@ std::size_t polygon_of(const TruePlane& plane, Vec3 p) {
   return best;
 }
 
-// What the truth says of the kinds of roofs, in the order of buildings.
+// Reads the kinds of roofs from the truth, in the order of buildings.
 void read_kinds(const std::filesystem::path& truth, std::vector<LabelledRoof>& buildings) {
   std::ifstream in(truth);
   const nlohmann::json kinds = nlohmann::json::parse(in).at("buildings");

@@ -10,7 +10,7 @@ namespace ilot::bench {
 
 namespace {
 
-// The border's edges one after the other, from each unused one until there is no way on; the longest such chain.
+// Follows the edges of the border from each unused edge until there is no next one. Returns the longest such chain.
 std::vector<std::uint32_t> longest_chain(const Mesh& m) {
   std::map<std::uint32_t, std::vector<std::uint32_t>> leaving;
   std::vector<std::uint32_t> border, best;
@@ -34,7 +34,7 @@ std::vector<std::uint32_t> longest_chain(const Mesh& m) {
   return best;
 }
 
-// The border's points, and a junction in the middle of each edge between two labels.
+// Returns the points of the border, with a junction in the middle of each edge between two labels.
 std::vector<Corner> contour_of(const Mesh& m, const LabelledRoof& b, const std::vector<std::uint32_t>& chain) {
   std::vector<Corner> contour;
   for (const std::uint32_t e : chain) {
@@ -50,7 +50,7 @@ Corner& around(std::vector<Corner>& ring, std::size_t i, std::size_t by) {
   return ring[(i + by) % ring.size()];
 }
 
-// Cosine of the angle at b in plan; 1 where two of them coincide.
+// Returns the cosine of the angle at b in plan, or 1 where b coincides with a or c.
 double cosine_at(Vec3 a, Vec3 b, Vec3 c) {
   const Vec3 u = a - b, v = c - b;
   const double lengths = std::sqrt(plan_dot(u, u) * plan_dot(v, v));
@@ -70,14 +70,14 @@ void smooth(std::vector<Corner>& ring) {
 }
 
 double cost_of(const Corner& a, const Corner& b, const Corner& c) {
-  constexpr double kCosine = 0.70710678118654752;  // of 45 degrees; that of 135 is its negative
+  constexpr double kCosine = 0.70710678118654752;  // cosine of 45 degrees; that of 135 degrees is its negative
   if (b.junction() || std::abs(cosine_at(a.at, b.at, c.at)) <= kCosine) return std::numeric_limits<double>::infinity();
   const Vec3 u = b.at - a.at, v = c.at - a.at;
   return std::abs(u.x * v.y - u.y * v.x) / 2;
 }
 
-// Algorithm 2: as long as some corner is flatter than 135 or sharper than 45 degrees, the one of the least triangle
-// goes.
+// Algorithm 2: while some corner is flatter than 135 or sharper than 45 degrees, the one with the smallest triangle is
+// removed.
 void drop_flat(std::vector<Corner>& ring) {
   while (ring.size() > 3) {
     std::size_t least = 0;
@@ -94,7 +94,7 @@ void drop_flat(std::vector<Corner>& ring) {
   }
 }
 
-// Algorithm 3: one corner within the radius, never one where planes meet.
+// Algorithm 3: keeps one corner within the radius. A corner where planes meet is never removed.
 void thin(std::vector<Corner>& ring, double radius) {
   for (std::size_t i = 0; i < ring.size() && ring.size() > 3;) {
     std::size_t gone = ring.size();
@@ -111,7 +111,8 @@ void thin(std::vector<Corner>& ring, double radius) {
   }
 }
 
-// Lines between faces: from each junction, and each end, over the triangles of two labels to the next one.
+// Lines between faces. They run from each junction, and from each end, over the triangles with two labels to the next
+// one.
 struct InnerLines {
   const Mesh& m;
   const LabelledRoof& b;
@@ -122,7 +123,7 @@ struct InnerLines {
   int ways(std::uint32_t triangle) const {
     return leads_on(3 * triangle) + leads_on(3 * triangle + 1) + leads_on(3 * triangle + 2);
   }
-  // The corner that the line which leaves a triangle over edge e comes to; its last edge in `e`.
+  // Returns the corner at which the line that leaves a triangle over edge e ends. Stores its last edge in `e`.
   std::uint32_t end_of(std::uint32_t& e) const {
     for (;;) {
       if (!m.kept(m.t.twin[e])) return of_border_edge.at(e);
@@ -162,7 +163,7 @@ void add_inner(const Mesh& m, const LabelledRoof& b, Graph& g) {
   for (const auto& [triangle, corner] : lines.of_triangle)
     for (std::uint32_t e = 3 * triangle; e < 3 * triangle + 3; ++e)
       if (lines.leads_on(e) && done[e] == 0) follow(corner, e);
-  // What is left runs from border to border.
+  // The remaining lines run from border to border.
   for (const auto& [edge, corner] : lines.of_border_edge) {
     if (done[edge] != 0 || lines.of_triangle.count(edge / 3) != 0) continue;
     done[edge] = 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Boltcheva's mesh, contour and lines between faces [D5 to D7]: a graph whose corners know the faces they belong to.
+// Boltcheva's mesh, contour and lines between faces [D5 to D7]: a graph in which each corner has the labels of its
+// faces.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -19,10 +20,10 @@ struct Mesh {
 
 enum class Distance { kPlan, kSpace };  // versions I and II of the document's erosion
 
-// Takes triangles away from the outside while the edge they show is longer than alpha, metres.
+// Removes triangles from the outside while their border edge is longer than alpha, in metres.
 Mesh eroded(const std::vector<Vec3>& points, double alpha, Distance distance);
 
-// Of the parts in plan.
+// Returns the dot product in plan.
 inline double plan_dot(Vec3 a, Vec3 b) {
   return a.x * b.x + a.y * b.y;
 }
@@ -30,7 +31,7 @@ inline double plan_dot(Vec3 a, Vec3 b) {
 struct Corner {
   Vec3 at;
   std::vector<std::uint32_t> labels;  // of the faces it belongs to
-  std::uint32_t after = 0;            // of the border behind it
+  std::uint32_t after = 0;            // next corner along the border
   std::uint32_t border_edge = kNoEdge;
   bool junction() const { return labels.size() > 1; }
   bool has(std::uint32_t label) const { return std::find(labels.begin(), labels.end(), label) != labels.end(); }
@@ -38,7 +39,7 @@ struct Corner {
 
 struct Link {
   std::uint32_t to = 0;
-  std::uint32_t labels[2]{};  // of the faces on its sides; the border has one twice
+  std::uint32_t labels[2]{};  // labels of the faces on its two sides; a link of the border has the same label twice
   bool has(std::uint32_t label) const { return labels[0] == label || labels[1] == label; }
 };
 
@@ -51,8 +52,8 @@ struct Graph {
   }
 };
 
-// The border of the mesh, smoothed and thinned (Algorithms 1 to 3, one corner within the radius, metres), and the lines
-// between faces. Empty where the border has less than three corners.
+// Returns the border of the mesh, smoothed and thinned (Algorithms 1 to 3, one corner within the radius, in metres),
+// and the lines between faces. The graph is empty where the border has fewer than three corners.
 Graph graph_of(const Mesh& m, const LabelledRoof& b, double radius);
 
 }  // namespace ilot::bench

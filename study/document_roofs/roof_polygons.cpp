@@ -31,7 +31,7 @@ Plane best_plane(const std::vector<Vec3>& points) {
   return {n, -dot(n, centre)};
 }
 
-// Where three planes meet; false where their normals lie in one plane.
+// Finds the point where three planes meet. Returns false where their normals lie in one plane.
 bool meet(const Plane& a, const Plane& b, const Plane& c, Vec3& at) {
   constexpr double kSingular = 1e-9;
   const double det = dot(a.n, cross(b.n, c.n));
@@ -40,7 +40,8 @@ bool meet(const Plane& a, const Plane& b, const Plane& c, Vec3& at) {
   return true;
 }
 
-// [Boltcheva et al. 2019, 3.3.4] Onto one plane, the line of two, the point of three.
+// [Boltcheva et al. 2019, 3.3.4] Projects a corner onto one plane, onto the line of two planes, or onto the point of
+// three planes.
 bool project(const std::vector<Plane>& of_label, const Corner& c, Vec3& at) {
   const Plane& a = of_label[c.labels[0]];
   at = c.at - signed_distance(a, c.at) * a.n;

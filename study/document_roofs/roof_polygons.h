@@ -10,7 +10,7 @@
 
 namespace ilot::bench {
 
-constexpr double kPlanar = 0.01;  // metres from its planes within which a vertex lies on them
+constexpr double kPlanar = 0.01;  // metres; a vertex within this distance of its planes is on them
 
 enum class Walk { kByVertex, kByEdge };
 
@@ -20,22 +20,23 @@ struct FacePolygon {
   bool closed = false;
 };
 
-// Algorithm 4: one polygon for each label that some vertex has.
+// Algorithm 4: makes one polygon for each label that at least one vertex has.
 std::vector<FacePolygon> polygons_of(const Graph& g, std::uint32_t labels, Walk walk);
 
-// Twice the area in plan in square millimetres, 0 for what is degenerate or touches itself.
+// Returns twice the area in plan in square millimetres. Returns 0 for a polygon that is degenerate or touches itself.
 double area_of(const FacePolygon& p, const std::vector<Vec3>& at);
 
-// No polygon is open or degenerate.
+// Returns whether no polygon is open or degenerate.
 bool all_closed(const Graph& g, const std::vector<FacePolygon>& polygons);
 
-// Least squares through the points of each label.
+// Fits a plane by least squares through the points of each label.
 std::vector<Plane> planes_of(const LabelledRoof& b);
 
 enum class Fault { kNone, kParallel, kMoved, kNotPlanar, kCrossed };
 
-// The first fault of the polygons once every vertex is on the planes of its faces: planes without a common point, a
-// vertex moved by `move` metres or more in plan, one off its planes, a polygon that turned over or touches itself.
+// Returns the first fault of the polygons after every vertex was moved onto the planes of its faces: planes without a
+// common point, a vertex that moved by `move` metres or more in plan, a vertex off its planes, a polygon that turned
+// over or touches itself.
 Fault projected(const Graph& g, const std::vector<FacePolygon>& polygons, const std::vector<Plane>& planes,
                 double move);
 

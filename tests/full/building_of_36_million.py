@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The test run/large_building.py with a building of 36 million points."""
+"""Runs the test run/large_building.py with a building of 36 million points."""
 import pathlib
 import sys
 

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""100 kills at random moments of each product, every second one killed again while it goes on: the same hash."""
+"""Kills each product 100 times at random moments. Every second run is killed again while it resumes. The hash must be
+the same."""
 import os
 import unittest
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""3,000 tiles where 1,024 files may be open, the hard limit too, within --memory 96M."""
+"""Runs with 3,000 tiles where 1,024 files may be open, which is also the hard limit, within --memory 96M."""
 import unittest
 
 from faults import Limits, limits

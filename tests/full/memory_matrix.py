@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Does --memory set the peak, whatever the input? All cases of memory_cases.py, by products, budgets and threads: the
-highest resident memory of the process, mapped pages included, may not exceed --memory, and all runs of a case with the
-same products give one result_hash. Prints a table. Exit code 0: all hold; 1: some do not.
+"""Checks that --memory sets the peak for every input. All cases of memory_cases.py run with all products, budgets and
+threads. The highest resident memory of the process, with mapped pages, must not exceed --memory. All runs of a case
+with the same products must give one result_hash. Prints a table. Exit code 0: all conditions are met; 1: some are not.
 
     ILOT_EXE=build/release/tools/ilot tests/full/memory_matrix.py --cases stray --products streets --scale 0.1
 """
@@ -23,10 +23,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "run"))
 from memory_cases import CASES, Maker
 
 EXE = os.environ.get("ILOT_EXE", "ilot")
-MOST_ADDRESSES = 6 << 30  # of a run that goes wrong: it ends before the machine does
-# Cases that may say at 96M that this is too little; docs/limits.md lists them.
+MOST_ADDRESSES = 6 << 30  # limit for a run that goes wrong: it ends before the machine runs out of memory
+# Cases that may report at 96M that this is too little. docs/limits.md lists them.
 MAY_REFUSE = {"96M": set()}
-LATER = 8 << 20  # what a run may take after it has written its own peak
+LATER = 8 << 20  # memory that a run may take after it has written its own peak
 UNITS = {"M": 1 << 20, "G": 1 << 30}
 
 
@@ -35,7 +35,8 @@ def bytes_of(memory):
 
 
 class Run:
-    """One run, watched: its peak as the kernel counted it (VmHWM), its exit code, run.json or what it said."""
+    """One run under observation: its peak as the kernel counted it (VmHWM), its exit code, and run.json or its
+    message."""
 
     def __init__(self, inputs, products, memory, threads, out, timeout):
         command = [EXE, "run", *map(str, inputs.paths), "-o", str(out), "-q", "--products", products, "--memory",
@@ -69,7 +70,7 @@ class Run:
             resource.setrlimit(resource.RLIMIT_NOFILE, (min(files, hard), hard))
 
     def watch(self, pid, timeout):
-        """VmHWM while it runs."""
+        """Reads VmHWM while the process runs."""
         end = time.monotonic() + timeout
         while True:
             try:

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""200 races of two runs (one folder, one store, two that resume), and a kill at every call of the swap."""
+"""Runs 200 races of two runs (one folder, one store, two that resume), and kills a run at every call of the swap."""
 import os
 import unittest
 

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What a stray point costs: each product with each kind of stray against the run without, by result_hash and by
-processor seconds (the least of --repeats runs, at most 5 % more). Prints a table. Exit code 0: all hold; 1: some do not.
+"""Measures the cost of a stray point. Each product with each kind of stray is compared with the run without strays, by
+result_hash and by processor seconds (the least of --repeats runs, at most 5 % more). Prints a table. Exit code 0: all
+conditions are met; 1: some are not.
 
     ILOT_EXE=build/release/tools/ilot tests/full/strays.py --points 1000000 --repeats 5
 """
@@ -29,7 +30,7 @@ def cpu_seconds():
 
 
 def run(path, product, out, repeats):
-    """The result_hash and the least processor seconds."""
+    """Returns the result_hash and the least processor seconds."""
     seconds = []
     for _ in range(repeats):
         shutil.rmtree(out, ignore_errors=True)

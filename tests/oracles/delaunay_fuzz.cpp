@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small sets of points of all bad kinds: the triangulation must be sound and Delaunay, equal to brute force where there
-// are few points, and to another library's up to ties where one was built in (-DILOT_BENCH_PEERS=ON).
+// Tests small sets of points of all difficult kinds. The triangulation must be sound and Delaunay. It must equal brute
+// force where there are few points. It must equal that of another library, except for ties, where one was built in
+// (-DILOT_BENCH_PEERS=ON).
 // Usage: delaunay_fuzz COUNT [FIRST]     COUNT sets, the first of key FIRST [0]; exit 1 at the first fault
 #include <cstdio>
 #include <cstdlib>
@@ -17,7 +18,8 @@ namespace {
 using namespace ilot;
 using test::PlacedTriangle;
 
-// The corners of triangles on one circle that hang together, for all such circles: what no tie-break changes.
+// Returns for each circle the corners of the connected triangles on it. These sets do not depend on how ties are
+// decided.
 std::vector<std::vector<Point2>> circles_of(const std::vector<PlacedTriangle>& triangles) {
   std::vector<std::uint32_t> parent(triangles.size());
   UnionFind joined(parent);

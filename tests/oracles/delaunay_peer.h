@@ -6,7 +6,8 @@
 
 namespace ilot::test {
 
-// The Delaunay triangulation by another library, ties as it likes; none where it was not built in.
+// Returns the Delaunay triangulation by another library, which decides ties in its own way. Returns nothing if the
+// library was not built in.
 std::optional<std::vector<PlacedTriangle>> peer_triangles(const std::vector<Point2>& points);
 
 }  // namespace ilot::test

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// CGAL's triangulation is GPL: this file is for comparison only and is not part of what ships.
+// CGAL's triangulation is GPL. This file is only for comparison and is not part of the released program.
 #include <CGAL/Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points seen from above, all in memory: slow, and plain to read.
+// The range image of points that are all in memory. This code is slow and easy to read.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,7 +13,7 @@ namespace ilot::test {
 
 struct RangeImage {
   Image range;                          // highest z of each pixel; kNoHeight where there is no point
-  std::vector<std::uint32_t> pixel_of;  // of each point
+  std::vector<std::uint32_t> pixel_of;  // pixel of each point
 };
 
 // Pixels begin at multiples of their side.

@@ -15,7 +15,7 @@ Image masked(const Ground& ground) {
   return out;
 }
 
-// 1 on the pixels outside of the mask that touch it, across a side or a corner.
+// Returns 1 for the pixels outside the mask that touch it across a side or a corner.
 std::vector<std::uint8_t> ring_around(const Image& inside) {
   const auto w = std::int64_t{inside.width}, h = std::int64_t{inside.height};
   std::vector<std::uint8_t> ring(inside.size(), 0);
@@ -29,7 +29,7 @@ std::vector<std::uint8_t> ring_around(const Image& inside) {
   return ring;
 }
 
-// Upside down, with the ring; outside of it kNoHeight, the lowest.
+// Returns the image upside down, with the ring. Outside the ring it is kNoHeight, the lowest value.
 Image turned_over_with_ring(const Image& inside, std::uint32_t reach) {
   const auto ring = ring_around(inside);
   const Image around = box_minimum(inside, reach);
@@ -44,7 +44,7 @@ Image turned_over_with_ring(const Image& inside, std::uint32_t reach) {
   return out;
 }
 
-// How much the filling raises each pixel inside; kNoHeight outside.
+// Returns how much the filling raises each pixel inside, and kNoHeight outside.
 Image raised_by(const Image& filled, const Image& over, const Image& inside) {
   Image out = inside;
   for (std::size_t i = 0; i < out.size(); ++i)
@@ -58,7 +58,8 @@ Image between(const Image& image, Height least, Height most) {
   return out;
 }
 
-// The filling with water let out over every pixel of large low plateaus. False when there are none.
+// Repeats the filling with an outlet in every pixel of large low plateaus. Returns false when there are no such
+// plateaus.
 bool drain(const Image& depth, const Image& over, Height least, Height most, std::uint32_t area, Image& filled) {
   const PixelLabels low = flat_zones(between(depth, least, most), 0, Adjacency::four);
   const auto sizes = zone_sizes(low);

@@ -9,7 +9,7 @@
 namespace ilot::test {
 namespace {
 
-// f on the border of the image, above all inside.
+// Returns f on the border of the image, and a value above all others inside.
 std::vector<Height> border_marker(const PaddedFrame& frame, const std::vector<Height>& f) {
   std::vector<Height> g(f.size(), kAboveAll);
   const auto keep = [&](std::size_t i) { g[i] = f[i]; };
@@ -24,7 +24,8 @@ std::vector<Height> border_marker(const PaddedFrame& frame, const std::vector<He
   return g;
 }
 
-// Of each region of missing pixels the lowest height around it; kNoHeight for those on the border of the image.
+// Returns for each region of missing pixels the lowest height around it, and kNoHeight for regions on the border of the
+// image.
 std::vector<Height> levels_around(const Image& image, const PixelLabels& missing) {
   const PaddedFrame frame(image.width, image.height);
   const auto heights = padded(image, kNoHeight);

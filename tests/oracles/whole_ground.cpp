@@ -10,7 +10,7 @@
 namespace ilot::test {
 namespace {
 
-// Which labels have a pixel on the border of the image.
+// Returns 1 for the labels that have a pixel on the border of the image.
 std::vector<std::uint8_t> on_border(const PixelLabels& labels) {
   std::vector<std::uint8_t> open(std::size_t{labels.count} + 1, 0);
   for (std::uint32_t y = 0; y < labels.height; ++y) {
@@ -22,7 +22,7 @@ std::vector<std::uint8_t> on_border(const PixelLabels& labels) {
   return open;
 }
 
-// The zone that is the ground; 0 where there is none.
+// Returns the zone that is the ground, or 0 where there is none.
 std::uint32_t ground_zone(const Image& filled, const PixelLabels& zones, Height flat) {
   const std::vector<std::uint32_t> sizes = zone_sizes(zones);
   const std::vector<std::int32_t> falls = outward_drops(filled, zones, flat);
@@ -34,7 +34,8 @@ std::uint32_t ground_zone(const Image& filled, const PixelLabels& zones, Height 
   return best;
 }
 
-// Adds what a zone encloses: all that no path from side to side leads from to the border without crossing it.
+// Adds the pixels that a zone encloses: those from which no path from side to side leads to the border without crossing
+// the zone.
 std::vector<std::uint8_t> with_enclosed(const PixelLabels& zones, std::uint32_t zone) {
   Image outside{zones.width, zones.height, std::vector<Height>(zones.of.size())};
   for (std::size_t i = 0; i < zones.of.size(); ++i) outside.values[i] = zones.of[i] == zone ? kNoHeight : 0;

@@ -25,11 +25,11 @@ TEST(LinkRegions, TwoIslandsByHand) {
                                                                                 10, 10, 11, 12, 14, 16,      //
                                                                                 10, kNo, kNo, kNo, kNo, kNo}));
   EXPECT_EQ(test::link_regions(image, {.step = 4, .max_length = 1}).values, image.values);
-  EXPECT_EQ(test::link_regions(image, {.step = 3}).values, image.values);  // 10 and 14 are no neighbours in height
+  EXPECT_EQ(test::link_regions(image, {.step = 3}).values, image.values);  // 10 and 14 are not neighbours in height
 }
 
-// Oracle: how far each region is from each other over pixels without a height, one flood a region, and the regions that
-// chains of links that are short enough join.
+// Oracle: finds the distance of each region from each other over pixels without a height, with one flood per region,
+// and the regions that chains of sufficiently short links join.
 std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> gaps(const Image& image, const PixelLabels& zones) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> list;
   for (std::uint32_t zone = 1; zone <= zones.count; ++zone) {
@@ -59,7 +59,7 @@ TEST(LinkRegions, JoinsAllThatCanBeAndChangesNothingElse) {
   for (const auto& [name, image] : test::small_images()) {
     if (name.starts_with("wide")) continue;
     for (const std::uint32_t max_length : {0u, 1u, 2u, 5u, 100u}) {
-      constexpr Height kAny = 1 << 20;  // all heights go together: regions are connected components
+      constexpr Height kAny = 1 << 20;  // all heights are accepted: regions are connected components
       const PixelLabels zones = flat_zones(image, kAny, Adjacency::eight);
       std::vector<std::uint32_t> parents(zones.count + 1);
       UnionFind joined(parents);
@@ -81,7 +81,7 @@ TEST(LinkRegions, JoinsAllThatCanBeAndChangesNothingElse) {
           added += got.values[i] != kNoHeight;
         }
       }
-      EXPECT_LE(added, shortest) << name << " " << max_length;  // less where links share pixels
+      EXPECT_LE(added, shortest) << name << " " << max_length;  // it is less where links share pixels
     }
   }
 }

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Bad input, bad requests and bad disks: one line that says file, place and what to do, and nothing half-written."""
+"""Tests bad input, bad requests and bad disks. Each must give one line with file, position and remedy, and nothing
+half-written."""
 import json
 import math
 import random
@@ -23,7 +24,7 @@ class BadInput(RunTest):
         return {path: path.read_bytes() if path.is_file() else None for path in self.folder.rglob("*")}
 
     def refuse(self, inputs, *words, code=1, arguments=(), **options):
-        """One line on stderr with these words; the folder is as it was."""
+        """Expects one line on stderr with these words. The folder must not have changed."""
         before = self.tree()
         inputs = inputs if isinstance(inputs, list) else [inputs]
         done = ilot("run", *inputs, "-o", self.out, "-q", *arguments, **options)
@@ -38,7 +39,7 @@ class BadInput(RunTest):
         self.assertEqual(self.tree(), before, "nothing may be written")
 
     def bad_files(self):
-        """Name, words of the message."""
+        """Returns name and words of the message."""
         write = lambda name, data: (self.folder / name).write_bytes(data)
         good = self.good.read_bytes()
         write("empty.las", b"")
@@ -178,7 +179,7 @@ class BadInput(RunTest):
             self.assertEqual(inner.read_bytes(), before)
 
     def test_overwrite(self):
-        """What the earlier run wrote is replaced; what somebody put beside it stays."""
+        """The output of the earlier run is replaced. A file that the user put beside it stays."""
         out, first = self.work(self.good)
         (out / "shapes.csv").write_text("somebody's own")
         others = ["density", "facades", "roofs", "streets"]
@@ -193,7 +194,7 @@ class BadInput(RunTest):
             self.assertEqual((out / folder / "stray").read_text(), "somebody's own")
 
     def test_disk_full_at_any_size(self):
-        """A limit on file sizes stands for the full disk: every write may be the one that fails."""
+        """A limit on file sizes imitates a full disk. Every write may be the one that fails."""
         path = self.district(60000)
         _, whole = self.work(path)
         for limit in (0, 100, 5000, 50000, 300000, 500000):
@@ -213,7 +214,8 @@ class BadInput(RunTest):
 
 
 class BadBuildings(RunTest):
-    """Footprints and roofs that are none: every one comes back, with a status and a reason, and what is solid is valid."""
+    """Tests invalid footprints and roofs. Every one must come back with a status and a reason, and every solid must be
+    valid."""
 
     X, Y = 84000, 447000
 
@@ -238,7 +240,7 @@ class BadBuildings(RunTest):
         self.footprint(name, (x, y), (x + width, y), (x + width, y + depth), (x, y + depth), **way)
 
     def model(self, *arguments, code=0, epsg=28992, cloud=None):
-        """Attributes by id."""
+        """Returns the attributes by id."""
         if cloud is None:
             cloud = small_las(self.folder / "cloud.las", [(round(x * 1000), round(y * 1000), round(z * 1000), c)
                                                           for x, y, z, c in self.points], offset=(self.X, self.Y, 0))
@@ -315,7 +317,7 @@ class BadBuildings(RunTest):
 
     def test_footprints_in_another_crs(self):
         self.roof(0, 0, 10, 10, lambda x, y: 6)
-        self.box("house", 0, 0, 10, 10, shift=(155000, 463000))  # RD Old: RD New but for its origin
+        self.box("house", 0, 0, 10, 10, shift=(155000, 463000))  # RD Old: it differs from RD New only in its origin
         self.assertEqual(self.model(epsg=28991)["house"]["status"], "lod22")
 
 

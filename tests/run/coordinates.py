@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Units, coordinate systems and areas: what a run takes, says and writes."""
+"""Tests units, coordinate systems and areas: what a run accepts, reports and writes."""
 import csv
 import json
 import pathlib
@@ -22,7 +22,7 @@ def with_keys(path, keys):
 
 
 def slope(z_scale=1.0):
-    """A roof-like plane of 20 x 20 m, raw millimetres; heights divided by z_scale."""
+    """Returns a roof-like plane of 20 x 20 m in raw millimetres, with heights divided by z_scale."""
     return [(250 * i, 250 * j, round((5000 + 50 * i) / z_scale)) for i in range(80) for j in range(80)]
 
 
@@ -104,7 +104,7 @@ class CoordinatesTest(RunTest):
         return path
 
     def house(self):
-        """A gable roof of 12 x 8 m on flat ground around it, classes 6 and 2."""
+        """Returns a gable roof of 12 x 8 m on flat ground around it, with classes 6 and 2."""
         points = [(300 * i, 300 * j, 3000 + round(0.5 * min(300 * j - 8000, 16000 - 300 * j)), 6)
                   for i in range(35, 73) for j in range(28, 53)]
         points += [(300 * i, 300 * j, 0, 2) for i in range(100) for j in range(80)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Invariants 1 to 4: threads, instruction sets, blocks, memory and the order of files never show in the result."""
+"""Invariants 1 to 4: threads, instruction sets, blocks, memory and the order of files have no effect on the result."""
 import collections
 import re
 import struct
@@ -15,13 +15,13 @@ WAYS = [
 ]
 FEW_WAYS = [["--threads", "1"], ["--block-points", "2000", "--threads", "3"], ["--block-points", "65536", "--threads", "8"],
             ["--memory", "96M", "--threads", "2"]]
-ISAS = ("baseline", "avx2", "avx512")  # one that the machine has not is baseline; unless told, a run takes its best
+ISAS = ("baseline", "avx2", "avx512")  # baseline replaces a set that the machine lacks; by default a run takes the best
 
 COLUMN_HEADER = 16  # bytes
 
 
 def contacts(out):
-    """How often planes of neighbouring cells touch: what the join decides from."""
+    """Returns how often planes of neighbouring cells touch. The join decides from these counts."""
     sums = collections.Counter()
     for path in (out / ".store" / "blocks").glob("*.contacts"):
         values = path.read_bytes()[COLUMN_HEADER:]
@@ -32,7 +32,8 @@ def contacts(out):
 
 class Determinism(RunTest):
     def same_in_ways(self, inputs, ways, *arguments):
-        """One result in all ways and over all instruction sets; returns the run.json of a run without either."""
+        """Expects one result with all options and all instruction sets. Returns the run.json of a run without
+        either."""
         run_json = {" ".join(way): self.work(inputs, *arguments, *way)[1] for way in ways}
         run_json |= {isa: self.work(inputs, *arguments, env={"ILOT_FORCE_ISA": isa})[1] for isa in ISAS}
         run_json["again"] = self.work(inputs, *arguments)[1]
@@ -47,7 +48,7 @@ class Determinism(RunTest):
         self.assertGreater(self.same_in_ways(inputs, WAYS)["counts"]["planes"], 20)
 
     def parts(self, cloud, cut, names="abc"):
-        """The cloud in three files; returns them and the records' places per file."""
+        """Splits the cloud into three files. Returns them and the positions of the records per file."""
         records = cloud.records()
         places = [[], [], []]
         for i in range(len(records)):
@@ -57,7 +58,7 @@ class Determinism(RunTest):
         return files, places
 
     def labels_in_parts(self, cloud, cut, names):
-        """Labels and planes.csv of a run over three files, put back into the order of the whole."""
+        """Returns labels and planes.csv of a run over three files, in the order of the whole cloud."""
         files, places = self.parts(cloud, cut, names)
         out, _ = self.work(files, "--block-points", "8192")
         labels = [None] * cloud.count
@@ -79,7 +80,7 @@ class Determinism(RunTest):
 
 
     def methods(self):
-        """The names that planes.method takes, from its line of help."""
+        """Returns the names that planes.method accepts, from its line of help."""
         lines = ilot("run", "--print-config").stdout.splitlines()
         help_line = lines[next(i for i, line in enumerate(lines) if line.startswith("method =")) - 1]
         return re.search(r"; (.*) or \"auto\"", help_line).group(1).split(", ")
@@ -117,7 +118,7 @@ class Synthetic(Determinism):
         self.same_in_any_files(self.district(100000))
 
     def test_shapes_and_density(self):
-        """What only terrestrial scans have, with the stations known."""
+        """Tests what only terrestrial scans have, with known stations."""
         path = self.folder / "shapes.laz"
         self.assertEqual(ilot("scan", "shapes", "--points", "150000", "-o", path, "-q").returncode, 0)
         asked = ["--stations", self.folder / "shapes.stations.csv"]

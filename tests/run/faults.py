@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What the system refuses: full disks, limits of file size and of open files, no permission, signals, odd names."""
+"""Tests what the system refuses: full disks, limits of file size and of open files, missing permission, signals,
+unusual names."""
 import contextlib
 import json
 import os
@@ -17,7 +18,7 @@ SLOW = ["--threads", "1", "--block-points", "4096"]
 
 
 def limits(**soft_and_hard):
-    """For subprocess: the limits that the child begins with."""
+    """Returns a function for subprocess that sets the limits of the child."""
     def apply():
         for name, value in soft_and_hard.items():
             resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (value, value))
@@ -108,7 +109,7 @@ class Disks(FaultTest):
 
 class Limits(FaultTest):
     def tiles(self, count, points=40):
-        """Small tiles side by side, each a horizontal plane."""
+        """Writes small tiles side by side, each a horizontal plane."""
         folder = self.folder / "tiles"
         folder.mkdir()
         for i in range(count):
@@ -164,7 +165,7 @@ class Limits(FaultTest):
 
 class Signals(FaultTest):
     def wait_until_caught(self, run, how):
-        """Until the program is loaded and has a handler for the signal."""
+        """Waits until the program is loaded and has a handler for the signal."""
         while run.poll() is None:
             lines = pathlib.Path(f"/proc/{run.pid}/status").read_text().splitlines()
             caught = next(int(line.split()[1], 16) for line in lines if line.startswith("SigCgt:"))

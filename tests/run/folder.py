@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The run folder: one run at a time, an old result that stays until the new one is whole, --resume that compares."""
+"""Tests the run folder: one run at a time, an old result that stays until the new one is complete, and --resume with
+its comparison."""
 import hashlib
 import json
 import os
@@ -17,7 +18,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 
 class FolderTest(RunTest):
     def snapshot(self, out):
-        """Every file that is not hidden, with its content's sum."""
+        """Returns every file that is not hidden, with the checksum of its contents."""
         return {str(p.relative_to(out)): hashlib.sha256(p.read_bytes()).hexdigest()
                 for p in sorted(out.rglob("*")) if p.is_file() and not p.relative_to(out).parts[0].startswith(".")}
 
@@ -76,12 +77,13 @@ class Locks(FolderTest):
         self.no_traces(out)
 
     def race(self, commands):
-        """Starts all at once; returns exit code and what was said of each."""
+        """Starts all at once. Returns the exit code and the output of each."""
         runs = [subprocess.Popen([EXE, "run", *map(str, c), "-q"], stderr=subprocess.PIPE, text=True) for c in commands]
         return [(run.communicate(timeout=120)[1], run.returncode) for run in runs]
 
     def check_race(self, results):
-        """One works. The other says why it does not, or came when the first was done."""
+        """Expects that one run works. The other run must state why it does not work, or must have come when the first
+        was done."""
         self.assertIn(0, [code for _, code in results], results)
         for output, code in results:
             if code != 0:
@@ -199,7 +201,7 @@ class Overwrite(FolderTest):
         return {**os.environ, "LD_PRELOAD": str(library)}
 
     def kill_the_swap(self, moments):
-        """Kills an overwriting run at these calls of its swap; returns how many were reached."""
+        """Kills an overwriting run at these calls of its swap. Returns how many were reached."""
         if SANITIZED:
             self.skipTest("a sanitizer must be the first library")
         path, env, reached = self.district(60000), self.shim(), 0
@@ -219,7 +221,7 @@ class Overwrite(FolderTest):
             del now["mine.txt"]
             if at == 1:
                 self.assertEqual(now, old, "before the first step the old result is whole")
-            elif "run.json" in now:  # it stands for a whole result, the old or the new one
+            elif "run.json" in now:  # it stands for a complete result, the old or the new one
                 run_json = json.loads((out / "run.json").read_text())
                 self.assertIn(run_json["result_hash"], (before["result_hash"], expected["result_hash"]))
                 self.assertEqual(now.keys() - {"run.json"}, {r["path"] for r in run_json["results"]})
@@ -250,7 +252,7 @@ class Resumed(FolderTest):
                                 (["--products", "planes,streets"], "products"),
                                 (["--set", "planes.epsilon=0.03"], "planes.epsilon")):
             with self.subTest(name):
-                unused = name in ("footprints", "train")  # a line says so
+                unused = name in ("footprints", "train")  # a line reports this
                 self.refused(ilot("run", path, "-o", out, "-q", "--resume", *arguments), f"different: {name}",
                              lines=1 + unused)
         self.assertEqual(self.snapshot(out), before)

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Invariants 3, 4, 6 and 7: epsilon, accounting, untouched inputs, shifts, rotations and areas."""
+"""Invariants 3, 4, 6 and 7: epsilon, completeness, unchanged inputs, shifts, rotations and areas."""
 import collections
 import math
 import pathlib
@@ -13,7 +13,8 @@ LATTICE_SHIFT = 1000 * 2**22  # units
 
 class Invariants(RunTest):
     def check_run(self, path, run_json, out):
-        """Epsilon means epsilon, nothing is lost, and the input's bytes come back in their order."""
+        """Tests that no labelled point is farther than epsilon, that no point is lost, and that the bytes of the input
+        come back in their order."""
         before, after = Las.read(path), self.labelled(out, path.stem)
         planes = {p["plane_id"]: p for p in planes_of(out)}
         self.assertEqual(sorted(planes), list(range(1, len(planes) + 1)), "ids are dense from 1")
@@ -51,7 +52,7 @@ class Invariants(RunTest):
                 self.assertEqual(a[key], b[key], key)
 
     def rotated(self, cloud, path, degrees):
-        """About the box's middle; exact for 90 degrees."""
+        """Rotates about the middle of the box. The rotation is exact for 90 degrees."""
         raw = cloud.raw()
         mx, my = (max(p[i] for p in raw) + min(p[i] for p in raw) >> 1 for i in (0, 1))
         cos, sin = (0, 1) if degrees == 90 else (math.cos(math.radians(degrees)), math.sin(math.radians(degrees)))
@@ -71,7 +72,7 @@ class Invariants(RunTest):
             self.assertLessEqual(abs(share), labelled_off, (counts, other))
 
     def check_bounds(self, path, share, margin):
-        """Planes inside the middle part of the cloud are the same whether the rest is worked on or not."""
+        """Planes inside the middle part of the cloud are the same whether or not the rest is processed."""
         cloud = Las.read(path)
         whole, _ = self.work(path)
         every = planes_of(whole)
@@ -79,7 +80,7 @@ class Invariants(RunTest):
         high = [max(p[i] for p in cloud.points()) for i in (0, 1)]
         middle, half = [(a + b) / 2 for a, b in zip(low, high)], [(b - a) * share / 2 for a, b in zip(low, high)]
         box = [middle[0] - half[0], middle[1] - half[1], middle[0] + half[0], middle[1] + half[1]]
-        box = [(round(b / cloud.scale[0]) + 0.5) * cloud.scale[0] for b in box]  # no point lies on its border
+        box = [(round(b / cloud.scale[0]) + 0.5) * cloud.scale[0] for b in box]  # no point is on its border
         out, run_json = self.work(path, "--bounds", ",".join(map(repr, box)))
         found = {p["content_id"]: p for p in planes_of(out)}
         inside = [p for p in every if p["min_x"] > box[0] + margin and p["max_x"] < box[2] - margin and

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A building of any number of points: the peak stays within the budget, and any budget and threads give the same."""
+"""Tests a building of any number of points. The peak must stay within the budget, and every budget and thread count
+must give the same result."""
 import json
 import subprocess
 import sys

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""The budget sets the peak, the input does not: ten times the points, the same resident memory."""
+"""Tests that the budget determines the peak and the input does not: ten times the points need the same resident
+memory."""
 import pathlib
 import random
 import struct
@@ -18,14 +19,15 @@ class Memory(RunTest):
         return run_json["peak_rss_bytes"]
 
     def test_ten_times_the_points(self):
-        """From 400,000 points on all fixed buffers are full. Which tasks meet moves the peak by some MiB; three bytes for
-        each further point is less than one of its coordinates takes."""
+        """From 400,000 points on all fixed buffers are full. The tasks that run at the same time change the peak by
+        some MiB. Three bytes for each further point is less than one of its coordinates needs."""
         small, large = self.peak(500000, "--block-points", "16384"), self.peak(5000000, "--block-points", "16384")
         self.assertLessEqual(large, small + 3 * 4500000, f"{small >> 20} MiB at 500,000 points, {large >> 20} MiB at 5,000,000")
         self.assertLessEqual(large, 96 << 20)
 
     def test_rows_of_60000_bytes(self):
-        """Buffers are bounded in bytes; compressing such rows needs a model of each byte, for which 96M is too little."""
+        """Buffers are bounded in bytes. Compression of such rows needs a model of each byte, and 96M is too little for
+        that."""
         path = self.folder / "long.las"
         small_las(path, [(i % 8 * 1000, i // 8 * 1000, 0) for i in range(61)])
         data = bytearray(path.read_bytes())
@@ -56,7 +58,7 @@ class Memory(RunTest):
             self.assertEqual(len(warned), 1 if run_json["peak_rss_bytes"] > run_json["memory_bytes"] else 0, run_json["warnings"])
 
     def test_threads_share_the_budget(self):
-        """Sixteen threads and their pools of memory have no more than one has, and find the same."""
+        """Sixteen threads and their memory pools need no more than one thread, and find the same."""
         path, hashes = self.district(1000000), set()
         for memory, threads in (("96M", 16), ("96M", 1), ("2G", 2)):
             _, run_json = self.work(path, "--memory", memory, "--threads", threads, timeout=300)
@@ -67,7 +69,7 @@ class Memory(RunTest):
 
 
 class Matrix(RunTest):
-    """A sample of tests/full/memory_matrix.py."""
+    """Runs a sample of tests/full/memory_matrix.py."""
 
     def test_sites_far_apart_and_strays(self):
         script = pathlib.Path(__file__).resolve().parent.parent / "full" / "memory_matrix.py"
@@ -79,8 +81,8 @@ class Matrix(RunTest):
 
 
 class Products(RunTest):
-    """What does not fit is read in pieces and sorted on disk, and nothing shows of it. With eight threads and 1G each of
-    these two clouds takes more than 140 MiB."""
+    """Data that do not fit are read in pieces and sorted on disk, and the result does not show it. With eight threads
+    and 1G, each of these two clouds needs more than 140 MiB."""
 
     BUDGETS = ((96, 1), (96, 8), (1024, 3))  # MiB and threads
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The inputs of memory_matrix.py: what made a run take more memory than it was given, or may do so.
+"""The inputs of memory_matrix.py. Each made a run exceed its memory budget, or may do so.
 
-A case makes its files in a folder and says with which products and options they are run. Numbers of points follow
-`scale`, so that a hundredth of the whole is a matter of seconds."""
+A case writes its files into a folder and states the products and options with which they are run. Numbers of points are
+proportional to `scale`, so a hundredth of the whole takes only seconds."""
 import array
 import math
 import pathlib
@@ -16,13 +16,13 @@ CASES = {}
 
 
 class Inputs:
-    """What a case gives to `ilot run`."""
+    """The inputs and options that a case gives to `ilot run`."""
 
     def __init__(self, paths, *options, exits=(0, 3), files=None):
         self.paths = [paths] if isinstance(paths, pathlib.Path) else list(paths)
         self.options = options
-        self.exits = exits  # the codes that are right
-        self.files = files  # most open files (ulimit -n)
+        self.exits = exits  # the exit codes that are right
+        self.files = files  # greatest number of open files (ulimit -n)
 
 
 class Maker:
@@ -39,7 +39,7 @@ class Maker:
         return path
 
     def text(self, scene, points, name="cloud", **settings):
-        """x y z of a scene, as lines."""
+        """Returns x y z of a scene as lines."""
         las = self.scan(scene, points, name + "-scan", **settings)
         path = self.folder / f"{name}.csv"
         self.ilot("convert", las, path)
@@ -67,7 +67,7 @@ def case(*products):
 
 
 def las(path, rows, scale=0.001, offset=(651000.0, 6861000.0, 0.0), length=20):
-    """LAS 1.2 of format 0, written as the rows (whole x, y, z) come; records filled up to `length` bytes."""
+    """Writes LAS 1.2 of format 0 from rows of integers (x, y, z). Records are padded to `length` bytes."""
     fill = bytes(length - 12)
     with open(path, "wb") as file:
         file.write(bytes(227))
@@ -83,7 +83,7 @@ def las(path, rows, scale=0.001, offset=(651000.0, 6861000.0, 0.0), length=20):
 
 
 def rescaled(path, out, factor):
-    """The same cloud with a scale that many times finer."""
+    """Returns the same cloud with a scale that is `times` finer."""
     data = bytearray(path.read_bytes())
     start, = struct.unpack_from("<I", data, 96)
     length, = struct.unpack_from("<H", data, 105)
@@ -102,7 +102,7 @@ def moved(lines, dx, dy):
         yield f"{x + dx:.3f} {y + dy:.3f} {z:.3f}"
 
 
-# Points that stand alone, far from all others.
+# Isolated points far from all others.
 
 @case()
 def stray_at_origin(m):
@@ -171,7 +171,7 @@ def hundred_strays(m):
     return Inputs(m.write(far + lines), *CRS)
 
 
-# Extents, scales and records that few clouds have.
+# Unusual extents, scales and records.
 
 @case()
 def fifty_thousand_over_4e9(m):
@@ -206,7 +206,7 @@ def plain(m):
 
 @case()
 def records_of_65535_bytes(m):
-    """No room is left for the fields of a labelled cloud."""
+    """Makes records that have no space left for the fields of a labelled cloud."""
     rows = ((i % 8 * 1000, i // 8 * 1000, 0) for i in range(61))
     return Inputs(las(m.folder / "cloud.las", rows, length=65535), "--no-clouds")
 
@@ -232,7 +232,7 @@ def two_streets_50_km_apart(m):
 
 @case()
 def corridor(m):
-    """20 km in a straight line, a metre wide."""
+    """Makes a cloud of 20 km in a straight line, one metre wide."""
     rng = random.Random(7)
     rows = ((int(2e7 * rng.random()), int(2e7 * 0.3 * i / 1e6), rng.randrange(50)) for i in range(m.points(1000000)))
     rows = ((x, x // 3 + y % 1000, z) for x, y, z in rows)
@@ -294,7 +294,7 @@ def street_from_the_air(m):
 # Files.
 
 def tiles(m, count, files=None):
-    """The district in so many files, each a stretch of its rows."""
+    """Splits the district into files, each a stretch of its rows."""
     whole = m.scan("district", max(10 * count, m.points(600000)))
     data = whole.read_bytes()
     start, = struct.unpack_from("<I", data, 96)
@@ -357,7 +357,7 @@ def noise_in_a_cube(m):
 
 @case()
 def chessboard_of_planes(m):
-    """Squares of two metres at two heights: a plane, an object and a border each."""
+    """Makes squares of two metres at two heights. Each gives a plane, an object and a border."""
     rng = random.Random(10)
     side = int(math.sqrt(m.points(4000000) / 50))
 
@@ -372,7 +372,7 @@ def chessboard_of_planes(m):
 
 @case("planes", "streets")
 def posts_on_a_square(m):
-    """A post every two metres on flat ground: as many objects as the ground has room for."""
+    """Makes a post every two metres on flat ground: as many objects as fit on the ground."""
     rng = random.Random(11)
     side = max(10, int(math.sqrt(m.points(3000000) / 150)))
 
@@ -389,7 +389,7 @@ def posts_on_a_square(m):
 
 @case("planes", "streets")
 def hedge_across_the_square(m):
-    """One connected object from corner to corner: its box is the whole square."""
+    """Makes one connected object from corner to corner. Its box is the whole square."""
     rng = random.Random(12)
     width = int(150000 * min(1.0, max(0.2, math.sqrt(m.scale))))
 
@@ -411,7 +411,7 @@ def not_numbers(m):
 
 @case()
 def binary_ply(m):
-    """Doubles, the first vertex at 1e9."""
+    """Writes coordinates as doubles, with the first vertex at 1e9."""
     rng = random.Random(13)
     values = array.array("d", [1e9, 1e9, 0])
     for _ in range(m.points(90000)):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Invariant 5: a run that is killed or interrupted goes on where it stood and ends with the same bytes."""
+"""Invariant 5: a run that is killed or interrupted continues where it stopped and ends with the same bytes."""
 import os
 import random
 import shutil
@@ -15,7 +15,7 @@ SLOW = ["--threads", "1", "--block-points", "4096"]
 
 class Resume(RunTest):
     def stop_after(self, seconds, how, inputs, out, *arguments):
-        """Starts a run and sends the signal; returns its exit code and what it said."""
+        """Starts a run and sends the signal. Returns its exit code and its output."""
         run = self.start(inputs, out, *arguments)
         try:
             _, output = run.communicate(timeout=seconds)
@@ -25,7 +25,7 @@ class Resume(RunTest):
         return run.returncode, output
 
     def stop_in_stage(self, stage, how, inputs, out, *arguments):
-        """Sends the signal as soon as a file of that stage stands in the store."""
+        """Sends the signal as soon as a file of that stage is in the store."""
         pattern = {"index": "blocks/*.codes", "normals": "blocks/*.normals", "planes": "cells/*.cell",
                    "join": "blocks/*.contacts", "label": "blocks/*.plane", "write": "blocks/*.rows",
                    "facades": "blocks/*.facade", "streets": "blocks/*.street"}[stage]
@@ -52,9 +52,9 @@ class Resume(RunTest):
                 code, _ = self.stop_after(whole * rng.uniform(0.02, 0.98), signal.SIGKILL, inputs, out, *arguments)
                 if code != 0:
                     break
-                whole *= 0.7  # the first run was slower: the machine had more to do
+                whole *= 0.7  # the first run was slower because the machine was busy
             self.assertEqual(code, -signal.SIGKILL, "every run ended before it was killed")
-            if out.exists() and i % 2 == 1:  # a second time, in the middle of going on
+            if out.exists() and i % 2 == 1:  # a second time, while it resumes
                 self.stop_after(whole * rng.uniform(0.02, 0.5), signal.SIGKILL, inputs, out, "--resume", *arguments)
             _, run_json = self.work(inputs, "--resume", *arguments, out=out)
             self.assertEqual(run_json["result_hash"], expected)
@@ -75,7 +75,7 @@ class Synthetic(Resume):
         self.check_kills(path, 2, 4, *SLOW, "--products", "roofs", "--set", "roofs.trust_classes=false")
 
     def check_kills_of(self, product, path, asked):
-        """At random moments, and when the product's first labels stand in the store."""
+        """Kills at random moments, and when the first labels of the product are in the store."""
         expected = self.check_kills(path, 4, 7, *SLOW, *asked)
         out = self.folder / "killed-in-stage"
         code, _ = self.stop_in_stage(product, signal.SIGKILL, path, out, *SLOW, *asked)
@@ -175,7 +175,7 @@ class Synthetic(Resume):
         path = self.district(60000)
         out, expected = self.work(path, "--keep-store", *SLOW)
         store = out / ".store"
-        for file in list(store.glob("blocks/*"))[::3]:  # a removal of the store that was cut short
+        for file in list(store.glob("blocks/*"))[::3]:  # imitates a removal of the store that was interrupted
             file.unlink()
         (store / "manifest.json").rename(store / "manifest.json.removed")
         _, run_json = self.work(path, "--resume", *SLOW, out=out)

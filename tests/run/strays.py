@@ -1,22 +1,22 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Points that stand alone, far from all others, change nothing but their own account."""
+"""Tests that isolated points far from all others change only the count of strays."""
 import json
 import struct
 
 from support import Las, RunTest, ilot, main
 
 KINDS = ("origin", "zeros", "behind", "200 km", "1,000 km", "below", "above")
-FEW_KINDS = ("zeros", "1,000 km")  # of the slower products; the table of all is in tests/full
+FEW_KINDS = ("zeros", "1,000 km")  # for the slower products; the table of all is in tests/full
 
 
 def raw_at(las, place):
-    """As a writer stores a place: what does not fit 32 bits is clipped."""
+    """Returns a coordinate as a writer stores it. A value that does not fit into 32 bits is clipped."""
     return [max(-2**31, min(2**31 - 1, round((v - o) / s))) for v, o, s in zip(place, las.offset, las.scale)]
 
 
 def with_strays(las, kind):
-    """The records with strays, and how many stand in front of the others and behind them."""
+    """Returns the records with strays, and the numbers of strays before and after the others."""
     x, y, z = las.points()[0]
     place = {"200 km": (x + 2e5, y + 2e5, z), "1,000 km": (x - 1e6, y + 1e6, z), "below": (x, y, z - 1200),
              "above": (x, y, z + 1200)}.get(kind, (0, 0, 0))
@@ -34,7 +34,7 @@ def write_ply(path, points):
 
 class Strays(RunTest):
     def products(self, out):
-        """Every file of the products but the clouds, by name."""
+        """Returns every file of the products except the clouds, by name."""
         files = [path for path in out.rglob("*") if path.is_file() and "points" not in path.relative_to(out).parts]
         return {str(path.relative_to(out)): path.read_bytes() for path in files if path.name != "run.json"}
 
@@ -101,7 +101,7 @@ class Strays(RunTest):
         self.assertGreaterEqual(run_json["counts"]["planes"], 2 * one["counts"]["planes"] - 4)
 
     def test_an_area_makes_no_point_a_stray(self):
-        """What stands alone is judged with the points outside the area."""
+        """Whether a point is isolated is decided with the points outside the area, too."""
         clean = Las.read(self.district(40000))
         x, y, _ = clean.points()[0]
         path = clean.write(self.folder / "stray.las", with_strays(clean, "above")[0])
@@ -125,7 +125,7 @@ class Strays(RunTest):
         self.assertEqual(outs[2], outs[0])
 
     def test_a_scale_finer_than_the_coordinates(self):
-        """Whole millimetres in steps of 0.01 mm: the same store and the same products."""
+        """Integer millimetres in steps of 0.01 mm give the same store and the same products."""
         path = self.district(40000)
         clean = Las.read(path)
         fine = [struct.pack("<iii", *(100 * v for v in raw)) + r[12:] for raw, r in zip(clean.raw(), clean.records())]

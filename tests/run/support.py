@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs of the whole engine from outside. ILOT_EXE names the program, ILOT_DATA the folder of real clouds."""
+"""Runs the whole engine from outside. ILOT_EXE is the program, ILOT_DATA the folder of real clouds."""
 import csv
 import json
 import os
@@ -28,7 +28,7 @@ def real(name):
 
 
 class Las:
-    """An uncompressed LAS file: header and records as they stand, coordinates on request."""
+    """An uncompressed LAS file: header and records are kept as bytes, and coordinates are decoded on request."""
 
     def __init__(self, data):
         self.data = data
@@ -49,7 +49,7 @@ class Las:
                 for a in range(self.start, self.start + self.count * self.length, self.length)]
 
     def raw(self):
-        """The integers x, y, z of every record."""
+        """Returns the integers x, y, z of every record."""
         skip = self.length - 12
         rows = self.data[self.start:self.start + self.count * self.length]
         return list(struct.iter_unpack(f"<iii{skip}x", rows))
@@ -59,7 +59,7 @@ class Las:
         return [(x * sx + ox, y * sy + oy, z * sz + oz) for x, y, z in self.raw()]
 
     def extra_bytes(self):
-        """Name and size of every field of the extra bytes, in order."""
+        """Returns name and size of every field of the extra bytes, in order."""
         at, = struct.unpack_from("<H", self.data, 94)
         for _ in range(struct.unpack_from("<I", self.data, 100)[0]):
             user, record, length = struct.unpack_from("<2x16sHH32x", self.data, at)
@@ -70,20 +70,20 @@ class Las:
         return []
 
     def labels(self):
-        """(plane_id, residual, boundary) of every record of a labelled cloud: they follow each other."""
+        """Returns (plane_id, residual, boundary) of every record of a labelled cloud. These fields are adjacent."""
         fields = self.extra_bytes()
         behind = sum(size for _, size in fields[[name for name, _ in fields].index("boundary") + 1:])
         rows = self.data[self.start:self.start + self.count * self.length]
         return list(struct.iter_unpack(f"<{self.length - 9 - behind}xIfB{behind}x", rows))
 
     def write(self, path, records=None, offset=None, scale=None):
-        """The same cloud with other records, offset or scale."""
+        """Returns the same cloud with other records, offset or scale."""
         head = bytearray(self.data[:self.start])
         records = self.records() if records is None else records
         struct.pack_into("<I", head, 107, len(records))
         if head[25] >= 4:
             struct.pack_into("<Q", head, 247, len(records))
-            struct.pack_into("<QI", head, 235, 0, 0)  # what followed the points is left out
+            struct.pack_into("<QI", head, 235, 0, 0)  # the data after the points are left out
         struct.pack_into("<3d", head, 131, *(scale or self.scale))
         struct.pack_into("<3d", head, 155, *(offset or self.offset))
         pathlib.Path(path).write_bytes(bytes(head) + b"".join(records))
@@ -91,7 +91,7 @@ class Las:
 
 
 def small_las(path, points, scale=(0.001, 0.001, 0.001), offset=(0, 0, 0), declared=None):
-    """LAS 1.2, point format 0; points are raw integers (x, y, z), a fourth is their class (6)."""
+    """Writes LAS 1.2, point format 0. Points are raw integers (x, y, z). A fourth value is the class (default 6)."""
     head = struct.pack("<4sHH16sBB32s32sHHHIIBHI5I", b"LASF", 0, 0, b"", 1, 2, b"test", b"test", 1, 2026, 227, 227, 0,
                        0, 20, len(points) if declared is None else declared, len(points), 0, 0, 0, 0)
     head += struct.pack("<12d", *scale, *offset, 0, 0, 0, 0, 0, 0)
@@ -111,7 +111,7 @@ def planes_of(out):
 
 
 class RunTest(unittest.TestCase):
-    """A folder of its own per test, and runs in it."""
+    """Each test has its own folder, and runs in it."""
 
     def setUp(self):
         self.holder = tempfile.TemporaryDirectory(prefix="ilot-run-")
@@ -132,16 +132,16 @@ class RunTest(unittest.TestCase):
         return self.scan("district", points, self.folder / f"district-{points}.las", **settings)
 
     def facade(self, points, scene="facade-haussmann"):
-        """The cloud of a facade, and how a run is asked for its plan."""
+        """Returns the cloud of a facade and the options that request its plan."""
         path = self.scan(scene, points, self.folder / f"{scene}.laz")
         return path, ["--products", "facades", "--stations", path.with_suffix(".stations.csv")]
 
     def street(self, points):
-        """The cloud of a street, and how a run is asked for its objects."""
+        """Returns the cloud of a street and the options that request its objects."""
         return self.scan("street", points), ["--products", "streets"]
 
     def work(self, inputs, *arguments, out=None, code=0, env=None, **options):
-        """Runs in a new folder; returns it and its run.json."""
+        """Runs in a new folder. Returns the folder and its run.json."""
         self.runs += 1
         out = out or self.folder / f"out-{self.runs}"
         inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
@@ -153,7 +153,8 @@ class RunTest(unittest.TestCase):
         return out, run_json
 
     def within_budgets(self, budgets, inputs, *arguments, **options):
-        """One result for all budgets (MiB, threads), none of which is exceeded; returns the run.json of each."""
+        """Expects one result for all budgets (MiB, threads), and that no budget is exceeded. Returns the run.json of
+        each."""
         run_json = [self.work(inputs, "--memory", f"{memory}M", "--threads", threads, *arguments, **options)[1]
                 for memory, threads in budgets]
         for (memory, threads), record in zip(budgets, run_json):
@@ -162,7 +163,7 @@ class RunTest(unittest.TestCase):
         return run_json
 
     def start(self, inputs, out, *arguments, **options):
-        """A run that goes on while the test does something else."""
+        """A run that continues while the test does something else."""
         inputs = inputs if isinstance(inputs, (list, tuple)) else [inputs]
         return subprocess.Popen([EXE, "run", *inputs, "-o", str(out), "-q", *map(str, arguments)],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, errors="replace", **options)
@@ -175,7 +176,7 @@ class RunTest(unittest.TestCase):
 
 
 def main(**suites):
-    """Runs the suite that argv names; one called real needs ILOT_DATA."""
+    """Runs the suite that argv names. A suite called real needs ILOT_DATA."""
     name = sys.argv[1] if len(sys.argv) > 1 else next(iter(suites))
     if name == "real" and not DATA:
         print("SKIPPED: the tests on real clouds need ILOT_DATA, the folder that holds them", file=sys.stderr)

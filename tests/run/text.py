@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Text clouds as people write them: dialects, strays, digits."""
+"""Tests text clouds as people write them: dialects, strays, digits."""
 import json
 import pathlib
 

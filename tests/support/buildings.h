@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small buildings that are valid.
+// Small valid buildings.
 #pragma once
 #include <string>
 
@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// 10 m along x, 8 m along y, eaves at 3 m, a ridge along x at 6 m. The first two faces are the roof, the last the
-// ground.
+// Returns a house of 10 m along x and 8 m along y, with eaves at 3 m and a ridge along x at 6 m. The first two faces
+// are the roof. The last face is the ground.
 inline Building gable_house(const std::string& id, Vec3 at) {
   Building b;
   b.id = id;
@@ -30,7 +30,7 @@ inline Building gable_house(const std::string& id, Vec3 at) {
   return b;
 }
 
-// Flat roof 10 m square, 4 m high, a court 4 m square in its middle.
+// Returns a building with a flat roof of 10 m square at 4 m, and a court of 4 m square in its middle.
 inline Building court_house(const std::string& id) {
   Building b;
   b.id = id;

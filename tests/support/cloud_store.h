@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer points become a LAS file, the file a block store: what tests of the engine start from.
+// Writes integer points to a LAS file and makes a block store of it. Tests of the engine start from this store.
 #pragma once
 #include <algorithm>
 #include <memory>
@@ -15,7 +15,8 @@ namespace ilot::test {
 
 constexpr double kUnit = 0.001;
 
-// Points are lattice coordinates; those from `origin` on must fit 32 bits. Without classes all are 0.
+// Points are lattice coordinates. Their differences from `origin` must fit into 32 bits. Without classes all classes
+// are 0.
 inline void write_cloud(const std::filesystem::path& path, const std::vector<Index3>& points,
                         const std::vector<std::uint8_t>& classes = {}, std::uint8_t point_format = 0,
                         Index3 origin = {}) {
@@ -41,7 +42,7 @@ inline void write_cloud(const std::filesystem::path& path, const std::vector<Ind
   writer->finish();
 }
 
-// Files in a folder, opened in this order, and their store beside them.
+// Files in a folder, opened in this order, and the store made from them.
 struct FilesStore {
   FilesStore(const std::filesystem::path& folder, const std::vector<const char*>& names, std::uint64_t block_points) {
     for (const char* name : names) inputs.push_back(open_cloud(folder / name));
@@ -58,11 +59,11 @@ struct FilesStore {
 struct StoreOptions {
   std::uint64_t block_points = 1u << 20;
   std::uint64_t run_points = 1u << 20;
-  std::size_t files = 1;  // the points are dealt out to them in consecutive parts
+  std::size_t files = 1;  // number of files; the points are distributed to them in consecutive parts
   bool keep_strays = false;
 };
 
-// A store of these points in a folder of its own.
+// A store of these points in its own folder.
 class CloudStore {
  public:
   explicit CloudStore(const std::vector<Index3>& points, const StoreOptions& options = {}) {
@@ -91,7 +92,7 @@ class CloudStore {
   std::unique_ptr<Store> store_;
 };
 
-// A column of the whole store, in global order.
+// Reads a column of the whole store, in global order.
 template <class T>
 std::vector<T> whole_column(const Store& store, const Column<T>& column) {
   std::vector<T> all;
@@ -115,8 +116,8 @@ inline std::vector<Index3> in_global_order(std::vector<Index3> points) {
   return points;
 }
 
-// Points around the origin, where eight tiles meet: a sparse cloud over all of them, dense places of 300 units, and one
-// point many times over.
+// Returns points around the origin, where eight tiles meet: a sparse cloud over all tiles, dense places of 300 units,
+// and one point that is repeated many times.
 inline std::vector<Index3> points_over_tiles(std::size_t n, std::uint64_t key) {
   Rng rng(key);
   const auto within = [&](std::int64_t reach) {

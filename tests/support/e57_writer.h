@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Makes small E57 files for tests, byte by byte after the standard and without any code of the reader.
+// Makes small E57 files for tests byte by byte from the standard. It uses no code of the reader.
 #pragma once
 #include <algorithm>
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace ilot::test {
 
-// One stream: `xml` is everything behind the name, such as type="Float" precision="single".
+// One stream. `xml` is the text after the name, such as type="Float" precision="single".
 struct E57Field {
   std::string name, xml;
   unsigned bits = 0;
@@ -21,9 +21,9 @@ struct E57Scan {
   std::string name, xml;  // xml: pose, limits
   std::vector<E57Field> fields;
   std::size_t piece = 600;     // bytes of each stream in a packet
-  bool uneven = false;         // pieces of different lengths, so that streams run ahead of each other
-  bool other_packets = false;  // index and empty packets in between
-  std::uint64_t records = 0;   // 0: as many as stored
+  bool uneven = false;         // pieces have different lengths, so that some streams are ahead of others
+  bool other_packets = false;  // there are index and empty packets in between
+  std::uint64_t records = 0;   // 0: as many as are stored
 };
 
 inline E57Field single_field(const std::string& name, const std::vector<double>& values) {
@@ -84,7 +84,7 @@ class E57Writer {
     xml_ += child_;
   }
 
-  // Another scan that claims the points of the last one.
+  // Adds another scan that refers to the points of the last one.
   void claim_again() { xml_ += child_; }
 
   std::string finish(const std::string& root = "") {
@@ -102,7 +102,7 @@ class E57Writer {
     return file;
   }
 
-  // A page with its checksum.
+  // Returns a page with its checksum.
   static std::string sealed(const std::string& payload) {
     std::uint32_t c = ~0u;
     for (const char byte : payload) {
@@ -115,7 +115,7 @@ class E57Writer {
     return page;
   }
 
-  // All pages of a changed file with right checksums again.
+  // Returns a changed file with the right checksums on all its pages.
   static std::string resealed(const std::string& file, std::size_t page = 1024) {
     std::string out;
     for (std::size_t at = 0; at + page <= file.size(); at += page) out += sealed(file.substr(at, page - 4));
@@ -161,7 +161,7 @@ class E57Writer {
     }
   }
 
-  // `count` and what follows it, behind type, flags and length.
+  // Returns a packet: `count` and what follows it, after type, flags and length.
   static std::string packet(const std::string& kind, std::size_t count, const std::string& rest) {
     const std::size_t length = (6 + rest.size() + 3) / 4 * 4;
     std::string out = kind;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls of rectangles in the planes of the axes, scanned from a station by exact rays.
+// Walls made of rectangles in the planes of the axes, scanned from a station by exact rays.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,8 @@
 
 namespace ilot::test {
 
-// Where `axis` (0 u, 1 v, 2 w) has the value `at`, between low and high in the two other axes, in their order.
+// A rectangle on which `axis` (0 u, 1 v, 2 w) has the value `at`. low and high bound the two other axes, in their
+// order.
 struct Sheet {
   int axis = 2;
   double at = 0, low_a = 0, high_a = 0, low_b = 0, high_b = 0;
@@ -22,7 +23,7 @@ struct ScannedWall {
   double width = 6, height = 4;
   std::vector<Sheet> sheets;
 
-  // The wall with holes: the sheets of a grid that their sides cut it into, all of plane 1.
+  // Adds the wall with holes: the sheets of the grid into which the sides of the holes cut it, all of plane 1.
   void wall(const std::vector<Sheet>& holes) {
     std::vector<double> us{0, width}, vs{0, height};
     for (const Sheet& h : holes) us.insert(us.end(), {h.low_a, h.high_a}), vs.insert(vs.end(), {h.low_b, h.high_b});
@@ -37,14 +38,15 @@ struct ScannedWall {
       }
     for (const Sheet& h : holes) window(h);
   }
-  // Reveals as deep as the hole says, else 25 cm, and a pane behind; 2 cm deep it is a joint of stone.
+  // Adds reveals and a pane behind them. The depth is that of the hole, else 25 cm. A hole 2 cm deep is a joint between
+  // stones.
   void window(const Sheet& h) {
     const double back = h.at < 0 ? h.at : -0.25;
     sheets.push_back({2, back, h.low_a, h.high_a, h.low_b, h.high_b, 0});
     for (const double u : {h.low_a, h.high_a}) sheets.push_back({0, u, h.low_b, h.high_b, back, 0, 0});
     for (const double v : {h.low_b, h.high_b}) sheets.push_back({1, v, h.low_a, h.high_a, back, 0, 0});
   }
-  // A block in front of the wall, its front of the plane.
+  // Adds a block before the wall. Its front is of plane `plane`.
   void block(double u0, double u1, double v0, double v1, double out, std::uint32_t plane) {
     sheets.push_back({2, out, u0, u1, v0, v1, plane});
     for (const double u : {u0, u1}) sheets.push_back({0, u, v0, v1, 0, out, 0});
@@ -52,8 +54,8 @@ struct ScannedWall {
   }
 };
 
-// Rays in steps of `step` (tangents) over the wall; range noise of 2 mm. Sheets of plane `hidden` stop rays and give no
-// point, as things in the street that an office cuts off.
+// Scans the wall with rays in steps of `step` (tangents) and a range noise of 2 mm. Sheets of plane `hidden` stop rays
+// and give no point. They stand for objects in the street that an office removes.
 inline FacadeSite scan_wall(const ScannedWall& wall, Vec3 eye, double step, std::uint32_t hidden = 999,
                             double noise = 0.002) {
   FacadeSite site;
@@ -92,7 +94,7 @@ inline FacadeSite scan_wall(const ScannedWall& wall, Vec3 eye, double step, std:
   return site;
 }
 
-// Both scans of one wall.
+// Joins two scans of one wall.
 inline FacadeSite joined(FacadeSite site, const FacadeSite& other) {
   site.points.insert(site.points.end(), other.points.begin(), other.points.end());
   site.stations.insert(site.stations.end(), other.stations.begin(), other.stations.end());
@@ -100,7 +102,7 @@ inline FacadeSite joined(FacadeSite site, const FacadeSite& other) {
   return site;
 }
 
-// A wall seen from the left, in which rays that cross it in a place that is open go on to a pane 25 cm behind.
+// Scans a wall from the left. Rays that cross the wall where it is open continue to a pane 25 cm behind it.
 inline FacadeSite scan_wall_open_where(const std::function<bool(double, double)>& open) {
   constexpr Vec3 kEye{-2, 1.2, 7};
   ScannedWall wall;

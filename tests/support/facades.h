@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facades drawn by hand: a wall in the plane y = 0, x to the right, z up.
+// Facades constructed by hand: a wall in the plane y = 0, with x to the right and z up.
 #pragma once
 #include <string>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a file holds, all of it.
+// Reads the whole contents of a file.
 #pragma once
 #include <filesystem>
 #include <fstream>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Zones of an image by flooding from pixel to pixel: the oracle for all that makes zones out of runs and tiles.
+// Zones of an image found by flooding from pixel to pixel. This is the oracle for all code that finds zones from runs
+// and tiles.
 #pragma once
 #include <cstdlib>
 #include <functional>
@@ -8,7 +9,8 @@
 
 namespace ilot::test {
 
-// Regions of pixels that `in` takes, joined where two neighbours do; numbered by their first pixel.
+// Returns the regions of the pixels for which `in` is true. Neighbours are in one region if `joined` is true for them.
+// Regions are numbered by their first pixel.
 inline PixelLabels flooded(std::uint32_t width, std::uint32_t height, Adjacency adjacency,
                            const std::function<bool(std::size_t)>& in,
                            const std::function<bool(std::size_t, std::size_t)>& joined) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A whole image behind the access that tiled kernels ask for.
+// Gives access to a whole image in the way that tiled kernels need.
 #pragma once
 #include "kernels/rasters/tiles.h"
 
 namespace ilot::test {
 
-// The grid with those tiles only that are flagged, of all row by row.
+// Returns the grid with only the flagged tiles. `present` has one flag for each tile, row by row.
 inline TileGrid with_tiles(TileGrid grid, const std::vector<std::uint8_t>& present) {
   for (std::uint32_t t = 0; t < present.size(); ++t)
     if (present[t] != 0) grid.tiles.push_back({t / grid.columns(), t % grid.columns()});

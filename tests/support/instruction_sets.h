@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The instruction sets of this machine beside the baseline: what tests of equal bits go through.
+// The instruction sets of this machine in addition to the baseline. Tests for equal bits run with each of them.
 #pragma once
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Layers of a street in memory, and as one image again.
+// Layers of a street in memory, and their conversion into one image.
 #pragma once
 #include <map>
 #include <mutex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer points with normals, patch by patch, in Morton order: scenes for plane extraction.
+// Integer points with normals, made patch by patch, in Morton order. They are scenes for plane extraction.
 #pragma once
 #include <cmath>
 #include <numeric>
@@ -17,14 +17,14 @@ struct OrientedSet : PaddedOrientedPoints {
   OrientedPoints view() const { return oriented(); }
 };
 
-// Sum of twelve uniform numbers: bell-shaped, standard deviation 1, never beyond 6.
+// Returns the sum of twelve uniform numbers. It is bell-shaped with standard deviation 1 and never beyond 6.
 inline double bell(Rng& rng) {
   double sum = -6;
   for (int i = 0; i < 12; ++i) sum += rng.uniform();
   return sum;
 }
 
-// A rectangle of columns x rows points `step` apart along the unit vectors u and v.
+// A rectangle of columns x rows points, `step` apart, along the unit vectors u and v.
 struct Patch {
   Vec3 origin, u, v;
   int columns = 0, rows = 0;
@@ -37,7 +37,7 @@ class OrientedSetBuilder {
   explicit OrientedSetBuilder(std::uint64_t key) : rng_(key) {}
 
   void add(Vec3 p, Vec3 n) { points_.push_back({p, n}); }
-  // Normals lean by up to `lean` (tangent of an angle) in either direction.
+  // Normals deviate by up to `lean` (tangent of an angle) in either direction.
   void add(const Patch& patch, double lean = 0) {
     for (int i = 0; i < patch.columns; ++i)
       for (int j = 0; j < patch.rows; ++j) {
@@ -47,7 +47,7 @@ class OrientedSetBuilder {
         add(p + patch.noise * bell(rng_) * patch.normal(), (1 / norm(n)) * n);
       }
   }
-  // Rounded to integers and sorted; coordinates must not be negative.
+  // Rounds the points to integers and sorts them. Coordinates must not be negative.
   OrientedSet build() const {
     std::vector<std::uint64_t> codes;
     for (const auto& [p, n] : points_) {

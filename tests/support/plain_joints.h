@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How facades meet as engine/products/facades/walls/facade_joints.h finds it, each asking all others: slow, and plain
-// to read.
+// The joints of facades as engine/products/facades/walls/facade_joints.h finds them. Here every facade is compared with
+// all others: this is slow and easy to read.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,8 +13,8 @@
 namespace ilot::test::plain_joints {
 
 constexpr double kParallelDeg = 5;
-constexpr double kOver = 0.5;        // of the narrower wall, that stands over the other
-constexpr double kSameHeight = 0.5;  // of the lower wall, that stands beside the other at a corner
+constexpr double kOver = 0.5;        // share of the narrower wall that is over the other
+constexpr double kSameHeight = 0.5;  // share of the lower wall that is beside the other at a corner
 
 inline FacadeElement* outline_of(Facade& facade) {
   const auto at = std::find_if(facade.elements.begin(), facade.elements.end(), [](const FacadeElement& e) {
@@ -23,7 +23,7 @@ inline FacadeElement* outline_of(Facade& facade) {
   return at == facade.elements.end() ? nullptr : &*at;
 }
 
-// Outlines begin with their lower left and lower right corners (wall_outline.h).
+// Outlines begin with their lower left and lower right corners (see wall_outline.h).
 struct EndCorners {
   std::size_t low, high;
 };
@@ -31,7 +31,7 @@ inline EndCorners end_of(const FacadeElement& outline, bool left) {
   return left ? EndCorners{0, outline.ring.size() - 1} : EndCorners{1, 2};
 }
 
-// u, v and w of a place, metres.
+// Returns u, v and w of a position, in metres.
 inline Vec3 local(const Facade& f, Vec3 place, double metres) {
   const Vec3 d = metres * (place - f.origin);
   return {dot(d, f.right), dot(d, f.up), dot(d, f.out)};
@@ -46,12 +46,12 @@ inline Box2 box_of(const Facade& f, const FacadeElement& e, double metres) {
   return box;
 }
 
-// Metres along the wall from a place on it to the plane of another facade.
+// Returns the distance in metres along the wall from a position on it to the plane of another facade.
 inline double way_to(const Facade& from, Vec3 place, const Facade& to, double metres) {
   return dot(to.origin - place, to.out) / dot(from.right, to.out) * metres;
 }
 
-// How much the top rises for a metre to the right, at an end of the wall.
+// Returns how much the top rises per metre to the right at an end of the wall.
 inline double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
   const std::size_t high = end_of(outline, left).high, next = left ? high - 1 : high + 1;
   const Vec3 along = outline.ring[next] - outline.ring[high];
@@ -60,11 +60,11 @@ inline double rise_at(const Facade& f, const FacadeElement& outline, bool left) 
 }
 
 struct Meeting {
-  double way = INFINITY;  // metres that the end moves
-  std::size_t other = 0;  // the facade met
+  double way = INFINITY;  // metres by which the end moves
+  std::size_t other = 0;  // the facade that it meets
 };
 
-// Which facade the left (or right) end of one comes to.
+// Returns the facade that the left (or right) end of a facade meets.
 inline Meeting meeting_of(std::vector<Facade>& facades, std::size_t own, bool left, const JointParams& params) {
   Meeting nearest;
   Facade& f = facades[own];
@@ -96,7 +96,7 @@ inline void begin_at_left_end(Facade& f, const FacadeElement& outline, double me
   f.height_m = box.height();
 }
 
-// Corners of two outlines on one line that differ in height alone, by no more than `reach`.
+// Joins corners of two outlines that are on one vertical line and differ in height by at most `reach`.
 inline void join_heights(std::vector<Facade>& facades, double reach, double metres) {
   std::vector<Vec3*> corners;
   for (Facade& f : facades)
@@ -109,7 +109,7 @@ inline void join_heights(std::vector<Facade>& facades, double reach, double metr
   for (std::size_t a = 0; a < corners.size(); ++a)
     for (std::size_t b = a + 1; b < corners.size(); ++b) {
       const Vec3 apart = metres * (*corners[b] - *corners[a]);
-      constexpr double kOnLine = 0.02;  // metres: lines in which walls meet are upright to that
+      constexpr double kOnLine = 0.02;  // metres: tolerance for a vertical line in which walls meet
       if (apart.x * apart.x + apart.y * apart.y > kOnLine * kOnLine || std::abs(apart.z) > reach) continue;
       const Vec3 middle = 0.5 * (*corners[a] + *corners[b]);
       *corners[a] = *corners[b] = middle;
@@ -140,7 +140,7 @@ inline FacadeElement step_of(const Facade& wall, const FacadeElement& outline, d
   e.height_error_m = outline.height_error_m;
   e.depth_error_m = outline.depth_error_m;
   e.points = outline.points;
-  if (!outline.edges.empty()) return e;  // its ring and its depth say all
+  if (!outline.edges.empty()) return e;  // its ring and its depth describe it completely
   FacadeSite site;
   site.axes = {wall.origin, wall.right, wall.up, wall.out};
   site.metres_per_unit = m;
@@ -148,7 +148,7 @@ inline FacadeElement step_of(const Facade& wall, const FacadeElement& outline, d
   return e;
 }
 
-// How far `part` stands before `wall`, where it is a storey of the same front; 0 where it is none.
+// Returns how far `part` stands before `wall` if it is a storey of the same front. Returns 0 otherwise.
 inline double step_between(const Facade& wall, const Box2& own, const Facade& part, const FacadeElement& outline,
                            const JointParams& params) {
   const double m = params.metres_per_unit;
@@ -168,7 +168,7 @@ inline void close_corners(std::vector<Facade>& facades, const JointParams& param
       const Meeting met = meeting_of(facades, i, left, params);
       if (!std::isfinite(met.way)) continue;
       FacadeElement* outline = outline_of(facades[i]);
-      // Each end of the side by itself: the line may lean by what the walls do.
+      // Each end of the side is moved by itself, because the line may lean as much as the walls do.
       const EndCorners end = end_of(*outline, left);
       for (const std::size_t corner : {end.low, end.high}) {
         const double m = params.metres_per_unit;

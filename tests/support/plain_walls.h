@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Walls and dormers as engine/products/facades/walls/wall_groups.h finds them, each asking all segments: slow, and
-// plain to read.
+// Walls and dormers as engine/products/facades/walls/wall_groups.h finds them. Here every wall is compared with all
+// segments: this is slow and easy to read.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -12,16 +12,16 @@
 
 namespace ilot::test::plain_walls {
 
-constexpr double kParallelDeg = 5;  // planes of a facade's relief lean less than this from its wall
-constexpr double kCoplanarDeg = 2;  // parts of one wall
+constexpr double kParallelDeg = 5;  // greatest angle between a plane of a facade's relief and its wall
+constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
 constexpr double kLargePart = 1;    // m2; smaller pieces beside the wall's plane are relief
-constexpr double kInside = 0.5;     // share of a plane's width that must lie along the wall for it to be its relief
+constexpr double kInside = 0.5;     // share of the width of a plane that must be along the wall if it is its relief
 
 struct Extent {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
 };
 
-// Of a segment's box in the axes, metres.
+// Returns the extent of the box of a segment in the axes, in metres.
 inline Extent extent_of(const Segment& s, const FacadeAxes& axes, double metres) {
   const Vec3 middle = 0.5 * (s.min + s.max) - axes.origin, half = 0.5 * (s.max - s.min);
   const auto along = [&](Vec3 axis, double& low, double& high) {
@@ -58,7 +58,7 @@ inline Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 m
   return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
 }
 
-// Without a station a storey that stands back looks where the wall below it looks.
+// If there is no station, a storey that stands back faces in the same direction as the wall below it.
 inline Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
   for (const WallGroup& wall : walls) {
     const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
@@ -76,7 +76,7 @@ inline void include(Extent& all, const Extent& e) {
   all.v1 = std::max(all.v1, e.v1);
 }
 
-// Adds what lies on the wall's plane and goes on along it, until nothing more does.
+// Adds segments that are in the plane of the wall and continue along it, until there are no more.
 inline void join_coplanar(std::span<const Segment> segments, const std::vector<std::size_t>& upright,
                           std::vector<char>& taken, const WallParams& params, WallGroup& group, Extent& all) {
   const double least_cos = cos_degrees(kCoplanarDeg);
@@ -101,7 +101,7 @@ inline void join_coplanar(std::span<const Segment> segments, const std::vector<s
   }
 }
 
-// Of one segment so far.
+// Returns a group of one segment.
 inline WallGroup group_of(const Segment& s, Vec3 out) {
   WallGroup group;
   group.axes = axes_of(s, out);
@@ -119,7 +119,7 @@ inline void set_box(WallGroup& group, const Extent& all, double metres) {
   group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
 }
 
-// Of a front, how much another one covers, seen square to it.
+// Returns the share of a front that another front covers, seen perpendicular to it.
 inline double common_share(const WallGroup& front, const WallGroup& other, double metres) {
   const Vec3 d = metres * (front.axes.origin - other.axes.origin);
   const double u = dot(d, other.axes.right), v = dot(d, other.axes.up);
@@ -128,7 +128,8 @@ inline double common_share(const WallGroup& front, const WallGroup& other, doubl
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
-// What lies parallel to the wall and along it: claimed, so that a balcony or a shop front is no facade of its own.
+// Claims the segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
+// facade of its own.
 inline void claim_relief(std::span<const Segment> segments, const std::vector<std::size_t>& parallel_candidates,
                          std::vector<char>& taken, const WallParams& params, WallGroup& group) {
   const double least_cos = cos_degrees(kParallelDeg);
@@ -188,7 +189,7 @@ inline std::vector<WallGroup> find_walls(std::span<const Segment> segments, std:
 inline std::vector<WallGroup> find_dormer_fronts(const WallGroup& wall, std::span<const WallGroup> walls,
                                                  std::span<const Segment> segments, WallParams params,
                                                  const DormerFrontParams& dormers = {}) {
-  constexpr double kOverlap = 0.3;  // metres that they may reach down beside the wall's top
+  constexpr double kOverlap = 0.3;  // metres that they may reach down below the wall's top
   const double least_cos = cos_degrees(kParallelDeg);
   std::vector<char> taken(segments.size(), 0);
   for (const WallGroup& known : walls)

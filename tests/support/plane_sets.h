@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sets of points in a plane, and what a Delaunay triangulation is by definition.
+// Sets of points in a plane, and the Delaunay triangulation computed from its definition.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -20,8 +20,8 @@ inline std::int32_t draw_within(Rng& rng, std::int32_t reach) {
   return static_cast<std::int32_t>(rng.below(2 * static_cast<std::uint64_t>(reach) + 1)) - reach;
 }
 
-// Uniform, lattices full of cocircular points, circles and nearly, lines, near-lines, duplicates, clusters far apart,
-// the ends of the range; of about n points each.
+// Returns sets of about n points each: uniform, lattices full of cocircular points, circles and near-circles, lines,
+// near-lines, duplicates, clusters far apart, and the ends of the range.
 inline std::vector<PlaneSet> plane_sets(std::uint32_t n, std::uint64_t key) {
   Rng rng(key);
   std::vector<PlaneSet> sets(12);
@@ -54,7 +54,7 @@ inline std::vector<PlaneSet> plane_sets(std::uint32_t n, std::uint64_t key) {
   return sets;
 }
 
-// A triangle by its positions, smallest first, turning left.
+// A triangle given by its positions, smallest first, counter-clockwise.
 using PlacedTriangle = std::array<Point2, 3>;
 
 inline PlacedTriangle placed(Point2 a, Point2 b, Point2 c) {
@@ -71,7 +71,7 @@ inline std::vector<PlacedTriangle> placed_triangles(const Triangulation& t, cons
   return all;
 }
 
-// All triangles without a point in their circle. O(n^4).
+// Returns all triangles without a point in their circumcircle. O(n^4).
 inline std::vector<PlacedTriangle> empty_circle_triangles(std::vector<Point2> points) {
   std::sort(points.begin(), points.end());
   points.erase(std::unique(points.begin(), points.end()), points.end());

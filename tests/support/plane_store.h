@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A store taken through the passes up to the joined planes.
+// A store that has run through the passes up to the joined planes.
 #pragma once
 #include "engine/columns/normals_pass.h"
 #include "engine/products/planes/join/join_pass.h"
@@ -27,7 +27,8 @@ struct PlaneStore {
   JoinedPlanes joined;
 };
 
-// Height above the origin of a surface over columns x rows points, `step` apart from (x, y) on, with noise.
+// Adds columns x rows points, `step` apart, starting at (x, y). `height` gives the height of the surface above the
+// origin. Noise is added.
 template <class Height>
 void add_surface(std::vector<Index3>& points, Index3 from, Index3 size, std::int64_t step, double noise,
                  Height height) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Integer point sets for oracles: each kind stresses something else. All Morton sorted, padded as Points asks.
+// Integer point sets for oracles. Each kind tests a different difficulty. All are Morton sorted and padded as Points
+// requires.
 #pragma once
 #include <algorithm>
 #include <numeric>
@@ -38,7 +39,7 @@ inline PointSet make_set(std::string name, std::vector<Cell3> cells) {
   return set;
 }
 
-// Uniform in a cube, a surface, an integer grid, a line, duplicates, clusters far apart; of n points each.
+// Returns sets of n points each: uniform in a cube, a surface, an integer grid, a line, duplicates, clusters far apart.
 inline std::vector<PointSet> point_sets(std::uint32_t n) {
   Rng rng(n);
   const auto draw = [&](std::uint32_t bound) { return static_cast<std::uint32_t>(rng.below(bound)); };

@@ -8,14 +8,14 @@
 
 namespace ilot::test {
 
-// From the anchor, metres.
+// Relative to the anchor, in metres.
 inline SitePolygon rectangle(double width, double depth) {
   const auto w = static_cast<std::int32_t>(width * 1000), d = static_cast<std::int32_t>(depth * 1000);
   return {{{0, 0}, {w, 0}, {w, d}, {0, d}}};
 }
 
-// About `density` points a square metre over a rectangle, on the surface, with evenly distributed noise of that
-// standard deviation.
+// Returns a site with about `density` points per square metre over a rectangle, on the surface. The noise is uniformly
+// distributed and has the given standard deviation.
 inline RoofSite roof_site(double width, double depth, const std::function<double(double, double)>& height,
                           double density = 10, double noise = 0.02) {
   RoofSite site;

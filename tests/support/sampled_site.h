@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Facades from nowhere: points strewn over flat faces, noise across the wall, no stations.
+// Facades made without a scan: points at random positions on flat faces, with noise across the wall and without
+// stations.
 #pragma once
 #include <cmath>
 
@@ -20,7 +21,7 @@ class SampledSite {
     site.epsilon = 3.5 * noise;
     site.wall = {1};
   }
-  // The parallelogram from `from` along both ways, in the wall's axes.
+  // Adds the parallelogram at `from` along both directions, in the axes of the wall.
   void face(Vec3 from, Vec3 along, Vec3 up, std::uint32_t plane) {
     const auto count = static_cast<std::size_t>(norm(cross(along, up)) / (step_ * step_));
     const Vec3 out = (1 / norm(cross(along, up))) * cross(along, up);
@@ -30,11 +31,11 @@ class SampledSite {
       site.points.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), plane});
     }
   }
-  // A rectangle of the wall's plane at w.
+  // Adds a rectangle parallel to the wall at the distance w.
   void sheet(double u0, double u1, double v0, double v1, double w, std::uint32_t plane) {
     face({u0, v0, w}, {u1 - u0, 0, 0}, {0, v1 - v0, 0}, plane);
   }
-  // The wall but for a hole.
+  // Adds the wall except for a hole.
   void wall_around(double u0, double u1, double v0, double v1) {
     if (u0 > 0) sheet(0, u0, 0, site.height, 0, 1);
     if (u1 < site.width) sheet(u1, site.width, 0, site.height, 0, 1);

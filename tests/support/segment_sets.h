@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What tests of plane extraction share: normals and neighbours of a set, shuffled copies, what holds for any answer.
+// Shared by tests of plane extraction: normals and neighbours of a set, shuffled copies, and properties of every valid
+// answer.
 #pragma once
 #include <gtest/gtest.h>
 
@@ -42,7 +43,7 @@ inline std::vector<PackedNormal> estimated_normals(Points points, int k) {
   return out;
 }
 
-// The set with normals estimated from its points.
+// Returns the set with normals estimated from its points.
 inline OrientedSet with_estimated_normals(OrientedSet set, int k) {
   const std::vector<PackedNormal> normals = estimated_normals(set.view().points, k);
   for (std::size_t i = 0; i < set.size; ++i) {
@@ -56,10 +57,10 @@ inline OrientedSet with_estimated_normals(OrientedSet set, int k) {
   return set;
 }
 
-// Position of each point of the set in a shuffled copy, and the copy.
+// A shuffled copy of a set, and the position of each of its points in the set.
 struct Shuffled {
   OrientedSet set;
-  std::vector<std::uint32_t> from;  // per point of the copy: its index in the original
+  std::vector<std::uint32_t> from;  // for each point of the copy: its index in the original
 };
 
 inline Shuffled shuffled(const OrientedSet& set, std::uint64_t key) {
@@ -78,7 +79,7 @@ inline Shuffled shuffled(const OrientedSet& set, std::uint64_t key) {
   return s;
 }
 
-// Labels renumbered by first appearance: equal for equal partitions. 0 stays 0.
+// Renumbers labels by first appearance, so that equal partitions give equal labels. 0 stays 0.
 inline std::vector<std::uint32_t> canonical(const std::vector<std::uint32_t>& label) {
   std::map<std::uint32_t, std::uint32_t> number{{0, 0}};
   std::vector<std::uint32_t> r;
@@ -86,7 +87,7 @@ inline std::vector<std::uint32_t> canonical(const std::vector<std::uint32_t>& la
   return r;
 }
 
-// Labels of a shuffled copy in the order of the original.
+// Returns the labels of a shuffled copy in the order of the original.
 inline std::vector<std::uint32_t> in_original_order(const Shuffled& s, const std::vector<std::uint32_t>& label) {
   std::vector<std::uint32_t> r(label.size());
   for (std::size_t i = 0; i < label.size(); ++i) r[s.from[i]] = label[i];
@@ -99,7 +100,8 @@ inline std::vector<std::size_t> label_sizes(const PlaneSegments& s) {
   return count;
 }
 
-// Labels refer to planes of unit normal, each has enough points, and epsilon means epsilon.
+// Checks that labels refer to planes with a unit normal, that each has enough points, and that no labelled point is
+// farther than epsilon.
 inline void expect_sound(const OrientedSet& set, const PlaneSegments& s, double epsilon, std::uint32_t min_points) {
   ASSERT_EQ(s.label.size(), set.size);
   for (std::size_t i = 0; i < set.size; ++i) {
@@ -114,7 +116,7 @@ inline void expect_sound(const OrientedSet& set, const PlaneSegments& s, double 
   }
 }
 
-// Three faces of a box of 60 x 50 x 40 steps of 20, with noise, and lone points around them.
+// Returns three faces of a box of 60 x 50 x 40 steps of 20, with noise and with isolated points around them.
 inline OrientedSet box_corner(std::uint64_t key, double noise = 3, int lone = 500) {
   constexpr Vec3 x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
   OrientedSetBuilder b(key);

@@ -6,8 +6,8 @@
 
 namespace ilot::test {
 
-// A point on the shape: `turn` in [0, 1) around the axis, `along` from the origin (sphere: height in [-1, 1] radii).
-// Plane: not used. Rational points of the circle would do; tests may call the maths library.
+// Returns a point on the shape. `turn` is in [0, 1) around the axis and `along` is measured from the origin (sphere:
+// height in [-1, 1] radii). Planes are not supported. Tests may call the maths library.
 inline std::pair<Vec3, Vec3> point_on(const Shape& s, double turn, double along) {
   const Vec3 a = std::abs(s.axis.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
   Vec3 e1 = cross(s.axis, a);
@@ -25,12 +25,12 @@ inline std::pair<Vec3, Vec3> point_on(const Shape& s, double turn, double along)
   return {s.origin + along * s.axis + across * out, s.cosine * out - s.sine * s.axis};
 }
 
-// n points with turn in [0, arc) and along in [from, to), uniform in area for spheres and cylinders.
+// Adds n points with turn in [0, arc) and along in [from, to). They are uniform in area for spheres and cylinders.
 inline void add_shape(OrientedSetBuilder& b, Rng& rng, const Shape& s, int n, double arc, double from, double to,
                       double noise) {
   for (int i = 0; i < n; ++i) {
     double along = from + (to - from) * rng.uniform();
-    if (s.kind == ShapeKind::kCone)  // more where it is wide
+    if (s.kind == ShapeKind::kCone)  // more points where it is wide
       along = std::sqrt(from * from + (to * to - from * from) * rng.uniform());
     const auto [p, normal] = point_on(s, arc * rng.uniform(), along);
     b.add(p + noise * bell(rng) * normal, normal);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small images for oracles: each kind stresses something else; and the symmetries that no raster kernel may break.
+// Small images for oracles, and the symmetries that every raster kernel must respect. Each kind of image tests a
+// different difficulty.
 #pragma once
 #include <algorithm>
 #include <string>
@@ -17,7 +18,7 @@ struct NamedImage {
 
 constexpr Adjacency kAdjacencies[] = {Adjacency::four, Adjacency::eight};
 
-// Heights 0 to bound - 1; one pixel in `one_missing_in` has none (0: every pixel has one).
+// Heights are 0 to bound - 1. One pixel in `one_missing_in` has no height (0: every pixel has one).
 inline Image random_image(std::uint32_t width, std::uint32_t height, std::uint32_t bound, std::uint64_t seed,
                           std::uint32_t one_missing_in = 0) {
   Rng rng(seed, std::uint64_t{width} << 32 | height);
@@ -29,13 +30,13 @@ inline Image random_image(std::uint32_t width, std::uint32_t height, std::uint32
   return image;
 }
 
-// A corridor of height 0 that winds between walls of 9: what scans alone settle slowly.
+// Returns a winding corridor of height 0 between walls of 9. Kernels that only scan need many scans for it.
 inline Image winding_image(std::uint32_t side) {
   Image image = filled_image(side, side, 9);
   for (std::uint32_t y = 1; y + 1 < side; ++y)
     for (std::uint32_t x = 1; x + 1 < side; ++x)
       if (y % 2 == 1 || x == (y % 4 == 2 ? 1 : side - 2)) image.values[y * side + x] = 0;
-  image.values[side] = 0;  // the one way out
+  image.values[side] = 0;  // the only exit
   return image;
 }
 
@@ -79,14 +80,14 @@ inline Image mirrored(const Image& image) {
   return out;
 }
 
-// Adds to every pixel that has a height.
+// Raises every pixel that has a height.
 inline Image raised(Image image, Height by) {
   for (Height& v : image.values)
     if (v != kNoHeight) v += by;
   return image;
 }
 
-// Indices of the neighbours of pixel (x, y), by bounds: the oracles' own way.
+// Returns the indices of the neighbours of pixel (x, y) by comparing bounds. Only the oracles use this method.
 inline std::vector<std::size_t> neighbours_of(std::uint32_t width, std::uint32_t height, std::size_t pixel,
                                               Adjacency adjacency) {
   const auto x = static_cast<std::int64_t>(pixel % width), y = static_cast<std::int64_t>(pixel / width);

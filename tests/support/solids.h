@@ -16,7 +16,7 @@ struct Shape {
   std::vector<FaceRings> faces;
 };
 
-// Faces turn left seen from outside.
+// Faces are counter-clockwise seen from outside.
 inline Shape box(Vec3 low, Vec3 high) {
   Shape s;
   for (const double z : {low.z, high.z})
@@ -32,7 +32,7 @@ inline Shape turned(Shape s) {
   return s;
 }
 
-// Both, vertices of their own.
+// Returns both shapes in one, each with its own vertices.
 inline Shape joined(Shape a, const Shape& b) {
   const auto first = static_cast<std::uint32_t>(a.vertices.size());
   a.vertices.insert(a.vertices.end(), b.vertices.begin(), b.vertices.end());
@@ -58,7 +58,7 @@ inline CityObject object_of(const Shape& s, PrimitiveKind kind = PrimitiveKind::
   return {"a", "Building", s.vertices, {{kind, "2.2", "a", {{shell_of(s)}}}}};
 }
 
-// One solid of several shells.
+// Returns one solid with several shells.
 inline CityObject with_shells(const std::vector<Shape>& shells) {
   CityObject object{"a", "Building", {}, {{PrimitiveKind::solid, "2.2", "a", {{}}}}};
   for (const Shape& s : shells) {
@@ -68,7 +68,7 @@ inline CityObject with_shells(const std::vector<Shape>& shells) {
   return object;
 }
 
-// One composite of several solids.
+// Returns one composite of several solids.
 inline CityObject with_solids(const std::vector<Shape>& solids, PrimitiveKind kind = PrimitiveKind::composite_solid) {
   CityObject object{"a", "Building", {}, {{kind, "2.2", "a", {}}}};
   for (const Shape& s : solids) {

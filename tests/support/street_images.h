@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Small streets from above, at 20 pixels a metre and in millimetres.
+// Small streets from above, at 20 pixels per metre, in millimetres.
 #pragma once
 #include "tests/support/small_images.h"
 
@@ -7,7 +7,8 @@ namespace ilot::test {
 
 constexpr std::uint32_t kFacade = 15;  // pixels of facade on each side
 
-// Along x; the ground rises by percent, with a roughness of 2 cm; facades of 10 m on both sides.
+// The street runs along x. The ground rises by `percent` and has a roughness of 2 cm. There are facades of 10 m on both
+// sides.
 inline Image sloping_street(std::uint32_t length, std::uint32_t width, int percent) {
   Image image = filled_image(length, width, 0);
   Rng rng(length, width);
@@ -24,7 +25,7 @@ struct PixelBox {
   std::uint32_t x, y, width, height;
 };
 
-// Raises a box by so much; kNoHeight takes its heights away.
+// Raises a box by `by`. kNoHeight removes its heights.
 inline void put(Image& image, const PixelBox& box, Height by) {
   for (std::uint32_t y = box.y; y < box.y + box.height; ++y)
     for (std::uint32_t x = box.x; x < box.x + box.width; ++x) {
@@ -33,7 +34,8 @@ inline void put(Image& image, const PixelBox& box, Height by) {
     }
 }
 
-// A roof from side to side, three times as large as the larger piece of ground beside it.
+// Returns a street with a roof from side to side. The roof is three times as large as the larger piece of ground beside
+// it.
 inline Image large_roof() {
   Image image = filled_image(220, 120, 0);
   Rng rng(7);

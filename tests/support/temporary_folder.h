@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fresh folder that goes away with the object.
+// A new folder that is deleted together with the object.
 #pragma once
 #include <cstdlib>
 #include <filesystem>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// One subcommand, one file. Each adds its options to the command line and, when it is the one that was called, leaves
-// in `action` what is to be done; main runs it and turns its answer into the exit code.
+// There is one subcommand per file. Each function adds the options of its subcommand to the command line. If this
+// subcommand is called, the function stores the work to be done in `action`. main() runs it and converts its result
+// into the exit code.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <functional>

@@ -39,7 +39,7 @@ bool is_terminal() {
   return isatty(STDERR_FILENO) == 1 && kind != nullptr && std::strcmp(kind, "dumb") != 0;
 }
 
-// A descriptor of our own for the log; -1 for none.
+// Opens a descriptor of our own for the log. Returns -1 for no log.
 int open_log(const std::string& log) {
   if (log.empty()) return -1;
   int wanted = log == "-" ? STDERR_FILENO : -1;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where words leave the program: lines for people on standard error, results on standard output, events on a
-// log.
+// The output of the program: messages for people go to standard error, results to standard output, and events to a log.
 #pragma once
 #include <memory>
 #include <string>
@@ -10,18 +9,18 @@
 
 namespace ilot {
 
-// Standard error, as it is; a closed or full one is ignored.
+// Writes the text to standard error without a change. A closed or full standard error is ignored.
 void say(std::string_view text);
 
-// Standard output. Error when it cannot be written.
+// Writes to standard output. Throws Error when this is not possible.
 void print(std::string_view text);
 
-// The text as one line: control characters are blanks, and the line ends.
+// Returns the text as one line: control characters become blanks, and a line end is added.
 std::string one_line(std::string text);
 
-// Progress on the console and, if asked for, as JSON lines on `log`: a file (replaced), `-` for standard
-// error or `fd:N` for an open descriptor. A timer keeps the line alive. One live line on a terminal; NO_COLOR
-// is respected.
+// Shows progress on the console and, if requested, writes it as JSON lines to `log`: a file (which is replaced), `-`
+// for standard error, or `fd:N` for an open descriptor. A timer keeps the line up to date. On a terminal there is one
+// live line. NO_COLOR is respected.
 class ConsoleProgress {
  public:
   ConsoleProgress(Verbosity verbosity, const std::string& log);

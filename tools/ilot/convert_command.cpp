@@ -25,7 +25,7 @@ struct Copied {
   std::uint64_t written = 0, rejected = 0;
 };
 
-// Moves the valid rows to the front; returns how many there are.
+// Moves the valid rows to the front. Returns their number.
 std::size_t keep_valid(std::span<std::byte> rows, std::span<const std::uint8_t> valid, std::size_t length) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < valid.size(); ++i) {
@@ -57,7 +57,7 @@ Copied copy_points(PointReader& reader, PointWriter& writer, Progress& progress)
   return copied;
 }
 
-// What the input said and the output, opened again, does not.
+// Returns the attributes that the input has and the output, which is opened again, does not have.
 std::vector<std::string> lost_attributes(const CloudInfo& from, const CloudInfo& to) {
   std::vector<std::string> lost;
   const auto missing = [&](bool before, bool after, const std::string& name) {

@@ -38,7 +38,8 @@ render::ColourRange colours_of(const std::string& cloud) {
   return range;
 }
 
-// The points of a cloud, each time anew; without colours their intensity as a grey.
+// Returns a source of the points of a cloud, which opens the cloud anew each time. Without colours, the intensity gives
+// a grey.
 PointSource points_of(const std::string& cloud) {
   return [cloud, range = colours_of(cloud)](const Box3<Vec3>&,
                                             const std::function<void(std::span<const ImagePoint>)>& take) {
@@ -57,7 +58,8 @@ PointSource points_of(const std::string& cloud) {
   };
 }
 
-// Of a run, or of a scene's truth; then, with a frame, the facade of the truth that lies where that one does.
+// Reads the facades of a run, or of the truth of a scene. With a frame, returns the facade of the truth at the same
+// position as the one in the frame.
 std::vector<Facade> facades_in(const std::string& input, const std::string& frame) {
   if (!input.ends_with(".truth.json")) return {read_facade_json(input)};
   std::vector<Facade> facades = true_facades(read_truth(input));

@@ -135,7 +135,7 @@ std::string info_text(const CloudInfo& info, const CloudMeasure& m) {
   return out;
 }
 
-// One bad file does not hide the others: it is named, and the exit code tells.
+// A bad file does not hide the others. The message names it, and the exit code reports the fault.
 int info_command(const InfoArguments& given) {
   if (given.inputs.empty()) throw Error("info: no INPUT given (ilot info --help)", ExitCode::usage);
   const auto files = expand_inputs(given.inputs);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The command line of ilot: the only catch and the only exit code.
+// The command line of ilot. Only this file catches exceptions and determines the exit code.
 #include <malloc.h>
 
 #include <csignal>
@@ -19,13 +19,13 @@ namespace {
 
 using namespace ilot;
 
-// The first signal asks for an orderly stop; the handler is then gone, so that the second one ends the process. SIGHUP
+// The first signal requests an orderly stop. The handler is removed then, so the second signal ends the process. SIGHUP
 // stays ignored where the parent ignores it (nohup).
 void install_signal_handlers() {
   struct sigaction stop {};
   stop.sa_handler = [](int) { request_stop(); };
   stop.sa_flags = SA_RESETHAND | SA_RESTART;
-  sigset_t asked;  // a parent may have blocked them
+  sigset_t asked;  // a parent may have blocked these signals
   sigemptyset(&asked);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
     struct sigaction before {};
@@ -35,7 +35,7 @@ void install_signal_handlers() {
     sigaddset(&asked, number);
   }
   signal(SIGPIPE, SIG_IGN);
-  signal(SIGXFSZ, SIG_IGN);  // writing beyond ulimit -f is an error like a full disk
+  signal(SIGXFSZ, SIG_IGN);  // writing beyond ulimit -f becomes an error like a full disk
   sigprocmask(SIG_UNBLOCK, &asked, nullptr);
 }
 
@@ -93,7 +93,7 @@ int run_command_line(int argc, char** argv) {
   return action ? action() : 0;
 }
 
-// The library's sentence begins with the name of a C++ function.
+// The message of the library begins with the name of a C++ function, which is removed.
 std::string fault_of_path(const std::filesystem::filesystem_error& fault) {
   const std::string path = fault.path1().empty() ? std::string("a file") : fault.path1().string();
   const std::string other = fault.path2().empty() ? "" : " (to " + fault.path2().string() + ")";
@@ -105,11 +105,11 @@ std::string fault_of_path(const std::filesystem::filesystem_error& fault) {
 
 int main(int argc, char** argv) {
   install_signal_handlers();
-  if (stop_requested()) {  // the signal came while the program was loaded, and the parent had blocked it
+  if (stop_requested()) {  // the signal came while the program was loading, and the parent had blocked it
     say(fault_line("interrupted before anything was begun"));
     return static_cast<int>(ExitCode::interrupted);
   }
-  // Blocks go back to the system when they are freed, not into a pool that --memory knows nothing of.
+  // Freed blocks return to the system and not to a pool that --memory does not count.
   mallopt(M_MMAP_THRESHOLD, 1 << 20);
   try {
     return run_command_line(argc, argv);

@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2} << 30;
 
-// The options as they were given.
+// The options as the user gave them.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
   std::string output, config, memory, store, bounds, within, footprints, stations, train, crs, to_crs, dialect, log;
@@ -70,7 +70,8 @@ std::vector<std::string> products_of(const RunArguments& given) {
   return products;
 }
 
-// Half of what the machine or its control group allows, since others want memory too, and the usual amount at most.
+// Returns half of the memory that the machine or its control group allows, because other programs need memory too. The
+// usual amount is the maximum.
 std::uint64_t memory_of(const RunArguments& given) {
   if (given.memory.empty()) return std::clamp(allowed_memory_bytes() / 2, kLeastMemory, kUsualMemory);
   const std::uint64_t bytes = parse_bytes("--memory", given.memory);
@@ -106,11 +107,11 @@ RunOptions options_of(const RunArguments& given) {
   return options;
 }
 
-// What the allocator may keep for the next request in place of giving it back to the system, which has to clear it
-// again: a sixteenth of --memory, shared by its pools. Half of a pool's share is the largest request that it takes;
-// larger ones are the system's own.
+// Sets how much memory the allocator may keep for the next request. Memory that returns to the system must be cleared
+// again by the system. The amount is a sixteenth of --memory, shared by the pools of the allocator. A pool serves
+// requests up to half of its share. Larger ones go to the system.
 void let_allocator_keep(std::uint64_t memory_bytes, int threads) {
-  constexpr std::uint64_t kLeastRequest = 256u << 10, kMostRequest = 32u << 20;  // the C library takes no more
+  constexpr std::uint64_t kLeastRequest = 256u << 10, kMostRequest = 32u << 20;  // the upper limit of the C library
   const std::uint64_t pools = allocator_pools(memory_bytes, threads);
   const std::uint64_t request = memory_bytes / 32 / pools;
   const auto kept = static_cast<int>(std::clamp(request, kLeastRequest, kMostRequest));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Values of options that need more than a number parser. Faults are Errors with ExitCode::usage that name the
-// option.
+// Option values that need more than a number parser. Faults are thrown as Error with ExitCode::usage, and the message
+// names the option.
 #pragma once
 #include <CLI/CLI.hpp>
 #include <cstdint>
@@ -10,13 +10,14 @@
 
 namespace ilot {
 
-// "2G", "1.5 GiB", "268435456", "512MB": K, M, G and T are powers of 1024, whatever stands behind them.
+// Parses "2G", "1.5 GiB", "268435456" or "512MB". K, M, G and T are powers of 1024, whatever letters follow them.
 std::uint64_t parse_bytes(const std::string& option, const std::string& text);
 
-// "EPSG:2154" in that spelling, from any case; empty for empty.
+// Returns a code such as "EPSG:2154" in this spelling, from upper or lower case. Returns an empty string for an empty
+// one.
 std::string parse_crs(const std::string& option, const std::string& text);
 
-// --text-dialect, and what it asks of readers; empty: found from the rows.
+// Adds --text-dialect, the format that readers assume. If it is empty, readers find the format from the rows.
 void add_dialect_option(CLI::App& command, std::string& dialect);
 OpenOptions open_options(const std::string& dialect);
 

@@ -55,7 +55,7 @@ std::string findings_json(const std::filesystem::path& file, const std::vector<F
   return entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// Prints what is found, or appends it to `json` when there is one.
+// Prints the findings, or appends them to `json` if it is given.
 bool validate_file(const std::filesystem::path& file, bool quiet, std::string* json) {
   if (is_solid_file(file)) return print_models_validity(file, json);
   const std::vector<Finding> findings = is_dxf_file(file) ? validate_drawing_file(file) : findings_of(file, quiet);
@@ -66,7 +66,7 @@ bool validate_file(const std::filesystem::path& file, bool quiet, std::string* j
   return is_valid(findings);
 }
 
-// All files are looked at; those of other formats are named.
+// Checks all files and names those of other formats.
 int validate_command(const ValidateArguments& given) {
   if (given.inputs.empty()) throw Error("validate: no FILE given (ilot validate --help)", ExitCode::usage);
   bool all_valid = true, all_judged = true;

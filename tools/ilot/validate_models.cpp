@@ -16,7 +16,7 @@ std::string described(const Fault& fault) {
                      fault.where);
 }
 
-// The codes, then what breaks the format, and of each code its first fault.
+// Returns the codes, then the violation of the format, then the first fault of each code.
 std::string object_line(const ObjectValidity& found) {
   std::string codes, text;
   for (const std::string& what : found.format) text += (text.empty() ? "" : "; ") + what;

@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// Looks at one file of models and prints a line for each object that is not valid, then a line for the file; or, as
-// `json`, appends the file's entry to it and prints nothing. True when the file is valid.
+// Checks one file of models. Prints a line for each object that is not valid, then a line for the file. If `json` is
+// given, appends the entry of the file to it and prints nothing. Returns true when the file is valid.
 bool print_models_validity(const std::filesystem::path& file, std::string* json);
 
 }  // namespace ilot

@@ -10,8 +10,8 @@ namespace ilot::render {
 namespace {
 
 constexpr float kEmpty = -std::numeric_limits<float>::infinity();
-constexpr double kStrength = 0.06;  // of the shading, per pixel of mean depth difference
-constexpr float kDeepest = 30;      // pixels: no edge is darker than a step of so many
+constexpr double kStrength = 0.06;  // strength of the shading, per pixel of mean depth difference
+constexpr float kDeepest = 30;      // pixels: the darkest edge is that of a step of this height
 
 }  // namespace
 
@@ -43,7 +43,7 @@ void Canvas::draw(int column, int row, float depth, Rgb colour, int radius) {
   }
 }
 
-// Mean of how much nearer the pixels around stand, those farther or empty counting as level.
+// Returns the mean of how much nearer the pixels around are. Farther or empty pixels count as level.
 float Canvas::nearer_by(int column, int row, float limit) const {
   const auto at = [&](int x, int y) {
     x = std::clamp(x, 0, width_ - 1);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr Rgb kNone{70, 70, 70};
 
-// Dark blue over green and yellow to red.
+// Returns a colour from dark blue over green and yellow to red.
 Rgb ramp(double share) {
   constexpr std::array<std::array<double, 3>, 5> kStops{
       {{40, 60, 130}, {40, 140, 150}, {90, 180, 80}, {240, 200, 60}, {200, 50, 40}}};
@@ -27,7 +27,7 @@ Rgb ramp(double share) {
   return colour;
 }
 
-// Bright colours from the whole hue circle in a few lightnesses.
+// Returns bright colours from the whole hue circle, in a few lightnesses.
 Rgb colour_of_id(std::uint64_t id) {
   if (id == 0) return kNone;
   const std::uint64_t bits = mix64(id);
@@ -57,7 +57,8 @@ Rgb colour_of_class(std::uint8_t value) {
   return value < kClasses.size() ? kClasses[value] : colour_of_id(value);
 }
 
-// Small numbers, as of classes: neighbours on the hue circle never follow each other (steps of the golden ratio).
+// Returns colours for small numbers, such as classes. Consecutive numbers are never neighbours on the hue circle (steps
+// of the golden ratio).
 Rgb colour_of_small(std::uint8_t value) {
   if (value == 0) return kNone;
   const double turns = 0.07 + 0.618034 * (value - 1);
@@ -84,7 +85,7 @@ std::uint64_t load_id(const std::byte* p, std::uint16_t size) {
   }
 }
 
-// Scanners fill anything from 8 to 16 bits, and mirrors and signs outshine all else.
+// Scanners use from 8 to 16 bits. Mirrors and signs are much brighter than all other surfaces.
 double white_intensity(const std::vector<std::uint64_t>& counts) {
   constexpr double kShare = 0.98;
   const auto all = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));

@@ -14,7 +14,7 @@ struct Image {
   std::vector<Rgb> pixels;  // row by row from the top
 };
 
-// Writes an 8-bit PNG, whole or not at all. Throws Error.
+// Writes an 8-bit PNG. The file is written whole or not at all. Throws Error.
 void write_png(const Image& image, const std::filesystem::path& path);
 
 }  // namespace ilot::render

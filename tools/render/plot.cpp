@@ -36,7 +36,7 @@ Frame frame_of(const Picture& picture) {
   return f;
 }
 
-// The picture in work: metres to pixels.
+// The picture while it is drawn: converts metres to pixels.
 class Plot {
  public:
   Plot(const Picture& picture, int size) : picture_(picture), frame_(frame_of(picture)) {
@@ -74,7 +74,7 @@ class Plot {
   double column(double x) const { return kMargin + (x - frame_.x0) * scale_; }
   double row(double y) const { return kTitle + kMargin + (frame_.y1 - y) * scale_; }
 
-  // What is drawn keeps clear of the words.
+  // The drawing does not overlap the text.
   bool inside(int x, int y) const {
     constexpr int kOver = 4;
     return x >= kMargin - kOver && y >= kTitle + kMargin - kOver && x < kMargin + columns_ + kOver &&
@@ -119,9 +119,9 @@ class Plot {
 
   const Picture& picture_;
   Frame frame_;
-  double scale_ = 1;  // pixels a metre
+  double scale_ = 1;  // pixels per metre
   int rows_ = 0, columns_ = 0;
-  std::vector<double> depth_;  // of the nearest area
+  std::vector<double> depth_;  // depth of the nearest area
   Image image_;
 };
 
@@ -142,7 +142,7 @@ void Plot::draw(const PictureRaster& raster) {
   }
 }
 
-// Row by row between its crossings with the rings.
+// Fills an area row by row between the crossings of the row with the rings.
 void Plot::fill(const PictureArea& area) {
   double top = INFINITY, bottom = -INFINITY;
   for (const auto& ring : area.rings)
@@ -169,7 +169,7 @@ void Plot::fill(const PictureArea& area) {
   }
 }
 
-// Those parts that no nearer area hides.
+// Draws those parts of the edges that no nearer area hides.
 void Plot::draw_edges(const PictureArea& area) {
   constexpr double kOnTheFace = 0.05;  // metres
   for (const auto& ring : area.rings)
@@ -186,7 +186,7 @@ void Plot::draw_edges(const PictureArea& area) {
     }
 }
 
-// A round number of metres, about a quarter of the picture.
+// Draws a scale bar of a round number of metres, about a quarter of the picture.
 void Plot::write_scale(int top) {
   const double quarter = (image_.width - 2 * kMargin) / scale_ / 4,
                power = std::pow(10, std::floor(std::log10(quarter)));

@@ -18,7 +18,7 @@ namespace {
 
 using Visit = std::function<void(std::span<const std::byte>, Vec3)>;
 
-// Calls visit for every whole point within the bounds, in file order.
+// Calls visit for every valid point within the bounds, in file order.
 void for_each_point(const std::filesystem::path& path, const RenderOptions& options, const Visit& visit) {
   const std::unique_ptr<PointReader> reader = open_cloud(path);
   const RecordLayout& layout = reader->info().layout;
@@ -45,7 +45,7 @@ void for_each_point(const std::filesystem::path& path, const RenderOptions& opti
   }
 }
 
-// What the first reading measures.
+// The extent that the first reading measures.
 struct Extent {
   double left = std::numeric_limits<double>::infinity(), right = -left;
   double bottom = left, top = -left;
@@ -83,7 +83,7 @@ Image render_cloud(const std::filesystem::path& path, const RenderOptions& optio
   const double pixel = longer / options.size;
   const int width = static_cast<int>((e.right - e.left) / pixel) + 1;
   const int height = static_cast<int>((e.top - e.bottom) / pixel) + 1;
-  // Squares as large as closes the gaps between points spread evenly.
+  // Squares are large enough to close the gaps between evenly spread points.
   const double per_point = static_cast<double>(width) * height / static_cast<double>(e.points);
   const int radius = std::clamp(static_cast<int>(0.75 * std::sqrt(per_point)), 0, 5);
 

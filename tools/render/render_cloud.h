@@ -16,8 +16,8 @@ struct RenderOptions {
   std::optional<std::array<double, 4>> bounds;  // x0, y0, x1, y1 in world coordinates, closed
 };
 
-// Draws a cloud orthographically. Reads it twice from front to back: memory is that of the picture. Throws
-// Error when nothing lies within the bounds.
+// Draws a cloud orthographically. It reads the cloud twice from front to back, so memory is that of the picture. Throws
+// Error when no point is within the bounds.
 Image render_cloud(const std::filesystem::path& path, const RenderOptions& options);
 
 }  // namespace ilot::render
