@@ -7,60 +7,17 @@
 #include <map>
 #include <set>
 
+#include "engine/deliverables/drawings/dxf_tags.h"
 #include "engine/version.h"
 #include "engine/whole_file.h"
 
 namespace ilot {
 namespace {
 
-constexpr int kCoordinateDecimals = 5, kBulgeDecimals = 9;
+constexpr int kBulgeDecimals = 9;
 constexpr unsigned kFirstHandle = 0x100;  // of layers and entities; lower ones belong to the skeleton
 
-// Writes group codes and values, one on each line.
-class Tags {
- public:
-  void add(int code, std::string_view value) { text_ += fmt::format("{:3}\n{}\n", code, value); }
-  void add(int code, int value) { text_ += fmt::format("{:3}\n{}\n", code, value); }
-  void number(int code, double value, int decimals = kCoordinateDecimals) { add(code, decimal(value, decimals)); }
-  void point(int code, double x, double y) {
-    number(code, x);
-    number(code + 10, y);
-  }
-  void point3(int code, double x, double y) {
-    point(code, x, y);
-    number(code + 20, 0);
-  }
-  void handle(unsigned handle, int code = 5) { add(code, fmt::format("{:X}", handle)); }
-  // Writes codes and words alternately: "0 SECTION 2 HEADER".
-  void words(std::initializer_list<std::pair<int, const char*>> words) {
-    for (const auto& [code, word] : words) add(code, word);
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-// Strings in R2000 use a code page; characters beyond ASCII are written as \U+XXXX. A backslash could begin such a
-// sequence, a caret a control character, two percent signs a symbol.
-std::string dxf_text(const std::string& text) {
-  std::string safe;
-  for (const char32_t code : code_points(clean_text(text))) {
-    if (code == '^')
-      safe += "^ ";
-    else if (code == '%' && safe.ends_with('%'))
-      safe += " %";
-    else if (code > 0xFFFF)
-      safe += "\\U+FFFD";
-    else if (code >= 0x7F || code == '\\')
-      safe += fmt::format("\\U+{:04X}", static_cast<std::uint32_t>(code));
-    else
-      safe += static_cast<char>(code);
-  }
-  return safe;
-}
-
-void write_header(Tags& tags, const Drawing& drawing, unsigned next_handle) {
+void write_header(DxfTags& tags, const Drawing& drawing, unsigned next_handle) {
   tags.words({{0, "SECTION"}, {2, "HEADER"}, {9, "$ACADVER"}, {1, "AC1015"}, {9, "$DWGCODEPAGE"}, {3, "ANSI_1252"}});
   const FlatBox box = extent_of(drawing);
   const auto corner = [&](const char* name, double x, double y, bool deep) {
@@ -112,14 +69,14 @@ void write_header(Tags& tags, const Drawing& drawing, unsigned next_handle) {
   tags.words({{0, "ENDSEC"}});
 }
 
-void begin_table(Tags& tags, const char* name, unsigned handle, int entries) {
+void begin_table(DxfTags& tags, const char* name, unsigned handle, int entries) {
   tags.words({{0, "TABLE"}, {2, name}});
   tags.handle(handle);
   tags.words({{330, "0"}, {100, "AcDbSymbolTable"}});
   tags.add(70, entries);
 }
 
-void begin_record(Tags& tags, const char* type, unsigned handle, unsigned owner, const char* kind,
+void begin_record(DxfTags& tags, const char* type, unsigned handle, unsigned owner, const char* kind,
                   int handle_code = 5) {
   tags.add(0, type);
   tags.handle(handle, handle_code);
@@ -127,7 +84,7 @@ void begin_record(Tags& tags, const char* type, unsigned handle, unsigned owner,
   tags.words({{100, "AcDbSymbolTableRecord"}, {100, kind}});
 }
 
-void write_view(Tags& tags, const Drawing& drawing) {
+void write_view(DxfTags& tags, const Drawing& drawing) {
   begin_table(tags, "VPORT", 0x8, 1);
   begin_record(tags, "VPORT", 0x29, 0x8, "AcDbViewportTableRecord");
   tags.add(2, "*Active");
@@ -151,7 +108,7 @@ void write_view(Tags& tags, const Drawing& drawing) {
 }
 
 // Lengths are in millimetres of paper; $LTSCALE converts them to metres. A negative length is a gap.
-void write_patterns(Tags& tags) {
+void write_patterns(DxfTags& tags) {
   struct Pattern {
     const char *name, *description;
     unsigned handle;
@@ -190,7 +147,7 @@ int pen_of(const DrawingLayer& layer) {
 }
 
 // Writes layer 0 and the layers of all roles, each once, by name.
-void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
+void write_layers(DxfTags& tags, const DrawingLayers& layers, unsigned& handle) {
   std::map<std::string, const DrawingLayer*> by_name;
   for (const DrawingLayer& layer : layers.of_role) by_name.try_emplace(layer.name, &layer);
   by_name.erase("0");
@@ -212,7 +169,7 @@ void write_layers(Tags& tags, const DrawingLayers& layers, unsigned& handle) {
   tags.words({{0, "ENDTAB"}});
 }
 
-void write_other_tables(Tags& tags) {
+void write_other_tables(DxfTags& tags) {
   begin_table(tags, "STYLE", 0x3, 1);
   begin_record(tags, "STYLE", 0x11, 0x3, "AcDbTextStyleTableRecord");
   tags.add(2, "Standard");
@@ -247,7 +204,7 @@ void write_other_tables(Tags& tags) {
   tags.words({{0, "ENDTAB"}, {0, "ENDSEC"}});
 }
 
-void write_block(Tags& tags, const char* name, unsigned begin, unsigned record, bool paper) {
+void write_block(DxfTags& tags, const char* name, unsigned begin, unsigned record, bool paper) {
   tags.add(0, "BLOCK");
   tags.handle(begin);
   tags.handle(record, 330);
@@ -336,21 +293,21 @@ class Entities {
     tags_.add(100, kind);
   }
   const DrawingLayers& layers_;
-  Tags tags_;
+  DxfTags tags_;
   unsigned handle_;
 };
 
-void begin_object(Tags& tags, const char* type, const char* handle, const char* owner) {
+void begin_object(DxfTags& tags, const char* type, const char* handle, const char* owner) {
   tags.words({{0, type}, {5, handle}, {102, "{ACAD_REACTORS"}, {330, owner}, {102, "}"}, {330, owner}});
 }
 
-void begin_dictionary(Tags& tags, const char* handle, const char* owner) {
+void begin_dictionary(DxfTags& tags, const char* handle, const char* owner) {
   begin_object(tags, "DICTIONARY", handle, owner);
   tags.add(100, "AcDbDictionary");
   tags.add(281, 1);
 }
 
-void write_layout(Tags& tags, const Drawing& drawing, const char* handle, const char* name, bool paper) {
+void write_layout(DxfTags& tags, const Drawing& drawing, const char* handle, const char* name, bool paper) {
   begin_object(tags, "LAYOUT", handle, "1A");
   tags.words({{100, "AcDbPlotSettings"}, {1, ""}, {2, "none_device"}, {4, ""}, {6, ""}});
   for (int code = 40; code <= 49; ++code) tags.number(code, 0, 1);
@@ -378,7 +335,7 @@ void write_layout(Tags& tags, const Drawing& drawing, const char* handle, const 
   if (!paper) tags.add(331, "29");
 }
 
-void write_objects(Tags& tags, const Drawing& drawing) {
+void write_objects(DxfTags& tags, const Drawing& drawing) {
   tags.words({{0, "SECTION"}, {2, "OBJECTS"}, {0, "DICTIONARY"}, {5, "C"}, {330, "0"}, {100, "AcDbDictionary"}});
   tags.add(281, 1);
   tags.words({{3, "ACAD_GROUP"},
@@ -407,7 +364,7 @@ void write_objects(Tags& tags, const Drawing& drawing) {
 
 std::string drawing_dxf(const Drawing& drawing, const DrawingLayers& layers) {
   unsigned handle = kFirstHandle;
-  Tags tables;
+  DxfTags tables;
   tables.words({{0, "SECTION"}, {2, "TABLES"}});
   write_view(tables, drawing);
   write_patterns(tables);
@@ -422,7 +379,7 @@ std::string drawing_dxf(const Drawing& drawing, const DrawingLayers& layers) {
   for (const DrawingArc& arc : drawing.arcs) entities.add(arc);
   for (const DrawingPoint& point : drawing.points) entities.add(point);
   for (const DrawingText& text : drawing.texts) entities.add(text);
-  Tags head, tail;
+  DxfTags head, tail;
   head.add(999, "ilot " + version());
   write_header(head, drawing, entities.next_handle());
   tail.words({{0, "ENDSEC"}});

@@ -13,6 +13,8 @@
 
 namespace ilot {
 
+constexpr std::size_t kMostColumns = 1001;  // of a row that is looked at to find the dialect
+
 // Returns a text for people: "separated by semicolons, decimal comma".
 std::string description_of(const TextDialect& dialect);
 

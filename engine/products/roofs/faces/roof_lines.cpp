@@ -8,16 +8,13 @@
 #include <queue>
 #include <tuple>
 
+#include "engine/products/roofs/faces/border_samples.h"
 #include "engine/products/roofs/faces/face_rectangles.h"
 #include "engine/products/roofs/sites/step_offset.h"
-#include "kernels/delaunay/delaunay.h"
 
 namespace ilot {
 namespace {
 
-constexpr double kCreaseSteps = 1;          // steps; greatest distance of a border from the line of its planes
-constexpr double kLeastSlopeChange = 0.05;  // least difference of slope of two planes whose intersection is a line
-constexpr double kLongestSteps = 8, kLongestMetres = 3;  // longest edges that show a border
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // extension of a line beyond its seen part
 constexpr double kFarthest = 15;                         // metres; greatest extension of a line to meet another one
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
@@ -26,72 +23,6 @@ constexpr double kAligned = 0.1;           // metres between a step and the line
 constexpr double kGapSteps = 4;            // steps; a line ends where nothing of it is seen over this length
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
-
-// A place on the border of two planes.
-struct BorderSample {
-  FlatPoint at;
-  std::uint32_t a = 0, b = 0;  // planes, a < b
-  FlatPoint upper, lower;      // the points between which it was seen
-};
-
-struct Borders {
-  std::vector<BorderSample> creases, steps;
-};
-
-class BorderFinder {
- public:
-  BorderFinder(const RoofSite& site, const RoofPlanes& planes) : site_(site), planes_(planes) {
-    for (std::uint32_t i = 0; i < site.points.size(); ++i)
-      if (planes.of_point[i] != 0) {
-        points_.push_back(lattice_point({site.points[i].x, site.points[i].y}, 1000));
-        from_.push_back(i);
-      }
-  }
-
-  Borders find() {
-    const Triangulation t = delaunay(points_);
-    for (std::uint32_t e = 0; e < t.corner.size(); ++e) {
-      const std::uint32_t from = t.corner[e], to = t.corner[next_edge(e)];
-      if (t.twin[e] != kNoEdge && t.twin[e] < e) continue;
-      if (planes_.of_point[from_[from]] != planes_.of_point[from_[to]]) see(from_[from], from_[to]);
-    }
-    return std::move(borders_);
-  }
-
- private:
-  void see(std::uint32_t p, std::uint32_t q) {
-    const double longest = std::max(kLongestSteps * planes_.step, kLongestMetres);
-    const Vec3 along = site_.points[q] - site_.points[p];
-    const double length = std::sqrt(along.x * along.x + along.y * along.y);
-    if (length > longest) return;
-    std::uint32_t a = planes_.of_point[p] - 1, b = planes_.of_point[q] - 1;
-    const RoofPlane& pa = planes_.planes[a];
-    const RoofPlane& pb = planes_.planes[b];
-    const Vec3 middle = site_.points[p] + 0.5 * along;
-    const double apart = std::abs(pa.at(middle.x, middle.y) - pb.at(middle.x, middle.y));
-    const double slope = std::sqrt((pa.gx - pb.gx) * (pa.gx - pb.gx) + (pa.gy - pb.gy) * (pa.gy - pb.gy));
-    const double reach = std::max(kCreaseSteps * planes_.step, length);
-    const bool crosses = slope >= kLeastSlopeChange && apart <= slope * reach;
-    if (a > b) std::swap(a, b);
-    if (site_.points[q].z > site_.points[p].z) std::swap(p, q);
-    const FlatPoint upper = flat(site_.points[p]), lower = flat(site_.points[q]);
-    if (crosses) {
-      borders_.creases.push_back({flat(middle), a, b, upper, lower});
-    } else {  // half a step from the upper point: what is farther away may be its shadow
-      const double share = std::min(0.5, 0.5 * planes_.step / length);
-      const FlatPoint at{upper.x + share * (lower.x - upper.x), upper.y + share * (lower.y - upper.y)};
-      borders_.steps.push_back({at, a, b, upper, lower});
-    }
-  }
-
-  static FlatPoint flat(Vec3 p) { return {p.x, p.y}; }
-
-  const RoofSite& site_;
-  const RoofPlanes& planes_;
-  std::vector<Point2> points_;
-  std::vector<std::uint32_t> from_;
-  Borders borders_;
-};
 
 double extension(const RoofPlanes& planes) {
   return std::max(kExtendSteps * planes.step, kExtendMetres);
@@ -394,7 +325,7 @@ std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, cons
 std::vector<FlatEdge> roof_lines(const RoofSite& site, const RoofPlanes& planes) {
   std::vector<FlatEdge> lines;
   if (planes.planes.size() < 2) return lines;
-  Borders borders = BorderFinder(site, planes).find();
+  Borders borders = find_borders(site, planes);
   const std::vector<FlatPoint> directions = likely_directions(site, planes);
   add_creases(std::move(borders.creases), planes, lines);
   const std::vector<FlatEdge> outline = outline_edges(site.outline);
