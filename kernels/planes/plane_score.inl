@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of count_inliers: blocks of points that stay in the first cache level, four planes a sweep so that each load of
-// a point serves four planes. Counts are integers, so neither blocking nor lane width can change the answer.
+// Body of count_inliers. It works on blocks of points that stay in the first cache level, with four planes per sweep,
+// so that each load of a point serves four planes. Counts are integers, so neither blocks nor lane width can change the
+// result.
 
 namespace {
 
@@ -10,9 +11,13 @@ struct PlaneLanes {
   Wide a, b, c, d;
 };
 
-inline PlaneLanes load_plane(const float* p) { return {splat_wide(p[0]), splat_wide(p[1]), splat_wide(p[2]), splat_wide(p[3])}; }
+inline PlaneLanes load_plane(const float* p) {
+  return {splat_wide(p[0]), splat_wide(p[1]), splat_wide(p[2]), splat_wide(p[3])};
+}
 
-inline Wide distance(const PlaneLanes& p, Wide x, Wide y, Wide z) { return magnitude(p.a * x + p.b * y + p.c * z + p.d); }
+inline Wide distance(const PlaneLanes& p, Wide x, Wide y, Wide z) {
+  return magnitude(p.a * x + p.b * y + p.c * z + p.d);
+}
 
 template <int kPlanes>
 inline void count_sweep(const CountArgs& args, std::size_t begin, std::size_t end, std::size_t plane) {
@@ -72,6 +77,6 @@ void count_inliers(const CountArgs& args) {
   count_tail(args, whole);
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const PlaneScoreBody kPlaneScore;
 const PlaneScoreBody kPlaneScore{count_inliers};
