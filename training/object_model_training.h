@@ -20,8 +20,7 @@ struct ObjectTrainingParams {
   std::uint32_t folds = 5;  // of the cross-validation for the grid search
   std::uint32_t most_in_grid =
       300;  // largest number of samples of a class in the grid search; of more, as many are taken, evenly spread
-  std::uint32_t most_of_class =
-      900;  // largest number of samples of a class in the training of the classifier, taken likewise
+  std::uint32_t most_of_class = 900;  // largest number of samples of a class to train the classifier with
 };
 
 // Returns the features that the stepwise selection takes, in its order.

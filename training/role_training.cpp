@@ -36,8 +36,7 @@ RoleStage only_used(RoleStage stage) {
   std::vector<std::uint16_t> place(stage.columns.size(), 0);
   std::vector<std::vector<float>> limits;
   for (std::size_t c = 0; c < stage.columns.size(); ++c) {
-    if (stage.trees.limits[c].empty() && c + 1 < stage.columns.size())
-      continue;  // the last column stays, because a stage without columns is invalid
+    if (stage.trees.limits[c].empty() && c + 1 < stage.columns.size()) continue;  // an empty stage would be invalid
     place[c] = static_cast<std::uint16_t>(out.columns.size());
     out.columns.push_back(stage.columns[c]);
     limits.push_back(stage.trees.limits[c]);

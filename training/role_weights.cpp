@@ -77,8 +77,7 @@ class Cuts {
 
   std::span<const RoleSample> candidates_;
   std::vector<StateScores> scores_;
-  std::vector<double> parts_,
-      all_;  // over all cuts of the candidates below, itself included: split into its parts; any cut
+  std::vector<double> parts_, all_;  // of all below, itself included: split into parts; any cut
 };
 
 std::vector<std::size_t> roots_of(std::span<const RoleSample> candidates) {

@@ -19,11 +19,10 @@ constexpr std::uint16_t kNoSplit = 0xffff;  // as a bin: all go left
 // stored level by level, from the left.
 struct BoostedTrees {
   std::size_t classes = 0, depth = 0;
-  std::vector<std::vector<float>>
-      limits;                        // of each column, rising; the bin of a value is the number of limits less than it
-  std::vector<std::int32_t> first;   // of each class: the start value of its sum
-  std::vector<TreeSplit> splits;     // 2^depth - 1 of each tree
-  std::vector<std::int32_t> leaves;  // 2^depth of each tree
+  std::vector<std::vector<float>> limits;  // of each column, rising; the bin is the number of limits below a value
+  std::vector<std::int32_t> first;         // of each class: the start value of its sum
+  std::vector<TreeSplit> splits;           // 2^depth - 1 of each tree
+  std::vector<std::int32_t> leaves;        // 2^depth of each tree
 
   std::size_t trees() const { return leaves.size() >> depth; }
 };

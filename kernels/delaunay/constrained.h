@@ -12,9 +12,8 @@ namespace ilot {
 using Segment = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Constraints {
-  std::vector<std::uint8_t> fixed;  // 1 for each edge of the triangulation that is part of a segment
-  std::uint32_t crossing =
-      kNoEdge;  // the first segment that crosses an earlier one; it and all later ones are left out
+  std::vector<std::uint8_t> fixed;   // 1 for each edge of the triangulation that is part of a segment
+  std::uint32_t crossing = kNoEdge;  // first segment that crosses an earlier one; it and all later ones are left out
 };
 
 // Inserts segments between corners of a Delaunay triangulation as edges. A segment that passes through corners becomes

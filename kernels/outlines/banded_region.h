@@ -27,9 +27,8 @@ class BandedRegion {
 
   double low_ = 0, bands_per_unit_ = 0;
   std::vector<std::uint32_t> first_;  // of each band, and the end of the last
-  std::vector<std::uint32_t>
-      edges_;  // per band the edges that reach into it: the positions of their first ends in places_
-  std::vector<FlatPoint> places_;  // ends of edges; the second end follows the first
+  std::vector<std::uint32_t> edges_;  // in each band those that reach into it: their first ends in places_
+  std::vector<FlatPoint> places_;     // ends of edges; the second end follows the first
 };
 
 }  // namespace ilot

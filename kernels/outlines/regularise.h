@@ -10,10 +10,8 @@
 namespace ilot {
 
 struct RegulariseParams {
-  double tolerance =
-      0;  // lattice units, above 0; about the sampling step, the distance of boundary points from their edge
-  double outwards =
-      0;  // lattice units; edges move out by at most this; half a step, because points end so far inside of the edges
+  double tolerance = 0;  // lattice units, above 0; about the sampling step, by which boundary points are off
+  double outwards = 0;   // lattice units; edges move out by at most this, half a step: points end inside
 };
 
 // Regularises one polygon: its outer ring first, counter-clockwise, then the holes, clockwise, as alpha shapes give

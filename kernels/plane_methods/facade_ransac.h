@@ -13,10 +13,9 @@ struct FacadeRansacParams {
   double inclined_from = 0.3090169943749474, inclined_to = 0.9510565162951535;  // |Nz| of inclined points [18, 72 deg]
   double parallel_sine = 0.03141075907812829;  // greatest |a|, |c| of a plane parallel to the facade [1.8 deg]
   std::int64_t inclined_gap = 1;               // units; largest gap when inclined points grow into segments [2 cm]
-  std::uint32_t inclined_points =
-      1000;  // fewest points of an inclined segment; the points of smaller ones are available again
-  std::uint32_t parallel_points = 3000;  // fewest points of a plane parallel to the facade
-  std::int64_t connectivity = 1;         // units; of planes parallel to the facade
+  std::uint32_t inclined_points = 1000;        // fewest of an inclined segment; points of smaller ones are free again
+  std::uint32_t parallel_points = 3000;        // fewest points of a plane parallel to the facade
+  std::int64_t connectivity = 1;               // units; of planes parallel to the facade
   double probability = 0.99;
   std::uint64_t key = 0;
 };

@@ -10,8 +10,7 @@ struct SplitMergeParams {
   double epsilon = 0;                   // units; greatest distance of a labelled point from its plane
   double tolerance = 0;                 // units; greatest root mean square distance of a cell that is one plane
   double min_cos = 0.9961946980917455;  // of the angle between a segment and a cell that joins it [5 degrees]
-  double max_step =
-      0;  // units; greatest distance of the centroid of a cell from the plane of the segment that it joins
+  double max_step = 0;                // units; greatest distance of a joining cell's centroid from the segment's plane
   std::int64_t min_edge = 1;          // units; cells are not split below it
   std::uint32_t min_cell_points = 6;  // cells with fewer points are not fitted
   std::uint32_t min_points = 30;      // fewest points of a segment

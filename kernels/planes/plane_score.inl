@@ -11,13 +11,9 @@ struct PlaneLanes {
   Wide a, b, c, d;
 };
 
-inline PlaneLanes load_plane(const float* p) {
-  return {splat_wide(p[0]), splat_wide(p[1]), splat_wide(p[2]), splat_wide(p[3])};
-}
+inline PlaneLanes load_plane(const float* p) { return {splat_wide(p[0]), splat_wide(p[1]), splat_wide(p[2]), splat_wide(p[3])}; }
 
-inline Wide distance(const PlaneLanes& p, Wide x, Wide y, Wide z) {
-  return magnitude(p.a * x + p.b * y + p.c * z + p.d);
-}
+inline Wide distance(const PlaneLanes& p, Wide x, Wide y, Wide z) { return magnitude(p.a * x + p.b * y + p.c * z + p.d); }
 
 template <int kPlanes>
 inline void count_sweep(const CountArgs& args, std::size_t begin, std::size_t end, std::size_t plane) {

@@ -15,10 +15,9 @@
 namespace ilot {
 namespace {
 
-constexpr int kFirstWindow = 16;  // points; doubled for each of the levels
-constexpr int kLevels = 7;        // windows of 16 to 1,024 points
-constexpr double kLocality =
-    4;  // a window around a point of a plane is half of that plane: (1/2)^2 for two more points
+constexpr int kFirstWindow = 16;             // points; doubled for each of the levels
+constexpr int kLevels = 7;                   // windows of 16 to 1,024 points
+constexpr double kLocality = 4;              // half of a window around a point of a plane is that plane's: (1/2)^2
 constexpr std::size_t kBatch = 64;           // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
 constexpr std::size_t kPool = 512;           // candidates kept between planes

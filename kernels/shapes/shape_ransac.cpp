@@ -23,8 +23,7 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::uint64_t kBatchDraws = 1024;
 constexpr std::size_t kPool = 4096;  // candidates of a kind that are kept
 constexpr std::size_t kSample = std::size_t{1} << 17;
-constexpr double kLocality =
-    4;  // half of a cell around a point of a shape belongs to that shape, for both of the other points
+constexpr double kLocality = 4;  // half of a cell around a point of a shape is that shape's: (1/2)^2
 constexpr int kRefinements = 10;
 constexpr double kFirstReach = 3;       // in epsilons; a start from normals is rough
 constexpr double kSimpler = 0.97;       // share of the points for which a simpler kind is preferred

@@ -14,9 +14,8 @@ struct OrientedPoint {
 };
 using ShapeSample = std::array<OrientedPoint, 3>;
 
-std::optional<Shape> plane_through(const ShapeSample& s);  // through its three points
-std::optional<Shape> sphere_through(
-    const ShapeSample& s);  // two points; the centre is where their normals are nearest to each other
+std::optional<Shape> plane_through(const ShapeSample& s);     // through its three points
+std::optional<Shape> sphere_through(const ShapeSample& s);    // two points: where their normals are nearest
 std::optional<Shape> cylinder_through(const ShapeSample& s);  // two points; the axis is perpendicular to both normals
 std::optional<Shape> cone_through(const ShapeSample& s);      // three points; their tangent planes meet in the apex
 

@@ -121,8 +121,8 @@ inline std::uint32_t list_hits(const ShapeArgs& args) {
     for (std::size_t j = begin; j < begin + 64; j += 8) {
       const auto a = across<kKind>(s, load8(args.x + j), load8(args.y + j), load8(args.z + j));
       const F8 agreement = shape_agreement<kKind>(s, a, load8(args.nx + j), load8(args.ny + j), load8(args.nz + j));
-      const Pick8 hits =
-          pick8(mask_le(shape_distance<kKind>(s, a), epsilon) & mask_le(least_agreement<kKind>(cosine, a), agreement));
+      const Pick8 hits = pick8(mask_le(shape_distance<kKind>(s, a), epsilon) &
+                               mask_le(least_agreement<kKind>(cosine, a), agreement));
       put_numbers(args.found + found, hits, static_cast<std::uint32_t>(j));
       found += hits.count;
     }
