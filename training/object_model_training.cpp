@@ -143,8 +143,8 @@ void check(std::span<const TrainingSample> samples, std::size_t least_classes) {
                   ExitCode::usage);
 }
 
-// For each class: the kernel of each of its even samples with the nearest of its support vectors that is not the sample
-// itself. The function returns the smallest of these kernels.
+// Returns for each class the smallest similarity of its even samples, lowered by the rounding. The similarity of a
+// sample is the largest kernel with a support vector of its class that is not the sample itself.
 std::vector<double> min_similarities(const TrainingSet& set, std::size_t even, const ObjectModel& model) {
   std::vector<double> nearest(even, 0), least(model.classes.size(), 1);
   parallel_for(even, [&](std::size_t i) {

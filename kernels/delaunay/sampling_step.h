@@ -51,9 +51,9 @@ struct MeasuredSteps {
 };
 
 // Measures the step of each point from the k nearest other places (1 to 63) in the plane. It is the step of a square
-// raster as dense as the disc that contains them. On a square raster itself the error is within a tenth for k = 6.
-// Points that coincide count once. Where fewer than k places are within `farthest`, the step is that of k points within
-// it. The extent of the points must be below 2^24 lattice units, and `farthest` is at most 2^22.
+// raster as dense as the disc that contains these places. On a square raster itself the error is within a tenth for k =
+// 6. Points that coincide count once. Where fewer than k places are within `farthest`, the step is that of k points
+// within it. The extent of the points must be below 2^24 lattice units, and `farthest` is at most 2^22.
 MeasuredSteps measured_steps(std::span<const Point2> points, int k, std::int64_t farthest);
 
 }  // namespace ilot

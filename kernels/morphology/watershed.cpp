@@ -44,8 +44,8 @@ class Flood {
         if (labels_[p] != 0) touch_around(static_cast<std::uint32_t>(p), kNoHeight, none);
   }
 
-  // Visits the neighbours that are dry and do not wait yet. Those already below the water go into the next wave, the
-  // others wait on the shore.
+  // Visits the neighbours that are dry and do not wait yet. Those that are not above the water go into the next wave,
+  // the others wait on the shore.
   void touch_around(std::uint32_t p, Height level, std::vector<std::uint32_t>& next) {
     for (std::size_t s = 0; s < neighbours_; ++s) {
       const std::uint32_t q = p + steps_[s];

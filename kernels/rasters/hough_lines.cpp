@@ -125,8 +125,8 @@ void for_pixels_near(const Image& weights, const ImageLine& line, double reach, 
   }
 }
 
-// Weighted orthogonal least squares of the pixels near `line`. Coordinates are relative to one of these pixels, so that
-// squares stay small.
+// Weighted orthogonal least squares of the pixels near `line`. Coordinates are relative to the point of the line
+// nearest to (0, 0), so that squares stay small.
 ImageLine fitted(const Image& weights, const ImageLine& line, double reach) {
   const double x0 = -line.d * line.nx, y0 = -line.d * line.ny;
   double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0, wyy = 0;
