@@ -29,7 +29,7 @@ double away_from_zero(double v) {
   return std::abs(v) < kTiny ? kTiny : v;
 }
 
-// Continued fraction of the incomplete beta function; quick for x < (a + 1) / (a + b + 2).
+// Continued fraction of the incomplete beta function. It converges fast for x < (a + 1) / (a + b + 2).
 double beta_fraction(double a, double b, double x) {
   double c = 1, d = 1 / away_from_zero(1 - (a + b) * x / (a + 1)), value = d;
   for (int m = 1; m <= 10000; ++m) {
@@ -51,7 +51,7 @@ double beta_fraction(double a, double b, double x) {
 double f_upper_tail(double f, std::uint32_t d1, std::uint32_t d2) {
   assert(d1 >= 1 && d2 >= 1);
   if (!(f > 0)) return 1;
-  // I_x(a, b) with a = d2 / 2, b = d1 / 2; x and 1 - x each without cancellation.
+  // The result is I_x(a, b) with a = d2 / 2, b = d1 / 2. x and 1 - x are computed separately, without cancellation.
   const double a = 0.5 * d2, b = 0.5 * d1, whole = d2 + d1 * f;
   const double x = d2 / whole, rest = d1 * f / whole;
   if (x < 1e-300) return 0;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kTolerance = 1e-9;
 
-// Symmetric, row by row.
+// A symmetric matrix, row by row.
 struct Matrix {
   std::size_t size;
   std::vector<double> v = std::vector<double>(size * size, 0);
@@ -20,7 +20,7 @@ struct Matrix {
   double at(std::size_t i, std::size_t j) const { return v[i * size + j]; }
 };
 
-// Squares and products about the means of the rows for which `belongs`.
+// Adds the squares and products about the means of the rows for which `belongs` is true.
 template <typename Belongs>
 void add_scatter(std::span<const double> samples, Matrix& m, const Belongs& belongs) {
   const std::size_t k = m.size, rows = samples.size() / k;
@@ -40,7 +40,7 @@ void add_scatter(std::span<const double> samples, Matrix& m, const Belongs& belo
   }
 }
 
-// What is left of the others once feature p is known.
+// Removes from the other features the part that feature p explains.
 void remove(Matrix& m, std::size_t p) {
   std::vector<double> row(m.size);
   for (std::size_t j = 0; j < m.size; ++j) row[j] = m.at(p, j);
@@ -49,7 +49,7 @@ void remove(Matrix& m, std::size_t p) {
     for (std::size_t j = 0; j < m.size; ++j) m.at(i, j) -= row[i] * row[j] / row[p];
 }
 
-// The feature that makes lambda least, and by what factor; its index is the size when none can be taken.
+// The feature that makes lambda least, and the factor. Its index is the size when no feature can be taken.
 struct Candidate {
   std::size_t feature;
   double factor;

@@ -31,7 +31,7 @@ std::vector<PointLabel> classes_of(std::span<const TrainingSample> samples) {
   return classes;
 }
 
-// At most so many of each class, evenly spread in their order; the others go to `rest`.
+// Takes at most so many samples of each class, evenly spread in their order. The others go to `rest`.
 std::vector<TrainingSample> thinned(std::span<const TrainingSample> samples, std::uint32_t most,
                                     std::vector<TrainingSample>& rest) {
   std::map<PointLabel, std::uint64_t> total, seen;
@@ -44,7 +44,7 @@ std::vector<TrainingSample> thinned(std::span<const TrainingSample> samples, std
   return kept;
 }
 
-// Those that a model gets wrong.
+// Returns the samples that a model classifies wrongly.
 std::vector<TrainingSample> wrong_ones(const ObjectModel& model, std::span<const TrainingSample> samples) {
   const std::vector<PointLabel> predicted = most_probable_classes(model, features_of(samples));
   std::vector<TrainingSample> out;
@@ -80,7 +80,7 @@ TrainingSet training_set(std::span<const TrainingSample> samples, const ObjectMo
   return set;
 }
 
-// Mean over the classes of the share that is right: rare classes count as much as common ones.
+// Mean over the classes of the share that is correct. Rare classes count as much as common ones.
 double balanced_hits(const TrainingSet& set, const std::vector<std::vector<double>>& decided, std::size_t classes) {
   std::vector<double> right(classes, 0), all(classes, 0);
   for (std::size_t i = 0; i < set.size(); ++i) {
@@ -112,7 +112,7 @@ GridBest search_grid(const TrainingSet& set, std::uint32_t folds, std::size_t cl
   return best;
 }
 
-// From the first `even` samples of the set.
+// Fits the probabilities with the first `even` samples of the set.
 void fit_probabilities(const TrainingSet& set, std::size_t even, const std::vector<std::vector<double>>& decided,
                        ObjectModel& model) {
   const std::size_t k = model.classes.size();
@@ -143,8 +143,8 @@ void check(std::span<const TrainingSample> samples, std::size_t least_classes) {
                   ExitCode::usage);
 }
 
-// For each class the kernel that each of its even samples has at least with the nearest of its support vectors that is
-// not the sample itself.
+// Returns for each class the smallest similarity of its even samples, lowered by the rounding. The similarity of a
+// sample is the largest kernel with a support vector of its class that is not the sample itself.
 std::vector<double> min_similarities(const TrainingSet& set, std::size_t even, const ObjectModel& model) {
   std::vector<double> nearest(even, 0), least(model.classes.size(), 1);
   parallel_for(even, [&](std::size_t i) {
@@ -157,7 +157,7 @@ std::vector<double> min_similarities(const TrainingSet& set, std::size_t even, c
   return least;
 }
 
-// Trains the model's machine, features, cost and gamma given, and fits its probabilities.
+// Trains the support vector machine of the model, for given features, cost and gamma, and fits its probabilities.
 void finish(const TrainingSet& set, std::size_t even, std::uint32_t folds, ObjectModel& model) {
   model.vectors.clear(), model.weights.clear(), model.class_of_vector.clear();
   model.slope.clear(), model.offset.clear();
@@ -170,7 +170,7 @@ void finish(const TrainingSet& set, std::size_t even, std::uint32_t folds, Objec
   model.min_similarity = min_similarities(set, even, model);
 }
 
-// The machine that tells classes apart, and how common they are.
+// Trains the support vector machine that separates the classes, and sets how common they are.
 void train_svm(std::span<const TrainingSample> all, const TrainingFolds& folds, const ObjectTrainingParams& params,
                ObjectModel& model) {
   std::vector<TrainingSample> rest, ignored;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Learns a model of things from samples whose class is known. Plain arithmetic: the same on every machine.
+// Learns a model of object candidates from samples whose class is known. It uses plain arithmetic, so the model is the
+// same on every machine.
 #pragma once
 #include <cstddef>
 #include <cstdint>
@@ -10,33 +11,34 @@
 
 namespace ilot {
 
-// Which features may be selected.
+// The features that may be selected.
 enum class FeatureSet : std::uint8_t { document, all };
 
 struct ObjectTrainingParams {
   FeatureSet features = FeatureSet::all;
   double max_p = 0.01;      // of the stepwise selection
-  std::uint32_t folds = 5;  // of the cross-validation that the grid is searched by
+  std::uint32_t folds = 5;  // of the cross-validation for the grid search
   std::uint32_t most_in_grid =
-      300;  // samples of a class that the grid is searched with; of more, as many evenly spread
-  std::uint32_t most_of_class = 900;  // samples of a class that the machine is trained on, likewise
+      300;  // largest number of samples of a class in the grid search; of more, as many are taken, evenly spread
+  std::uint32_t most_of_class = 900;  // largest number of samples of a class to train the classifier with
 };
 
-// The features that the stepwise selection takes, in its order.
+// Returns the features that the stepwise selection takes, in its order.
 std::vector<std::size_t> selected_features(std::span<const TrainingSample> samples, const ObjectTrainingParams& params);
 
-// Where samples have roles, learns the trees and the weights of roles from all of them (role_training.h), and the
-// machine from those that are whole and objects; otherwise the machine from all. For the machine selects features,
-// searches cost and gamma on a grid by cross-validation over groups, trains on all with what was best (ties: the lower
-// cost, then the lower gamma) and fits the probabilities to the decisions of the cross-validation (Platt 1999 as Lin,
-// Lin and Weng 2007 do it). Where samples were left out because a class has many, those that the machine gets wrong (at
-// most a third as many) join the others, and it is trained once more; probabilities stay those of the even choice,
-// times how many samples each class really had. At least two classes (or roles, and one class) with two samples each,
-// else Error(usage).
+// Trains the model. Where samples have roles, it learns the trees and the weights of roles from all samples
+// (role_training.h), and the support vector machine from those that are whole and objects. Otherwise it learns the
+// support vector machine from all samples. The training of the machine selects features, searches cost and gamma on a
+// grid by cross-validation over groups, and trains on all samples with the best values (ties: the lower cost, then the
+// lower gamma). It fits the probabilities to the decisions of the cross-validation (Platt 1999 as Lin, Lin and Weng
+// 2007 do it). Where samples of a large class were left out, those that the machine classifies wrongly (at most a third
+// as many) are added, and it is trained once more. The probabilities stay those of the even choice, multiplied by the
+// true number of samples of each class. At least two classes (or roles, and one class) with two samples each are
+// needed, otherwise the function throws Error(usage).
 ObjectModel train_object_model(std::span<const TrainingSample> samples, const ObjectTrainingParams& params = {});
 
-// Cross-validation by groups: what a machine says of each sample when trained on the other folds' samples, all steps of
-// the training included.
+// Cross-validation by groups. Returns the classification of each sample by a classifier that was trained on the samples
+// of the other folds. All steps of the training are included.
 std::vector<CandidateClass> cross_validate(std::span<const TrainingSample> samples, const ObjectTrainingParams& params,
                                            std::uint32_t folds = 10);
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the training: probabilities from decisions.
+// Internal to the training: probabilities from decisions.
 #pragma once
 #include <cstdint>
 #include <vector>
 
 namespace ilot {
 
-// 1 / (1 + exp(a f + b)).
+// The function 1 / (1 + exp(a f + b)).
 struct Sigmoid {
   double a = -1, b = 0;
 };
 
-// Fitted to decisions f and whether the first class is true, by Newton's method with backtracking (Platt 1999 as Lin,
-// Lin and Weng 2007 do it).
+// Fits a sigmoid to decisions f and to whether the first class is true, by Newton's method with backtracking (Platt
+// 1999 as Lin, Lin and Weng 2007 do it).
 Sigmoid fit_sigmoid(const std::vector<double>& f, const std::vector<std::uint8_t>& first);
 
 }  // namespace ilot

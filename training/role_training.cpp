@@ -17,7 +17,7 @@ CandidateKind nature_of(const TrainingSample& s) {
   return s.label == PointLabel::none ? CandidateKind::nothing : CandidateKind::vegetation;
 }
 
-// Samples with what the first stage says of them; nothing is said for the first.
+// Samples with the results of the first stage. For the first stage itself there are no results.
 struct StageSamples {
   std::vector<CandidateFeatures> features;
   std::vector<CandidateParts> parts;
@@ -30,13 +30,13 @@ StageSamples stage_samples(const ChosenSamples& chosen, std::span<const KindShar
   return out;
 }
 
-// Columns that no tree asks for go.
+// Removes the columns that no tree uses.
 RoleStage only_used(RoleStage stage) {
   RoleStage out;
   std::vector<std::uint16_t> place(stage.columns.size(), 0);
   std::vector<std::vector<float>> limits;
   for (std::size_t c = 0; c < stage.columns.size(); ++c) {
-    if (stage.trees.limits[c].empty() && c + 1 < stage.columns.size()) continue;  // the last stays: none is no machine
+    if (stage.trees.limits[c].empty() && c + 1 < stage.columns.size()) continue;  // an empty stage would be invalid
     place[c] = static_cast<std::uint16_t>(out.columns.size());
     out.columns.push_back(stage.columns[c]);
     limits.push_back(stage.trees.limits[c]);
@@ -61,7 +61,7 @@ RoleStage train_stage(const ChosenSamples& chosen, std::span<const KindShares> s
   return only_used(std::move(stage));
 }
 
-// What a stage says of each sample when trained on the other folds.
+// Returns the result of a stage for each sample, trained on the other folds.
 std::vector<KindShares> held_out(std::span<const TrainingSample> all, const TrainingFolds& folds,
                                  std::span<const KindShares> said_of_all) {
   std::vector<KindShares> out(all.size());
@@ -76,7 +76,8 @@ std::vector<KindShares> held_out(std::span<const TrainingSample> all, const Trai
   return out;
 }
 
-// The states that a sample may have in a true cut. What is no thing may be parted and joined at will.
+// Returns the states that a sample may have in a true cut. A candidate that is no object may be split and joined
+// freely.
 RoleSample role_sample(const TrainingSample& s, const KindShares& shares) {
   RoleSample out;
   const bool object = s.label >= PointLabel::car;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the training: the trees that say what is whole, and how much the roles count.
+// Internal to the training: the trees that decide what is whole, and the weights of the roles.
 #pragma once
 #include <span>
 
@@ -14,9 +14,10 @@ struct LearntRoles {
   RoleWeights weights;
 };
 
-// Learns both stages of the trees from samples with roles. What the second learns from, the first says of samples that
-// it has not seen: once for each fold it is trained on the others. So are both for the weights (role_weights.h), which
-// are learnt only where no fold parts a group and samples are joined from others.
+// Learns both stages of the trees from samples with roles. The second stage learns from the results of the first stage
+// for samples that the first stage has not seen: for each fold the first stage is trained on the other folds. For the
+// weights (role_weights.h) both stages are trained in the same way. The weights are learnt only where no fold splits a
+// group and where samples are joins of others.
 LearntRoles learn_roles(std::span<const TrainingSample> samples, const TrainingFolds& folds);
 
 }  // namespace ilot

@@ -29,7 +29,8 @@ double log_sum(double a, double b) {
 
 using StateScores = std::array<double, kCandidateStates>;
 
-// All cuts of all trees at once: log sums of what lies below each thing, and how probable its states are.
+// All cuts of all trees at once: the log sums over the cuts below each object candidate, and the probabilities of its
+// states.
 class Cuts {
  public:
   Cuts(std::span<const RoleSample> candidates, const Weights& w, bool only_allowed)
@@ -48,7 +49,7 @@ class Cuts {
 
   double log_of_all(std::size_t root) const { return all_[root]; }
 
-  // How probable the states of each thing are; parts come before what joins them.
+  // Returns the probabilities of the states of each object candidate. Parts come before their joins.
   std::vector<StateScores> probabilities() const {
     std::vector<StateScores> out(candidates_.size(), StateScores{});
     std::vector<double> open(candidates_.size(), 1), inside(candidates_.size(), 0);
@@ -76,13 +77,13 @@ class Cuts {
 
   std::span<const RoleSample> candidates_;
   std::vector<StateScores> scores_;
-  std::vector<double> parts_, all_;  // of all below, itself included: being parts; any cut
+  std::vector<double> parts_, all_;  // of all below, itself included: split into parts; any cut
 };
 
 std::vector<std::size_t> roots_of(std::span<const RoleSample> candidates) {
   std::vector<std::size_t> root(candidates.size());
   for (std::size_t i = candidates.size(); i-- > 0;) {
-    root[i] = std::max(root[i], i);  // parents come last
+    root[i] = std::max(root[i], i);  // parents come later
     for (const std::uint32_t part : candidates[i].parts)
       if (part != 0) root[part - 1] = root[i];
   }
@@ -90,7 +91,7 @@ std::vector<std::size_t> roots_of(std::span<const RoleSample> candidates) {
 }
 
 struct Slope {
-  double value = 0;  // less the log likelihood, and what the weights' distance from 1 and 0 adds
+  double value = 0;  // minus the log likelihood, plus the penalty for the distance of the weights from 1 and 0
   Weights gradient{};
 };
 
@@ -121,7 +122,7 @@ double dot(const Weights& a, const Weights& b) {
   return sum;
 }
 
-// The inverse of the Hessian as BFGS guesses it.
+// The estimate of the inverse Hessian by BFGS.
 class InverseHessian {
  public:
   InverseHessian() {
@@ -153,7 +154,7 @@ RoleWeights learn_role_weights(std::span<const RoleSample> candidates) {
   Weights w = kPlain;
   Slope at = slope_at(candidates, roots, w);
   InverseHessian inverse;
-  double step = 1 / std::max(1.0, std::sqrt(dot(at.gradient, at.gradient)));  // the first goes no farther than 1
+  double step = 1 / std::max(1.0, std::sqrt(dot(at.gradient, at.gradient)));  // the first step is at most 1 long
   for (int round = 0; round < 100; ++round) {
     Weights direction = inverse.times(at.gradient), next;
     Slope there;

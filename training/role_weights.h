@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the training: how much each role counts in the cut through a tree of joins.
+// Internal to the training: the weight of each role in the cut through a tree of joins.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -9,17 +9,19 @@
 
 namespace ilot {
 
-// A thing of a tree of joins: what a machine that has not seen it says of it, and what it may be.
+// An object candidate in a tree of joins: the result of a classifier that has not seen it, and the states that it may
+// have.
 struct RoleSample {
   std::array<double, kCandidateStates> log{};  // of the probability of each state
   std::array<std::uint8_t, kCandidateStates> may{1, 1, 1, 1};
-  std::uint32_t parts[2] = {0, 0};  // places in the list, from 1, before its own; 0: it was separated
+  std::uint32_t parts[2] = {0, 0};  // positions in the list, from 1, before its own; 0: the candidate is not a join
 };
 
-// The weights under which the cuts that are allowed are most probable among all cuts: a cut is as probable as exp of
-// the sum over its things of power log p + bias of the state that it gives them (a conditional random field on trees;
-// Lafferty, McCallum and Pereira 2001), the weights near 1 and 0 as by a normal deviation of 1. Trees without an
-// allowed cut are left out. BFGS with exact gradients, each O(n).
+// Finds the weights under which the allowed cuts are most probable among all cuts. The probability of a cut is
+// proportional to exp of the sum of power log p + bias over its object candidates, for the state that the cut gives
+// each of them (a conditional random field on trees; Lafferty, McCallum and Pereira 2001). A normal prior with
+// deviation 1 keeps the powers near 1 and the biases near 0. Trees without an allowed cut are left out. The method is
+// BFGS with exact gradients, each O(n).
 RoleWeights learn_role_weights(std::span<const RoleSample> candidates);
 
 }  // namespace ilot

@@ -10,7 +10,8 @@ namespace {
 
 void print_nothing(const char*) {}
 
-// Decisions of a machine for one sample, by pairs of the whole's classes; 0 for pairs that it does not know.
+// Returns the decisions of a machine for one sample, by pairs of the classes of the whole set. They are 0 for pairs
+// that the machine does not know.
 std::vector<double> decisions(const TrainedSvm& m, const KernelTable& kernels, std::size_t sample,
                               std::size_t class_count) {
   const svm_model& model = *m.model;

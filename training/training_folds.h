@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the training: samples dealt out in folds.
+// Internal to the training: the division of samples into folds.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -9,7 +9,8 @@
 
 namespace ilot {
 
-// Groups in their order, dealt out one by one; single samples where there are fewer groups than folds.
+// Deals out groups to the folds one by one, in their order. It deals out single samples where there are fewer groups
+// than folds.
 class TrainingFolds {
  public:
   TrainingFolds(std::span<const TrainingSample> samples, std::uint32_t folds);
@@ -22,7 +23,8 @@ class TrainingFolds {
   std::vector<std::uint32_t> groups_;  // rising
 };
 
-// Some of a list of samples, their places in it; with their parts among them: what has lost a part joins none.
+// Some samples of a list and their positions in it. Their parts refer to the chosen samples. A sample that has lost a
+// part counts as no join.
 struct ChosenSamples {
   std::vector<std::size_t> places;
   std::vector<TrainingSample> samples;

@@ -12,9 +12,9 @@
 namespace ilot {
 namespace {
 
-constexpr double kSlopeUnit = 0x1p-20;  // of gradients and curvatures
+constexpr double kSlopeUnit = 0x1p-20;  // unit of gradients and curvatures
 constexpr std::size_t kMostBins = 256;
-constexpr double kMostStep = 8;       // that a leaf adds
+constexpr double kMostStep = 8;       // largest step that a leaf adds
 constexpr std::size_t kGrain = 4096;  // rows
 
 std::int32_t in_units(double slope) {
@@ -26,7 +26,7 @@ struct RowSlope {
   std::int32_t first = 0, second = 0;
 };
 
-// Sums of them.
+// Sums of slopes.
 struct Slope {
   std::int64_t first = 0, second = 0;
   void add(const Slope& s) { first += s.first, second += s.second; }
@@ -34,16 +34,17 @@ struct Slope {
   Slope less(const Slope& s) const { return {first - s.first, second - s.second}; }
 };
 
-// Bins column after column, as histograms read them.
+// Bins, column after column, as the histograms read them.
 struct BinnedColumns {
   std::size_t rows = 0;
   std::vector<std::vector<float>> limits;
-  std::vector<std::size_t> start;  // of each column in a histogram, and the end
+  std::vector<std::size_t> start;  // start of each column in a histogram, and the end
   std::vector<std::uint8_t> bins;
   const std::uint8_t* column(std::size_t c) const { return bins.data() + c * rows; }
 };
 
-// Limits half way between values, so that each bin holds about as many rows; equal values are never parted.
+// Returns limits half way between values, so that each bin has about the same number of rows. Equal values are never
+// separated.
 std::vector<float> even_limits(std::vector<double> values, std::size_t bins) {
   std::sort(values.begin(), values.end());
   std::vector<float> limits;
@@ -79,14 +80,14 @@ struct GrowingNode {
   std::vector<Slope> histogram;
 };
 
-// One tree for one class, from the slopes of all rows. Of two nodes that were parted the lesser is counted, the other
-// is what is left of both.
+// Grows one tree for one class from the slopes of all rows. Of the two nodes of a split only the smaller one is
+// counted. The other is the difference from their parent.
 class TreeGrower {
  public:
   TreeGrower(const BinnedColumns& columns, std::span<const RowSlope> slopes, const TreeBoostingParams& params)
       : columns_(columns), slopes_(slopes), params_(params) {}
 
-  // Fills in a tree, and adds to the score of each row what its leaf says.
+  // Fills in a tree, and adds the value of its leaf to the score of each row.
   void grow(std::span<TreeSplit> splits, std::span<std::int32_t> leaves, std::span<std::int32_t> scores) {
     std::vector<GrowingNode> level(1);
     level[0].rows.resize(columns_.rows);
@@ -172,7 +173,7 @@ class TreeGrower {
   const TreeBoostingParams& params_;
 };
 
-// Scores of all rows while trees are added, class after class.
+// Scores of all rows, class after class, while trees are added.
 class Booster {
  public:
   Booster(const TreeSamples& samples, const TreeBoostingParams& params)
@@ -227,7 +228,7 @@ class Booster {
   }
 
   void keep_used_limits() {
-    std::vector<std::vector<std::uint16_t>> place;  // of a limit: 1 where it is asked for, then its new number
+    std::vector<std::vector<std::uint16_t>> place;  // of a limit: 1 where a tree uses it, later its new number
     for (const auto& list : columns_.limits) place.emplace_back(list.size(), 0);
     for (const TreeSplit& s : out_.splits)
       if (s.bin != kNoSplit) place[s.column][s.bin] = 1;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of radial_sums: sixteen rows at once, each in its own lane, so that a lane adds in the order of the vectors
-// whatever the width of a register. Kernels of a few vectors are kept, then added to one sum after the other.
+// Body of radial_sums. It processes sixteen rows at once, each in its own lane, so that a lane adds in the order of the
+// vectors whatever the width of a register. The kernels of a few vectors are stored and then added to one sum after the
+// other.
 
 namespace {
 
 constexpr std::size_t kKept = 64;                       // vectors
 constexpr std::size_t kParts = kRadialRows / kDoubles;  // registers that hold one value of all rows
 
-// e to the power of v, of -700 to 0: Taylor series about the nearest multiple of ln 2.
+// Returns e to the power of v, for v from -700 to 0, by a Taylor series about the nearest multiple of ln 2.
 inline D exp_of(D v) {
   const D high = splat_d(0x1.62e42feep-1), low = splat_d(0x1.a39ef35793c76p-33);  // of ln 2, the first with zeros last
   const D round = splat_d(0x1.8p52);
@@ -21,7 +22,7 @@ inline D exp_of(D v) {
   return sum * power_of_two(turns);
 }
 
-// Kernels of the rows with some vectors, kRadialRows each.
+// Stores the kernels of the rows with some vectors, kRadialRows for each vector.
 inline void keep_kernels(const RadialArgs& a, std::size_t from, std::size_t to, double* kernels) {
   const D least = splat_d(-700), gamma = splat_d(-a.gamma);
   for (std::size_t v = from; v < to; ++v, kernels += kRadialRows) {
@@ -71,6 +72,6 @@ void radial_sums(const RadialArgs& a) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const RadialSumsBody kRadialSums;
 const RadialSumsBody kRadialSums{radial_sums};

@@ -12,9 +12,9 @@ namespace ilot::simd {
 constexpr std::size_t kRadialRows = 16;
 
 struct RadialArgs {
-  const double* rows;     // kRadialRows of them, dimension by dimension
-  const double* vectors;  // dimensions each
-  const double* weights;  // sums each
+  const double* rows;     // kRadialRows rows, dimension by dimension
+  const double* vectors;  // `dimensions` values each
+  const double* weights;  // `sums` values each
   std::size_t vector_count, dimensions, sums;
   double gamma;
   double* totals;   // kRadialRows per sum, overwritten

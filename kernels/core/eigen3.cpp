@@ -63,7 +63,7 @@ SmallestEigen smallest_eigen(const Symmetric3& m) {
   const double xx = m.xx * s, xy = m.xy * s, xz = m.xz * s, yy = m.yy * s, yz = m.yz * s, zz = m.zz * s;
   const double c1 = xx * yy - xy * xy + xx * zz - xz * xz + yy * zz - yz * yz;
   const double c0 = xx * (yy * zz - yz * yz) - xy * (xy * zz - yz * xz) + xz * (xy * yz - yy * xz);
-  // p(t) = t^3 - t^2 + c1 t - c0 is increasing and concave left of its smallest root.
+  // p(t) = t^3 - t^2 + c1 t - c0 is increasing and concave to the left of its smallest root.
   double t = 0;
   for (int i = 0; i < 40; ++i) {
     const double value = ((t - 1) * t + c1) * t - c0;
@@ -81,7 +81,7 @@ SmallestEigen smallest_eigen(const Symmetric3& m) {
   const double length = norm(best);
   SmallestEigen result;
   result.value = t * trace;
-  // The length is (l1 - l0)(l2 - l0) of the scaled values: nothing left of it means no single direction.
+  // The length is (l1 - l0)(l2 - l0) of the scaled values. When it is nearly zero there is no unique direction.
   if (!(length > 1e-10)) return result;
   result.vector = (1 / length) * best;
   result.unique = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eigenvalues of symmetric 3 x 3 matrices by arithmetic and square roots alone: no call into the maths library, so the
-// same bits on every machine.
+// Eigenvalues of symmetric 3 x 3 matrices. The code uses arithmetic and square roots only and does not call the maths
+// library, so the bits are the same on every machine.
 #pragma once
 #include <array>
 
@@ -17,7 +17,7 @@ struct Eigen3 {
   std::array<Vec3, 3> vectors{};   // unit, right-handed up to sign
 };
 
-// Cyclic Jacobi rotations to full double precision; about 0.5 microseconds.
+// Uses cyclic Jacobi rotations to full double precision. It takes about 0.5 microseconds.
 Eigen3 eigen_symmetric(const Symmetric3& m);
 
 struct SmallestEigen {
@@ -26,9 +26,9 @@ struct SmallestEigen {
   bool unique = false;  // false: the direction is undefined (two smallest values equal, or the zero matrix)
 };
 
-// The smallest eigenpair of a positive semi-definite matrix: Newton's iteration on the characteristic polynomial from
-// below, where it converges monotonically, then the largest cross product of two rows. Relative error of the value
-// about 1e-14 of the trace. About 40 nanoseconds.
+// Computes the smallest eigenpair of a positive semi-definite matrix. Newton's iteration on the characteristic
+// polynomial starts from below, where it converges monotonically. The vector is the largest cross product of two rows.
+// The relative error of the value is about 1e-14 of the trace. It takes about 40 nanoseconds.
 SmallestEigen smallest_eigen(const Symmetric3& m);
 
 }  // namespace ilot

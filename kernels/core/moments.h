@@ -10,9 +10,9 @@ namespace ilot {
 
 using Int128 = __int128;
 
-// Sums over integer points, exact: the order of adding points, and how they were split among blocks and threads, cannot
-// show. Coordinates are relative to an anchor that the caller keeps; the number of points times the widest coordinate
-// stays below 2^63 (a billion points over a thousand kilometres at a millimetre).
+// Exact sums over integer points. The result does not depend on the order of the points, nor on how they were split
+// among blocks and threads. Coordinates are relative to an anchor that the caller keeps. The number of points times the
+// widest coordinate must stay below 2^63 (a billion points over a thousand kilometres at a millimetre).
 struct Moments {
   std::int64_t n = 0;
   Int128 x = 0, y = 0, z = 0;
@@ -23,11 +23,10 @@ struct Moments {
   friend bool operator==(const Moments&, const Moments&) = default;
 };
 
-// Moments of the points with these indices; their offsets must be integers below 2^22 in magnitude.
-// O(n).
+// Computes the moments of the points with these indices. Their offsets must be integers below 2^22 in magnitude. O(n).
 Moments moments_of(Points points, std::span<const std::uint32_t> indices);
 
-// The same points seen from another anchor: every coordinate grows by `by`.
+// Returns the moments of the same points relative to another anchor: every coordinate grows by `by`.
 Moments shifted(const Moments& m, Index3 by);
 
 Vec3 centroid(const Moments& m);          // n > 0

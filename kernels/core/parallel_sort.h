@@ -9,17 +9,18 @@
 
 namespace ilot {
 
-// Sorts on all threads. `before` must be a total order (no two values equal unless they are the same to everybody), so
-// the answer is one. Runs of a fixed length are sorted and merged two by two, each merge cut in fixed pieces. Memory:
-// a second copy of the values. O(n log n).
+// Sorts on all threads. `before` must be a total order, in which two values are equal only when they cannot be told
+// apart, so the result is unique. Runs of a fixed length are sorted and then merged two by two. Each merge is cut into
+// pieces of a fixed length. Memory: a second copy of the values. O(n log n).
 template <class T, class Before>
 void parallel_sort(std::vector<T>& values, const Before& before);
 
 namespace detail {
 
-constexpr std::size_t kSortRun = std::size_t{1} << 15;  // values: a run, and a piece of a merge
+constexpr std::size_t kSortRun = std::size_t{1} << 15;  // values; length of a run and of a piece of a merge
 
-// How many of the first `count` values of the merge of a and b come from a; those of a before equal ones of b.
+// Returns how many of the first `count` values of the merge of a and b come from a. Values of a come before equal
+// values of b.
 template <class T, class Before>
 std::size_t taken_from_first(std::span<const T> a, std::span<const T> b, std::size_t count, const Before& before) {
   std::size_t low = count > b.size() ? count - b.size() : 0, high = std::min(count, a.size());
@@ -34,7 +35,7 @@ std::size_t taken_from_first(std::span<const T> a, std::span<const T> b, std::si
   return low;
 }
 
-// One piece of the merge of values[begin, middle) and values[middle, end).
+// Writes one piece of the merge of a and b: at most kSortRun values from position `first` on.
 template <class T, class Before>
 void merge_piece(std::span<const T> a, std::span<const T> b, std::size_t first, std::span<T> out,
                  const Before& before) {

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kRadian = 0.017453292519943295;
 constexpr double kLog2 = 0.69314718055994531;
-// Its leading 32 bits, whose product with a small whole number is exact, and the rest.
+// The leading 32 bits of kLog2, whose product with a small integer is exact, and the rest.
 constexpr double kLog2High = 0x1.62e42feep-1, kLog2Low = 0x1.a39ef35793c76p-33;
 
 // Taylor series for |x| <= pi / 4.
@@ -35,7 +35,7 @@ double sin_series(double x) {
   return sum;
 }
 
-// Of 0 to 1: the angle is halved until the Taylor series is short.
+// For t from 0 to 1. The angle is halved until the Taylor series is short.
 double arctangent(double t) {
   constexpr int kHalvings = 3;
   for (int i = 0; i < kHalvings; ++i) t = t / (1 + std::sqrt(1 + t * t));  // below 0.1

@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t kInsertion = 24;  // as many or fewer are sorted by insertion
 constexpr int kMostBits = 11;           // of one digit
 
-enum class Result { here, there };  // where the sorted pairs shall stand
+enum class Result { here, there };  // where the sorted pairs go
 
 void sort_by_insertion(KeyValue* a, std::size_t n) {
   for (std::size_t i = 1; i < n; ++i) {
@@ -23,7 +23,7 @@ void sort_by_insertion(KeyValue* a, std::size_t n) {
   }
 }
 
-// A digit of the bits in which keys still differ, so wide that its buckets hold a few pairs each.
+// A digit of the bits in which keys still differ. It is so wide that each bucket gets only a few pairs.
 struct Digit {
   int shift = 0, bits = 0;
   std::size_t of(std::uint64_t key) const { return (key >> shift) & ((std::size_t{1} << bits) - 1); }

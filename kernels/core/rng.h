@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Counter-based random numbers: the i-th number of a key is a pure function of (key, i), so it does not matter which
-// thread asks, or in which order. The mixer is the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
+// Counter-based random numbers. The i-th number of a key is a pure function of (key, i), so the thread and the order of
+// the calls do not matter. The mixer is the finaliser of SplitMix64 (Steele, Lea, Flood 2014).
 #pragma once
 #include <cstdint>
 
@@ -21,11 +21,11 @@ class Rng {
   constexpr std::uint64_t at(std::uint64_t i) const { return mix64(key_ + i * 0xd1342543de82ef95ull); }
   constexpr std::uint64_t next() { return at(counter_++); }
 
-  // Uniform in [0, bound), bound > 0. Bias below bound / 2^64.
+  // Returns a uniform integer in [0, bound), bound > 0. The bias is below bound / 2^64.
   constexpr std::uint64_t below(std::uint64_t bound) {
     return static_cast<std::uint64_t>((static_cast<unsigned __int128>(next()) * bound) >> 64);
   }
-  // Uniform in [0, 1), multiples of 2^-53.
+  // Returns a uniform multiple of 2^-53 in [0, 1).
   constexpr double uniform() { return static_cast<double>(next() >> 11) * 0x1p-53; }
 
  private:

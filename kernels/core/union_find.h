@@ -7,8 +7,9 @@
 
 namespace ilot {
 
-// Disjoint sets over caller-owned parents, path halving, the smaller index is always the root: the partition and its
-// representatives do not depend on the order of the unions. Near-constant amortised time in practice.
+// Disjoint sets with path halving. The caller owns the array of parents. The smaller index is always the root, so the
+// sets and their representatives do not depend on the order of the unions. An operation takes nearly constant amortised
+// time in practice.
 class UnionFind {
  public:
   explicit UnionFind(std::span<std::uint32_t> parents) : parent_(parents) {
@@ -18,9 +19,9 @@ class UnionFind {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  // Whether both are in one set; one comparison when they hang from the same parent.
+  // Whether both are in one set. This takes one comparison when both have the same parent.
   bool same(std::uint32_t a, std::uint32_t b) { return parent_[a] == parent_[b] || find(a) == find(b); }
-  // True when two sets became one.
+  // Returns true when two sets became one.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -18,16 +18,16 @@ Corners corners_of(const Triangulation& t, std::size_t triangle, std::span<const
   return {{a, b, c}, {points[a], points[b], points[c]}};
 }
 
-// Squared lengths in ascending order, so that rounding does not depend on the order of the corners.
+// Returns the squared lengths in ascending order, so that rounding does not depend on the order of the corners.
 std::array<double, 3> squared_edges(const std::array<Point2, 3>& p) {
   const auto a = static_cast<double>(squared_distance(p[0], p[1]));
   const auto b = static_cast<double>(squared_distance(p[1], p[2]));
   const auto c = static_cast<double>(squared_distance(p[2], p[0]));
-  const double low = std::min(a, b), high = std::max(a, b);  // no branches: they would be guesses
+  const double low = std::min(a, b), high = std::max(a, b);  // no branches, because they would be mispredicted
   return {std::min(low, c), std::max(low, std::min(high, c)), std::max(high, c)};
 }
 
-// Circumradius <= reach. With edges a, b, c and area K the circumradius is abc / 4K.
+// Tests circumradius <= reach. With edges a, b, c and area K the circumradius is abc / 4K.
 bool circle_fits(const std::array<Point2, 3>& p, double reach) {
   const std::array<double, 3> d = squared_edges(p);
   const double twice_area = static_cast<double>(orient2d(p[0], p[1], p[2]));
@@ -56,7 +56,7 @@ bool in_shape(const Corners& c, const ShapeParams& params) {
   return edges_fit(c, reach, params.height) && circle_fits(c.p, kRadiusPerEdge * reach);
 }
 
-// The corner that owns a triangle.
+// Returns the corner that owns a triangle.
 std::size_t owning(const Corners& c, std::span<const float> reach) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < 3; ++i) {
@@ -66,7 +66,7 @@ std::size_t owning(const Corners& c, std::span<const float> reach) {
   return best;
 }
 
-// Square cells over points, of about two points each where they fill their box.
+// Square cells over points, with about two points each where the points fill their box.
 class Cells {
  public:
   explicit Cells(std::span<const Point2> points) : low_(points[0]) {
@@ -91,7 +91,7 @@ class Cells {
     const auto [column, row] = place(p);
     return at(column, row);
   }
-  // Cells to each side that a distance from anywhere in a cell may reach.
+  // Number of cells to each side that a distance from anywhere in a cell may reach.
   std::int64_t across(std::int64_t distance) const { return (distance >> shift_) + 1; }
 
  private:
@@ -104,8 +104,9 @@ class Cells {
   std::int64_t columns_ = 0, rows_ = 0;
 };
 
-// How many cells on each cell's need goes, from how many each one asks for itself: one less in each of the eight cells
-// around. Negative: not needed. Two sweeps, as for chessboard distances (Rosenfeld, Pfaltz 1968).
+// Spreads the need of each cell to its neighbours. `need` is the number of cells that each one requests; a neighbour
+// (one of eight) gets one less. A negative value means not needed. It takes two sweeps, as for chessboard distances
+// (Rosenfeld, Pfaltz 1968).
 void spread(const Cells& cells, std::vector<std::int64_t>& need) {
   const std::int64_t columns = cells.columns(), rows = cells.rows();
   const auto take = [&](std::int64_t column, std::int64_t row, std::int64_t from_column, std::int64_t from_row) {

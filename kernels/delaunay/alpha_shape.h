@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which triangles of a Delaunay triangulation make up the shape of its points [Marchand 2018, II.4.1; Lorraine
-// thesis, 3.2; Boltcheva et al. 2019, 3.3.1], and how blocks share them.
+// Selects the triangles of a Delaunay triangulation that form the shape of its points [Marchand 2018, II.4.1; Lorraine
+// thesis, 3.2; Boltcheva et al. 2019, 3.3.1], and divides them among blocks.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -12,9 +12,9 @@ namespace ilot {
 
 constexpr double kRadiusPerEdge = 4;
 
-// reach: per point, in lattice units, at least 0 [Lorraine thesis, 3.3]; a triangle takes the largest of its corners'.
-// An edge's length is the one in space where heights are given, in lattice units [D5 II]. Where labels are given, a
-// triangle with corners of two labels is dropped [D5 III].
+// `reach` is per point, in lattice units, at least 0 [Lorraine thesis, 3.3]. The reach of a triangle is the largest of
+// its corners. Where heights are given, in lattice units, the length of an edge is measured in space [D5 II]. Where
+// labels are given, a triangle with corners of two labels is dropped [D5 III].
 struct ShapeParams {
   TriangleRule rule = TriangleRule::kCircumradius;
   std::span<const float> reach;
@@ -22,32 +22,33 @@ struct ShapeParams {
   std::span<const std::uint32_t> label = {};
 };
 
-// Per triangle 1 when it belongs to the shape. Comparisons are closed, and the same for the same three positions up to
-// a shift, whatever the order of the corners. O(n).
+// Returns for each triangle 1 when it belongs to the shape. Comparisons include equality. The result is the same for
+// the same three positions up to a shift, whatever the order of the corners. O(n).
 std::vector<std::uint8_t> shape_triangles(const Triangulation& t, std::span<const Point2> points,
                                           const ShapeParams& params);
 
-// The corner that a triangle belongs to: the one with the largest reach, of equals the smallest in (x, y).
+// Returns the corner that owns a triangle: the one with the largest reach, and of equal ones the smallest in (x, y).
 std::uint32_t owner(const Triangulation& t, std::size_t triangle, std::span<const Point2> points,
                     std::span<const float> reach);
 
-// How far around its own points a block has to look, so that each triangle of the shape that one of them owns comes out
-// as in the triangulation of all points: the circle lies within twice the largest circumradius, which the owner's reach
-// bounds. `largest`: the largest reach of the block's own points.
+// Returns how far around its own points a block has to look. Then each triangle of the shape that one of its points
+// owns is the same as in the triangulation of all points. The circle of such a triangle is within twice the largest
+// circumradius, which the reach of the owner bounds. `largest` is the largest reach of the block's own points.
 std::int64_t shape_halo(TriangleRule rule, double largest);
 
-// Per point 1 when a block needs it: its own points, those within shape_halo() of the reach of one of its own, and some
-// beside them. The reach of other points is not looked at. O(n).
+// Returns for each point 1 when a block needs it. A block needs its own points, those within shape_halo() of the reach
+// of one of its own, and some beside them. The reach of other points is not used. O(n).
 std::vector<std::uint8_t> needed_points(TriangleRule rule, std::span<const Point2> points, std::span<const float> reach,
                                         std::span<const std::uint8_t> own);
 
-// Of a triangulation of a block's own points and those it needs the triangles to keep that its own points own.
-// own: per point, 1 = of the block. Over all blocks each triangle of the whole shape is given exactly once.
+// Returns the triangles to keep that the block's own points own, from a triangulation of these points and those that
+// the block needs. `own` is 1 for each point of the block. Over all blocks each triangle of the whole shape is returned
+// exactly once.
 std::vector<std::uint32_t> owned_triangles(const Triangulation& t, std::span<const Point2> points,
                                            const ShapeParams& params, std::span<const std::uint8_t> own);
 
-// Erosion from the outside only [Boltcheva et al. 2019, 3.3.1]: adds to the shape the triangles that no path over edges
-// between dropped triangles joins to the outside, so that holes stay shut. O(n).
+// Erosion from the outside only [Boltcheva et al. 2019, 3.3.1]. The function adds to the shape the dropped triangles
+// that are not joined to the outside by a path across edges between dropped triangles. So holes stay closed. O(n).
 void keep_enclosed(const Triangulation& t, std::span<std::uint8_t> keep);
 
 }  // namespace ilot

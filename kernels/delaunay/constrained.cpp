@@ -16,7 +16,7 @@ class Inserter {
     for (std::uint32_t e = 0; e < t.corner.size(); ++e) leaving_[t.corner[e]] = e;
   }
 
-  // False when the segment crosses a fixed edge; the triangulation then stays as it is.
+  // Returns false when the segment crosses a fixed edge. The triangulation then stays as it is.
   bool insert(std::uint32_t from, std::uint32_t to) {
     std::vector<Segment> pieces;
     for (std::uint32_t at = from; at != to;) {
@@ -68,8 +68,8 @@ class Inserter {
            static_cast<std::int64_t>(q.x - p.x) * (r.x - p.x) + static_cast<std::int64_t>(q.y - p.y) * (r.y - p.y) > 0;
   }
 
-  // The first corner on the way from a to b, b itself at the latest; kNoEdge when a fixed edge is in the way. `crossed`
-  // takes the edges in between, as pairs: those on the right of the way first.
+  // Returns the first corner on the way from a to b, which is b itself at the latest. Returns kNoEdge when a fixed edge
+  // is in the way. `crossed` receives the edges in between, as pairs, with the end on the right of the way first.
   std::uint32_t next_corner_on(std::uint32_t a, std::uint32_t b, std::deque<Segment>* crossed = nullptr) const {
     std::uint32_t found = kNoEdge, gate = kNoEdge;
     around(a, [&](std::uint32_t e) {
@@ -113,14 +113,14 @@ class Inserter {
     restore(std::move(fresh));
   }
 
-  // Whether the two triangles of e make up a quadrangle without a straight or inward corner.
+  // Whether the two triangles of e form a quadrangle without a straight or reflex corner.
   bool can_flip(std::uint32_t e) const {
     const Point2 a = at(t_.corner[e]), b = at(target(e)), p = at(apex(e)), q = at(apex(t_.twin[e]));
     return orient2d(q, b, p) > 0 && orient2d(p, a, q) > 0;
   }
 
-  // Edge a-b between the triangles of apexes p and q becomes p-q. Edges e and its twin become a-q and b-p, their
-  // followers q-p and p-q.
+  // Replaces edge a-b between the triangles with apexes p and q by p-q. Edges e and its twin become a-q and b-p, and
+  // the edges after them become q-p and p-q.
   void flip(std::uint32_t e) {
     const std::uint32_t f = t_.twin[e], e1 = next_edge(e), f1 = next_edge(f);
     const std::uint32_t p = apex(e), q = apex(f);
@@ -134,7 +134,7 @@ class Inserter {
     leaving_[t_.corner[e]] = e;
     leaving_[t_.corner[f]] = f;
   }
-  // Edge e takes over the neighbour of `from`.
+  // Gives edge e the neighbour of `from`.
   void attach(std::uint32_t e, std::uint32_t from) {
     const std::uint32_t neighbour = t_.twin[from];
     t_.twin[e] = neighbour;
@@ -142,7 +142,7 @@ class Inserter {
     if (neighbour != kNoEdge) t_.twin[neighbour] = e;
   }
 
-  // Flips edges, and those around flipped ones, until none has a point in its circle.
+  // Flips edges, and the edges around flipped ones, until none has a point in its circle.
   void restore(std::vector<Segment> edges) {
     while (!edges.empty()) {
       const std::uint32_t e = edge_between(edges.back().first, edges.back().second);

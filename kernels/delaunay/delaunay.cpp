@@ -20,9 +20,9 @@ struct HalfEdge {
 
 enum Side { kLeft, kBottom, kRight, kTop };
 
-// The triangulation of a run of points: the vertex farthest towards each side, and the edge of the convex hull that
-// leaves it counter-clockwise, all points on its left; kNoEdge when there is but one point. The run of k points owns
-// the 3k edges from 6 * first on; those not in use are a list through HalfEdge::next.
+// The triangulation of a run of points. It has the vertex farthest towards each side, and the edge of the convex hull
+// that leaves this vertex counter-clockwise, with all points on its left. The edge is kNoEdge when there is only one
+// point. The run of k points owns the 3k edges from 6 * first on. Unused edges form a list through HalfEdge::next.
 struct Part {
   std::uint32_t first = 0, count = 0;
   std::uint32_t extreme[4] = {};
@@ -40,7 +40,7 @@ class Builder {
   Builder(const PlaneOrder& order, HalfEdge* edges)
       : points_(order.points.data()), codes_(order.codes.data()), edge_(edges) {}
 
-  // Where the aligned cell of the points is halved.
+  // Returns where the aligned cell of the points is halved.
   Cut cut_of(std::uint32_t first, std::uint32_t count) const {
     const std::uint64_t* begin = codes_ + first;
     const int bit = 63 - std::countl_zero(begin[0] ^ begin[count - 1]);
@@ -75,7 +75,7 @@ class Builder {
   }
 
  private:
-  // `used` of the 3 * count edges of a new part are taken, the others free.
+  // Creates a part. `used` of its 3 * count edges are taken, and the others are free.
   Part new_part(std::uint32_t first, std::uint32_t count, std::uint32_t used) {
     Part part{first, count, {first, first, first, first}};
     part.free_head = 6 * first + 2 * used;
@@ -150,8 +150,9 @@ class Builder {
     part.free_head = slot;
   }
 
-  // The new edge between the parts, from low to high, that has both of them on its left. `right` is the low part's hull
-  // edge out of its vertex nearest to the high part, `left` the high part's out of the one nearest to the low part.
+  // Adds the edge between the parts, from low to high, that has both of them on its left. `right` is the hull edge of
+  // the low part out of its vertex nearest to the high part. `left` is the hull edge of the high part out of its vertex
+  // nearest to the low part.
   std::uint32_t lower_tangent(Part& all, const Part& low, const Part& high, std::uint32_t right, std::uint32_t left) {
     std::uint32_t a = right == kNoEdge ? low.first : edge_[right].origin;
     std::uint32_t b = left == kNoEdge ? high.first : edge_[left].origin;
@@ -176,7 +177,8 @@ class Builder {
     return base;
   }
 
-  // The end of the next edge above a-b at its low end: edges that the circle rules out are removed. kNoEdge: none.
+  // Returns the end of the next edge above a-b at its low end, or kNoEdge when there is none. Edges that the circle
+  // test excludes are removed.
   std::uint32_t low_candidate(Part& all, std::uint32_t base, Point2 a, Point2 b) {
     std::uint32_t e = edge_[base].next;
     Point2 c = at(target(e));
@@ -204,7 +206,7 @@ class Builder {
     return kNoEdge;
   }
 
-  // From the lower tangent from edge to edge between the parts up to the upper one, which is returned.
+  // Goes from the lower tangent from edge to edge between the parts up to the upper tangent, which is returned.
   std::uint32_t zip(Part& all, std::uint32_t base) {
     std::uint32_t a = edge_[base].origin, b = edge_[base ^ 1].origin;
     for (;;) {
@@ -232,7 +234,7 @@ class Builder {
   HalfEdge* edge_;
 };
 
-// A cell with more points than one task takes, and its halves.
+// A cell with more points than one task processes, and its halves.
 struct Node {
   std::uint32_t first = 0, count = 0;
   int axis = 0, height = 0;  // height 0: a task
@@ -271,7 +273,7 @@ Part build_in_parallel(Builder& builder, std::uint32_t count) {
   return nodes.back().part;
 }
 
-// Takes the outer sides of the hull's edges out of the half-edges that bound triangles.
+// Removes the outer sides of the hull's edges from the half-edges that bound triangles.
 void leave_outside(HalfEdge* edge, std::uint32_t start) {
   std::uint32_t e = start;
   do {
@@ -284,7 +286,8 @@ void leave_outside(HalfEdge* edge, std::uint32_t start) {
 
 constexpr std::size_t kChunk = std::size_t{1} << 17;  // half-edges a task
 
-// Of each triangle its smallest edge, among those of one chunk. Written without branches: they would be guesses.
+// Returns the smallest edge of each triangle, among the edges of one chunk. The code has no branches, because they
+// would be mispredicted.
 std::vector<std::uint32_t> smallest_edges(const HalfEdge* edge, std::size_t begin, std::size_t end) {
   std::vector<std::uint32_t> list(end - begin);
   std::size_t count = 0;
@@ -298,7 +301,7 @@ std::vector<std::uint32_t> smallest_edges(const HalfEdge* edge, std::size_t begi
   return list;
 }
 
-// Numbers the triangles by their smallest edges; afterwards HalfEdge::next is the edge's number in the result.
+// Numbers the triangles by their smallest edges. Afterwards HalfEdge::next is the number of the edge in the result.
 void collect_triangles(HalfEdge* edge, std::size_t slots, Triangulation& out) {
   const std::size_t chunks = (slots + kChunk - 1) / kChunk;
   std::vector<std::vector<std::uint32_t>> smallest(chunks);

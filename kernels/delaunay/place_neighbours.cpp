@@ -13,13 +13,14 @@ namespace ilot {
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::infinity();
-constexpr std::size_t kMostAround = 192;  // places that a query looks at in cells
+constexpr std::size_t kMostAround = 192;  // places that a query in cells examines
 constexpr std::int32_t kMostRings = 4;    // of cells around its own
 constexpr std::size_t kPlacesPerCell = 2;
 
-constexpr int kTopLevel = 31;  // one cell for all: codes are below 2^62
+constexpr int kTopLevel = 31;  // one cell for all points, because codes are below 2^62
 
-// The finest level at which occupied cells hold kPlacesPerCell places on average; kTopLevel for fewer places.
+// Returns the finest level at which occupied cells contain kPlacesPerCell places on average, or kTopLevel for fewer
+// places.
 int level_of(const PlaneOrder& order) {
   std::array<std::size_t, kTopLevel> starts{};  // per level the first places of cells that a finer level does not start
   for (std::size_t i = 1; i < order.codes.size(); ++i)
@@ -35,8 +36,8 @@ int level_of(const PlaneOrder& order) {
 
 constexpr int kMostInCells = 7;  // neighbours that the search in cells keeps
 
-// The k-th smallest of squared distances, the query's own 0 not counted: whole numbers below 2^50, which double holds
-// exactly. Kept in order without branches, which would be guesses.
+// Returns the k-th smallest of squared distances, without the 0 of the query itself. They are integers below 2^50,
+// which are exact in double. They are kept in order without branches, which would be mispredicted.
 double kth_smallest(std::span<const double> squared, int k) {
   std::array<double, kMostInCells + 1> least;
   least.fill(kNone);
@@ -55,7 +56,7 @@ class CellSearch {
   CellSearch(const PlaceCells& cells, int k, std::int64_t farthest)
       : cells_(cells), k_(k), limit2_(farthest * farthest) {}
 
-  // False when it is one for the tree.
+  // Returns false when the query needs the tree.
   bool find(Point2 place, std::int64_t& squared) {
     const std::int32_t x = place.x - cells_.low.x, y = place.y - cells_.low.y;
     for (std::int32_t ring = 1; ring <= kMostRings; ++ring) {
@@ -63,7 +64,7 @@ class CellSearch {
       const std::int64_t inside2 = squared_inside(x, y, ring);
       const double kth = kth_of_gathered();
       if (kth <= static_cast<double>(inside2)) {
-        hint_ = 1.75 * kth;  // most of the time more than k are as near
+        hint_ = 1.75 * kth;  // usually more than k places are as near
         squared = kth <= static_cast<double>(limit2_) ? static_cast<std::int64_t>(kth) : -1;
         return true;
       }
@@ -76,7 +77,7 @@ class CellSearch {
   }
 
  private:
-  // Squared distances to all places in the cells around (x, y).
+  // Collects the squared distances to all places in the cells around (x, y).
   bool gather(std::int32_t x, std::int32_t y, std::int32_t ring) {
     const std::int32_t column = x >> cells_.shift, row = y >> cells_.shift;
     const std::int32_t left = std::max(0, column - ring), right = std::min(cells_.columns - 1, column + ring);
@@ -95,7 +96,7 @@ class CellSearch {
     return true;
   }
 
-  // No place beyond the gathered cells is nearer.
+  // Returns a distance below which there is no place outside of the gathered cells.
   std::int64_t squared_inside(std::int32_t x, std::int32_t y, std::int32_t ring) const {
     const auto gap = [&](std::int32_t v, std::int32_t cells) {
       const std::int64_t low = (v >> cells_.shift) - ring, high = (v >> cells_.shift) + ring + 1;
@@ -108,7 +109,7 @@ class CellSearch {
     return g * g;
   }
 
-  // The places before say about how far it is: most others need not be put in order.
+  // The queries before give a hint of the distance, so most of the other places need not be sorted.
   double kth_of_gathered() {
     std::array<double, kMostAround> near;
     std::size_t count = 0;

@@ -41,7 +41,7 @@ void insertion_sort(Entry* e, std::size_t n) {
   }
 }
 
-// Sorts e[0, n), whose codes agree above `bits`; equal codes stand in the order of their indices already.
+// Sorts e[0, n), whose codes agree above `bits`. Equal codes are already in the order of their indices.
 void sort_bucket(Entry* e, Entry* other, std::size_t n, int bits) {
   if (n <= kSmall) return insertion_sort(e, n);
   if (bits == 0) return;
@@ -73,14 +73,15 @@ Point2 smallest_coordinates(std::span<const Point2> points) {
   return all;
 }
 
-// All entries in order: scattered by their top digit in chunks, then digit by digit on their own.
+// Sorts all entries. They are scattered by their top digit in chunks, and then each bucket is sorted digit by digit on
+// its own.
 std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   const std::size_t n = points.size(), chunks = chunks_of(n);
   const Point2 low = smallest_coordinates(points);
   std::unique_ptr<Entry[]> entries(new Entry[n]), sorted(new Entry[n]);
   std::vector<std::uint64_t> ored(chunks);
   parallel_for(chunks, [&](std::size_t c) {
-    std::uint64_t all = 0;  // of the chunk: neighbouring slots written all the time would slow the threads
+    std::uint64_t all = 0;  // of the chunk; frequent writes to neighbouring slots would slow the threads
     for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
       entries[i] = {spread2(static_cast<std::uint32_t>(points[i].x - low.x)) |
                         spread2(static_cast<std::uint32_t>(points[i].y - low.y)) << 1,

@@ -10,8 +10,8 @@
 namespace ilot {
 namespace {
 
-// Whether the direction from `at` to p is met before the one to q when turning clockwise from the one to `from`, which
-// itself comes last.
+// Whether the direction from `at` to p comes before the one to q when turning clockwise from the direction to `from`.
+// The direction to `from` itself comes last.
 bool clockwise_before(Point2 at, Point2 from, Point2 p, Point2 q) {
   const auto behind = [&](Point2 r) {  // more than half a turn away
     const std::int64_t side = orient2d(at, from, r);
@@ -25,7 +25,8 @@ bool clockwise_before(Point2 at, Point2 from, Point2 p, Point2 q) {
   return orient2d(at, p, q) < 0;
 }
 
-// An outer ring, its box, and the middle of its first edge in half units: on no other ring, since edges are not shared.
+// An outer ring, its box, and the middle of its first edge in half units. This point is on no other ring, because edges
+// are not shared.
 struct Outer {
   std::span<const std::uint32_t> ring;
   Point2 low, high;
@@ -47,7 +48,8 @@ bool box_contains(const Outer& a, const Outer& b) {
   return a.low.x <= b.low.x && b.high.x <= a.high.x && a.low.y <= b.low.y && b.high.y <= a.high.y;
 }
 
-// Whether a place in half units, not on the ring, lies inside: edges that a ray to the right crosses.
+// Whether a place in half units, not on the ring, is inside. The function counts the edges that a ray to the right
+// crosses.
 bool contains(const Outer& outer, const std::int64_t (&place)[2], std::span<const Point2> points) {
   bool inside = false;
   for (std::size_t i = 0, before = outer.ring.size() - 1; i < outer.ring.size(); before = i++) {
@@ -72,7 +74,7 @@ class Tracer {
  public:
   Tracer(std::span<const BoundaryEdge> edges, std::span<const Point2> points)
       : points_(points), edges_(edges), used_(edges.size()), place_(points.size(), kNoEdge) {
-    if (std::is_sorted(edges.begin(), edges.end(), before)) return;  // a large boundary comes sorted: no copy
+    if (std::is_sorted(edges.begin(), edges.end(), before)) return;  // already sorted: no copy
     sorted_.assign(edges.begin(), edges.end());
     std::sort(sorted_.begin(), sorted_.end(), before);
     edges_ = sorted_;
@@ -90,8 +92,8 @@ class Tracer {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
   }
 
-  // The edge that goes on along the fan of triangles on the left of edge i, of those that are not used up: start may be
-  // taken again. kNone when the edges do not close.
+  // Returns the unused edge that continues along the fan of triangles on the left of edge i. `start` may be returned
+  // again. Returns kNone when the edges do not close.
   std::size_t successor(std::size_t i, std::size_t start) const {
     const BoundaryEdge& in = edges_[i];
     std::size_t best = kNone;
@@ -107,7 +109,7 @@ class Tracer {
     return best;
   }
 
-  // Walks until the first edge comes again, and cuts off a loop whenever a vertex does.
+  // Walks until the first edge is reached again, and cuts off a loop whenever a vertex is reached again.
   void follow(std::size_t start) {
     const std::uint32_t region = edges_[start].region;
     std::vector<std::uint32_t> path;
@@ -130,7 +132,7 @@ class Tracer {
     const auto smallest = std::min_element(vertices.begin(), vertices.end(),
                                            [&](std::uint32_t a, std::uint32_t b) { return points_[a] < points_[b]; });
     std::rotate(vertices.begin(), smallest, vertices.end());
-    // At the smallest vertex the ring turns to the side on which it runs.
+    // At its smallest vertex the ring turns in the sense in which it runs.
     const bool hole = orient2d(points_[vertices.back()], points_[vertices[0]], points_[vertices[1]]) < 0;
     loops_.push_back({std::move(vertices), region, hole});
   }
@@ -161,7 +163,7 @@ std::vector<BoundaryEdge> boundary_edges(std::span<const std::uint32_t> corner) 
   const auto target = [&](std::uint32_t e) { return corner[next_edge(e)]; };
   std::vector<std::uint32_t> order(corner.size());
   std::iota(order.begin(), order.end(), 0u);
-  // The two sides of an edge come together.
+  // The sort brings the two sides of an edge together.
   const auto key = [&](std::uint32_t e) {
     return std::pair(std::min(corner[e], target(e)), std::max(corner[e], target(e)));
   };
@@ -183,7 +185,7 @@ std::vector<BoundaryEdge> boundary_edges(std::span<const std::uint32_t> corner) 
 
 Polygons assemble_rings(std::span<const BoundaryEdge> edges, std::span<const Point2> points) {
   std::vector<Loop> loops = Tracer(edges, points).trace();
-  // Regions are in the order of their outer rings: number them so, then sort.
+  // Regions are in the order of their outer rings. They are numbered in this order and then sorted.
   std::sort(loops.begin(), loops.end(), [&](const Loop& a, const Loop& b) {
     if (a.region != b.region) return a.region < b.region;
     if (a.hole != b.hole) return b.hole;

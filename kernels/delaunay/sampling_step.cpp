@@ -20,8 +20,8 @@ struct BothWays {
   Vec3 there, back;
 };
 
-// v turned about a unit axis at right angles to nothing in particular, by an angle below 0.1 and by as much the other
-// way: cosine and sine from the tangent of the half angle, a series that is exact to the last bits at such angles.
+// Turns v about a unit axis, which need not be perpendicular to v, by an angle below 0.1, in both senses. Cosine and
+// sine come from the tangent of the half angle, by a series that is exact to the last bits for such angles.
 BothWays turned(Vec3 v, Vec3 axis, double angle) {
   const double h = angle / 2, h2 = h * h, t = h * (1 + h2 * (1.0 / 3 + h2 * (2.0 / 15 + h2 * 17.0 / 315)));
   const double scale = 1 / (1 + t * t), cosine = (1 - t * t) * scale, sine = 2 * t * scale;
@@ -29,7 +29,7 @@ BothWays turned(Vec3 v, Vec3 axis, double angle) {
   return {same + perpendicular + along, same - perpendicular + along};
 }
 
-// Where the ray meets the plane, as a vector from the station; false when it does not.
+// Computes where the ray meets the plane, as a vector from the station. Returns false when it does not meet the plane.
 bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
   const double towards = -dot(plane.n, ray);
   if (!(towards * station_distance > 0)) return false;
@@ -37,7 +37,7 @@ bool meet(Vec3 ray, const Plane& plane, double station_distance, Vec3& out) {
   return true;
 }
 
-// The cell that the rays half a step to each side of the one to a point cut out of a plane: a parallelogram, nearly.
+// The cell around a point of a plane, between the rays half a step to each side. It is nearly a parallelogram.
 struct RayCell {
   Vec3 across, along;  // its sides; the first between profiles
 };

@@ -31,7 +31,7 @@ struct Places {
   std::size_t size() const { return vertices.size(); }
 };
 
-// Places in square cells, to be asked which of them lie in a box.
+// Places in square cells, for queries for the places in a box.
 class PlaceGrid {
  public:
   explicit PlaceGrid(Places places) : places_(places) {
@@ -75,7 +75,8 @@ class PlaceGrid {
   std::vector<std::uint32_t> order_;  // places by cell, then by index
 };
 
-// Items 0 to n - 1, each in the heap or not: the first of them, in an order that its owner knows. 8 bytes an item.
+// A heap of items 0 to n - 1. Each item is in the heap or not. The first item comes from an order that the owner
+// defines. It needs 8 bytes per item.
 template <class Before>
 class IndexHeap {
  public:
@@ -84,7 +85,7 @@ class IndexHeap {
   bool empty() const { return heap_.empty(); }
   std::uint32_t first() const { return heap_[0]; }
 
-  // To be called before what the order of a held item depends on changes.
+  // Call this before a change of the data on which the order of an item in the heap depends.
   void remove(std::uint32_t item) {
     const std::uint32_t at = at_[item];
     if (at == kNoEdge) return;
@@ -128,7 +129,7 @@ class IndexHeap {
   std::vector<std::uint32_t> heap_, at_;
 };
 
-// Places are the positions in Polygons::vertices; those left out between a place and the next one follow it in its
+// Places are the positions in Polygons::vertices. The removed places between a place and the next one follow it in its
 // ring.
 class Thinner {
  public:
@@ -171,7 +172,7 @@ class Thinner {
   }
 
  private:
-  // How far the outline moves, the length of the new edge, the place.
+  // Compares how far the outline moves, then the length of the new edge, then the place.
   struct Before {
     const Thinner* t;
     bool operator()(std::uint32_t i, std::uint32_t k) const {
@@ -188,7 +189,7 @@ class Thinner {
     return i + 1 == ring.first + ring.count ? ring.first : i + 1;
   }
 
-  // For a vertex that is not on offer.
+  // Call this for a vertex that is not in the heap.
   void offer(std::uint32_t i) {
     if (pinned_[i]) return;
     const Point2 a = place_[last_[i]], b = place_[next_[i]];
@@ -199,7 +200,7 @@ class Thinner {
     offers_.add(i);
   }
 
-  // Whether another vertex lies in the triangle that would change sides, its border included.
+  // Whether another vertex is in the triangle that would change sides, or on its border.
   bool blocked(std::uint32_t i) const {
     const Point2 a = place_[last_[i]], v = place_[i], b = place_[next_[i]];
     const std::int64_t turn = orient2d(a, v, b);
@@ -225,7 +226,7 @@ class Thinner {
     offer(next_[i]);
   }
 
-  // Starts stay the smallest vertex of their ring.
+  // The first vertex stays the smallest of its ring.
   Polygons rest() const {
     Polygons out;
     out.count = polygons_.count;

@@ -15,22 +15,22 @@ enum class TopologyFault {
   kVertices,     // a point missing, or triangles that overlap
 };
 
-// Whether this is a triangulation of all the points: every triangle turns left, neighbours agree, the hull is one
-// closed convex line, every point but the duplicates is a corner, and as many triangles as Euler's formula asks, so
-// that none overlap. Holds for any triangulation, Delaunay or constrained. No triangles are right when all points lie
-// on a line. O(n).
+// Checks whether this is a triangulation of all the points. Every triangle turns left, neighbours agree, the hull is
+// one closed convex line, and every point except the duplicates is a corner. The number of triangles agrees with
+// Euler's formula, so none overlap. The check is valid for any triangulation, Delaunay or constrained. No triangles are
+// correct when all points are on a line. O(n).
 TopologyFault check_topology(const Triangulation& t, std::span<const Point2> points);
 
-// Whether no neighbour's far corner lies in a triangle's circle, as in_circle() decides. With a sound topology this
-// makes it the Delaunay triangulation. O(n).
+// Whether no far corner of a neighbour is in the circle of a triangle, as in_circle() decides. Together with a correct
+// topology this proves the Delaunay triangulation. O(n).
 bool is_delaunay(const Triangulation& t, std::span<const Point2> points);
 
-// A corner of the neighbouring triangle that e does not touch. twin[e] must not be kNoEdge.
+// Returns the corner of the neighbouring triangle that e does not touch. twin[e] must not be kNoEdge.
 inline std::uint32_t far_corner(const Triangulation& t, std::uint32_t e) {
   return t.corner[previous_edge(t.twin[e])];
 }
 
-// The hull edge that follows hull edge e, counter-clockwise. O(edges around the point between them).
+// Returns the hull edge that follows hull edge e, counter-clockwise. O(edges around the point between them).
 inline std::uint32_t next_hull_edge(const Triangulation& t, std::uint32_t e) {
   std::uint32_t f = next_edge(e);
   while (t.twin[f] != kNoEdge) f = next_edge(t.twin[f]);

@@ -8,14 +8,15 @@
 
 namespace ilot {
 
-// A box of space along its axes, closed. Empty when any max < min. Point is Vec3, Index3 or another with x, y and z.
+// A closed, axis-parallel box in space. It is empty when any max < min. Point is Vec3, Index3 or another type with x, y
+// and z.
 template <class Point>
 struct Box3 {
   using Number = decltype(Point::x);
 
   Point min, max;
 
-  // The box of no point, from which add() starts.
+  // The empty box, from which add() starts.
   static constexpr Box3 none() {
     using Limits = std::numeric_limits<Number>;
     constexpr Number kMost = Limits::has_infinity ? Limits::infinity() : Limits::max();
@@ -42,10 +43,10 @@ struct Box3 {
   friend bool operator==(const Box3&, const Box3&) = default;
 };
 
-// Lattice points, in scale units.
+// A box of lattice points, in scale units.
 using IndexBox = Box3<Index3>;
 
-// All heights over a rectangle of the ground, which is closed.
+// A box that contains all heights over a closed rectangle of the ground.
 inline IndexBox column_over(std::int64_t min_x, std::int64_t min_y, std::int64_t max_x, std::int64_t max_y) {
   constexpr std::int64_t kFar = std::int64_t{1} << 52;  // farther than any point of a cloud
   return {{min_x, min_y, -kFar}, {max_x, max_y, kFar}};

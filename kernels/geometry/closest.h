@@ -9,11 +9,12 @@ struct Triangle3 {
   Vec3 a, b, c;
 };
 
-// The point of the closed segment nearest to p; `a` when the segment has no length. O(1).
+// Returns the point of the closed segment nearest to p. It returns `a` when the segment has no length. O(1).
 Vec3 closest_on_segment(Vec3 p, Vec3 a, Vec3 b);
 
-// The point of the closed triangle nearest to p. A triangle without area is its longest edge. Coordinates should be
-// relative to a near anchor: differences of national coordinates lose nothing, products of them do. O(1).
+// Returns the point of the closed triangle nearest to p. A triangle without area counts as its longest edge.
+// Coordinates should be relative to a near anchor, because products of national coordinates lose digits while
+// differences do not. O(1).
 Vec3 closest_on_triangle(Vec3 p, const Triangle3& triangle);
 
 }  // namespace ilot

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points and edges of a plane in doubles, for measuring. Exact geometry of the plane has lattice points of its own
+// Points and edges of a plane in doubles, for measuring. Exact geometry in the plane uses lattice points
 // (kernels/geometry/point2.h).
 #pragma once
 #include <algorithm>
@@ -36,7 +36,8 @@ inline double distance(FlatPoint a, FlatPoint b) {
   return norm(b - a);
 }
 
-// Twice the signed area of the triangle: positive when a, b, c turn left. Rounded, so its sign is not exact.
+// Twice the signed area of the triangle, which is positive when a, b, c turn left. The value is rounded, so its sign is
+// not exact.
 inline double orient2d(FlatPoint a, FlatPoint b, FlatPoint c) {
   return cross(b - a, c - a);
 }
@@ -45,7 +46,7 @@ struct FlatEdge {
   FlatPoint a, b;
 };
 
-// From the nearest point of the closed edge; from its end `a` when the edge has no length.
+// Squared distance from the nearest point of the closed edge, or from its end `a` when the edge has no length.
 inline double squared_distance(FlatPoint p, const FlatEdge& edge) {
   const FlatPoint along = edge.b - edge.a, from = p - edge.a;
   const double length2 = dot(along, along);

@@ -7,11 +7,11 @@
 
 namespace ilot {
 
-// A box of a plane along its axes, closed.
+// A closed, axis-parallel box in the plane.
 struct FlatBox {
   FlatPoint min, max;
 
-  // The box of no point, from which add() starts.
+  // The empty box, from which add() starts.
   static constexpr FlatBox none() {
     constexpr double kFar = std::numeric_limits<double>::infinity();
     return {{kFar, kFar}, {-kFar, -kFar}};

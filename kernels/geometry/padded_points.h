@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Arrays that own what Points and OrientedPoints are views of.
+// Arrays that own the data that Points and OrientedPoints view.
 #pragma once
 #include <cstddef>
 #include <vector>
@@ -8,11 +8,11 @@
 
 namespace ilot {
 
-// Elements behind the last point that kernels may read: at least as many as Points asks for.
+// Number of elements behind the last point that kernels may read. It is at least the number that Points requires.
 inline constexpr std::size_t kPointPadding = 16;
 
-// Offsets from an anchor that the owner knows. Points are appended with add(); after the last one pad() makes the
-// arrays readable as Points asks. Structures with further columns per point derive from it.
+// Offsets from an anchor that the owner knows. Points are appended with add(). After the last one, pad() makes the
+// arrays readable as Points requires. Structures with further columns per point derive from it.
 struct PaddedPoints {
   std::vector<float> x, y, z;
   std::size_t size = 0;
@@ -29,7 +29,7 @@ struct PaddedPoints {
   void pad() {
     for (auto* v : {&x, &y, &z}) v->resize(size + kPointPadding, 0.0f);
   }
-  // So many points at the anchor, padded.
+  // Sets the number of points, puts all of them at the anchor, and pads.
   void reset(std::size_t points) {
     size = points;
     for (auto* v : {&x, &y, &z}) v->assign(size + kPointPadding, 0.0f);
@@ -45,7 +45,7 @@ struct PaddedOrientedPoints : PaddedPoints {
     PaddedPoints::reserve(points);
     for (auto* v : {&nx, &ny, &nz}) v->reserve(points + kPointPadding);
   }
-  // The point at a position of others that have normals.
+  // Appends point i of `from`, which has normals.
   void add_from(const OrientedPoints& from, std::size_t i) {
     add(from.points.x[i], from.points.y[i], from.points.z[i]);
     nx.push_back(from.nx[i]);

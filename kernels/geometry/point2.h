@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Points of a plane on an integer lattice. 64 bits hold every determinant of three of them: no rounding.
+// Points of a plane on an integer lattice. 64 bits are enough for every determinant of three of them, so there is no
+// rounding.
 #pragma once
 #include <cmath>
 #include <compare>
@@ -19,7 +20,7 @@ struct Point2 {
 
 constexpr std::int32_t kMaxPlaneCoordinate = std::int32_t{1} << 29;
 
-// Twice the signed area of the triangle: positive when a, b, c turn left. Below 2^62.
+// Twice the signed area of the triangle, below 2^62. It is positive when a, b, c turn left.
 constexpr std::int64_t orient2d(Point2 a, Point2 b, Point2 c) {
   return static_cast<std::int64_t>(b.x - a.x) * (c.y - a.y) - static_cast<std::int64_t>(b.y - a.y) * (c.x - a.x);
 }
@@ -29,8 +30,8 @@ constexpr std::int64_t squared_distance(Point2 a, Point2 b) {
   return x * x + y * y;
 }
 
-// The nearest point of a lattice that has so many steps a unit; halves go away from zero. The result must lie within
-// the lattice.
+// Returns the nearest point of a lattice with the given number of steps per unit. Halves are rounded away from zero.
+// The result must be within the lattice.
 inline Point2 lattice_point(FlatPoint p, double steps_per_unit) {
   return {static_cast<std::int32_t>(std::lround(p.x * steps_per_unit)),
           static_cast<std::int32_t>(std::lround(p.y * steps_per_unit))};

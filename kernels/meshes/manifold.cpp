@@ -15,14 +15,14 @@ std::uint64_t key(std::uint32_t from, std::uint32_t to) {
   return std::uint64_t{from} << 32 | to;
 }
 
-// Triangles around a corner that hang together: the first one comes in from `start`, the last one leaves for `end`.
+// Connected triangles around a corner. The first one comes in from `start`, the last one leaves for `end`.
 struct Fan {
   std::uint32_t start, end;
 };
 
 struct Corner {
   std::vector<Fan> fans;
-  bool closed = false;  // one fan that went all the way round
+  bool closed = false;  // one fan all the way round
 };
 
 class Surface {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Do triangles make an oriented surface, and is it closed?
+// Whether triangles form an oriented surface, and whether it is closed.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -15,24 +15,25 @@ using TriangleCorners = std::array<std::uint32_t, 3>;
 
 enum class TriangleFit : std::uint8_t {
   fits,
-  reversed,  // would fit the other way round
-  none,      // neither way: a third triangle at an edge, or a second umbrella at a corner
+  reversed,  // fits only with the opposite orientation
+  none,      // fits in neither orientation: a third triangle at an edge, or a second umbrella at a corner
 };
 
-// Whether each triangle can join those before it that fit, so that the surface may still become a manifold: its corners
-// are distinct, no earlier one has an edge in the same direction, and at no corner a closed umbrella has company. Those
-// that do not fit are left out. The order of triangles counts. Corners are below `vertices`. O(n) for the meshes of
-// buildings; times the number of separate fans at a corner.
+// Tells whether each triangle fits those before it that fit, so that the surface may still become a manifold. Its
+// corners must be distinct, no earlier triangle may have an edge in the same direction, and no corner may have a closed
+// umbrella and other triangles. Triangles that do not fit are left out. The order of triangles matters. Corners are
+// below `vertices`. O(n) for the meshes of buildings, times the number of separate fans at a corner.
 std::vector<TriangleFit> fit_triangles(std::span<const TriangleCorners> triangles, std::uint32_t vertices);
 
-// The edges, in their triangle's direction, that no triangle has in the other; ascending. None: the surface is closed.
+// Returns the edges, in the direction of their triangle, that no triangle has in the other direction, ascending. The
+// surface is closed when there are none.
 std::vector<std::pair<std::uint32_t, std::uint32_t>> open_edges(std::span<const TriangleCorners> triangles);
 
-// Number of pieces: triangles that share a corner are of one.
+// Returns the number of pieces. Triangles that share a corner belong to one piece.
 std::uint32_t count_pieces(std::span<const TriangleCorners> triangles, std::uint32_t vertices);
 
-// Sign of the volume that a closed surface encloses, 1 when its triangles turn left seen from outside. Exact for
-// up to 2^14 triangles within 2^36 of each other, 68 km at a micrometre.
+// Returns the sign of the volume that a closed surface encloses. It is 1 when the triangles turn left seen from
+// outside. It is exact for up to 2^14 triangles within 2^36 of each other, 68 km at a micrometre.
 int volume_sign(std::span<const TriangleCorners> triangles, std::span<const Index3> vertices);
 
 }  // namespace ilot

@@ -31,7 +31,7 @@ bool between(std::int64_t a, std::int64_t b, std::int64_t v) {
   return std::min(a, b) <= v && v <= std::max(a, b);
 }
 
-// Is r, on the line through p and q, on the closed segment?
+// Whether r, on the line through p and q, is on the closed segment.
 bool on_segment(Index3 p, Index3 q, Index3 r) {
   return between(p.x, q.x, r.x) && between(p.y, q.y, r.y) && between(p.z, q.z, r.z);
 }
@@ -42,7 +42,7 @@ bool in_triangle(Index3 p, const IndexTriangle& t, int axis) {
   return (s >= 0 && u >= 0 && v >= 0) || (s <= 0 && u <= 0 && v <= 0);
 }
 
-// Closed segments of one plane, which `axis` looks upon.
+// Whether closed segments of one plane meet. The plane is projected along `axis`.
 bool segments_meet(Index3 p, Index3 q, Index3 r, Index3 s, int axis) {
   const int a = orient2d_sign(p, q, r, axis), b = orient2d_sign(p, q, s, axis);
   const int c = orient2d_sign(r, s, p, axis), d = orient2d_sign(r, s, q, axis);

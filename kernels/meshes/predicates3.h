@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Exact predicates of space. Coordinates are integers, so that 128 bits hold every determinant: no rounding.
+// Exact predicates of space. Coordinates are integers, so 128 bits are enough for every determinant and there is no
+// rounding.
 #pragma once
 #include <cstdint>
 
@@ -21,20 +22,22 @@ inline IndexBox box_of(const IndexTriangle& t) {
   return box;
 }
 
-// 1 when d lies on the side of a, b, c from which they turn left, 0 on their plane, -1 on the other side.
+// 1 when d is on the side of a, b, c from which they turn left, 0 when it is in their plane, -1 when it is on the other
+// side.
 int orient3d_sign(Index3 a, Index3 b, Index3 c, Index3 d);
 
-// Of the triangle's two area vectors, seen from above the largest component's axis: its index 0..2; -1 for a triangle
-// without area.
+// Returns the index 0..2 of the largest component of the area vector of the triangle, or -1 for a triangle without
+// area.
 int widest_axis(const IndexTriangle& t);
 
-// Of points on the coordinate plane that leaves out `axis`: 1 when a, b, c turn left, 0 on a line, -1 right.
+// The points are projected on the coordinate plane without `axis`. The result is 1 when a, b, c turn left, 0 when they
+// are on a line, -1 when they turn right.
 int orient2d_sign(Index3 a, Index3 b, Index3 c, int axis);
 
-// Do the closed segment and the closed triangle share a point? The triangle has an area.
+// Whether the closed segment and the closed triangle share a point. The triangle must have an area.
 bool segment_meets_triangle(Index3 p, Index3 q, const IndexTriangle& t);
 
-// Do two closed triangles with areas share a point?
+// Whether two closed triangles with areas share a point.
 bool triangles_meet(const IndexTriangle& s, const IndexTriangle& t);
 
 }  // namespace ilot

@@ -15,14 +15,14 @@ IndexTriangle corners_of(const TriangleCorners& t, std::span<const Index3> verti
   return {vertices[t[0]], vertices[t[1]], vertices[t[2]]};
 }
 
-// The triangle turned so that its first `shared` corners are also the other's.
+// Turns the triangle so that its first corners are those shared with the other, and returns their number.
 int turn_shared_first(TriangleCorners& t, const TriangleCorners& other) {
   const auto mid = std::stable_partition(
       t.begin(), t.end(), [&](std::uint32_t i) { return std::find(other.begin(), other.end(), i) != other.end(); });
   return static_cast<int>(mid - t.begin());
 }
 
-// Two triangles with a common edge and the far corners c and d.
+// Whether two triangles with a common edge and the far corners c and d meet elsewhere.
 bool folded(Index3 a, Index3 b, Index3 c, Index3 d) {
   if (orient3d_sign(a, b, c, d) != 0) return false;
   const int axis = widest_axis({a, b, c});

@@ -9,10 +9,10 @@
 
 namespace ilot {
 
-// Triangles that meet another one elsewhere than in the corners and edges they share, in order. Two with a common edge
-// meet when they lie on the same side of it in one plane; touching counts as meeting. Triangles without area are left
-// out. Exact: coordinates within kMaxSpaceCoordinate. Boxes are swept along x: about n log n for buildings, n^2 at
-// worst.
+// Returns the triangles, in order, that meet another one outside of the corners and edges that they share. Two
+// triangles with a common edge meet when they are on the same side of it in one plane. Touching counts as meeting.
+// Triangles without area are left out. The result is exact for coordinates within kMaxSpaceCoordinate. Boxes are swept
+// along x: about n log n for buildings, n^2 at worst.
 std::vector<std::uint32_t> meeting_triangles(std::span<const TriangleCorners> triangles,
                                              std::span<const Index3> vertices);
 

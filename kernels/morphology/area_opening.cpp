@@ -11,9 +11,10 @@ namespace {
 
 constexpr std::int32_t kUnseen = 0;
 
-// The parts of the image above a height that sinks. A root is the last, so the lowest, pixel of its part.
-// Of a pixel: kUnseen until the height has reached it (no pixel has the index 0: that is border), the index of its
-// parent, or, of a root, minus its area.
+// The connected components of the image above a height that sinks. The root of a component is its last, and so its
+// lowest, pixel.
+// The link of a pixel is kUnseen until the height has reached it. Then it is the index of its parent (no pixel has the
+// index 0, which is border), or, for a root, minus its area.
 class Parts {
  public:
   Parts(std::span<const Height> f, std::int32_t enough) : f_(f), enough_(enough), link_(f.size(), kUnseen) {}
@@ -21,7 +22,8 @@ class Parts {
   void start(std::uint32_t p) { link_[p] = -1; }
   bool seen(std::uint32_t p) const { return link_[p] != kUnseen; }
 
-  // A part that is big enough keeps its heights: it is cut off there, and what joins it is big enough too.
+  // A component that is large enough keeps its heights: it is cut off there. A component that joins it is large enough
+  // too.
   void join(std::uint32_t p, std::uint32_t neighbour) {
     const std::uint32_t r = root(neighbour);
     if (r == p) return;
@@ -33,7 +35,7 @@ class Parts {
     }
   }
 
-  // Of a pixel whose parent is settled already.
+  // Returns the final height of a pixel whose parent is already final.
   Height final_height(std::uint32_t p) const {
     if (link_[p] > 0) return f_[static_cast<std::size_t>(link_[p])];
     return -link_[p] >= enough_ ? f_[p] : kNoHeight;

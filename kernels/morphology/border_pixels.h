@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: the pixels on the borders of all tiles of a grid as one list, tile after tile, each
-// tile's in the order of its Perimeter.
+// Internal to the raster kernels. The pixels on the borders of all tiles of a grid form one list, tile after tile. The
+// pixels of a tile are in the order of its Perimeter.
 #pragma once
 #include <algorithm>
 #include <cstdint>
@@ -31,14 +31,14 @@ class BorderPixels {
     return static_cast<std::size_t>(std::upper_bound(first_.begin(), first_.end(), pixel) - first_.begin() - 1);
   }
 
-  // Whether pixel i of a tile's perimeter has a neighbour, of sides and corners, outside of the image.
+  // Whether pixel i of the perimeter of a tile has a neighbour outside of the image, across a side or a corner.
   bool ends_at(std::size_t tile, std::uint32_t i) const {
     const TileFrame frame = tile_frame(grid_, tile);
     const auto [x, y] = perimeter(tile).place(i);
     return grid_.ends_at(std::int64_t{frame.x} + x, std::int64_t{frame.y} + y);
   }
 
-  // Calls take(q) for the neighbours of a border pixel that lie in other tiles.
+  // Calls take(q) for the neighbours of a border pixel that are in other tiles.
   template <typename Take>
   void for_beyond(std::uint32_t pixel, Adjacency adjacency, const Take& take) const {
     const std::size_t tile = tile_of(pixel);

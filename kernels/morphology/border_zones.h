@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels and of streets: zones of tiles joined where they touch over the borders. Only those that
-// reach a border of their tile are kept; what a tile holds whole it can judge alone.
+// Internal to the raster kernels and to streets. Zones of tiles are joined where they touch across the borders. Only
+// zones that reach a border of their tile are kept, because a tile can judge its other zones alone.
 #pragma once
 #include <vector>
 
@@ -13,38 +13,40 @@ class BorderZones {
  public:
   explicit BorderZones(const TileGrid& grid);
 
-  // Of each zone of a tile (by its number there; [0] = 0) its number among those on the tile's border, from 1; 0 = not
-  // on it. `image`: what the zones are of, for the step over the border; without it zones that touch are joined.
-  // Different tiles from several threads at once.
+  // Records the zones of a tile. Returns for each zone (by its number in the tile; [0] = 0) its number among the zones
+  // on the border of the tile, from 1. The number is 0 when the zone is not on the border. `image` is the image of the
+  // zones and gives the height steps across the border. Without it all zones that touch are joined. The function may be
+  // called for different tiles from several threads at once.
   std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones, const Image& image);
   std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones);
 
-  // Joins all that was told: neighbours of two tiles that differ by at most lambda. Memory: 8 bytes a pixel of all
-  // borders, 4 a zone on one.
+  // Joins the recorded zones where neighbouring pixels of two tiles differ by at most lambda. Memory: 8 bytes per pixel
+  // of all borders and 4 bytes per zone on a border.
   void join(Height lambda, Adjacency adjacency);
 
-  // Of zone `on_border` of a tile (from 1), from 0 to count() - 1.
+  // Returns the number of the joined zone, from 0 to count() - 1, of the zone `on_border` (from 1) of a tile.
   std::uint32_t number(std::size_t tile, std::uint32_t on_border) const {
     return numbers_[first_[tile] + on_border - 1];
   }
   std::uint32_t count() const { return count_; }
 
-  // Of a number: steps over borders that fall from it by more than lambda, less those that rise (outward_drops).
+  // Outward drops of the joined zone over the borders of tiles: the number of steps down by more than lambda, less the
+  // number of steps up (outward_drops).
   std::int32_t drops(std::uint32_t number) const { return drops_[number]; }
 
  private:
   std::vector<std::uint32_t> record(std::size_t tile, const ZoneRuns& zones, std::vector<Height> heights);
 
   struct TileRecord {
-    std::vector<Height> heights;       // of the perimeter; empty: zones that touch are joined
-    std::vector<std::uint32_t> zones;  // of the perimeter, numbers on the border; 0 = none
+    std::vector<Height> heights;       // of the perimeter; empty: all zones that touch are joined
+    std::vector<std::uint32_t> zones;  // of the perimeter, numbers on the border; 0 = no zone
     std::uint32_t count = 0;
   };
   BorderPixels pixels_;
   std::vector<TileRecord> recorded_;
-  std::vector<std::size_t> first_;      // of each tile in numbers_
+  std::vector<std::size_t> first_;      // per tile: its first entry in numbers_
   std::vector<std::uint32_t> numbers_;  // of the zones on borders, tile after tile
-  std::vector<std::int32_t> drops_;     // of what was joined
+  std::vector<std::int32_t> drops_;     // per joined zone
   std::uint32_t count_ = 0;
 };
 

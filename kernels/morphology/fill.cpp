@@ -8,25 +8,26 @@
 namespace ilot {
 namespace {
 
-// Puts the straight line over a gap into `out`, where it lies lower than what is there. `last` and `next`: the heights
-// at its two ends, `by` apart from pixel to pixel, `length` pixels between them.
+// Writes the straight line over a gap to `out` where it is lower than the value there. `last` and `next` are the
+// heights at the two ends. Pixels are `by` apart, and the gap has `length` pixels.
 void bridge(Height last, Height next, std::size_t first, std::size_t by, std::uint32_t length,
             const ShortGapsParams& params, std::vector<Height>& out) {
   const std::int64_t a = last, b = next, steps = std::int64_t{length} + 1;
   if (length > params.longest || std::abs(b - a) > params.step) return;
   for (std::int64_t s = 1; s < steps; ++s) {
     Height& v = out[first + static_cast<std::size_t>(s - 1) * by];
-    // Exact as the division of whole numbers: a quotient that is none of them is farther from them than 2^-20.
+    // This is exact as a division of integers: a quotient that is not an integer is farther from any integer than
+    // 2^-20.
     const auto on_line = static_cast<Height>(static_cast<double>(a * (steps - s) + b * s) / static_cast<double>(steps));
     v = v == kNoHeight ? on_line : std::min(v, on_line);
   }
 }
 
-// Where heights end and begin along a row.
+// Finds where heights end and begin along a row.
 void bridge_row(const Image& image, std::uint32_t y, const ShortGapsParams& params, std::vector<Height>& out) {
   const std::size_t row = std::size_t{y} * image.width;
   const Height* values = image.values.data() + row;
-  std::size_t from = 0;  // of the gap; 0: none yet, as it begins behind a height
+  std::size_t from = 0;  // first pixel of the gap; 0: none yet, because a gap begins behind a height
   for_each_where(
       image.width - 1, [&](std::size_t x) { return (values[x] == kNoHeight) ^ (values[x + 1] == kNoHeight); },
       [&](std::size_t x) {
@@ -37,7 +38,7 @@ void bridge_row(const Image& image, std::uint32_t y, const ShortGapsParams& para
       });
 }
 
-// The same along all columns, row by row. `from`: of each column's gap the first row, 0: none yet.
+// Does the same along all columns, row by row. `from` has the first row of the gap of each column, 0: none yet.
 void bridge_columns(const Image& image, std::uint32_t y, const ShortGapsParams& params,
                     std::vector<std::uint32_t>& from, std::vector<Height>& out) {
   const std::size_t width = image.width;

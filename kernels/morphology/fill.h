@@ -9,10 +9,10 @@ struct ShortGapsParams {
   Height step = 200;           // units; between the two ends
 };
 
-// Gaps between scan lines closed: a pixel without a height in a gap of its row, or of its column, that is no longer
-// than `longest` and whose two ends differ by at most `step`, gets the height on the straight line between them, the
-// lower one when both rows and columns give one. All other pixels stay. Only the image itself is looked at, not what
-// was filled: no order can show. O(n).
+// Closes gaps between scan lines. A pixel without a height is filled when it is in a gap of its row or column that is
+// no longer than `longest` and whose two ends differ by at most `step`. It gets the height on the straight line between
+// the ends, or the lower one when both the row and the column give one. All other pixels stay. Only the given image is
+// read and not the filled pixels, so no order of work matters. O(n).
 Image fill_short_gaps(const Image& image, const ShortGapsParams& params = {});
 
 }  // namespace ilot

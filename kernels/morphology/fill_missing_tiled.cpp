@@ -20,13 +20,13 @@ Height or_highest(Height v) {
   return v == kNoHeight ? kAboveAll : v;
 }
 
-// The lowest height in the three rows of each column.
+// Computes for each column the lowest height in the three rows.
 void least_of_rows(const Height* __restrict a, const Height* __restrict b, const Height* __restrict c,
                    Height* __restrict out, std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) out[x] = std::min({or_highest(a[x]), or_highest(b[x]), or_highest(c[x])});
 }
 
-// Of each region the lowest height around it, corners too; kAboveAll where there is none.
+// Returns for each region the lowest height around it, corners included, or kAboveAll where there is none.
 std::vector<Height> levels_around(const ZoneRuns& missing, const Image& around) {
   std::vector<Height> levels(std::size_t{missing.count} + 1, kAboveAll), least(around.width);
   for (std::uint32_t y = 0; y < missing.height; ++y) {
@@ -52,7 +52,7 @@ void fill_run(Image& image, std::uint32_t y, PixelRun run, Height level) {
 TiledMissing::TiledMissing(const TileGrid& grid)
     : grid_(grid), pixels_(grid), borders_(grid), recorded_(grid.count()) {}
 
-// What is joined to the end of the image stays without a height.
+// Regions that are joined to the end of the image stay without a height.
 void TiledMissing::open_at_ends(std::size_t tile, const ZoneRuns& missing, std::vector<Height>& levels) const {
   const TileFrame frame = tile_frame(grid_, tile);
   const auto open_at = [&](std::uint32_t zone, std::uint32_t x, std::uint32_t y) {
@@ -92,7 +92,7 @@ void TiledMissing::join() {
     }
 }
 
-// The regions that are left are those on the border, in the order in which they were told.
+// The regions that are left are those on the border, in the order in which they were recorded.
 bool TiledMissing::finish(std::size_t tile, Image& image) const {
   bool any = false;
   for (std::uint32_t z = 1; z <= recorded_[tile].size(); ++z) any |= levels_[borders_.number(tile, z)] != kNoHeight;

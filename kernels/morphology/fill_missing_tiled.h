@@ -7,21 +7,22 @@
 
 namespace ilot {
 
-// Missing pixels filled basin by basin [Hernandez and Marcotegui 2008, 3.2]: every region of pixels without a height,
-// joined across sides and corners, gets the lowest height around it, each region for itself, so that far ones do not
-// decide. Regions that touch the border of the image are open and stay without. The image is too large to hold: tile by
-// tile, with the values of the whole whatever the tiles (tests/oracles/whole_fill.h has the whole). A tile fills the
-// regions that lie within it and tells of those that reach its border; joined, these are filled too. In order: fill of
-// all tiles, join, finish of all. Different tiles from several threads at once. Memory: for each thread some 12 bytes a
-// pixel of a tile; for all tiles 8 bytes a pixel of their borders.
+// Fills missing pixels basin by basin [Hernandez and Marcotegui 2008, 3.2]. Every region of pixels without a height,
+// joined across sides and corners, gets the lowest height around it. Each region is filled on its own, so that far
+// regions do not decide. Regions that touch the border of the image are open and stay without a height. The image is
+// too large for memory and is processed tile by tile. The values are those of the whole image, whatever the tiles are
+// (tests/oracles/whole_fill.h fills the whole image). A tile fills the regions inside it and records those that reach
+// its border. These are joined and then filled too. Call in this order: fill of all tiles, join, finish of all tiles.
+// Different tiles may be processed from several threads at once. Memory: about 12 bytes per pixel of a tile for each
+// thread, and 8 bytes per border pixel of all tiles.
 class TiledMissing {
  public:
   explicit TiledMissing(const TileGrid& grid);
 
-  // `around`: the tile and a pixel on all four sides, kNoHeight outside of the image. Gives the tile. O(n).
+  // `around` is the tile with one more pixel on all four sides, kNoHeight outside of the image. Returns the tile. O(n).
   Image fill(std::size_t tile, const Image& around);
   void join();
-  // From what `fill` gave to the values of the whole. Whether a value changed.
+  // Changes the result of `fill` to the values of the whole image. Returns whether a value changed.
   bool finish(std::size_t tile, Image& image) const;
 
  private:
@@ -30,8 +31,8 @@ class TiledMissing {
   TileGrid grid_;
   BorderPixels pixels_;
   BorderZones borders_;
-  std::vector<std::vector<Height>> recorded_;  // by tile: of each region on its border the lowest height around it
-  std::vector<Height> levels_;                 // of those joined
+  std::vector<std::vector<Height>> recorded_;  // by tile: the lowest height around each region on its border
+  std::vector<Height> levels_;                 // of the joined regions
 };
 
 }  // namespace ilot

@@ -12,13 +12,13 @@
 namespace ilot {
 namespace {
 
-// Unsigned, so that no difference overflows.
+// The arithmetic is unsigned, so that no difference overflows.
 bool near(Height a, Height b, Height lambda) {
   const auto ua = static_cast<std::uint32_t>(a), ub = static_cast<std::uint32_t>(b);
   return (a < b ? ub - ua : ua - ub) <= static_cast<std::uint32_t>(lambda);
 }
 
-// Runs of a row: calls put(from, to) for what lies between the pixels at which a run cannot go on from the one before.
+// Finds the runs of a row. It calls put(from, to) between the pixels where a run cannot continue from the pixel before.
 template <class Breaks, class Put>
 void for_runs(std::uint32_t width, const Breaks& breaks, const Put& put) {
   std::uint32_t from = 0;
@@ -43,7 +43,7 @@ ZoneRuns find_runs(const Image& image, Height lambda) {
           const Height a = row[x - 1], b = row[x];
           const auto step = static_cast<Height>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
           const int far = (step > lambda) | (step < -lambda), missing = (a == kNoHeight) | (b == kNoHeight);
-          return (far | missing) & (a != b);  // what is missing goes on
+          return (far | missing) & (a != b);  // missing pixels continue a run of missing pixels
         },
         [&](std::uint32_t from, std::uint32_t to) {
           if (row[from] != kNoHeight) zones.runs.push_back({from, to});
@@ -74,7 +74,7 @@ void join_rows(const Image& image, const ZoneRuns& runs, std::uint32_t y, Height
   }
 }
 
-// Runs of the pixels that are of a kind.
+// Finds the runs of the pixels that satisfy is_of.
 template <class IsOf>
 ZoneRuns find_kind(std::uint32_t width, std::uint32_t height, const IsOf& is_of) {
   ZoneRuns zones{width, height};
@@ -91,7 +91,7 @@ ZoneRuns find_kind(std::uint32_t width, std::uint32_t height, const IsOf& is_of)
   return zones;
 }
 
-// Runs of two rows that touch are of one region.
+// Joins runs of two rows that touch into one region.
 void join_flagged(const ZoneRuns& runs, std::uint32_t y, std::uint32_t reach, UnionFind& sets) {
   std::uint32_t b = runs.first[y - 1];
   for (std::uint32_t a = runs.first[y]; a < runs.first[y + 1]; ++a) {
@@ -101,14 +101,14 @@ void join_flagged(const ZoneRuns& runs, std::uint32_t y, std::uint32_t reach, Un
   }
 }
 
-// A root is the first run of its set, so numbers rise with first pixels, and a parent is numbered before its child.
+// A root is the first run of its set. So numbers rise with first pixels, and a parent is numbered before its child.
 std::uint32_t number_zones(std::span<std::uint32_t> zone) {
   std::uint32_t count = 0;
   for (std::uint32_t r = 0; r < zone.size(); ++r) zone[r] = zone[r] == r ? ++count : zone[zone[r]];
   return count;
 }
 
-// Runs that touch become regions.
+// Joins the runs that touch into regions.
 ZoneRuns joined(ZoneRuns zones, Adjacency adjacency) {
   zones.zone.resize(zones.runs.size());
   UnionFind sets(zones.zone);

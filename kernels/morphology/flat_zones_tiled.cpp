@@ -12,10 +12,10 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesOfZone = 24;  // parent, first pixel, root, number
-constexpr std::size_t kPixelsOfRun = 128;   // of a tile whose runs are kept, at least, for each of them
+constexpr std::size_t kPixelsOfRun = 128;   // of a tile whose runs are kept: fewest pixels per run
 
-// What a tile tells: of each of its zones the first pixel in the whole and its size, [0] = pixels without one; and the
-// heights and zones of its border.
+// The record of a tile: for each of its zones the first pixel in the whole image and the size ([0] = pixels without a
+// zone), and the heights and zones of its border.
 struct TileZones {
   std::vector<std::uint64_t> first, size;
   std::vector<Height> heights;
@@ -45,7 +45,7 @@ TileZones zones_of_tile(const TileGrid& grid, std::size_t tile, const Image& ima
 // The zones of all tiles as one list: zone z of tile t is first[t] + z - 1.
 struct ZoneList {
   std::vector<std::size_t> first;
-  std::vector<std::uint32_t> number;  // in the whole, from 1
+  std::vector<std::uint32_t> number;  // in the whole image, from 1
   std::uint32_t count = 0;
 };
 

@@ -8,18 +8,19 @@
 
 namespace ilot {
 
-// The caller's way to keep the labels of a tile; called from several threads at once, for different tiles.
+// Writes the labels of a tile for the caller. It is called from several threads at once, for different tiles.
 using WriteLabels = std::function<void(std::size_t tile, const PixelLabels& labels)>;
 
 struct ZoneSizes {
   std::vector<std::uint64_t> pixels;  // of each zone; [0] = those without one
 };
 
-// flat_zones of an image that is too large to hold, tile by tile: the labels of the whole, whatever the tiles, numbered
-// by first pixel in the whole. Zones of tiles are joined across their borders by union-find. `read` is called once or
-// twice for each tile, `write` once, the first of all before it; tiles in parallel. Memory: for each thread some 16
-// bytes a pixel of a tile; for all tiles 16 bytes a zone of a tile, 8 a pixel of their borders, and a tenth of a byte a
-// pixel at most. Fewer than 2^32 zones of tiles.
+// Computes flat_zones of an image that is too large for memory, tile by tile. The labels are those of the whole image,
+// whatever the tiles are, and are numbered by their first pixel in the whole image. Zones of tiles are joined across
+// their borders by union-find. `read` is called once or twice for each tile and `write` once. All first calls of `read`
+// come before any `write`. Tiles are processed in parallel. Memory: about 16 bytes per pixel of a tile for each thread;
+// for all tiles 16 bytes per zone of a tile, 8 bytes per border pixel, and at most a tenth of a byte per pixel. There
+// must be fewer than 2^32 zones of tiles.
 ZoneSizes flat_zones_tiled(const TileGrid& grid, Height lambda, Adjacency adjacency, const ReadTile& read,
                            const WriteLabels& write);
 

@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-// Per zone, whether none of its pixels has a higher neighbour.
+// Tells for each zone whether none of its pixels has a higher neighbour.
 std::vector<std::uint8_t> without_higher(const Image& image, const PixelLabels& zones, Adjacency adjacency) {
   const PaddedFrame frame(image.width, image.height);
   const auto heights = padded(image, kNoHeight);

@@ -8,17 +8,17 @@
 
 namespace ilot {
 
-// Priority queue of pixels by height, the lowest first, for floods that only rise and hold each pixel once: a list of
-// pixels for every height there is. Equal heights come in no promised order. O(1) a push, O(range) for all pops; 4
-// bytes a pixel and 4 a height of the range.
+// Priority queue of pixels by height, the lowest first, for floods that only rise and contain each pixel once. It has a
+// list of pixels for every height. The order of equal heights is unspecified. A push is O(1) and all pops together are
+// O(range). It needs 4 bytes per pixel and 4 bytes per height of the range.
 class LevelQueue {
  public:
-  // Of heights from `low` to low + levels - 1.
+  // Heights go from `low` to low + levels - 1.
   LevelQueue(Height low, std::uint32_t levels, std::size_t pixels) : low_(low), first_(levels, kEnd), next_(pixels) {}
 
   bool empty() const { return size_ == 0; }
 
-  // Not below the last one popped; a pixel that is not in the queue.
+  // The height must not be below the last one popped. The pixel must not be in the queue.
   void push(Height height, std::uint32_t pixel) {
     const std::uint32_t level = static_cast<std::uint32_t>(height) - static_cast<std::uint32_t>(low_);
     assert(level >= level_ && level < first_.size());

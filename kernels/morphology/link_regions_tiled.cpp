@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t kBytesPerPixel = 36;  // of a window: heights, zones twice, keys of 64 bits, waves
 
-// Which pixels of a window lie in tiles that are present: 1 or 0, run by run.
+// Tells which pixels of a window are in present tiles: 1 or 0, run by run.
 std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& window, std::uint32_t width,
                                     std::uint32_t height) {
   std::vector<std::uint8_t> inside(std::size_t{width} * height, 0);
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> inside_of(const TileGrid& grid, const LinkWindow& wind
   return inside;
 }
 
-// Whether no two tiles in reach of this one touch with their corners alone: then, in tiles no smaller than links are
+// Whether no two tiles in reach of this one touch only at a corner. Then, when tiles are no smaller than links are
 // long, one of the two ways around a corner stays in the image.
 bool straight_around(const TileGrid& grid, std::size_t tile, std::uint32_t halo) {
   if (grid.tiles.empty()) return true;
@@ -61,7 +61,7 @@ LinkWindow window_of(const TileGrid& grid, std::size_t tile, Image heights, cons
   return window;
 }
 
-// The pixels of the links that are drawn, by tile.
+// Returns the pixels of the drawn links, by tile.
 std::vector<std::vector<LinkPixel>> drawn(const TileGrid& grid, std::vector<RegionLink> links) {
   std::sort(links.begin(), links.end(), [](const RegionLink& a, const RegionLink& b) { return a.order() < b.order(); });
   std::uint32_t zones = 0;

@@ -8,7 +8,8 @@
 namespace ilot {
 namespace {
 
-// Whether both have a height and differ by more than lambda; differences of heights fit, others count for nothing.
+// Whether both have a height and differ by more than lambda. Differences of heights fit the type. Other differences are
+// ignored.
 int steep(Height a, Height b, Height lambda) {
   const auto step = static_cast<Height>(static_cast<std::uint32_t>(a) - static_cast<std::uint32_t>(b));
   return ((step > lambda) | (step < -lambda)) & (a != kNoHeight) & (b != kNoHeight);

@@ -13,10 +13,11 @@
 namespace ilot {
 namespace {
 
-// What a pixel is before water passes over it; wet: reached from a basin, whose number it holds besides.
+// The state of a pixel before water passes over it. A wet pixel was reached from a basin, and its state includes the
+// number of that basin.
 constexpr std::uint32_t kDry = 0xffffffffu, kOutside = 0xfffffffeu, kWet = 0x80000000u;
 
-// Queue: RadixHeap or LevelQueue.
+// Queue is RadixHeap or LevelQueue.
 template <class Queue>
 class Flood {
  public:
@@ -40,7 +41,7 @@ class Flood {
       const auto [x, y] = perimeter_.place(i);
       const auto p = static_cast<std::uint32_t>(at(x, y));
       if (basin_[p] != kDry && (basin_[p] & kWet) == 0) continue;
-      if (basin_[p] == kDry) queue_.push(level_[p], p);  // a wet one waits on the shore of what is missing
+      if (basin_[p] == kDry) queue_.push(level_[p], p);  // a wet pixel waits on the shore of a region without heights
       basin_[p] = i | kWet;
     }
     while (!queue_.empty()) {
@@ -58,7 +59,7 @@ class Flood {
  private:
   std::ptrdiff_t at(std::uint32_t x, std::uint32_t y) const { return static_cast<std::ptrdiff_t>(frame_.row(y) + x); }
 
-  // Regions without a height that reach the perimeter: of one basin, the first that they touch.
+  // Floods the regions without a height that reach the perimeter. Each belongs to one basin, the first that it touches.
   void flood_missing(const ZoneRuns& missing) {
     std::vector<std::uint32_t> basins(std::size_t{missing.count} + 1, kDry);
     const auto join = [&](std::uint32_t zone, std::uint32_t x, std::uint32_t y) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: what a tile's neighbours have to know of it.
+// Internal to the raster kernels: the data of a tile that its neighbours need.
 #pragma once
 #include <vector>
 
@@ -7,8 +7,8 @@
 
 namespace ilot {
 
-// The pixels on the border of an image, each once: the first row, the last, then what is left of the first column and
-// of the last.
+// The pixels on the border of an image, each once. The first row comes first, then the last row, then the rest of the
+// first column and of the last column.
 struct Perimeter {
   std::uint32_t width, height;
 
@@ -16,7 +16,7 @@ struct Perimeter {
     const std::uint32_t rows = height > 1 ? 2 : 1, columns = width > 1 ? 2 : 1;
     return width * rows + (height > 2 ? (height - 2) * columns : 0);
   }
-  // (x, y) must lie on the border.
+  // (x, y) must be on the border.
   std::uint32_t index(std::uint32_t x, std::uint32_t y) const {
     if (y == 0) return x;
     if (y + 1 == height) return width + x;
@@ -33,25 +33,25 @@ struct Perimeter {
   }
 };
 
-// Between two places a and b it takes `height` to get from one to the other.
+// The way between the places a and b passes over `height`.
 struct SpillEdge {
   std::uint32_t a, b;
   Height height;
 };
 
-// The height of an image on its perimeter, pixel by pixel.
+// Returns the heights of an image on its perimeter, pixel by pixel.
 std::vector<Height> heights_on(const Perimeter& perimeter, const Image& image);
 
 struct BorderFlood {
-  Image level;                    // holes filled, with every pixel of the perimeter an outlet
+  Image level;                    // the image with filled holes, where every pixel of the perimeter is an outlet
   std::vector<SpillEdge> spills;  // at most the perimeter's size - 1, the lowest first
 };
 
-// Spill heights between all pixels of the perimeter, within the image: the least, over all paths, of the highest pixel
-// on the path, is the highest edge on the path between the two in a tree, the spills. A flood from the whole perimeter,
-// each pixel a basin of its own, meets the passes from the lowest up: those that join two trees are kept (Barnes 2016
-// joins tiles by the graph of all of them). What is joined to the perimeter over pixels without a height is under water
-// run by run. O(n log(range)).
+// Computes the spill heights between all pixels of the perimeter, within the image. The spill height of two pixels is
+// the least, over all paths, of the highest pixel on the path. It is the highest edge on the path between the two in
+// the tree of spills. A flood starts from the whole perimeter, with each pixel a basin of its own. It meets the passes
+// in rising order and keeps those that join two trees (Barnes 2016 joins tiles by the graph of all passes). The pixels
+// without a height that are joined to the perimeter are flooded run by run. O(n log(range)).
 BorderFlood flood_from_border(const Image& image, Adjacency adjacency);
 
 }  // namespace ilot

@@ -13,8 +13,8 @@
 namespace ilot {
 namespace {
 
-// Calls take(step, height) for the pixels near the line that have a height; step counts from the point of the line
-// that is nearest to the first pixel of the image.
+// Calls take(step, height) for the pixels near the line that have a height. step counts from the point of the line that
+// is nearest to the first pixel of the image.
 template <typename Take>
 void for_steps(const Image& image, const ImageLine& line, double half_width, const Take& take) {
   for (std::uint32_t y = 0; y < image.height; ++y) {
@@ -32,7 +32,7 @@ Height highest(const std::vector<Height>& profile, std::size_t from, std::size_t
                            profile.begin() + static_cast<std::ptrdiff_t>(to));
 }
 
-// The cut between the blocks [before, at) and [at, after).
+// Returns the cut between the blocks [before, at) and [at, after).
 ProfileCut cut_at(const std::vector<Height>& profile, std::size_t before, std::size_t at, std::size_t after) {
   const Height top = std::min(highest(profile, before, at), highest(profile, at, after));
   ProfileCut cut{static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at), static_cast<std::uint32_t>(at),

@@ -10,8 +10,8 @@
 namespace ilot {
 
 // Priority queue of pixels by height, the lowest first, for floods that only rise: a pushed height is never below the
-// last one popped. Equal heights come in no promised order. Radix heap (Ahuja, Mehlhorn, Orlin, Tarjan 1990): O(1) a
-// push, at most 32 moves for each pixel in all.
+// last one popped. The order of equal heights is unspecified. It is a radix heap (Ahuja, Mehlhorn, Orlin, Tarjan 1990):
+// a push is O(1), and each pixel is moved at most 32 times in all.
 class RadixHeap {
  public:
   struct Item {
@@ -28,7 +28,7 @@ class RadixHeap {
     ++size_;
   }
 
-  // Precondition of both: not empty.
+  // Precondition of pop() and pop_level(): the heap is not empty.
   Item pop() {
     if (buckets_[0].empty()) refill();
     const Item item = buckets_[0].back();
@@ -37,7 +37,7 @@ class RadixHeap {
     return item;
   }
 
-  // All pixels of the least height at once, in no promised order.
+  // Removes all pixels of the least height at once. Their order is unspecified.
   Height pop_level(std::vector<std::uint32_t>& pixels) {
     if (buckets_[0].empty()) refill();
     pixels.clear();
@@ -50,7 +50,7 @@ class RadixHeap {
  private:
   static constexpr std::uint32_t kSign = 0x80000000u;
 
-  // The lowest bucket that holds something is spread over those below it.
+  // Spreads the lowest bucket that is not empty over the buckets below it.
   void refill() {
     std::size_t b = 1;
     while (buckets_[b].empty()) ++b;

@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-// Heights upside down; its own inverse, and exact at both ends of the range.
+// Inverts the heights. The function is its own inverse, and exact at both ends of the range.
 void turn_over(std::vector<Height>& values) {
   for (Height& v : values) v = ~v;
 }

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kMaxPairs = 4;
 
-// row = the least of row and its neighbours in `other`, the row above or below.
+// Sets each pixel of row to the minimum of itself and its neighbours in `other`, the row above or below.
 template <Adjacency kAdjacency>
 void lower_from(const Height* __restrict other, Height* __restrict row, std::size_t width) {
   for (std::size_t x = 0; x < width; ++x) {
@@ -28,7 +28,8 @@ void sweep_left(const Height* __restrict f, Height* __restrict g, std::size_t wi
   for (std::size_t x = width; x-- > 0;) g[x] = carried = std::max(f[x], std::min(g[x], carried));
 }
 
-// Whether p could still lower a neighbour that the backward scan has left behind: to the right or in the row below.
+// Marks each p that could still lower a neighbour that the backward scan has already passed: to the right or in the row
+// below.
 template <Adjacency kAdjacency>
 void mark_unstable(const Height* f, const Height* g, std::size_t stride, std::size_t width,
                    std::uint8_t* __restrict unstable) {
@@ -54,7 +55,7 @@ void scan_forward(const PaddedFrame& frame, const Height* f, Height* g) {
   }
 }
 
-// Fills `open` with the pixels that are left unsettled.
+// Fills `open` with the pixels that are not yet final.
 template <Adjacency kAdjacency>
 void scan_backward(const PaddedFrame& frame, const Height* f, Height* g, std::vector<std::uint32_t>& open) {
   std::vector<std::uint8_t> unstable(frame.width);
@@ -74,7 +75,7 @@ void flood(const PaddedFrame& frame, std::size_t neighbours, const Height* f, He
   while (!queue.empty()) {
     const RadixHeap::Item item = queue.pop();
     const Height v = item.height();
-    if (g[item.pixel] != v) continue;  // lowered since
+    if (g[item.pixel] != v) continue;  // it was lowered since
     for (std::size_t s = 0; s < neighbours; ++s) {
       const std::uint32_t q = item.pixel + steps[s];
       const Height lower = std::max(v, f[q]);
@@ -85,8 +86,8 @@ void flood(const PaddedFrame& frame, std::size_t neighbours, const Height* f, He
   }
 }
 
-// On noisy ground each pair of scans settles two thirds of what the one before left, for less than the queue takes;
-// once little is left, or scans do not help, the queue does the rest.
+// On noisy ground each pair of scans finishes two thirds of the pixels that the pair before left, in less time than the
+// queue takes. Once few pixels are left, or scans do not help, the queue does the rest.
 template <Adjacency kAdjacency>
 void lower_by_erosion(const PaddedFrame& frame, const Height* f, Height* g) {
   std::vector<std::uint32_t> open;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: reconstruction by erosion in place, for all that is made of it.
+// Internal to the raster kernels: reconstruction by erosion in place, which the other operations use.
 #pragma once
 #include <span>
 
@@ -7,7 +7,8 @@
 
 namespace ilot {
 
-// Lowers `g` (never below `f`) to the reconstruction of f from g. Both padded, with kAboveAll on the border; g >= f.
+// Lowers `g` (never below `f`) to the reconstruction of f from g. Both are padded, with kAboveAll on the border, and g
+// >= f.
 void reconstruct_in_place(const PaddedFrame& frame, Adjacency adjacency, std::span<const Height> f,
                           std::span<Height> g);
 

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-// Two neighbours that are nearest to different regions; the ends of the link through them, the first one first.
+// Two neighbours that are nearest to different regions, and the ends of the link through them, the first one first.
 struct Meeting {
   std::uint32_t length, end_a, end_b, p, q;  // p on the side of end_a
   std::uint32_t zone_a, zone_b;              // ZoneNumbers
@@ -29,8 +29,8 @@ void forget_outside(const PaddedFrame& frame, const std::vector<std::uint8_t>& i
   }
 }
 
-// nearest_keys on ways around what does not belong to the image. Waves: all of one distance are known before the next
-// begins.
+// Computes nearest_keys along paths around pixels that do not belong to the image. It works in waves: all pixels of one
+// distance are known before the next wave begins.
 template <class Key>
 NearestKeys<Key> keys_by_fronts(const PaddedFrame& frame, const Image& heights, const std::vector<std::uint8_t>& outer,
                                 std::uint32_t reach) {
@@ -71,8 +71,8 @@ NearestKeys<Key> keys_of(const PaddedFrame& frame, const LinkWindow& window, std
   return nearest;
 }
 
-// Zones of a window, numbered anew from 0 as they are first asked for. A table with open places, twice as long as what
-// it holds; its order shows nowhere.
+// Zones of a window, numbered from 0 in the order in which they are first requested. This is a hash table with open
+// addressing, at least twice as long as its content. Its order has no effect on results.
 class ZoneNumbers {
  public:
   std::uint32_t number(std::uint32_t zone) {
@@ -89,9 +89,9 @@ class ZoneNumbers {
 
  private:
   struct Place {
-    std::uint32_t zone = 0, number = 0;  // no zone is 0
+    std::uint32_t zone = 0, number = 0;  // no zone has the value 0
   };
-  // Where a zone stands, or the open place that it would take.
+  // Returns the position of a zone, or the free position where it would be stored.
   std::size_t place_of(std::uint32_t zone) const {
     std::size_t at = zone * 0x9e3779b9u & (places_.size() - 1);
     while (places_[at].zone != 0 && places_[at].zone != zone) at = (at + 1) & (places_.size() - 1);
@@ -116,7 +116,7 @@ class Linking {
         steps_(frame_.steps()),
         nearest_(keys_of<Key>(frame_, window, (params.max_length + 1) / 2)) {}
 
-  // Length by length: most meetings are of regions that shorter links have joined.
+  // Goes length by length, because shorter links have already joined the regions of most meetings.
   std::vector<RegionLink> run() {
     find_meetings();
     std::vector<std::uint32_t> parents(numbers_.count());
@@ -141,8 +141,9 @@ class Linking {
     }
   }
 
-  // Of each of `width` pixels with the one a step on, where they have different ends that are not both themselves:
-  // neighbours with heights are of one region, or too far apart in height for a link.
+  // Compares each of `width` pixels with the one a step on. It reports pairs with different ends, except pairs whose
+  // ends are both the pixels themselves: neighbours with heights are of one region, or too far apart in height for a
+  // link.
   void find_meetings(std::uint32_t first, std::uint32_t step, std::uint32_t width) {
     const Key *a = nearest_.keys.data() + first, *b = a + step;
     const Key pixel = (Key{1} << nearest_.bits) - 1, far = nearest_.far;
@@ -166,14 +167,15 @@ class Linking {
     meetings_[length].push_back(a < b ? Meeting{length, a, b, p, q, i, j} : Meeting{length, b, a, q, p, j, i});
   }
 
-  // Of a pixel of the frame, in the window.
+  // Converts a pixel of the frame to its index in the window.
   std::size_t in_window(std::uint32_t p) const {
     return std::size_t{p / frame_.stride - 1} * frame_.width + p % frame_.stride - 1;
   }
   std::uint32_t zone_of(std::uint32_t p) const { return window_.zones[in_window(p)]; }
   Height height_of(std::uint32_t p) const { return window_.heights.values[in_window(p)]; }
 
-  // From p to its nearest end, step by step, each time to the first neighbour that is one nearer to the same end.
+  // Returns the path from p to its nearest end, step by step. Each step goes to the first neighbour that is one step
+  // nearer to the same end.
   std::vector<std::uint32_t> way_home(std::uint32_t p) const {
     std::vector<std::uint32_t> way;
     const Key step = Key{1} << nearest_.bits;

@@ -29,7 +29,8 @@ struct Link {
   Height height;
 };
 
-// The spills of a tile by the pixels that they join, both ways: those of pixel i are links [from[i], from[i + 1]).
+// The spills of a tile by the pixels that they join, in both directions. Those of pixel i are links [from[i], from[i +
+// 1]).
 struct LinkedSpills {
   std::vector<std::uint32_t> from;
   std::vector<Link> links;
@@ -78,8 +79,8 @@ void TiledFilling::join() {
   propagate();
 }
 
-// What lies below the filling of a pixel of the border, and is joined to it below that, is filled as high: otherwise
-// the spill between their two basins would have let the water out.
+// A pixel below the filling of a border pixel that is joined to it below that height is filled to the same height.
+// Otherwise the spill between their two basins would have let the water out.
 bool TiledFilling::raise(std::size_t tile, Image& filled) const {
   const Perimeter perimeter = pixels_.perimeter(tile);
   std::vector<std::uint32_t> raised;
@@ -132,7 +133,7 @@ void TiledFilling::lower(std::size_t tile, const Image& image, Image& drained) c
   }
   while (!queue.empty()) {
     const RadixHeap::Item item = queue.pop();
-    if (drained.values[item.pixel] != item.height()) continue;  // lowered since
+    if (drained.values[item.pixel] != item.height()) continue;  // it was lowered since
     for_neighbours(drained, item.pixel, adjacency_, [&](std::size_t q) {
       const Height level = std::max(item.height(), image.values[q]);
       if (level >= drained.values[q]) return;
@@ -142,15 +143,16 @@ void TiledFilling::lower(std::size_t tile, const Image& image, Image& drained) c
   }
 }
 
-// Tiles that others may still be reached from, by the lowest of their open pixels; some more than once.
+// Tiles from which others may still be reached, by the lowest of their open pixels. Some tiles are listed more than
+// once.
 struct TiledFilling::Pending {
   using Entry = std::pair<Height, std::size_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> tiles;
 };
 
-// Lowers what each pixel is reached at to what reaches it from the open ones of any tile: tile by tile, the one with
-// the lowest open pixel first, until none is open. Heights are only ever lowered, to the least there is: no order can
-// show.
+// Lowers the value at which each pixel is reached, starting from the open pixels of any tile. It goes tile by tile, the
+// one with the lowest open pixel first, until no pixel is open. Heights are only lowered, down to the minimum, so the
+// order does not matter.
 void TiledFilling::propagate() {
   Pending pending;
   for (std::size_t t = 0; t < pixels_.grid().count(); ++t) {
@@ -168,7 +170,7 @@ void TiledFilling::propagate() {
   }
 }
 
-// From the open pixels of a tile through its spills, and to the tiles beside it.
+// Goes from the open pixels of a tile through its spills, and to the tiles beside it.
 void TiledFilling::propagate_tile(std::size_t tile, Pending& pending) {
   const std::uint32_t first = pixels_.first(tile), count = pixels_.perimeter(tile).size();
   RadixHeap queue;
@@ -177,11 +179,11 @@ void TiledFilling::propagate_tile(std::size_t tile, Pending& pending) {
   if (queue.empty()) return;
   std::fill_n(open_.begin() + first, count, std::uint8_t{0});
   const LinkedSpills spills = linked(store_.read ? store_.read(tile) : spills_[tile], count);
-  std::map<std::size_t, Height> touched;  // tiles beside it, and their lowest new height
+  std::map<std::size_t, Height> touched;  // tiles beside it, with their lowest new height
   while (!queue.empty()) {
     const RadixHeap::Item item = queue.pop();
     const Height v = item.height();
-    if (reached_[first + item.pixel] != v) continue;  // lowered since
+    if (reached_[first + item.pixel] != v) continue;  // it was lowered since
     for (std::uint32_t l = spills.from[item.pixel]; l < spills.from[item.pixel + 1]; ++l) {
       const Link& link = spills.links[l];
       const Height through = std::max(v, link.height);

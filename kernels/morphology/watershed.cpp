@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-// A pixel waits from when the first basin touches it until the water is as high as it.
+// A pixel waits from the time when the first basin touches it until the water is as high as the pixel.
 class Flood {
  public:
   Flood(const Image& relief, const PixelLabels& markers, Adjacency adjacency)
@@ -44,7 +44,8 @@ class Flood {
         if (labels_[p] != 0) touch_around(static_cast<std::uint32_t>(p), kNoHeight, none);
   }
 
-  // Neighbours that are dry and do not wait yet: the flooded ones go into the next wave, the others wait on the shore.
+  // Visits the neighbours that are dry and do not wait yet. Those that are not above the water go into the next wave,
+  // the others wait on the shore.
   void touch_around(std::uint32_t p, Height level, std::vector<std::uint32_t>& next) {
     for (std::size_t s = 0; s < neighbours_; ++s) {
       const std::uint32_t q = p + steps_[s];
@@ -58,11 +59,11 @@ class Flood {
     }
   }
 
-  // The whole wave sees the labels of before it.
+  // The whole wave uses the labels from before the wave.
   void label_front(const std::vector<std::uint32_t>& front) {
     chosen_.clear();
     for (const std::uint32_t p : front) {
-      std::uint32_t least = 0;  // less 1, so that none is the highest
+      std::uint32_t least = 0;  // minus 1, so that "none" is the highest value
       for (std::size_t s = 0; s < neighbours_; ++s) least = std::min(least - 1, labels_[p + steps_[s]] - 1) + 1;
       chosen_.push_back(least);
     }

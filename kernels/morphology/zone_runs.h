@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: flat zones as runs of rows, before they are painted.
+// Internal to the raster kernels: flat zones as runs of rows, before they are painted.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -18,21 +18,21 @@ struct ZoneRuns {
   std::uint32_t width = 0, height = 0;
   std::uint32_t count = 0;                // of zones
   std::vector<PixelRun> runs = {};        // row by row, from left to right
-  std::vector<std::uint32_t> first = {};  // of row y: from first[y] to first[y + 1]
+  std::vector<std::uint32_t> first = {};  // the runs of row y go from first[y] to first[y + 1]
   std::vector<std::uint32_t> zone = {};   // of each run, from 1, numbered by first pixel
 };
 
-// What flat_zones labels: two pixels are in one run when they are neighbours within lambda.
+// Returns the zones that flat_zones labels. Two pixels of a row are in one run when they are neighbours within lambda.
 ZoneRuns zone_runs(const Image& image, Height lambda, Adjacency adjacency);
 
-// The regions of pixels that are flagged (not 0), row by row, joined across sides, or corners too.
+// Returns the regions of pixels that are flagged (not 0), given row by row, joined across sides, or across corners too.
 ZoneRuns flagged_runs(std::uint32_t width, std::uint32_t height, std::span<const std::uint8_t> flags,
                       Adjacency adjacency);
 
-// The regions of pixels without a height.
+// Returns the regions of pixels without a height.
 ZoneRuns missing_runs(const Image& image, Adjacency adjacency);
 
-// Which zones have a pixel on the border of the image; [0] unused.
+// Returns 1 for the zones that have a pixel on the border of the image. [0] is unused.
 std::vector<std::uint8_t> zones_on_border(const ZoneRuns& zones);
 
 PixelLabels painted(const ZoneRuns& zones);

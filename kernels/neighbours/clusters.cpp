@@ -34,7 +34,8 @@ constexpr std::uint64_t pack(std::uint64_t x, std::uint64_t y, std::uint64_t z) 
   return z << 2 * kCellBits | y << kCellBits | x;
 }
 
-// The largest cell of which any two integer points lie within the radius: 3 (edge - 1)^2 <= radius^2.
+// Returns the edge of the largest cell in which any two integer points are within the radius: 3 (edge - 1)^2 <=
+// radius^2.
 std::int64_t bin_edge(std::int64_t radius) {
   std::int64_t edge = static_cast<std::int64_t>(static_cast<double>(radius) / 1.7320508075688772) + 2;
   while (edge > 1 && 3 * (edge - 1) * (edge - 1) > radius * radius) --edge;
@@ -55,14 +56,15 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
     const IntPoint q = point_at(p, i);
     low = {std::min(low.x, q.x), std::min(low.y, q.y), std::min(low.z, q.z)};
   }
-  // Two empty cells below the lowest point, so that neighbours of any cell have keys.
+  // There are two empty cells below the lowest point, so that the neighbours of any cell have keys.
   constexpr std::uint64_t kBorder = 2;
-  // Half a unit more keeps the quotient 2^-26 away from whole numbers, farther than the product of doubles can be off.
+  // Half a unit more keeps the quotient 2^-26 away from integers, which is more than the error of the product of
+  // doubles.
   const double per_unit = 1 / static_cast<double>(edge);
   const auto cell = [&](std::int32_t v, std::int32_t from) {
     return static_cast<std::uint64_t>((static_cast<double>(v) - from + 0.5) * per_unit) + kBorder;
   };
-  // Points that follow each other mostly lie in one cell: runs of them are sorted, by their first point.
+  // Consecutive points are mostly in one cell, so runs of them are sorted, by their first point.
   std::vector<KeyValue> runs;
   std::vector<std::uint32_t> length(indices.size(), 0);  // by first point
   for (std::uint32_t i = 0; i < indices.size(); ++i) {
@@ -93,7 +95,7 @@ Binned bin_points(const Points& p, std::span<const std::uint32_t> indices, std::
   return binned;
 }
 
-// The points bin by bin, so that a bin's lie side by side.
+// Returns the points bin by bin, so that the points of a bin are stored side by side.
 std::vector<IntPoint> in_bin_order(const Points& p, std::span<const std::uint32_t> indices, const Binned& binned) {
   std::vector<IntPoint> points(binned.members.size());
   for (std::size_t i = 0; i < points.size(); ++i) points[i] = point_at(p, indices[binned.members[i]]);
@@ -138,8 +140,9 @@ bool any_pair_within(std::span<const IntPoint> a, std::span<const IntPoint> b, s
   return false;
 }
 
-// The larger set is halved while its box and the other's leave the answer open. Sets in Morton order, as those of the
-// store are, have compact halves; without it two dense bins just out of reach cost the product of their points.
+// The larger set is halved while its box and the other's do not decide the answer. Sets in Morton order, as those of
+// the store are, have compact halves. Without that order, two dense bins just out of reach would cost the product of
+// their points.
 bool within_reach(std::span<const IntPoint> a, const IntBox& box_a, std::span<const IntPoint> b, const IntBox& box_b,
                   std::int64_t radius2) {
   constexpr std::size_t kFewPairs = 256;
@@ -157,15 +160,15 @@ bool within_reach(std::span<const IntPoint> a, std::span<const IntPoint> b, std:
   return within_reach(a, box_of(a), b, box_of(b), radius2);
 }
 
-constexpr int kMostAway = 2;  // cells between points in reach of each other, along any axis
+constexpr int kMostAway = 2;  // greatest distance in cells between points in reach of each other, along any axis
 
-// Rows with one z that a row's points can reach, itself and those behind it in key order.
+// Rows with one z that the points of a row can reach: the row itself and those behind it in key order.
 struct RowsAhead {
-  std::uint64_t first = 0;  // what is added to the row's key for the first of them
-  std::vector<int> along;   // of each y from there: cells along x; below 0: none
+  std::uint64_t first = 0;  // added to the key of the row to get the first of them
+  std::vector<int> along;   // for each y from there: cells along x; below 0: none
 };
 
-// Up to `most` cells away along any axis; the row itself first.
+// Returns the rows up to `most` cells away along any axis. The row itself comes first.
 std::vector<RowsAhead> rows_ahead(std::int64_t edge, std::int64_t radius, int most) {
   const auto gap2 = [&](int d) {
     const std::int64_t gap = d == 0 ? 0 : (std::abs(d) - 1) * edge + 1;
@@ -184,7 +187,7 @@ std::vector<RowsAhead> rows_ahead(std::int64_t edge, std::int64_t radius, int mo
   return ahead;
 }
 
-// Consecutive bins of a row, each of which reaches the next: one set from the start.
+// Consecutive bins of a row, each of which reaches the next. They are one set from the start.
 struct Segment {
   std::uint32_t first_x, last_x;
   std::uint32_t begin, end;  // bins
@@ -216,7 +219,7 @@ class Joiner {
   }
 
   // Joins the segments of two rows (or of one) that are at most `along` cells apart along x and have points in reach.
-  // Returns how many sets fewer there are.
+  // Returns by how many the number of sets falls.
   std::uint32_t join_rows(const Segments& s, std::size_t row, std::size_t other, std::uint32_t along,
                           UnionFind sets) const {
     std::uint32_t first = s.begin[other], joins = 0;
@@ -255,7 +258,8 @@ class Joiner {
   std::int64_t radius2_;
 };
 
-// Rows ascend, so the first row that is some way ahead only moves ahead. `count`: of sets; one is enough.
+// Rows are in ascending order, so the first row at a given distance ahead only moves forward. `count` is the number of
+// sets. The function may stop at one.
 void join_ahead(const Joiner& joiner, const Segments& segments, const std::vector<Row>& rows,
                 const std::vector<RowsAhead>& ahead, UnionFind sets, std::size_t& count) {
   std::array<std::size_t, kMostAway + 1> at{};
@@ -271,7 +275,7 @@ void join_ahead(const Joiner& joiner, const Segments& segments, const std::vecto
   }
 }
 
-// Floods from one point after the other; cheaper than bins while there are few.
+// Grows clusters from one point after the other, which is cheaper than bins for few points.
 Clusters clusters_of_few(const Points& p, std::span<const std::uint32_t> indices, std::int64_t radius2) {
   struct Member {
     IntPoint at;
@@ -280,10 +284,10 @@ Clusters clusters_of_few(const Points& p, std::span<const std::uint32_t> indices
   std::array<Member, kFew> members;
   for (std::uint32_t i = 0; i < indices.size(); ++i) members[i] = {point_at(p, indices[i]), i};
   Clusters clusters{std::vector<std::uint32_t>(indices.size()), 0};
-  std::size_t begin = 0, reached = 0;  // members up to `begin` have been flooded from, up to `reached` are in a cluster
+  std::size_t begin = 0, reached = 0;  // members up to `begin` are done, those up to `reached` are in a cluster
   const std::size_t end = indices.size();
   while (begin < end) {
-    if (begin == reached) {  // a cluster ends: the next one starts with the first of those left
+    if (begin == reached) {  // a cluster ends, and the next one starts with the first of the remaining members
       const auto first = std::min_element(members.begin() + static_cast<std::ptrdiff_t>(begin),
                                           members.begin() + static_cast<std::ptrdiff_t>(end),
                                           [](const Member& a, const Member& b) { return a.place < b.place; });
@@ -311,7 +315,7 @@ Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indice
   std::vector<std::uint32_t> parents(segments.all.size());
   UnionFind sets(parents);
   std::size_t count = segments.all.size();
-  // Neighbouring rows first: they join most, and what is one set already needs no measuring.
+  // Neighbouring rows come first, because they join most sets, and points of one set need no measuring.
   for (const int most : {1, kMostAway})
     join_ahead(joiner, segments, binned.rows, rows_ahead(edge, radius, most), sets, count);
 

@@ -8,11 +8,11 @@
 
 namespace ilot {
 
-// Euclidean clusters [Boltcheva et al. 2019, 3.1]: points at most `radius` units apart (closed) are in one cluster, and
-// so are chains of them. `indices` picks the points; offsets are integers, radius at least 1 and above 2^-20 of the
-// points' extent. Exact: the answer is a property of the point set alone. Points are binned into cells of which any two
-// in one lie within the radius, so that only pairs between neighbouring cells are measured, and only until one joins
-// them. O(n log n).
+// Euclidean clusters [Boltcheva et al. 2019, 3.1]. Points at most `radius` units apart (inclusive) are in one cluster,
+// and so are points joined by a chain of such steps. `indices` selects the points. Offsets are integers. The radius is
+// at least 1 and above 2^-20 of the extent of the points. The result is exact and depends on the set of points alone.
+// Points are binned into cells so small that any two points of a cell are within the radius. So only pairs of points in
+// neighbouring cells are measured, and only until one pair joins the cells. O(n log n).
 Clusters euclidean_clusters(Points points, std::span<const std::uint32_t> indices, std::int64_t radius);
 
 }  // namespace ilot

@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-// The frames of the accumulator: any rotations that are far from each other's symmetries do. Quaternions.
+// The frames of the accumulator, as quaternions. Any rotations work that are far from each other's symmetries.
 constexpr double kFrames[simd::kHoughRotations][4]{
     {1, 0, 0, 0}, {9, 2, 1, 1}, {8, -1, 3, 2}, {7, 1, -2, 3}, {8, 3, 2, -2}};
 
@@ -30,14 +30,15 @@ std::vector<float> rotations() {
   return rows;
 }
 
-// Triplets to draw: by Hoeffding's inequality the shares of all bins are within max_deviation with this confidence.
+// Returns the number of triplets to draw. By Hoeffding's inequality the shares of all bins are then within
+// max_deviation with this confidence.
 double triplets_needed(const HoughNormalsParams& params) {
   constexpr double kBins = 3 * 8 * 8;
   return natural_log(2 * kBins / (1 - params.confidence)) / (2 * params.max_deviation * params.max_deviation);
 }
 
-// Pairs of offsets round a ring of k, no two of which give the same triplets, in a fixed random order: as many as give
-// that many triplets, or all.
+// Returns pairs of offsets round a ring of k, no two of which give the same triplets, in a fixed random order. There
+// are as many as that number of triplets needs, or all.
 std::vector<std::uint32_t> ring_offsets(std::size_t k, double triplets) {
   const std::size_t rounds = std::min(static_cast<std::size_t>(triplets / static_cast<double>(k)) + 1,
                                       simd::kHoughVotes / ((k + 15) / 16 * 16));
@@ -57,7 +58,7 @@ std::vector<std::uint32_t> ring_offsets(std::size_t k, double triplets) {
   return offsets;
 }
 
-// Directions from full lists of k neighbours, three numbers a query, all zero where there is none.
+// Computes directions from full lists of k neighbours, three numbers per query, all zero where there is none.
 void directions(const Points& p, std::span<const std::uint32_t> queries, std::span<const std::uint32_t> neighbours,
                 const std::vector<std::uint32_t>& offsets, const std::vector<float>& frames, std::span<double> out) {
   const auto count = static_cast<std::uint32_t>(queries.size());
@@ -67,7 +68,7 @@ void directions(const Points& p, std::span<const std::uint32_t> queries, std::sp
                                                frames.data(), out.data()});
 }
 
-// The direction with the curvature of the principal components; none stays none.
+// Replaces the direction and keeps the curvature of the principal components. A missing normal stays missing.
 void put_direction(const double* v, PackedNormal& out) {
   const bool none = (out.x == 0 && out.y == 0 && out.z == 0) || (v[0] == 0 && v[1] == 0 && v[2] == 0);
   const std::uint16_t curvature = out.curvature;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of hough_normals. The neighbours are put into a ring ordered by a hash of their positions; a round of draws is
-// the triplets (s, s + a, s + b) for every s of the ring, with offsets (a, b) of the round, so that the lanes load side
+// Body of hough_normals. The neighbours are put into a ring ordered by a hash of their positions. A round of draws is
+// the triplets (s, s + a, s + b) for every s of the ring, with the offsets (a, b) of the round. So the lanes load side
 // by side and every neighbour is drawn equally often.
 
 #include "kernels/neighbours/sort_keys.inl"
@@ -19,7 +19,7 @@ struct Ring {
   float x[3 * kRing + 16], y[3 * kRing + 16], z[3 * kRing + 16];
 };
 
-// Round by round, each filled up to a multiple of 16 with votes of zero length.
+// Votes round by round. Each round is filled up to a multiple of 16 with votes of zero length.
 struct Votes {
   float x[kHoughVotes], y[kHoughVotes], z[kHoughVotes];
 };
@@ -61,7 +61,7 @@ inline Ring make_ring(const HoughArgs& a, std::uint32_t query, const std::uint32
 
 inline std::uint32_t row_of(std::uint32_t k) { return (k + 15) / 16 * 16; }
 
-// Normals of the triplets of a round, as long as twice their area.
+// Computes the normals of the triplets of a round. Their length is twice the area of the triplet.
 inline void draw_round(const Ring& ring, std::uint32_t k, const std::uint32_t* offsets, float* x, float* y, float* z) {
   const std::uint32_t a = offsets[0], b = offsets[1];
   for (std::uint32_t s = 0; s < k; s += kWide) {
@@ -77,14 +77,14 @@ inline void draw_round(const Ring& ring, std::uint32_t k, const std::uint32_t* o
   for (std::uint32_t s = k; s < row_of(k); ++s) x[s] = y[s] = z[s] = 0;
 }
 
-// Cell of a tangent in [-1, 1] along an axis of a face.
+// Returns the cell of a tangent in [-1, 1] along an axis of a face.
 inline Wide cell_of(Wide tangent) {
   const Wide warped = tangent * (splat_wide(1 + kWarp) - splat_wide(kWarp) * magnitude(tangent));
   const Wide cell = (warped + splat_wide(1.0f)) * splat_wide(kFaceCells / 2.0f);
   return min_wide(truncated(cell), splat_wide(kFaceCells - 1));
 }
 
-// Bins of directions in a rotated frame (rows of r).
+// Computes the bins of directions in a rotated frame (rows of r).
 inline void bins_of(const float* x, const float* y, const float* z, const float* r, std::int32_t* bins) {
   const Wide vx = load_wide(x), vy = load_wide(y), vz = load_wide(z);
   const Wide a = splat_wide(r[0]) * vx + splat_wide(r[1]) * vy + splat_wide(r[2]) * vz;
@@ -92,7 +92,7 @@ inline void bins_of(const float* x, const float* y, const float* z, const float*
   const Wide c = splat_wide(r[6]) * vx + splat_wide(r[7]) * vy + splat_wide(r[8]) * vz;
   const Wide ma = magnitude(a), mb = magnitude(b), mc = magnitude(c);
   const Wide most = max8(max8(ma, mb), mc);
-  // Face 0: a is the longest; 1: b; 2: c. A face's axes are the other two.
+  // In face 0 a is the longest component, in face 1 b, in face 2 c. The axes of a face are the other two.
   const Wide nothing = splat_wide(0.0f);
   const Wide longest = select_le(most, nothing, splat_wide(1.0f), select_le(most, ma, a, select_le(most, mb, b, c)));
   const Wide first = select_le(most, ma, b, a);
@@ -132,7 +132,7 @@ inline Leader leader_of(Accumulator& accumulator, std::uint32_t rotation) {
   return {rotation, bin, best, static_cast<std::uint32_t>(best - second)};
 }
 
-// The rotation whose leading bin has most votes; ties to the larger lead, then to the earlier rotation.
+// Returns the rotation whose leading bin has most votes. Ties go to the larger lead, then to the earlier rotation.
 inline Leader best_leader(Accumulator* accumulators) {
   Leader best = leader_of(accumulators[0], 0);
   for (std::uint32_t r = 1; r < kHoughRotations; ++r) {
@@ -152,7 +152,7 @@ inline Direction unit(double x, double y, double z) {
   return {x / length, y / length, z / length};
 }
 
-// Tangent at the middle of a cell.
+// Returns the tangent at the middle of a cell.
 inline double cell_middle(std::uint32_t cell) {
   const double w = (2.0 * cell + 1) / kFaceCells - 1;
   const double v = w < 0 ? -w : w, b = 1.0 + kWarp;
@@ -176,7 +176,8 @@ inline double sum_of(F8 v) {
   return sum;
 }
 
-// Mean of the votes in a cone around a direction, weighted by area. Eight lanes everywhere: the order of sums is fixed.
+// Returns the mean of the votes in a cone around a direction, weighted by area. It uses eight lanes on every
+// instruction set, so the order of sums is fixed.
 inline Direction mean_around(const Votes& votes, std::uint32_t rounds, std::uint32_t k, const Direction& axis) {
   const F8 ax = splat(static_cast<float>(axis.x)), ay = splat(static_cast<float>(axis.y)),
            az = splat(static_cast<float>(axis.z));
@@ -230,6 +231,6 @@ void hough_directions(const HoughArgs& a) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const HoughNormalsBody kHoughNormals;
 const HoughNormalsBody kHoughNormals{hough_directions};

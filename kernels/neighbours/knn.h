@@ -16,11 +16,12 @@ struct KnnParams {
   std::int64_t max_d2 = kMaxSquaredReach;  // squared units, inclusive, at most kMaxSquaredReach
 };
 
-// The k nearest points of each query, which is the index of a point of `index`. neighbours holds k entries a query in
-// ascending order of index, filled up with kNoNeighbour where fewer lie within max_d2. reach2 holds the squared
-// distance of the k-th, or -1 where fewer than k were found. Exact: distances are compared as integers, ties at the
-// k-th go to the smaller index (in Morton-sorted points: the smaller coordinates, then the smaller record). Queries in
-// index order are several times faster than in random order. About O(log n + k) a query on surfaces.
+// Finds the k nearest points of each query, which is the index of a point of `index`. `neighbours` has k entries per
+// query in ascending order of index, filled up with kNoNeighbour where fewer points are within max_d2. `reach2` has the
+// squared distance of the k-th point, or -1 where fewer than k were found. The result is exact: distances are compared
+// as integers, and ties at the k-th point go to the smaller index (in Morton-sorted points the smaller coordinates,
+// then the smaller record). Queries in index order are several times faster than in random order. A query takes about
+// O(log n + k) on surfaces.
 void knn(const NeighbourIndex& index, std::span<const std::uint32_t> queries, const KnnParams& params,
          std::span<std::uint32_t> neighbours, std::span<std::int64_t> reach2);
 

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // Body of knn.
-// Near path: up to eight queries of one leaf share one sweep of the box hierarchy, which collects the points within a
-// guessed radius, somewhat more than the answers before reached. A query that finds k points within it is answered,
-// since every point within it was collected; else the guess grows. Squared distances up to 2^24 are integers that
-// float32 holds exactly (a rounded sum is never below 2^24), so no second measurement is needed.
-// Far path, for wider bounds and crowds of points: one sweep a query within a proven bound, float32 only culls with a
-// bound inflated by more than the rounding, and what passes is measured in integers.
+// Near path: up to eight queries of one leaf share one sweep of the box hierarchy. The sweep collects the points within
+// a guessed radius, which is somewhat more than the radius of the queries before. A query that finds k points within
+// the radius is answered, because every point within it was collected. Otherwise the guess grows. Squared distances up
+// to 2^24 are integers that float32 represents exactly (a rounded sum is never below 2^24), so no second measurement is
+// needed.
+// Far path, for wider bounds and very many points: there is one sweep per query within a proven bound. float32 only
+// preselects, with a bound inflated by more than the rounding. The selected points are measured in integers.
 
 #include "kernels/neighbours/leaves.inl"
 #include "kernels/neighbours/sort_keys.inl"
@@ -16,8 +17,8 @@ constexpr int kSlotBits = 16;
 constexpr std::uint32_t kCapacity = 512;
 constexpr std::uint64_t kSlotMask = (1u << kSlotBits) - 1;
 
-// Candidates of one query: key = squared distance, then slot; slots are handed out in index order, so equal distances
-// sort by index.
+// Candidates of one query. A key is the squared distance, then the slot. Slots are given out in index order, so equal
+// distances sort by index.
 struct Candidates {
   std::uint64_t key[kCapacity];
   std::uint32_t index[kCapacity];
@@ -56,7 +57,7 @@ inline void select_smallest(std::uint64_t* key, std::uint32_t size, std::uint32_
   }
 }
 
-// Keeps the k nearest and hands their slots out anew, in index order.
+// Keeps the k nearest and gives out their slots again, in index order.
 inline void shrink(Candidates& c, std::uint32_t k) {
   select_smallest(c.key, c.size, k);
   std::uint64_t by_slot[kCapacity];
@@ -83,7 +84,8 @@ inline std::int64_t exact_d2(const KnnArgs& a, std::uint32_t i, std::uint32_t j)
   return dx * dx + dy * dy + dz * dz;
 }
 
-// Largest of the k smallest distances among the points around i in index order: an upper bound of the answer.
+// Returns the largest of the k smallest distances among the points around i in index order. It is an upper bound of the
+// answer.
 inline std::int64_t window_bound(const KnnArgs& a, std::uint32_t i) {
   const std::uint32_t reach = static_cast<std::uint32_t>(a.k) / 2 + 8;
   const std::uint32_t begin = i > reach ? i - reach : 0;
@@ -91,7 +93,7 @@ inline std::int64_t window_bound(const KnnArgs& a, std::uint32_t i) {
   if (end - begin < static_cast<std::uint32_t>(a.k)) return a.max_d2;
   std::uint64_t key[kCapacity];
   for (std::uint32_t j = begin; j < end; ++j) {
-    const std::int64_t d2 = exact_d2(a, i, j);  // up to 2^52, which a key has no room for: cut at max_d2
+    const std::int64_t d2 = exact_d2(a, i, j);  // up to 2^52, too large for a key: limited to max_d2
     key[j - begin] = static_cast<std::uint64_t>(d2 < a.max_d2 ? d2 : a.max_d2) << kSlotBits | (j - begin);
   }
   select_smallest(key, end - begin, static_cast<std::uint32_t>(a.k));
@@ -120,14 +122,14 @@ inline void scan_leaf(const KnnArgs& a, std::uint32_t query, std::uint32_t leaf,
     shrink(c, static_cast<std::uint32_t>(a.k));
     std::uint64_t largest = 0;
     for (int n = 0; n < a.k; ++n) largest = c.key[n] > largest ? c.key[n] : largest;
-    // Whatever comes later has a larger index, so at the same distance it loses.
+    // Later points have a larger index, so they lose at the same distance.
     bound = static_cast<std::int64_t>(largest >> kSlotBits) - 1;
   }
 }
 
 inline Cloud cloud_of(const KnnArgs& a) { return {a.x, a.y, a.z, a.size, a.boxes, a.levels}; }
 
-// Every point within `bound` of the query, in index order; the bound shrinks when there are many.
+// Collects every point within `bound` of the query, in index order. The bound shrinks when there are many.
 inline void collect(const KnnArgs& a, std::uint32_t query, std::int64_t bound, Candidates& c) {
   const Cloud cloud = cloud_of(a);
   visit_leaves(cloud, box_around(cloud, &query, 1), inflate(bound), [&](std::uint32_t leaf) {
@@ -136,7 +138,7 @@ inline void collect(const KnnArgs& a, std::uint32_t query, std::int64_t bound, C
   });
 }
 
-// The far path: any bound, any number of candidates, any ties.
+// The far path works for any bound, any number of candidates and any ties.
 inline std::int64_t far_query(const KnnArgs& a, std::uint32_t query, std::int64_t bound, std::uint32_t* out) {
   Candidates c;
   c.size = 0;
@@ -157,23 +159,23 @@ inline std::uint32_t count_within(const float* d2, std::uint32_t size, float lim
   return total(counts);
 }
 
-// The answer of a query: every distance up to `all`, and of those that are exactly `tie` the first ones in index order.
+// The answer of a query: all distances up to `all`, and of those equal to `tie` the first ones in index order.
 struct Limit {
   float all, tie;
   std::uint32_t ties;
 };
 
-// A whole number strictly between two limits where the k-th distance should end, from how many distances do not exceed
-// either.
+// Returns an integer strictly between two limits near the k-th distance, from the numbers of distances up to each
+// limit.
 inline float interpolate(float low, std::uint32_t at_low, float high, std::uint32_t at_high, std::uint32_t k) {
   const float share = (static_cast<float>(k - at_low) + 0.5f) / static_cast<float>(at_high - at_low);
   const float guess = static_cast<float>(static_cast<std::int32_t>(low + (high - low) * share));
   return guess <= low ? low + 1 : guess >= high ? high - 1 : guess;
 }
 
-// Distances are whole numbers, of which `within` (at least k) do not exceed the bound. Interpolates between counts, from
-// a first guess, until a limit holds exactly k or two limits are one apart: then the k-th is one of several equal
-// distances. False when neither was found soon.
+// Distances are integers, of which `within` (at least k) do not exceed the bound. The function interpolates between
+// counts, from a first guess, until exactly k are within a limit, or until two limits are one apart. In the second case
+// the k-th is one of several equal distances. Returns false when neither was found soon.
 inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std::uint32_t within, float bound,
                        float guess, Limit& limit) {
   float low = -1.0f, high = bound;
@@ -200,7 +202,7 @@ inline bool find_limit(const float* d2, std::uint32_t size, std::uint32_t k, std
   return high - low <= 1;
 }
 
-// Writes the nearby points of an answer, at most k; returns the largest distance.
+// Writes the nearby points of an answer, at most k. Returns the largest distance.
 inline float write_answer(const Nearby& near, const float* d2, float limit, std::uint32_t count, std::uint32_t k,
                           std::uint32_t* out) {
   std::uint32_t chosen[64 + 16];
@@ -215,7 +217,7 @@ inline float write_answer(const Nearby& near, const float* d2, float limit, std:
   return greatest(largest);
 }
 
-// The same where the last few of k are at the same distance as some that are left out.
+// Does the same where the last few of k are at the same distance as some points that are left out.
 inline float write_tied_answer(const Nearby& near, const float* d2, Limit limit, std::uint32_t* out) {
   for (std::uint32_t i = 0; i < near.size; ++i) {
     const bool tied = d2[i] == limit.tie && limit.ties > 0;
@@ -228,7 +230,8 @@ inline float write_tied_answer(const Nearby& near, const float* d2, Limit limit,
 
 enum class Answer { kFound, kTooFew, kHard };
 
-// One query by the near path. kTooFew: fewer than k points within a bound that could grow. kHard: take the far path.
+// Answers one query by the near path. kTooFew: there are fewer than k points within a bound that could grow. kHard: the
+// far path is needed.
 inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& near, std::int64_t bound,
                          std::int64_t hint, std::uint32_t* out, std::int64_t& reach2) {
   float d2[kNearCapacity + 16];
@@ -248,13 +251,14 @@ inline Answer near_query(const KnnArgs& a, std::uint32_t query, const Nearby& ne
   return Answer::kFound;
 }
 
-// The bound to try on a group of queries: a quarter more than the answers before reached; unknown = the points around.
+// Returns the bound to try on a group of queries: a quarter more than the radius of the queries before, or from the
+// points around when that is unknown.
 inline std::int64_t first_guess(const KnnArgs& a, std::uint32_t query, std::int64_t reach2) {
   const std::int64_t guess = reach2 < 0 ? window_bound(a, query) : reach2 + reach2 / 4 + 1;
   return guess < a.max_d2 ? guess : a.max_d2;
 }
 
-// Answers queries of one leaf as far as the near path goes; returns how many.
+// Answers queries of one leaf as far as the near path works, and returns how many.
 inline std::uint32_t near_group(const KnnArgs& a, std::uint32_t begin, std::uint32_t end, Nearby& near,
                                 std::int64_t& reach2) {
   const std::uint32_t k = static_cast<std::uint32_t>(a.k);
@@ -298,6 +302,6 @@ void knn(const KnnArgs& a) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const KnnBody kKnn;
 const KnnBody kKnn{knn};

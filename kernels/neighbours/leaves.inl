@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What the searches share: the sweep of the box hierarchy, and the points near a group of queries.
+// The code that the searches share: the sweep of the box hierarchy, and the points near a group of queries.
 
 namespace {
 
@@ -12,17 +12,18 @@ struct Cloud {
 
 constexpr std::int64_t kExactInFloat = std::int64_t{1} << 24;
 
-// A squared distance that float32 arithmetic stays below whenever the true one is at most d2; -1 for none.
+// Returns a bound that the float32 squared distance never exceeds when the true one is at most d2. Returns -1 when d2
+// is negative.
 inline float inflate(std::int64_t d2) { return d2 < 0 ? -1.0f : static_cast<float>(d2) * 1.000002f + 1.0f; }
 
-// Queries from begin on that lie in one leaf are answered together.
+// Queries from begin on that are in one leaf are answered together.
 inline std::uint32_t end_of_group(const std::uint32_t* queries, std::uint32_t begin, std::uint32_t count) {
   std::uint32_t end = begin + 1;
   while (end < count && end - begin < 8 && queries[end] / 8 == queries[begin] / 8) ++end;
   return end;
 }
 
-// The closed box of some queries, each bound in all lanes.
+// The closed box of some queries, with each bound in all lanes.
 struct QueryBox {
   F8 low[3], high[3];
 };
@@ -40,7 +41,8 @@ inline QueryBox box_around(const Cloud& a, const std::uint32_t* queries, std::ui
   return {{splat(low[0]), splat(low[1]), splat(low[2])}, {splat(high[0]), splat(high[1]), splat(high[2])}};
 }
 
-// Squared distance between the box and eight boxes; exact up to 2^24, never below it when the true value is above.
+// Returns the squared distances between the box and eight boxes. They are exact up to 2^24, and never below it when the
+// true value is above.
 inline F8 gap2(const QueryBox& box, F8 x0, F8 y0, F8 z0, F8 x1, F8 y1, F8 z1) {
   const F8 zero = splat(0.0f);
   const F8 dx = max8(max8(x0 - box.high[0], box.low[0] - x1), zero);
@@ -56,7 +58,7 @@ inline std::uint32_t near_children(const float* node, const QueryBox& box, float
 }
 
 // Calls visit(leaf) for the leaves within the squared distance `bound` of the box, in index order. visit returns the
-// bound from there on; a negative one ends the sweep.
+// bound for the leaves after it. A negative one ends the sweep.
 template <class Visit>
 inline void visit_leaves(const Cloud& a, const QueryBox& box, float bound, Visit visit) {
   struct Pending {
@@ -83,7 +85,7 @@ inline void visit_leaves(const Cloud& a, const QueryBox& box, float bound, Visit
   }
 }
 
-// Points near a group of queries, in index order. Behind the last, lanes that are infinitely far away.
+// Points near a group of queries, in index order. The lanes behind the last point are infinitely far away.
 constexpr std::uint32_t kNearCapacity = 1024;
 struct Nearby {
   float x[kNearCapacity + 16], y[kNearCapacity + 16], z[kNearCapacity + 16];
@@ -91,7 +93,8 @@ struct Nearby {
   std::uint32_t size;
 };
 
-// All points within the squared distance `bound` of the box, and maybe others. False when there are too many.
+// Collects all points within the squared distance `bound` of the box, and maybe others. Returns false when there are
+// too many.
 inline bool collect_nearby(const Cloud& a, const QueryBox& box, float bound, Nearby& out) {
   std::uint32_t size = 0;
   const F8 limit = splat(bound);
@@ -113,7 +116,7 @@ inline bool collect_nearby(const Cloud& a, const QueryBox& box, float bound, Nea
   return size <= kNearCapacity - 8;
 }
 
-// Squared distances of the nearby points to a query; returns how many lie within the bound.
+// Computes the squared distances of the nearby points to a query. Returns how many are within the bound.
 inline std::uint32_t measure(const Nearby& near, float x, float y, float z, float bound, float* d2) {
   const Wide qx = splat_wide(x), qy = splat_wide(y), qz = splat_wide(z), limit = splat_wide(bound);
   WideCount within = zero_wide_count();

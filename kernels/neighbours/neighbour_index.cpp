@@ -15,7 +15,7 @@ std::vector<float> empty_nodes(std::size_t children) {
   const std::size_t nodes = (children + kFan - 1) / kFan;
   std::vector<float> boxes(nodes * kNodeFloats);
   for (std::size_t i = 0; i < nodes; ++i) {
-    // An absent child lies at the far end of the axis, at an infinite squared distance from any query.
+    // An absent child is at the far end of the axis, at an infinite squared distance from any query.
     std::fill_n(boxes.begin() + static_cast<std::ptrdiff_t>(i * kNodeFloats), kNodeFloats, kFar);
   }
   return boxes;

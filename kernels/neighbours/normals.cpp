@@ -13,7 +13,8 @@
 namespace ilot {
 namespace {
 
-// count^2 times the covariance: every term an integer below 2^53 while count times the widest offset is below 2^26.
+// Returns count^2 times the covariance. Every term is an integer below 2^53 while count times the widest offset is
+// below 2^26.
 Symmetric3 scaled_covariance(const Points& p, std::uint32_t query, std::span<const std::uint32_t> neighbours) {
   double sx = 0, sy = 0, sz = 0;
   Symmetric3 m;
@@ -54,7 +55,7 @@ PackedNormal normal_of(const Points& p, std::uint32_t query, std::span<const std
   return pack_normal(e.vector, std::clamp(3 * e.value / trace, 0.0, 1.0));
 }
 
-// Near enough for the vector body: all there, and squared offsets below 2^24.
+// Whether the neighbours suit the vector body: all are present, and squared offsets are below 2^24.
 bool is_near(std::int64_t reach2) {
   return reach2 >= 0 && reach2 < (std::int64_t{1} << 24);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of normals over near neighbours: sums in integers, then as many matrices at once as a register holds doubles,
-// by the steps of smallest_eigen (core/eigen3), so that every bit is the same as there.
+// Body of normals over near neighbours. Sums are integers. Then as many matrices are solved at once as a register has
+// doubles, by the steps of smallest_eigen (core/eigen3), so that every bit is the same as there.
 
 namespace {
 
@@ -11,7 +11,7 @@ struct BatchMoments {
   double sum[9][kBatch];
 };
 
-// Neighbours lie within 2^12 of the query, so products are below 2^24 and sums of 64 of them below 2^30.
+// Neighbours are within 2^12 of the query, so products are below 2^24 and sums of 64 of them are below 2^30.
 inline void sum_neighbours(const NormalArgs& a, std::uint32_t query, const std::uint32_t* neighbours, double n,
                            BatchMoments& out, std::uint32_t slot) {
   const F8 qx = splat(a.x[query]), qy = splat(a.y[query]), qz = splat(a.z[query]);
@@ -50,7 +50,7 @@ inline D3 select_d(DMask m, const D3& yes, const D3& no) {
   return {select(m, yes.x, no.x), select(m, yes.y, no.y), select(m, yes.z, no.z)};
 }
 
-// Newton's iteration from below, as in smallest_eigen; lanes that have arrived stay where they are.
+// Newton's iteration from below, as in smallest_eigen. Lanes that have converged no longer change.
 inline D smallest_root(D c0, D c1) {
   const D zero = splat_d(0), one = splat_d(1), two = splat_d(2), three = splat_d(3);
   D t = zero;
@@ -66,7 +66,7 @@ inline D smallest_root(D c0, D c1) {
   return t;
 }
 
-// Normals and curvatures of kDoubles matrices from slot on.
+// Computes the normals and curvatures of kDoubles matrices from slot on.
 inline void solve(const BatchMoments& m, std::uint32_t slot, std::int16_t* out, std::uint32_t count) {
   const D zero = splat_d(0), one = splat_d(1);
   const D mxx = load_d(m.sum[0] + slot), mxy = load_d(m.sum[1] + slot), mxz = load_d(m.sum[2] + slot);
@@ -124,6 +124,6 @@ void neighbour_normals(const NormalArgs& a) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const NormalsBody kNormals;
 const NormalsBody kNormals{neighbour_normals};

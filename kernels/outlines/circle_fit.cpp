@@ -10,7 +10,7 @@ namespace {
 
 using Row = std::array<double, 4>;  // of three equations, the right side last
 
-// By elimination with pivots; false when the equations do not tell.
+// Solves by elimination with pivots. Returns false when the equations have no unique solution.
 bool solve(std::array<Row, 3> m, std::array<double, 3>& x) {
   constexpr double kSingular = 1e-12;
   for (std::size_t c = 0; c < 3; ++c) {
@@ -50,7 +50,7 @@ CircleFit fit_circle(std::span<const PlanePoint> points) {
   for (const PlanePoint& p : points) size += ((p.x - mx) * (p.x - mx) + (p.y - my) * (p.y - my)) / n;
   const double scale = std::sqrt(size);
   if (!(scale > 0)) return {};
-  // In units of the points' spread about their middle: x^2 + y^2 = 2 a x + 2 b y + c.
+  // The units are the spread of the points about their middle: x^2 + y^2 = 2 a x + 2 b y + c.
   std::array<Row, 3> normal{};
   std::array<double, 3> v{};
   for (const PlanePoint& p : points) {

@@ -16,8 +16,9 @@ struct CircleFit {
   bool found = false;
 };
 
-// Least squares of the distances (Gauss and Newton from the algebraic fit of Kasa 1976). Not found for fewer than three
-// points or points on a line. Meaningful where the arc's height is several times the noise. O(n).
+// Fits by least squares of the distances (Gauss and Newton, starting from the algebraic fit of Kasa 1976). No circle is
+// found for fewer than three points or for points on a line. The result is meaningful where the height of the arc is
+// several times the noise. O(n).
 CircleFit fit_circle(std::span<const PlanePoint> points);
 
 }  // namespace ilot

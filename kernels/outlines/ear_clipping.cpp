@@ -23,8 +23,9 @@ bool in_triangle(FlatPoint p, FlatPoint a, FlatPoint b, FlatPoint c) {
   return orient2d(a, b, p) >= 0 && orient2d(b, c, p) >= 0 && orient2d(c, a, p) >= 0;
 }
 
-// Place in `outer` of a corner that sees corner `from` of a hole: the ray to the right meets an edge, whose right end
-// is seen unless reflex corners stand between; then the one at the least angle to the ray is.
+// Returns the place in `outer` of a corner that sees corner `from` of a hole. The ray to the right meets an edge, and
+// the right end of the edge is visible unless reflex corners are between. In that case the reflex corner at the least
+// angle to the ray is visible.
 std::size_t visible_corner(std::span<const FlatPoint> points, const Loop& outer, FlatPoint from) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t end = 0;
@@ -107,7 +108,7 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const FlatPoint>
   while (loop.size() > 3) {
     if (at >= loop.size()) at = 0;
     const std::size_t before = at == 0 ? loop.size() - 1 : at - 1, after = at + 1 == loop.size() ? 0 : at + 1;
-    // After a whole round without an ear what remains has no area or crosses itself: any corner will do.
+    // After a whole round without an ear the rest has no area or crosses itself, so any corner is cut off.
     if (refused < loop.size() && !is_ear(points, loop, before, at, after)) {
       ++at;
       ++refused;

@@ -12,14 +12,14 @@ namespace {
 
 constexpr std::size_t kLeaf = 8;        // points of a leaf of the tree
 constexpr double kShortest = 0x1p-40;   // of an edge's length: shorter stretches are rounding
-constexpr double kSlack = 1 + 0x1p-40;  // on squared distances within which equal ones are looked for
+constexpr double kSlack = 1 + 0x1p-40;  // factor on squared distances, within which equal ones are sought
 
 double coordinate(FlatPoint p, int axis) {
   return axis == 0 ? p.x : p.y;
 }
 
 // A k-d tree without nodes: the middle of each range of `order_` splits it. Distances to cells grow axis by axis on the
-// way down (Arya and Mount 1993), so that questions from far away prune as well.
+// way down (Arya and Mount 1993), so that queries from far away skip branches too.
 class PointTree {
  public:
   explicit PointTree(std::span<const FlatPoint> points) : points_(points), order_(points.size()), axis_(points.size()) {
@@ -43,7 +43,7 @@ class PointTree {
     return best;
   }
 
-  // Calls visit(point, squared distance) for all points within `d2` and some more; `d2` may shrink meanwhile.
+  // Calls visit(point, squared distance) for all points within `d2` and some more. `d2` may shrink meanwhile.
   template <class Visit>
   void each_within(FlatPoint q, double& d2, Visit visit) const {
     const std::array<double, 2> away{std::max({low_.x - q.x, q.x - high_.x, 0.0}),
@@ -67,7 +67,7 @@ class PointTree {
     build(mid + 1, end, above, high);
   }
 
-  // `away`: how far q lies outside of the range's cell along each axis.
+  // `away` is how far q is outside of the range's cell along each axis.
   template <class Visit>
   void descend(std::size_t first, std::size_t end, FlatPoint q, std::array<double, 2> away, double& d2,
                Visit& visit) const {
@@ -92,7 +92,7 @@ class PointTree {
   FlatPoint low_, high_;
 };
 
-// One edge, walked from end to end.
+// Walks one edge from end to end.
 class EdgeWalk {
  public:
   EdgeWalk(std::span<const FlatPoint> points, const PointTree& tree, const FlatEdge& edge,
@@ -107,7 +107,7 @@ class EdgeWalk {
   }
 
  private:
-  // Squared distance of a point from the edge's point at t, less t^2, is offset - 2 foot t.
+  // The squared distance of a point from the point of the edge at t is offset - 2 foot t + t^2.
   struct Line {
     double foot = 0, offset = 0;
     friend bool operator==(const Line&, const Line&) = default;
@@ -120,9 +120,9 @@ class EdgeWalk {
     return {x * along_.x + y * along_.y, x * x + y * y};
   }
 
-  // p is nearest at `from`, q at `to`. Cells are convex: one that holds both ends holds all between. Else whatever is
-  // nearest where p and q are equally far either is one of them, and that is where their cells meet, or splits the
-  // rest.
+  // p is nearest at `from`, q at `to`. Cells are convex, so a cell that contains both ends contains all between.
+  // Otherwise the nearest point at the place where p and q are equally far decides: when it is one of them, their cells
+  // meet there, and otherwise the place splits the rest.
   void between(double from, std::uint32_t p, double to, std::uint32_t q) {
     const Line a = line_of(p), b = line_of(q);
     if (a == b) return mark(from, to, p);
@@ -140,7 +140,8 @@ class EdgeWalk {
     between(meeting, r, to, q);
   }
 
-  // The stretch lies in the cell of p, and of whatever is as far from all of it: points at the same place, or mirrored.
+  // Marks p, whose cell contains the stretch, and all points that are as far from all of it: points at the same place,
+  // or mirrored.
   void mark(double from, double to, std::uint32_t p) {
     if (!(to - from > kShortest * length_)) return;
     flags_[p] = 1;

@@ -20,7 +20,7 @@ EdgeSplit split_edge(std::span<const double> below, std::span<const double> abov
   samples.reserve(below.size() + above.size());
   for (const double t : below) samples.push_back({t, true});
   for (const double t : above) samples.push_back({t, false});
-  // Of equal places the lower side first: a split there has both on their own side.
+  // Of equal places the lower side comes first, so that a split there has both on their own side.
   std::sort(samples.begin(), samples.end(),
             [](const Sample& a, const Sample& b) { return a.at != b.at ? a.at < b.at : a.below && !b.below; });
   std::size_t wrong = below.size(), least = samples.size() + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Where a straight edge lies between samples on either side of it.
+// The place of a straight edge between samples on either side of it.
 #pragma once
 #include <cstddef>
 #include <span>
@@ -8,14 +8,15 @@ namespace ilot {
 
 struct EdgeSplit {
   double at = 0;          // middle of the gap between the two sides
-  double half_gap = 0;    // the edge lies within this of `at`, as far as the samples tell
-  std::size_t wrong = 0;  // samples on the other side than their own
+  double half_gap = 0;    // the edge is within this of `at`, as far as the samples show
+  std::size_t wrong = 0;  // samples on the wrong side
   bool found = false;     // there were samples of both sides
 };
 
-// The place that leaves the fewest samples on the wrong side: those of `below` should be smaller, those of `above`
-// larger. Of several such gaps the widest (ties: the first). Samples that scan lines put at the edge by turns narrow
-// the gap; where every line ends at the same place it is one step wide and says so. O(n log n).
+// Finds the place that leaves the fewest samples on the wrong side. Samples of `below` should be smaller and samples of
+// `above` larger. Of several such gaps the widest is taken (ties: the first). The gap is narrow where scan lines end at
+// different places at the edge. Where every line ends at the same place, the gap is one step wide and half_gap shows
+// it. O(n log n).
 EdgeSplit split_edge(std::span<const double> below, std::span<const double> above);
 
 }  // namespace ilot

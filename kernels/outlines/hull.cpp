@@ -7,14 +7,15 @@
 namespace ilot {
 namespace {
 
-// A vector of hull points, and how far points reach along and across it.
+// A vector between hull points, and how far points extend along and across it.
 struct Direction {
   std::int64_t x = 0, y = 0;
   std::int64_t along(Point2 p, Point2 origin) const { return x * (p.x - origin.x) + y * (p.y - origin.y); }
   std::int64_t across(Point2 p, Point2 origin) const { return x * (p.y - origin.y) - y * (p.x - origin.x); }
 };
 
-// A box around all points whose base is the hull edge from `origin` on, in multiples of that edge's length.
+// A box around all points whose base is the hull edge from `origin` on. Its extents are multiples of the length of that
+// edge.
 struct EdgeBox {
   Point2 origin;
   Direction edge;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Outlines of elements without openings, stones above all [Marchand 2018, II.3.1].
+// Outlines of elements without openings, above all of stones [Marchand 2018, II.3.1].
 #pragma once
 #include <array>
 #include <cstdint>
@@ -10,18 +10,18 @@
 
 namespace ilot {
 
-// Convex hull, counter-clockwise from the smallest point in (x, y), without points on its edges; of points that
-// coincide the one with the smallest index. Points on a line give its two ends, points at one place one. Exact.
-// Monotone chain (Andrew 1979), O(n log n).
+// Returns the convex hull, counter-clockwise from the smallest point in (x, y), without points on its edges. Of points
+// that coincide, the one with the smallest index is used. Points on a line give its two ends, and points at one place
+// give one. The result is exact. Monotone chain (Andrew 1979), O(n log n).
 std::vector<std::uint32_t> convex_hull(std::span<const Point2> points);
 
 struct PlanePosition {
   double x = 0, y = 0;
 };
 
-// The right-angled 4-gon of least area that holds a convex hull, counter-clockwise; one side lies along a hull edge
-// (Freeman, Shapira 1975), of equal areas the first. A hull of fewer than three vertices gives its ends twice over.
-// Rotating calipers, O(n).
+// Returns the rectangle of least area that contains a convex hull, counter-clockwise. One side is along an edge of the
+// hull (Freeman, Shapira 1975). Of equal areas the first is taken. A hull of fewer than three vertices gives its ends
+// twice. Rotating calipers, O(n).
 std::array<PlanePosition, 4> right_angled_outline(std::span<const std::uint32_t> hull, std::span<const Point2> points);
 
 }  // namespace ilot

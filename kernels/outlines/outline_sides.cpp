@@ -18,11 +18,11 @@ constexpr double kSharpest = 15;   // degrees; lines that meet at less have no c
 constexpr double kShortCut = 2.5;  // tolerances; a shorter edge between two others may be a cut across their corner
 constexpr double kLongEnough = 4;  // tolerances; edges that can call for a direction of their own
 
-// As complex numbers: angles add.
+// Multiplies as complex numbers, so angles add.
 FlatPoint times(FlatPoint a, FlatPoint b) {
   return {a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x};
 }
-// Half the angle of a unit vector, which lies within (-180, 180] degrees.
+// Halves the angle of a unit vector, which is within (-180, 180] degrees.
 FlatPoint half_angle(FlatPoint a) {
   const double c = std::sqrt(std::max(0.0, (1 + a.x) / 2)), s = std::sqrt(std::max(0.0, (1 - a.x) / 2));
   return {c, a.y < 0 ? -s : s};
@@ -35,8 +35,8 @@ FlatPoint flat(Point2 p) {
   return {static_cast<double>(p.x), static_cast<double>(p.y)};
 }
 
-// The vertex of [first, last) of the ring, counted on beyond its end, that is farthest from the edge between their
-// ends.
+// Returns the vertex of [first, last) of the ring that is farthest from the edge between their ends. Indices continue
+// beyond the end of the ring.
 std::size_t farthest(const Loop& ring, std::size_t first, std::size_t last, double& most) {
   const FlatPoint a = flat(ring[first % ring.size()]), b = flat(ring[last % ring.size()]);
   std::size_t best = first;
@@ -48,7 +48,7 @@ std::size_t farthest(const Loop& ring, std::size_t first, std::size_t last, doub
   return best;
 }
 
-// Ascending vertices between which the ring stays within the tolerance of straight edges.
+// Returns ascending vertices between which the ring stays within the tolerance of straight edges.
 std::vector<std::size_t> break_points(const Loop& ring, double tolerance) {
   const std::size_t n = ring.size();
   const auto far_from = [&](std::size_t from) {
@@ -76,8 +76,8 @@ std::vector<std::size_t> break_points(const Loop& ring, double tolerance) {
   return breaks;
 }
 
-// Total least squares over the vertices of an edge; its ends belong to corners and count only where there is little
-// else.
+// Fits a line to the vertices of an edge by total least squares. The ends belong to corners and count only where there
+// are few other vertices.
 OutlineSide fit_side(const Loop& ring, std::size_t first, std::size_t last) {
   const std::size_t n = ring.size();
   OutlineSide side;
@@ -107,14 +107,14 @@ OutlineSide fit_side(const Loop& ring, std::size_t first, std::size_t last) {
   return side;
 }
 
-// Square directions are one: four times the angle.
+// Returns four times the angle, so that perpendicular directions are the same.
 FlatPoint fourfold(FlatPoint direction) {
   const FlatPoint twice = times(direction, direction);
   return times(twice, twice);
 }
 
-// The direction that most of the length of sides without a family agrees on, as its fourfold; false when fewer than
-// `least` sides do.
+// Finds the direction of most of the length of sides without a family, with four times its angle. Returns false when
+// fewer than `least` sides agree.
 bool main_direction(const std::vector<std::vector<OutlineSide>>& rings, double least_length, int least,
                     FlatPoint& fourfold_of) {
   const double agreeing = cos_degrees(4 * kAgreeing);
@@ -140,7 +140,7 @@ bool main_direction(const std::vector<std::vector<OutlineSide>>& rings, double l
   return best > 0;
 }
 
-// Turns the sides to the direction or square to it, where that moves their ends by no more than the tolerance.
+// Turns the sides parallel or perpendicular to the direction where that moves their ends by no more than the tolerance.
 void turn_sides(std::vector<std::vector<OutlineSide>>& rings, FlatPoint direction, int family, double tolerance) {
   const double most_turn = cos_degrees(kMostTurn);
   const FlatPoint axes[4]{
@@ -167,7 +167,7 @@ void square_up(std::vector<std::vector<OutlineSide>>& rings, double tolerance) {
   }
 }
 
-// Short edges that only cut the corner of their neighbours.
+// Removes short edges that only cut the corner of their neighbours.
 void take_out_cuts(std::vector<OutlineSide>& sides, double tolerance) {
   while (sides.size() > 3) {
     const std::size_t n = sides.size();
@@ -202,7 +202,7 @@ OutlineSide merged(const OutlineSide& a, const OutlineSide& b) {
   return side;
 }
 
-// Sides that go on along each other become one.
+// Joins sides that continue each other.
 void join_sides(std::vector<OutlineSide>& sides, double tolerance) {
   for (std::size_t i = 0; i < sides.size() && sides.size() > 3;) {
     const std::size_t next = (i + 1) % sides.size();
@@ -222,7 +222,7 @@ void join_sides(std::vector<OutlineSide>& sides, double tolerance) {
 
 }  // namespace
 
-// Where two lines meet; false when they are too nearly parallel.
+// Computes where two lines meet. Returns false when they are too nearly parallel.
 bool meet(const OutlineSide& a, const OutlineSide& b, FlatPoint& at) {
   static const double kLeast = std::sqrt(1 - cos_degrees(kSharpest) * cos_degrees(kSharpest));
   const double sine = cross(a.direction, b.direction);

@@ -9,23 +9,24 @@
 
 namespace ilot {
 
-// A line that an edge of the outline lies on, in the sense of the ring: the inside is on its left.
+// The line of one edge of the outline. Its direction is that of the ring, so the inside is on its left.
 struct OutlineSide {
   FlatPoint centre, direction;
   double length = 0;
   double scatter2 = -1;  // mean squared distance of its boundary points from it; -1 = too few to tell
-  FlatPoint from, to;    // where the boundary passes from the edge before and to the next one
-  int family = -1;       // main direction that it keeps to
+  FlatPoint from, to;    // where the boundary comes from the edge before and where it goes to the next one
+  int family = -1;       // main direction to which the side is turned; -1 = none
 };
 
-// Per ring its sides, split within the tolerance, fitted, turned to the main directions of all rings, without cuts
-// across corners, joined where they go on along each other. Rings and tolerance in lattice units near the origin.
+// Returns the sides of each ring. The boundary is split within the tolerance, lines are fitted, and they are turned to
+// the main directions of all rings. Short cuts across corners are removed, and sides that continue each other are
+// joined. Rings and tolerance are in lattice units near the origin.
 std::vector<std::vector<OutlineSide>> sides_of(std::span<const std::vector<Point2>> rings, double tolerance);
 
-// Where two lines meet; false when they are too nearly parallel.
+// Computes where two lines meet. Returns false when they are too nearly parallel.
 bool meet(const OutlineSide& a, const OutlineSide& b, FlatPoint& at);
 
-// Of one main direction, and not square to each other.
+// Whether both have the same main direction and are not perpendicular to each other.
 bool parallel(const OutlineSide& a, const OutlineSide& b);
 
 }  // namespace ilot

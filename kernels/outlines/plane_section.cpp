@@ -12,7 +12,7 @@ FlatPoint flat(Vec3 p, const SectionPlane& plane) {
   return {dot(p - plane.origin, plane.u), dot(p - plane.origin, plane.v)};
 }
 
-// Where the rings pass through the plane.
+// Returns where the rings pass through the plane.
 std::vector<FlatPoint> crossings_of(const SectionFace& face, const SectionPlane& plane, Vec3 normal) {
   std::vector<FlatPoint> crossings;
   for (const std::vector<Vec3>& ring : face.rings) {
@@ -25,7 +25,7 @@ std::vector<FlatPoint> crossings_of(const SectionFace& face, const SectionPlane&
   return crossings;
 }
 
-// The part of a stretch between two places along x; false when there is none.
+// Keeps the part of a segment between two places along x. Returns false when there is none.
 bool keep_between(double from, double to, FlatEdge& e) {
   if (std::max(e.a.x, e.b.x) < from || std::min(e.a.x, e.b.x) > to) return false;
   const FlatPoint a = e.a, b = e.b;
@@ -37,14 +37,14 @@ bool keep_between(double from, double to, FlatEdge& e) {
   return true;
 }
 
-// An end of a stretch: its place and which it is.
+// An end of a segment: its place and its number.
 struct End {
   FlatPoint place;
   std::size_t stretch = 0;
   bool second = false;
 };
 
-// For each end (2 x stretch + second) the one it is joined to, or itself.
+// Returns for each end (2 x segment + second) the end to which it is joined, or itself.
 std::vector<std::size_t> partners(const std::vector<FlatEdge>& edges, double touch) {
   std::vector<End> ends;
   for (std::size_t i = 0; i < edges.size(); ++i) {
@@ -87,7 +87,7 @@ std::vector<FlatEdge> cut_faces(std::span<const SectionFace> faces, const Sectio
   for (const SectionFace& face : faces) {
     std::vector<FlatPoint> crossings = crossings_of(face, plane, normal);
     if (crossings.size() < 2) continue;
-    // All lie on one line: by their order along its longer axis.
+    // All crossings are on one line, so they are sorted along its longer axis.
     const auto [low_x, high_x] =
         std::minmax_element(crossings.begin(), crossings.end(), [](FlatPoint a, FlatPoint b) { return a.x < b.x; });
     const auto [low_y, high_y] =
@@ -110,7 +110,7 @@ std::vector<std::vector<FlatPoint>> join_stretches(std::span<const FlatEdge> giv
   const auto place = [&](std::size_t end) { return end % 2 == 0 ? edges[end / 2].a : edges[end / 2].b; };
   std::vector<char> used(edges.size(), 0);
   std::vector<std::vector<FlatPoint>> chains;
-  const auto follow = [&](std::size_t end) {  // from a stretch's end through it and on
+  const auto follow = [&](std::size_t end) {  // from the end of a segment through it and on
     std::vector<FlatPoint> chain{place(end)};
     const std::size_t first = end;
     for (;;) {
@@ -123,7 +123,7 @@ std::vector<std::vector<FlatPoint>> join_stretches(std::span<const FlatEdge> giv
     if (partner[first] != first) chain.back() = chain.front();
     chains.push_back(std::move(chain));
   };
-  for (std::size_t end = 0; end < partner.size(); ++end)  // open ones begin where nothing joins
+  for (std::size_t end = 0; end < partner.size(); ++end)  // open lists begin at ends that are not joined
     if (partner[end] == end && !used[end / 2]) follow(end);
   for (std::size_t i = 0; i < edges.size(); ++i)
     if (!used[i]) follow(2 * i);

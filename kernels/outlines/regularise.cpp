@@ -19,7 +19,8 @@ FlatPoint foot(const OutlineSide& s, FlatPoint p) {
   return s.centre + dot(p - s.centre, s.direction) * s.direction;
 }
 
-// The corners between a side and the next one: one where their lines meet, else two where both leave the boundary.
+// Adds the corners between a side and the next one: one where their lines meet, otherwise two where both leave the
+// boundary.
 void add_corners(const OutlineSide& a, const OutlineSide& b, double tolerance, double outwards,
                  std::vector<FlatPoint>& corners) {
   const FlatPoint part = 0.5 * (a.to + b.from);
@@ -31,13 +32,14 @@ void add_corners(const OutlineSide& a, const OutlineSide& b, double tolerance, d
   corners.push_back(foot(b, part));
 }
 
-// How far beyond its points an edge lies: points that end anywhere within a step of it scatter by the step over the
-// root of 12 and lie half a step inside on average. Points that do not scatter, as those of walls, are on the edge.
+// Returns how far beyond its points an edge is. Points that end anywhere within a step of the edge scatter by the step
+// over the root of 12 and are half a step inside on average. Points that do not scatter, such as those of walls, are on
+// the edge.
 double beyond_points(double scatter2, double most) {
   return std::min(most, std::sqrt(3 * scatter2));
 }
 
-// The scatter of sides that have too few points of their own: that of all others.
+// Returns the scatter for sides with too few points of their own, which is that of all other sides.
 double common_scatter2(const std::vector<OutlineSide>& sides) {
   double sum = 0, whole = 0;
   for (const OutlineSide& s : sides) {
@@ -67,7 +69,7 @@ Loop ring_of(std::vector<OutlineSide> sides, double tolerance, double outwards) 
   return ring;
 }
 
-// Rings relative to their first vertex: doubles stay small whatever the place.
+// Moves the rings relative to their first vertex, so that doubles stay small at every place.
 std::vector<Loop> moved(std::span<const Loop> rings, std::int32_t dx, std::int32_t dy) {
   std::vector<Loop> result(rings.begin(), rings.end());
   for (Loop& ring : result)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// From the ragged boundary of a point cloud to the outline that somebody built [Boltcheva et al. 2019, 3.3.2].
+// From the irregular boundary of a point cloud to the outline as it was built [Boltcheva et al. 2019, 3.3.2].
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,21 +10,22 @@
 namespace ilot {
 
 struct RegulariseParams {
-  double tolerance = 0;  // lattice units, above 0; about the sampling step: boundary points stray from their edge by it
-  double outwards = 0;   // lattice units; edges move out by at most this, half a step: points end so far inside of them
+  double tolerance = 0;  // lattice units, above 0; about the sampling step, by which boundary points are off
+  double outwards = 0;   // lattice units; edges move out by at most this, half a step: points end inside
 };
 
-// One polygon: its outer ring first, counter-clockwise, then holes, clockwise, as alpha shapes give them. Boundary
-// points are split into edges at a distance tolerance (Douglas, Peucker 1973), a line is fitted to each by total least
-// squares, lines that a turn within the tolerance makes parallel or square to a main direction of the polygon are
-// turned so, lines that go on along each other within the tolerance become one or are joined by a step square to them,
-// short cuts across a corner are taken out. Main directions are those that most of the length agrees on, up to three;
-// edges that agree with none keep their own. Edges move out by the root of 3 times the scatter of their boundary
-// points: by half a step where points end anywhere within a step of the edge, by nothing where they lie on it. The
-// result is never self-crossing: the same order and sense of rings, at least a unit between vertices; where it would
-// be, the edges stay where the points are, and where that fails too the boundary is only thinned within the tolerance.
-// Holes that vanish are left out. A function of the rings alone, moving along with a shift of them. O(n log n) in
-// boundary points, O(edges^2).
+// Regularises one polygon: its outer ring first, counter-clockwise, then the holes, clockwise, as alpha shapes give
+// them. Boundary points are split into edges at a distance tolerance (Douglas, Peucker 1973). A line is fitted to each
+// edge by total least squares. A line is turned parallel or perpendicular to a main direction of the polygon where the
+// turn stays within the tolerance. Lines that continue each other within the tolerance become one, or are joined by a
+// step perpendicular to them. Short cuts across a corner are removed.
+// Main directions are the directions of most of the length, at most three. Edges that agree with none keep their own.
+// Edges move out by the root of 3 times the scatter of their boundary points. This is half a step where points end
+// anywhere within a step of the edge, and zero where they are on it.
+// The result never crosses itself. The rings keep their order and orientation, and vertices are at least one unit
+// apart. Where the result would cross itself, the edges are not moved out. Where that fails too, the boundary is only
+// thinned within the tolerance. Holes that vanish are left out. The result depends on the rings alone and moves with
+// them. O(n log n) in boundary points, O(edges^2).
 std::vector<std::vector<Point2>> regularise(std::span<const std::vector<Point2>> rings, const RegulariseParams& params);
 
 }  // namespace ilot

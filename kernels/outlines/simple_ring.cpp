@@ -19,7 +19,7 @@ int turn(Point2 a, Point2 b, Point2 c) {
   return v > 0 ? 1 : v < 0 ? -1 : 0;
 }
 
-// c lies on the line through a and b, a < b.
+// Whether c is between a and b. It must be on the line through them, and a < b.
 bool within(Point2 a, Point2 b, Point2 c) {
   return a <= c && c <= b;
 }
@@ -31,7 +31,7 @@ bool edges_meet(const RingEdge& e, const RingEdge& f) {
          (s == 0 && within(f.a, f.b, e.b));
 }
 
-// From `corner` the ring goes back over the edge it came by, or to the same place.
+// Whether the ring goes back from `corner` over the edge by which it came, or stays at the same place.
 bool doubles_back(Point2 before, Point2 corner, Point2 after) {
   if (orient2d(before, corner, after) != 0) return false;
   return (before < corner) == (after < corner);
@@ -42,7 +42,7 @@ bool are_neighbours(const RingEdge& e, const RingEdge& f) {
   return e.ring == f.ring && (apart == 1 || apart == e.of - 1);
 }
 
-// False where the ring stands still or goes back over itself at a corner.
+// Returns false where the ring stays at a place or goes back over itself at a corner.
 bool add_edges(std::span<const Point2> ring, std::size_t number, std::vector<RingEdge>& edges) {
   const auto n = static_cast<std::uint32_t>(ring.size());
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-// The n-th root of v in (0, 1] by Newton's iteration from above.
+// Returns the n-th root of v in (0, 1] by Newton's iteration from above.
 double root_of(double v, int n) {
   double x = 1;
   for (int i = 0; i < 60; ++i) {
@@ -50,7 +50,7 @@ struct LabTables {
       compress[static_cast<std::size_t>(i)] = compressed(static_cast<double>(i) / kSteps);
   }
   double f(double t) const {
-    // Near black the curve bends too much for straight pieces.
+    // Near black the curve bends too much for linear pieces.
     if (t < 0.02) return compressed(t);
     const double at = t * kSteps;
     const auto i = static_cast<std::size_t>(at);
@@ -66,7 +66,7 @@ const LabTables& tables() {
 
 using Feature = std::array<std::int32_t, 4>;
 
-// The colours that occur, ascending, how often, and which one each point has.
+// The colours that occur, ascending, their counts, and the colour of each point.
 struct Histogram {
   std::vector<Feature> feature;
   std::vector<std::uint64_t> count;
@@ -78,7 +78,7 @@ Feature feature_of(std::uint64_t key, ColourSpace space) {
   const auto part = [&](int shift) { return static_cast<std::uint8_t>(key >> shift); };
   if (space == ColourSpace::kRgb) return {part(16), part(8), part(0), 0};
   const Lab lab = lab_of(part(16), part(8), part(0));
-  // The whole range of intensity weighs as much as that of lightness.
+  // The whole range of intensity has the same weight as that of lightness.
   const auto intensity = static_cast<std::int32_t>((key >> 24) * 10000 / 65535);
   return {lab[0], lab[1], lab[2], space == ColourSpace::kLabIntensity ? intensity : 0};
 }
@@ -124,7 +124,8 @@ Centre centre_at(const Feature& f) {
   return {static_cast<double>(f[0]), static_cast<double>(f[1]), static_cast<double>(f[2]), static_cast<double>(f[3])};
 }
 
-// k-means++: each next centre is a colour drawn by its squared distance from the nearest so far, times its points.
+// k-means++: each next centre is a colour drawn with the weight of its squared distance from the nearest centre so far,
+// times its number of points.
 std::vector<Centre> first_centres(const Histogram& h, std::uint32_t k, Rng& rng) {
   const std::size_t n = h.feature.size();
   std::vector<double> weight(n);
@@ -173,7 +174,7 @@ bool assign(const Histogram& h, Clustering& c) {
   return changed;
 }
 
-// Centres become means; a class without points keeps its centre.
+// Sets the centres to the means. A class without points keeps its centre.
 void update(const Histogram& h, Clustering& c) {
   std::vector<std::array<std::int64_t, 4>> sum(c.centre.size());
   c.size.assign(c.centre.size(), 0);

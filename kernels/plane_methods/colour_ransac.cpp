@@ -40,7 +40,7 @@ Pool pool_of(const OrientedPoints& p, std::span<const std::uint32_t> colour, con
   return pool;
 }
 
-// Draws from all points, or inside one class; the counts of draws belong to the sampler.
+// Draws from all points or inside one class. The sampler in use has its own count of draws.
 class PlaneSearch {
  public:
   PlaneSearch(const Pool& pool, const ColourRansacParams& params, Rng& rng) : pool_(pool), params_(params), rng_(rng) {}
@@ -100,7 +100,7 @@ class PlaneSearch {
       out_.plane = {{hypotheses[i][0], hypotheses[i][1], hypotheses[i][2]}, hypotheses[i][3]};
       out_.progress.push_back({made_at[i], counts[i]});
     }
-    // What a better set tells the sampler should not wait; without one, sweeps get cheaper.
+    // A better set changes the sampler, so it must not wait. Without one, sweeps of more draws are cheaper.
     together_ = better ? 1 : std::min(2 * together_, kMostTogether);
     if (better) plan();
   }

@@ -15,7 +15,7 @@ constexpr std::size_t kWindow = 5;
 constexpr double kUprightSine = 0.3420201433256687;  // 20 degrees
 constexpr double kNearCos2 = 0.9924038765061041;     // cosine squared of 5 degrees
 
-// Where the azimuths 0, 1, ... 180 degrees point.
+// Returns the directions of the azimuths 0, 1, ... 180 degrees.
 std::array<Vec3, kBins + 1> bin_edges() {
   std::array<Vec3, kBins + 1> edges;
   for (std::size_t i = 0; i <= kBins; ++i)
@@ -27,7 +27,7 @@ struct Flat {
   double x, y;
 };
 
-// The half plane above the x axis holds one of each pair of opposite vectors.
+// The half plane above the x axis contains one of each pair of opposite vectors.
 Flat turned_up(double x, double y) {
   return y < 0 || (y == 0 && x < 0) ? Flat{-x, -y} : Flat{x, y};
 }

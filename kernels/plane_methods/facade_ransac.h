@@ -9,22 +9,23 @@ namespace ilot {
 
 struct FacadeRansacParams {
   double epsilon = 0;  // units; greatest distance of a point from its plane [5 mm, 1 cm]
-  double min_cos = 0;  // of the angle between normals of a point and its plane [0: not asked]
+  double min_cos = 0;  // of the angle between the normal of a point and that of its plane [0: not used]
   double inclined_from = 0.3090169943749474, inclined_to = 0.9510565162951535;  // |Nz| of inclined points [18, 72 deg]
   double parallel_sine = 0.03141075907812829;  // greatest |a|, |c| of a plane parallel to the facade [1.8 deg]
-  std::int64_t inclined_gap = 1;               // units; growing of inclined points [2 cm]
-  std::uint32_t inclined_points = 1000;        // of an inclined segment; smaller ones go back to the pool
-  std::uint32_t parallel_points = 3000;        // of a plane parallel to the facade
+  std::int64_t inclined_gap = 1;               // units; largest gap when inclined points grow into segments [2 cm]
+  std::uint32_t inclined_points = 1000;        // fewest of an inclined segment; points of smaller ones are free again
+  std::uint32_t parallel_points = 3000;        // fewest points of a plane parallel to the facade
   std::int64_t connectivity = 1;               // units; of planes parallel to the facade
   double probability = 0.99;
   std::uint64_t key = 0;
 };
 
-// The parameters with angles in degrees, the tilt of a plane's normal out of the horizontal and out of the facade's.
+// Returns the parameters for angles in degrees: the tilt of the normal of a plane out of the horizontal and out of the
+// normal of the facade.
 FacadeRansacParams with_degrees(FacadeRansacParams params, double inclined_from, double inclined_to, double parallel);
 
-// The numbers as Marchand 2018 wrote them, 0.2, 0.8 and 0.02: 11.5 to 53.1 and 1.15 degrees, although its text says 18
-// to 72 and 1.8.
+// Returns the parameters for the numbers as Marchand 2018 wrote them, 0.2, 0.8 and 0.02. These are 11.5 to 53.1 and
+// 1.15 degrees, although the text says 18 to 72 and 1.8.
 FacadeRansacParams with_raw_numbers(FacadeRansacParams params);
 
 struct FacadeSegments {
@@ -33,11 +34,11 @@ struct FacadeSegments {
   FacadeDirection direction;
 };
 
-// Facade RANSAC [Marchand 2018, II.2.1.3]. Inclined surfaces first: points whose normal is inclined grow into segments
-// by distance, and those of enough points are taken (as planes within epsilon, what they leave goes back). Then planes
-// parallel to the facade: hypotheses that lean out of it are thrown away before they are counted. Planes level or
-// across the facade are left alone on purpose: they would steal points along the edges of the stones. No upright
-// points: no segments.
+// Facade RANSAC [Marchand 2018, II.2.1.3]. Inclined surfaces come first: points with an inclined normal grow into
+// segments by distance, and segments with enough points are taken as planes within epsilon. Points beyond epsilon are
+// available again. Planes parallel to the facade come second: hypotheses that are not parallel to it are dropped before
+// they are counted. Planes that are horizontal or perpendicular to the facade are left out on purpose, because they
+// would take points along the edges of the stones. Without upright points there are no segments.
 FacadeSegments facade_ransac(const OrientedPoints& points, const FacadeRansacParams& params);
 
 }  // namespace ilot

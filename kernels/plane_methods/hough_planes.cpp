@@ -18,14 +18,14 @@ using Indices = std::vector<std::uint32_t>;
 
 constexpr double kDegreesPerRadian = 57.29577951308232;
 constexpr double kMaxBins = 4096;
-constexpr int kRounds = 30;  // a peak knows the middle of a plane; each round reaches farther
+constexpr int kRounds = 30;  // a peak is only near the middle of a plane, and each round reaches farther
 
-// For a normal, the directions that may agree with it: lists by cell of a cube's upper faces.
+// For a normal, the directions that may agree with it, as lists by cell of the upper faces of a cube.
 class DirectionLists {
  public:
   DirectionLists(const std::vector<Vec3>& directions, double min_cos) : lists_(min_cos > 0 ? 3 * kSide * kSide : 1) {
     for (std::size_t cell = 0; cell < lists_.size(); ++cell) {
-      // Half a cell's diagonal is at most 1 / kSide root 2 on the cube's face, so less as an angle.
+      // Half the diagonal of a cell is at most root 2 / kSide on the face of the cube, so it is less as an angle.
       const Vec3 centre = min_cos > 0 ? centre_of(cell) : Vec3{};
       const double least = min_cos > 0 ? min_cos * kInCell.cosine - std::sqrt(1 - min_cos * min_cos) * kInCell.sine : 0;
       for (std::uint32_t d = 0; d < directions.size(); ++d)
@@ -115,7 +115,7 @@ class Transform {
     return params_.min_vote_cos <= 0 || std::abs(dot(direction, normal)) >= params_.min_vote_cos;
   }
 
-  // Adds to the cells of all planes through the points (positions); -1 takes back.
+  // Adds to the cells of all planes through the points (positions). -1 subtracts.
   void vote(const Indices& voters, std::uint32_t by) {
     for (const std::uint32_t i : voters) {
       const Vec3 p = left_.position(i), n = left_.normal(i);
@@ -127,13 +127,14 @@ class Transform {
     }
   }
 
-  // A cell that gave no plane; votes taken back later would wrap it, so it is buried again after each.
+  // Discards a cell that gave no plane. Votes that are subtracted later would make it wrap around, so it is discarded
+  // again after each.
   void discard_cell(std::size_t cell) {
     votes_[cell] = 0;
     stale_[cell / bins_] = 1;
   }
 
-  // The cell with most votes, the first of equals. Only rows that changed are looked through again.
+  // Returns the cell with most votes, the first of equal ones. Only rows that changed are searched again.
   std::size_t peak() {
     std::size_t best = 0;
     for (std::size_t d = 0; d < directions_.size(); ++d) {
@@ -172,7 +173,7 @@ class Transform {
     return voters;
   }
 
-  // The plane that a cell's voters start; positions of its points, empty when there are too few.
+  // Finds the plane that the voters of a cell start. Returns the positions of its points, empty when there are too few.
   Indices plane_at(std::size_t cell) {
     PlaneFit fit = fit_plane(moments_of(positions(), largest_part(voters_of(cell))));
     Indices members;
@@ -199,7 +200,7 @@ class Transform {
   std::size_t bins_ = 0;
   Indices votes_;                    // directions x bins
   std::vector<std::size_t> top_;     // per direction: its best cell
-  std::vector<std::uint8_t> stale_;  // per direction: its best cell is not known any more
+  std::vector<std::uint8_t> stale_;  // per direction: 1 when its best cell must be searched again
   std::vector<std::size_t> dead_;    // cells that gave no plane
   PlaneSegments result_;
 };
@@ -220,7 +221,7 @@ std::vector<Vec3> equal_angle_directions(double degrees) {
   std::vector<Vec3> directions;
   std::size_t below = 0;
   for (std::size_t b = 0; b < bands; ++b) {
-    // A band's share of the height is its share of the area (Archimedes).
+    // The share of a band in the height is its share of the area (Archimedes).
     const double z = (static_cast<double>(below) + 0.5 * static_cast<double>(cells[b])) / static_cast<double>(total);
     const double across = std::sqrt(1 - z * z);
     for (std::size_t j = 0; j < cells[b]; ++j) {

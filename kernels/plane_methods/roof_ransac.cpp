@@ -21,7 +21,7 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
-// The points still without a plane, compact, padded as Points asks.
+// The points that have no plane yet, compact and padded as Points requires.
 struct Remaining : PaddedPoints {
   Indices index;
 };
@@ -37,7 +37,7 @@ Remaining remaining_points(Points p, const std::vector<std::uint32_t>& label) {
   return r;
 }
 
-// The ring of nearest points around the centre, from the inner-th to the outer-th; ties by index.
+// Returns the ring of nearest points around the centre, from the inner-th to the outer-th, ties by index.
 Indices ring_around(Points p, std::uint32_t centre, const RoofRansacParams& params) {
   std::vector<std::pair<double, std::uint32_t>> near(p.size);
   for (std::uint32_t i = 0; i < p.size; ++i) {
@@ -85,7 +85,7 @@ class Search {
                            static_cast<float>(-dot(unit, v[0]))};
   }
 
-  // Draws until one plane of enough points stays connected; false after too many in a row without.
+  // Draws until a plane with enough connected points is found. Returns false after too many draws in a row without one.
   bool take_one(const Remaining& rest) {
     std::vector<PlaneHypothesis> hypotheses;
     for (std::uint32_t d = 0; d < params_.draws; ++d)
@@ -135,7 +135,7 @@ class Search {
   PlaneSegments result_;
 };
 
-// Planes with too few points lose them; numbers close up.
+// Removes the labels of planes with too few points, and closes up the numbers.
 void drop_small(PlaneSegments& s, std::uint32_t min_points) {
   std::vector<std::uint32_t> size(s.planes.size() + 1, 0), number(s.planes.size() + 1, 0);
   for (const std::uint32_t l : s.label) ++size[l];

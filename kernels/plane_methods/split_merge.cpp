@@ -25,7 +25,7 @@ struct Leaf {
   Moments moments;
   PlaneFit fit;
   bool fits = false;  // one plane within the tolerance
-  bool sure = false;  // its normal is known to within the angle that joins
+  bool sure = false;  // its normal is known within the angle that joins
   std::uint32_t segment = kNone;
 };
 
@@ -61,7 +61,7 @@ class Octree {
     return std::span(s_.index).subspan(l.begin, l.end - l.begin);
   }
 
-  // Leaves that touch, each pair from the side of the smaller one.
+  // Returns the pairs of leaves that touch, each from the side of the smaller leaf.
   std::vector<Indices> contacts() const {
     std::vector<Indices> beside(leaves.size());
     for (std::uint32_t i = 0; i < leaves.size(); ++i)
@@ -102,15 +102,15 @@ class Octree {
     }
   }
 
-  // A normal tilts by about noise / (spread along the shorter way across x root of the number of points). The noise is
-  // the tolerance: a row of points may have none across a plane that means nothing.
+  // The error of a normal is about noise / (spread along the shorter axis x root of the number of points). The noise is
+  // the tolerance, because a single row of points may fit a meaningless plane without any noise.
   bool normal_is_sure(const Leaf& leaf) const {
     const double spread2 = eigen_symmetric(covariance(leaf.moments)).values[1];
     const double sine2 = 1 - params_.min_cos * params_.min_cos;
     return 4 * params_.tolerance * params_.tolerance <= sine2 * spread2 * static_cast<double>(leaf.moments.n);
   }
 
-  // The leaf at least as large that covers the cell beside this one.
+  // Returns the leaf, at least as large, that covers the cell beside this one.
   std::uint32_t neighbour(const Leaf& leaf, int dx, int dy, int dz) const {
     const Cell3 c = morton_cell(leaf.code);
     const std::int64_t edge = std::int64_t{1} << leaf.level, limit = std::int64_t{1} << kMortonBits;
@@ -173,7 +173,7 @@ std::vector<Segment> merge(std::vector<Leaf>& leaves, const std::vector<Indices>
   return segments;
 }
 
-// Points of a segment's leaves and of leaves beside them that belong to none; those without a label yet.
+// Returns the points without a label in the leaves of a segment and in neighbouring leaves that belong to no segment.
 Indices candidates(const Octree& tree, const Segment& s, const std::vector<Indices>& beside,
                    const std::vector<std::uint32_t>& label) {
   Indices leaves = s.leaves;
@@ -199,7 +199,7 @@ PlaneSegments split_merge(Points points, const SplitMergeParams& params) {
   std::vector<Segment> segments = merge(tree.leaves, beside, params);
   std::stable_sort(segments.begin(), segments.end(),
                    [](const Segment& a, const Segment& b) { return a.moments.n > b.moments.n; });
-  // Leaves of segments that are too small are anybody's.
+  // Leaves of segments that are too small are free for other segments.
   for (const Segment& s : segments)
     if (s.moments.n < params.min_points)
       for (const std::uint32_t l : s.leaves) tree.leaves[l].segment = kNone;

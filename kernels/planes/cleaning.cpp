@@ -67,18 +67,18 @@ Kept isolation_filter(const NeighbourLists& neighbours, std::span<const std::int
 
 namespace {
 
-constexpr double kDirectionUnits = 0x1p20;  // lattice units of a unit vector
+constexpr double kDirectionUnits = 0x1p20;  // lattice units per unit of a direction
 constexpr int kRays = 9;                    // the ray itself and eight around it
 
 // Directions from the station as lattice points in Morton order, with the ranges.
 struct Rays : PaddedPoints {
   std::vector<double> range;
-  std::vector<std::uint32_t> index;  // into the caller's points
+  std::vector<std::uint32_t> index;  // index of the caller's point
 };
 
 Rays rays_from(Points p, Vec3 station) {
   struct Ray {
-    Vec3 direction;  // whole numbers
+    Vec3 direction;  // integer values
     double range;
     std::uint32_t index;
   };
@@ -120,8 +120,8 @@ bool is_mixed_pixel(Points points, const Rays& rays, std::uint32_t at, std::span
     same += std::abs(step) <= params.jump;
   }
   if (nearer < params.least || farther < params.least || same > params.support) return false;
-  // Neighbouring rays hardly part, so any ranges along them lie near some plane along the rays: what counts is how well
-  // the plane tells the range.
+  // Neighbouring rays have almost the same direction, so any ranges along them are near some plane along the rays. What
+  // counts is how well the plane predicts the range.
   const PlaneFit fit = fit_plane(moments_of(points, indices));
   const double incidence = std::abs(dot(fit.plane.n, {rays.x[at], rays.y[at], rays.z[at]})) / kDirectionUnits;
   return !fit.unique || fit.rms > params.jump * incidence;

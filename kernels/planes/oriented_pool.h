@@ -8,12 +8,12 @@
 
 namespace ilot {
 
-// The points that have no label yet, side by side and padded as Points asks, and where each comes from.
+// The points that have no label yet, stored side by side and padded as Points requires, with the index of each.
 struct OrientedPool : PaddedOrientedPoints {
   std::vector<std::uint32_t> index;
 };
 
-// In the order of the points; label 0 = none. O(n).
+// Returns the points with label 0 in their order. O(n).
 inline OrientedPool unlabelled(const OrientedPoints& p, std::span<const std::uint32_t> label) {
   OrientedPool pool;
   for (std::uint32_t i = 0; i < p.points.size; ++i)

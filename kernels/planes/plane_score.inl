@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Body of count_inliers: blocks of points that stay in the first cache level, four planes a sweep so that each load of
-// a point serves four planes. Counts are integers, so neither blocking nor lane width can change the answer.
+// Body of count_inliers. It works on blocks of points that stay in the first cache level, with four planes per sweep,
+// so that each load of a point serves four planes. Counts are integers, so neither blocks nor lane width can change the
+// result.
 
 namespace {
 
@@ -72,6 +73,6 @@ void count_inliers(const CountArgs& args) {
   count_tail(args, whole);
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const PlaneScoreBody kPlaneScore;
 const PlaneScoreBody kPlaneScore{count_inliers};

@@ -10,7 +10,7 @@
 namespace ilot::simd {
 
 struct CountArgs {
-  const float *x, *y, *z, *nx, *ny, *nz;  // nx == nullptr: distance alone
+  const float *x, *y, *z, *nx, *ny, *nz;  // nx == nullptr: only the distance counts
   std::size_t size;
   const float* planes;  // a b c d per plane
   std::size_t plane_count;

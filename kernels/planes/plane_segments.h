@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every method of plane extraction returns, as the public interface has it.
+// The result of every method of plane extraction, as in the public interface.
 #pragma once
 #include "ilot/plane_search.h"
 #include "kernels/core/types.h"

@@ -15,17 +15,17 @@
 namespace ilot {
 namespace {
 
-constexpr int kFirstWindow = 16;    // points; doubled for each of the levels
-constexpr int kLevels = 7;          // windows of 16 to 1,024 points
-constexpr double kLocality = 4;     // a window around a point of a plane is half that plane's: (1/2)^2 for two more
-constexpr std::size_t kBatch = 64;  // hypotheses scored together
+constexpr int kFirstWindow = 16;             // points; doubled for each of the levels
+constexpr int kLevels = 7;                   // windows of 16 to 1,024 points
+constexpr double kLocality = 4;              // half of a window around a point of a plane is that plane's: (1/2)^2
+constexpr std::size_t kBatch = 64;           // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
 constexpr std::size_t kPool = 512;           // candidates kept between planes
-constexpr std::size_t kSample = 1 << 14;     // points that candidates are scored on while more remain
+constexpr std::size_t kSample = 1 << 14;     // points on which candidates are scored while more remain
 constexpr int kRefinements = 10;
 constexpr double kExplained = 0.5;  // share of a set within epsilon of an earlier plane that makes it a fringe
 
-// Hypotheses and how many points of the sample each has now. Ties go to the earlier draw.
+// Hypotheses and the number of points of the sample that each has now. Ties go to the earlier draw.
 struct Pool {
   std::vector<PlaneHypothesis> planes;
   std::vector<std::uint32_t> counts;
@@ -46,7 +46,7 @@ struct Pool {
     counts.erase(counts.begin() + at);
     draws.erase(draws.begin() + at);
   }
-  // Keeps those with at least so many points, and only the best `most` when there are twice as many.
+  // Keeps the hypotheses with at least so many points, and only the best `most` when there are twice as many.
   void prune(std::uint32_t least, std::size_t most) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < planes.size(); ++i)
@@ -74,7 +74,7 @@ class Search {
       : params_(params), remaining_(with_normals(points)), rng_(params.key) {
     result_.label.assign(points.points.size, 0);
     runs_.update(remaining_, 0);
-    // Poisson: a plane hit with chance q per draw is overlooked by n draws with exp(-n q).
+    // By the Poisson distribution, n draws miss a plane with probability exp(-n q) when a draw hits it with chance q.
     needed_hits_ = -natural_log(1 - params.probability);
   }
 
@@ -97,7 +97,8 @@ class Search {
   }
 
  private:
-  // Every stride-th point of the caller's, the stride halving as fewer remain; candidates are counted anew then.
+  // Samples every stride-th of the caller's points. The stride is halved as fewer points remain, and candidates are
+  // then counted again.
   void refresh_sample() {
     std::size_t stride = 1;
     while (remaining_.size > stride * kSample) stride *= 2;
@@ -111,7 +112,8 @@ class Search {
     pool_.prune(least_count(), kPool);
   }
 
-  // A candidate with fewer points of the sample is not worth keeping: half of what the smallest plane should have.
+  // A candidate with fewer points of the sample is not worth keeping. The limit is half of what the smallest plane
+  // should have.
   std::uint32_t least_count() const {
     if (stride_ == 1) return params_.min_points;
     return std::max(3u, params_.min_points / static_cast<std::uint32_t>(2 * stride_));
@@ -140,7 +142,7 @@ class Search {
     pool_.prune(least_count(), kPool);
   }
 
-  // Takes the members (positions, ascending) out of the remaining points and of every candidate's count.
+  // Removes the members (positions, ascending) from the remaining points and from the count of every candidate.
   void take_out(const std::vector<std::uint32_t>& members) {
     RemainingPoints gone;
     for (const std::uint32_t i : members)
@@ -195,7 +197,7 @@ class Search {
            std::abs(dot(plane.n, remaining_.normal(i))) >= params_.min_cos;
   }
 
-  // Distances first, as one loop without branches: most points of a run are not near.
+  // Distances come first, in one loop without branches, because most points of a run are not near.
   std::vector<std::uint32_t> consensus(const Plane& plane) const {
     std::vector<std::uint32_t> members;
     std::array<double, RunBoxes::kRun> distance;
@@ -211,7 +213,7 @@ class Search {
     return members;
   }
 
-  // Of the consensus set, what lies within the connectivity of the box.
+  // Returns the part of the consensus set that is within the connectivity of the box.
   std::vector<std::uint32_t> consensus_around(const Plane& plane, const PointExtent& box) const {
     std::vector<std::uint32_t> members;
     const auto margin = static_cast<double>(params_.connectivity);
@@ -224,7 +226,8 @@ class Search {
     return members;
   }
 
-  // The connected part of the consensus set that shares most points with `like`; the largest when `like` is empty.
+  // Returns the connected component of the consensus set that shares most points with `like`, or the largest when
+  // `like` is empty.
   std::vector<std::uint32_t> part_of(const std::vector<std::uint32_t>& members,
                                      const std::vector<std::uint32_t>& like) const {
     const Clusters clusters = euclidean_clusters(remaining_.points(), members, params_.connectivity);
@@ -248,9 +251,9 @@ class Search {
     return extent;
   }
 
-  // Along an edge normals are a mixture, so a strip of points there agrees on a plane of its own although it lies on
-  // the surface beside it. Its points are not that surface's because their normals disagree; points whose normals agree
-  // are another part of the same plane.
+  // Along an edge normals are mixtures. So a strip of points there agrees on a plane of its own although it is on the
+  // surface beside it. Its points do not belong to that surface because their normals disagree. Points whose normals
+  // agree are another part of the same plane.
   bool is_edge_strip(const std::vector<std::uint32_t>& members, const PointExtent& extent) const {
     for (std::size_t p = 0; p < result_.planes.size(); ++p) {
       if (!extent.meets(extents_[p], static_cast<double>(params_.connectivity))) continue;
@@ -291,7 +294,7 @@ class Search {
       for (const std::uint32_t i : members)
         result_.label[remaining_.index[i]] = static_cast<std::uint32_t>(result_.planes.size());
     }
-    take_out(members);  // the candidate stays: other parts of the same plane may remain
+    take_out(members);  // the candidate stays, because other parts of the same plane may remain
   }
 
   RansacParams params_;
@@ -300,7 +303,7 @@ class Search {
   Rng rng_;
   RansacPlanes result_;
   std::vector<PointExtent> extents_;  // of the points of each plane
-  RemainingPoints sample_;            // what candidates are counted on
+  RemainingPoints sample_;            // the points on which candidates are counted
   std::size_t stride_ = 0;
   Pool pool_;
   double needed_hits_ = 0;

@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-// ln(1 - q) for 0 < q < 1; the series keeps the digits that 1 - q loses.
+// Returns ln(1 - q) for 0 < q < 1. The series keeps the digits that 1 - q loses.
 double log_of_complement(double q) {
   if (q > 0x1p-10) return natural_log(1 - q);
   double power = q, sum = 0;

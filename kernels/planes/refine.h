@@ -11,8 +11,8 @@ namespace ilot {
 struct RefineParams {
   double epsilon = 0;            // units; greatest distance of a member, inclusive
   double min_cos = 0;            // of the angle between a member's normal and the plane's; ignored without normals
-  std::uint32_t min_points = 3;  // fewer members end the rounds
-  int max_rounds = 10;           // the sets can cycle: work is capped, not time
+  std::uint32_t min_points = 3;  // the rounds end when there are fewer members
+  int max_rounds = 10;           // the sets can cycle, so the number of rounds is limited
 };
 
 struct RefinedPlane {
@@ -22,14 +22,15 @@ struct RefinedPlane {
   enum class End { kConverged, kCapped, kTooFew } end = End::kTooFew;
 };
 
-// Members of one plane: the candidates (indices) within epsilon of it whose normals agree, judged in double. O(n).
+// Returns the members of one plane: the candidates (indices) within epsilon of it whose normals agree, judged in
+// double. O(n).
 std::vector<std::uint32_t> consensus_set(const OrientedPoints& points, std::span<const std::uint32_t> candidates,
                                          const Plane& plane, const RefineParams& params);
 
-// Refinement [Lorraine thesis, 2.2.2]: consensus set of the start, least squares, new consensus set, until the set no
-// longer changes, the rounds are used up, or a set would have fewer than min_points (the last set is kept then). Every
-// member lies within epsilon of the plane returned. With too few members at the start: the start and its members.
-// O(rounds x n).
+// Refines a plane [Lorraine thesis, 2.2.2]. Consensus set and least squares alternate from the start until the set no
+// longer changes, the rounds are used up, or a set would have fewer than min_points. In the last case the previous set
+// is kept. Every member is within epsilon of the plane returned. With too few members at the start, the start and its
+// members are returned. O(rounds x n).
 RefinedPlane refine_plane(const OrientedPoints& points, std::span<const std::uint32_t> candidates, const Plane& start,
                           const RefineParams& params);
 

@@ -15,7 +15,7 @@ bool is_none(PackedNormal n) {
   return n.x == 0 && n.y == 0 && n.z == 0;
 }
 
-// Compares squares, so that the length of a packed normal, one only within rounding, does not widen the angle.
+// Compares squares. The length of a packed normal is one only within rounding, and this must not widen the angle.
 bool agree(PackedNormal a, PackedNormal b, double min_cos2) {
   const auto dot = [](PackedNormal u, PackedNormal v) {
     return static_cast<double>(std::int64_t{u.x} * v.x + std::int64_t{u.y} * v.y + std::int64_t{u.z} * v.z);
@@ -29,7 +29,7 @@ bool within(const Points& p, std::uint32_t i, std::uint32_t j, double max_d2) {
   return dx * dx + dy * dy + dz * dz <= max_d2;
 }
 
-// Joins i and j where `joined(i, j)`; only called with normals on both sides.
+// Joins i and j where `joined(i, j)` is true. It is only called with normals on both sides.
 template <typename Joined>
 Regions components(std::span<const PackedNormal> normals, const NeighbourLists& neighbours, std::uint32_t min_points,
                    const Joined& joined) {
@@ -68,10 +68,10 @@ Vec3 unit(PackedNormal n) {
   return (1 / norm(v)) * v;
 }
 
-// The plane through the centroid of a point's neighbours, normal to the point's normal.
+// The plane through the centroid of a point's neighbours, perpendicular to the point's normal.
 struct LocalPlane {
   Vec3 normal;
-  double offset = 0;  // of the point from it, along the normal
+  double offset = 0;  // of the point from the plane, along the normal
 };
 
 std::vector<LocalPlane> local_planes(const Points& p, std::span<const PackedNormal> normals,

@@ -17,14 +17,14 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::size_t kMeanNormalPoints = 10000;  // regions above it use least squares
 constexpr std::size_t kMeanNormalSamples = 64;
 constexpr std::size_t kSeedPoints = 64;  // neighbourhood of a seed that starts a plane
-constexpr std::size_t kSeeds = 8;        // more of them, evenly spread, where not all points lie on one plane
+constexpr std::size_t kSeeds = 8;        // further seeds, evenly spread, where not all points are on one plane
 
 double squared_distance(const Points& p, std::uint32_t i, std::uint32_t j) {
   const double dx = p.x[i] - p.x[j], dy = p.y[i] - p.y[j], dz = p.z[i] - p.z[j];
   return dx * dx + dy * dy + dz * dz;
 }
 
-// The `count` members nearest to `centre`, ties by index.
+// Returns the `count` members nearest to `centre`, ties by index.
 Indices nearest(const Points& p, const Indices& members, std::uint32_t centre, std::size_t count) {
   std::vector<std::pair<double, std::uint32_t>> near;
   near.reserve(members.size());
@@ -40,7 +40,8 @@ PlaneFit fit_around(const Points& p, const Indices& members, std::uint32_t centr
   return fit_plane(moments_of(p, nearest(p, members, centre, count)));
 }
 
-// [Boltcheva et al. 2019, 3.2.1]; normals are turned to the side of the first before they are summed.
+// The mean normal [Boltcheva et al. 2019, 3.2.1]. Normals are turned to the side of the first one before they are
+// summed.
 Plane mean_normal_plane(const Points& p, const Indices& members) {
   const std::size_t wide = std::max<std::size_t>(3, members.size() / 5);
   const std::size_t stride = std::max<std::size_t>(1, members.size() / kMeanNormalSamples);
@@ -88,7 +89,7 @@ Part best_part(const Points& p, const Indices& members, std::uint32_t seed, cons
   return best;
 }
 
-// What is left of the members (ascending) in connected parts.
+// Returns the remaining members (ascending) in connected components.
 std::vector<Indices> unassigned(const Points& p, const Indices& members, const Indices& taken,
                                 const RegionPlaneParams& params) {
   Indices rest;

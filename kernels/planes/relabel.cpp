@@ -40,7 +40,7 @@ class Neighbourhood {
     assert(neighbours.k <= static_cast<std::uint32_t>(kMaxNeighbours));
   }
 
-  // Labels of the neighbours of i, itself left out.
+  // Returns the labels of the neighbours of i, without i itself.
   Votes votes(std::uint32_t i, std::span<const std::uint32_t> label) const {
     Votes votes;
     for (const std::uint32_t j : neighbours_.of(i)) {
@@ -61,8 +61,8 @@ class Neighbourhood {
       if (j != kNoNeighbour && label[j] != wanted) return false;
     return true;
   }
-  // Which side of the plane the neighbours with this label lie on: the sum of their signed distances, of those that
-  // are clearly not on it. 0: there are none.
+  // Returns the side of the plane on which the neighbours with this label are. It is the sum of the signed distances of
+  // those that are clearly not on the plane, or 0 when there are none.
   double side(std::uint32_t i, std::span<const std::uint32_t> label, std::uint32_t wanted, const Plane& plane,
               double epsilon) const {
     double sum = 0;
@@ -126,7 +126,8 @@ std::size_t assign_unlabelled(Points points, const NeighbourLists& neighbours, c
 
 namespace {
 
-// Of its own plane and those that enough neighbours have, the nearest; ties keep its own, then go to the smaller label.
+// Returns the nearest of its own plane and those that enough neighbours have. In a tie it keeps its own plane, then the
+// smaller label wins.
 std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
                       const PlaneSegments& segments, const Votes& votes) {
   std::uint32_t best = segments.label[i];
@@ -142,7 +143,7 @@ std::uint32_t nearest(const Neighbourhood& around, std::uint32_t i, const Relabe
   return best;
 }
 
-// The label a point should have, its own or that of a plane whose side of the bisector it lies on.
+// Returns the label that a point should have: its own, or that of a plane on whose side of the bisector it is.
 std::uint32_t split_label(const Neighbourhood& around, std::uint32_t i, const RelabelParams& params,
                           const PlaneSegments& segments, const std::vector<std::uint32_t>& size) {
   const std::uint32_t own = segments.label[i];
@@ -159,10 +160,10 @@ std::uint32_t split_label(const Neighbourhood& around, std::uint32_t i, const Re
     const Plane& b = segments.planes[vote.label - 1];
     const double to_b = around.signed_from(i, b), to_a = around.signed_from(i, a);
     if (std::abs(to_b) > params.epsilon) continue;
-    // How far the point lies on the side of a plane that the other plane's points are on.
+    // How far the point is on the side of a plane where the points of the other plane are.
     const double side_of_b = around.side(i, segments.label, own, b, params.epsilon);
     const double side_of_a = around.side(i, segments.label, vote.label, a, params.epsilon);
-    if (side_of_a == 0) continue;  // nothing here is clearly the other plane's
+    if (side_of_a == 0) continue;  // no neighbour here clearly belongs to the other plane
     const double beyond_a = side_of_a < 0 ? -to_a : to_a;
     const double beyond_b = side_of_b == 0 ? -params.epsilon : side_of_b < 0 ? -to_b : to_b;
     const double lean = size[vote.label] > size[own] ? params.lean : size[vote.label] < size[own] ? -params.lean : 0;
@@ -183,7 +184,7 @@ std::size_t split_borders(Points points, const NeighbourLists& neighbours, const
     std::uint32_t point, label;
   };
   std::vector<Move> round;
-  std::vector<std::uint32_t> moved;  // points, in the round before; without such a neighbour none moves
+  std::vector<std::uint32_t> moved;  // points moved in the round before; a point without such a neighbour does not move
   std::vector<std::uint8_t> in_moved(points.size, 0);
   std::vector<std::uint32_t> size(segments.planes.size() + 1, 0);  // before the first round
   for (const std::uint32_t l : segments.label) ++size[l];
@@ -218,7 +219,8 @@ std::size_t split_borders(Points points, const NeighbourLists& neighbours, const
 
 namespace {
 
-// Least-squares planes of the labels; points beyond epsilon lose theirs, planes of fewer than min_points all of them.
+// Fits the least-squares planes of the labels. Points beyond epsilon lose their label. Planes with fewer than
+// min_points lose all points.
 void refit(Points points, double epsilon, std::uint32_t min_points, PlaneSegments& s) {
   std::vector<std::vector<std::uint32_t>> members(s.planes.size());
   for (std::uint32_t i = 0; i < points.size; ++i)

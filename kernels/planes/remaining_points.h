@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What a search for planes has left to look at: the points without a plane, and boxes by which a plane passes over
-// most.
+// The data that a search for planes still has to examine: the points without a plane, and boxes with which a plane
+// skips most of them.
 #pragma once
 #include <algorithm>
 #include <cmath>
@@ -13,9 +13,9 @@
 
 namespace ilot {
 
-// The points still without a plane, compact and in their given order.
+// The points that have no plane yet, compact and in their given order.
 struct RemainingPoints : PaddedOrientedPoints {
-  std::vector<std::uint32_t> index;  // into the caller's points
+  std::vector<std::uint32_t> index;  // index into the caller's points
 
   void add(const RemainingPoints& from, std::size_t i) {
     add_from(from.oriented(), i);
@@ -23,13 +23,13 @@ struct RemainingPoints : PaddedOrientedPoints {
   }
 };
 
-// Those of the points that have a normal. O(n).
+// Returns the points that have a normal. O(n).
 RemainingPoints with_normals(const OrientedPoints& points);
 
-// Takes out the members (positions, ascending); the others keep their order. O(n) from the first member on.
+// Removes the members (positions, ascending). The others keep their order. O(n) from the first member on.
 void remove(RemainingPoints& points, std::span<const std::uint32_t> members);
 
-// The box around points, as their coordinates.
+// The axis-parallel box around points.
 struct PointExtent {
   float min[3]{INFINITY, INFINITY, INFINITY};
   float max[3]{-INFINITY, -INFINITY, -INFINITY};
@@ -49,7 +49,7 @@ struct PointExtent {
       inside = inside && v[axis] >= static_cast<double>(min[axis]) - m && v[axis] <= static_cast<double>(max[axis]) + m;
     return inside;
   }
-  // False only where all points of the box lie farther than that from the plane.
+  // Returns false only where all points of the box are farther than `distance` from the plane.
   bool may_reach(const Plane& plane, double distance) const {
     constexpr double kRounding = 1e-3;
     const double n[3]{plane.n.x, plane.n.y, plane.n.z};
@@ -70,12 +70,13 @@ struct PointExtent {
   }
 };
 
-// Boxes around every kRun consecutive points: points lie along a space-filling curve, so a plane misses most boxes.
+// Boxes around every kRun consecutive points. Points are in the order of a space-filling curve, so a plane misses most
+// boxes.
 class RunBoxes {
  public:
   static constexpr std::size_t kRun = 32;
 
-  // Those of the runs from the point `from` on, made anew.
+  // Computes the boxes of the runs from the point `from` on again.
   void update(const RemainingPoints& r, std::size_t from) {
     boxes_.resize((r.size + kRun - 1) / kRun);
     for (std::size_t b = from / kRun; b < boxes_.size(); ++b) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// What labels of points depend on, by runs of consecutive points. Points lie along a space-filling curve, so most runs
-// lie within one surface, with all that is around them, and where labels follow neighbours nothing happens there.
+// Dependencies between labels of points, by runs of consecutive points. Points are in the order of a space-filling
+// curve, so most runs are within one surface, with all points around them. Where labels follow neighbours, nothing
+// changes in such runs.
 #pragma once
 #include <cstdint>
 #include <span>
@@ -10,7 +11,7 @@
 
 namespace ilot {
 
-// Which runs the neighbours of each run's points lie in.
+// For each run the other runs that contain neighbours of its points.
 class RunNeighbours {
  public:
   static constexpr std::uint32_t kRun = 32;  // points
@@ -19,7 +20,7 @@ class RunNeighbours {
   RunNeighbours(std::size_t points, const NeighbourLists& neighbours);
 
   std::size_t count() const { return runs_; }
-  // Other runs, in no order.
+  // Returns the other runs, in no order.
   std::span<const std::uint32_t> around(std::size_t run) const {
     return std::span(others_).subspan(first_[run], first_[run + 1] - first_[run]);
   }
@@ -30,10 +31,10 @@ class RunNeighbours {
   std::vector<std::uint32_t> others_;
 };
 
-// Per run 1 where all its points have one label, as all points of the runs around it have. O(points).
+// Returns 1 for each run whose points all have one label that all points of the runs around it have too. O(points).
 std::vector<std::uint8_t> uniform_runs(const RunNeighbours& runs, std::span<const std::uint32_t> label);
 
-// Per run 1 where no point of the set lies in it nor in the runs around it. O(set + runs).
+// Returns 1 for each run where neither it nor the runs around it contain a point of the set. O(set + runs).
 std::vector<std::uint8_t> unaffected_runs(const RunNeighbours& runs, std::span<const std::uint32_t> set);
 
 }  // namespace ilot

@@ -16,8 +16,8 @@ void least_of_two(const Height* a, const Height* b, Height* out, std::size_t siz
   simd::kRasterRows.best().least_of_two({a, b, out, size});
 }
 
-// Each value becomes the least of itself and the window - 1 behind it: the window doubles with each pass, the last
-// makes up what is missing. Those with less than a window behind them lose their meaning.
+// Sets each value to the minimum of itself and the window - 1 values behind it. The window doubles with each pass, and
+// the last pass adds what is missing. Values with fewer than that many behind them become meaningless.
 void lower_to_windows(std::vector<Height>& values, std::vector<Height>& scratch, std::size_t window) {
   std::size_t size = values.size(), reached = 1;
   scratch.resize(size);
@@ -44,7 +44,7 @@ bool none_in(std::span<const Height> values) {
   return least == kAboveAll;
 }
 
-// Each row without the reach at its two ends; kAboveAll where there is nothing.
+// Lowers each row, without the reach at its two ends. It is kAboveAll where there is nothing.
 Image lowered_rows(const Image& image, std::size_t reach) {
   const std::size_t width = image.width - 2 * reach;
   Image out = filled_image(static_cast<std::uint32_t>(width), image.height, kAboveAll);
@@ -60,8 +60,8 @@ Image lowered_rows(const Image& image, std::size_t reach) {
   return out;
 }
 
-// One strip of columns: the least of a window reaches from a row to the end of its block of as many rows (`ends`, of a
-// whole block) and on from the beginning of the next (van Herk 1992), a row of the strip at a time.
+// Lowers one strip of columns, a row of the strip at a time. A window goes from a row to the end of its block of as
+// many rows (`ends`, of a whole block) and on from the beginning of the next block (van Herk 1992).
 void lower_strip(const Image& image, std::size_t x, std::size_t width, std::size_t window, std::vector<Height>& ends,
                  Image& out) {
   const auto row = [&](std::size_t y) { return image.values.data() + y * image.width + x; };

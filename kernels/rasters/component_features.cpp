@@ -14,7 +14,7 @@ struct Summary {
   double mean = 0, sd = 0, max = 0, min = 0, mode = 0;
 };
 
-// The longest run of equal bins of sorted values, the first of equally long ones.
+// Finds the longest run of equal bins of sorted values, the first of equally long ones.
 std::int64_t fullest_bin(std::span<const std::int64_t> sorted, std::int64_t bin) {
   std::size_t most = 0;
   std::int64_t best = 0;
@@ -31,7 +31,7 @@ std::int64_t fullest_bin(std::span<const std::int64_t> sorted, std::int64_t bin)
   return best;
 }
 
-// Squares are taken from the least value on: whole numbers, exact below 2^53.
+// Squares are relative to the least value. They are integers, exact below 2^53.
 Summary summary_of(std::span<std::int64_t> values, std::int64_t bin) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());

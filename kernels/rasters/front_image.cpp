@@ -15,7 +15,7 @@ struct Filling {
   std::array<std::uint8_t, 3> colour{};
 };
 
-// The mean of the neighbours that are not empty, when there are enough.
+// Computes the mean of the neighbours that are not empty, when there are enough.
 bool mean_of_neighbours(std::span<const std::uint8_t> rgba, std::uint32_t width, std::uint32_t height, std::uint32_t x,
                         std::uint32_t y, Filling& filling) {
   std::array<std::uint32_t, 3> sums{};

@@ -6,7 +6,7 @@
 namespace ilot {
 namespace {
 
-// What a missing neighbour counts as when the lowest is sought: turned over, kNoHeight is the highest.
+// Returns the value of a missing neighbour when the lowest is sought: kNoHeight becomes the highest value.
 Height or_highest(Height v) {
   return v == kNoHeight ? kAboveAll : v;
 }

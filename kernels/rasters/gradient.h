@@ -4,8 +4,8 @@
 
 namespace ilot {
 
-// Morphological gradient: the highest less the lowest of a pixel and its neighbours that have a height; kNoHeight where
-// the pixel has none. O(n).
+// Morphological gradient: the highest minus the lowest height of a pixel and its neighbours with a height. It is
+// kNoHeight where the pixel has none. O(n).
 Image gradient(const Image& image, Adjacency adjacency);
 
 }  // namespace ilot

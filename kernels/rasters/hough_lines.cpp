@@ -19,8 +19,8 @@ struct Voter {
   std::uint32_t slow, fast, weight;
 };
 
-// Voters row by row, and column by column: a direction is walked along the axis on which rho moves faster, so that
-// neighbours in the walk seldom vote for the same cell one right after the other.
+// Voters row by row, and column by column. A direction is processed along the axis on which rho changes faster, so that
+// consecutive voters seldom vote for the same cell.
 struct Voters {
   std::vector<Voter> by_row, by_column;
 };
@@ -110,7 +110,7 @@ void for_pixels_near(const Image& weights, const ImageLine& line, double reach, 
   for (std::uint32_t y = 0; y < weights.height; ++y) {
     const double at_row = line.ny * y + line.d;
     double from = 0, to = weights.width - 1.0;
-    if (std::abs(line.nx) > 1e-9) {  // a little wider than the strip; the distance decides
+    if (std::abs(line.nx) > 1e-9) {  // slightly wider than the strip; the distance decides
       const double a = (-reach - at_row) / line.nx, b = (reach - at_row) / line.nx;
       from = std::max(from, std::floor(std::min(a, b)) - 1);
       to = std::min(to, std::ceil(std::max(a, b)) + 1);
@@ -125,7 +125,8 @@ void for_pixels_near(const Image& weights, const ImageLine& line, double reach, 
   }
 }
 
-// Weighted orthogonal least squares of the pixels near `line`; about a pixel of theirs, so that squares stay small.
+// Weighted orthogonal least squares of the pixels near `line`. Coordinates are relative to the point of the line
+// nearest to (0, 0), so that squares stay small.
 ImageLine fitted(const Image& weights, const ImageLine& line, double reach) {
   const double x0 = -line.d * line.nx, y0 = -line.d * line.ny;
   double w = 0, wx = 0, wy = 0, wxx = 0, wxy = 0, wyy = 0;
@@ -142,10 +143,10 @@ ImageLine fitted(const Image& weights, const ImageLine& line, double reach) {
   const double cx = wx / w, cy = wy / w;
   const double half = 0.5 * ((wxx - wx * cx) - (wyy - wy * cy)), mixed = wxy - wx * cy;
   const double radius = std::sqrt(half * half + mixed * mixed);
-  // Direction of the greatest spread, from the half of the formula that does not cancel.
+  // The direction of the greatest spread, from the half of the formula that has no cancellation.
   const double dx = half >= 0 ? half + radius : mixed, dy = half >= 0 ? mixed : radius - half;
   const double length = std::sqrt(dx * dx + dy * dy);
-  if (!(length > 0)) return line;  // one pixel, or spread alike all around
+  if (!(length > 0)) return line;  // one pixel, or equal spread in all directions
   const double nx = -dy / length, ny = dx / length;
   return oriented(nx, ny, -(nx * (cx + x0) + ny * (cy + y0)));
 }
@@ -184,7 +185,8 @@ std::vector<HoughLine> hough_lines(const Image& weights, const HoughLinesParams&
     if (lines.empty()) least = params.least_share * static_cast<double>(peak.votes);
     const ImageLine coarse = line_of(peak, rest, params.directions);
     lines.push_back(described(rest, refined(rest, coarse, params.max_distance), params.max_distance));
-    // The cell's own pixels go too: the refined line may have left them, and the search has to end.
+    // The pixels of the cell itself are removed too, because the refined line may have left them and the search must
+    // end.
     for (const ImageLine& line : {lines.back().line, coarse})
       for_pixels_near(weights, line, params.max_distance, [&](double x, double y, double, double) {
         rest.values[static_cast<std::size_t>(y) * rest.width + static_cast<std::size_t>(x)] = 0;

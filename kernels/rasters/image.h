@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The plain data that raster kernels work on: whole heights, pixel row by pixel row. Whole numbers make every result
-// exact, so neither order nor tiling can show.
+// The plain data that raster kernels work on: integer heights, pixel row by pixel row. Integers make every result
+// exact, so neither order nor tiles matter.
 #pragma once
 #include <cstdint>
 #include <limits>
@@ -10,13 +10,13 @@
 
 namespace ilot {
 
-// In scale units. Magnitudes below 2^30, but for the two ends: kNoHeight marks a pixel without points and is lower than
-// every height; kAboveAll is what a marker holds where it says nothing.
+// A height in scale units. Magnitudes are below 2^30, except for two values. kNoHeight marks a pixel without points and
+// is lower than every height. kAboveAll is the value of a marker where it sets no limit.
 using Height = std::int32_t;
 constexpr Height kNoHeight = std::numeric_limits<Height>::min();
 constexpr Height kAboveAll = std::numeric_limits<Height>::max();
 
-// Fewer than 2^31 pixels, both sides at least 1 or the whole empty.
+// There are fewer than 2^31 pixels. Both sides are at least 1, or the whole image is empty.
 struct Image {
   std::uint32_t width = 0, height = 0;
   std::vector<Height> values = {};
@@ -28,7 +28,7 @@ inline Image filled_image(std::uint32_t width, std::uint32_t height, Height valu
   return {width, height, std::vector<Height>(std::size_t{width} * height, value)};
 }
 
-// Labels from 1 to count, in the order of their first pixels where a kernel numbers them; 0 = none.
+// Labels from 1 to count. Where a kernel numbers them, they are in the order of their first pixels. 0 means no label.
 struct PixelLabels {
   std::uint32_t width = 0, height = 0;
   std::uint32_t count = 0;

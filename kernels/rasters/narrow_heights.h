@@ -7,10 +7,10 @@
 
 namespace ilot {
 
-// Heights in two bytes each: how far they lie above `base`, from 0 to 65533; 65535 for kNoHeight, 65534 for kAboveAll.
-// Spans of equal size. Same codes on every instruction set. O(n).
+// Heights in two bytes each. A code is the height above `base`, from 0 to 65533. 65535 stands for kNoHeight and 65534
+// for kAboveAll. The spans have equal size. The codes are the same on every instruction set. O(n).
 
-// False where some height has no code; the codes then mean nothing.
+// Returns false where some height has no code. The codes are then meaningless.
 bool narrow_heights(std::span<const Height> heights, Height base, std::span<std::uint16_t> codes);
 
 void widen_codes(std::span<const std::uint16_t> codes, Height base, std::span<Height> heights);

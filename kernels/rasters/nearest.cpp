@@ -21,7 +21,7 @@ void lower_row(const std::int64_t* __restrict other, std::int64_t* __restrict ro
   for (std::size_t x = 0; x < width; ++x) row[x] = std::min(row[x], other[x] + step);
 }
 
-// The rows first, then each of them to both sides, from `from` to `to`.
+// Sweeps the rows first, then each of them in both directions, from `from` to `to`.
 template <class Key, std::size_t kRows>
 void sweep_rows(Key* rows, std::size_t width, std::size_t from, std::size_t to, Key step, Key far) {
   Key carried[kRows];
@@ -38,7 +38,8 @@ void sweep_rows(Key* rows, std::size_t width, std::size_t from, std::size_t to, 
   for (std::size_t x = to; x-- > from;) pass(x);
 }
 
-// The same where something is in reach: no farther than that from the first and the last that is near some pixel.
+// Does the same where a pixel is in reach: only up to the reach before the first and behind the last pixel that is near
+// one.
 template <class Key, std::size_t kRows>
 void sweep_near(Key* rows, std::size_t width, std::size_t reach, Key step, Key far) {
   const auto near = [&](std::size_t x) {

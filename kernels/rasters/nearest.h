@@ -10,12 +10,12 @@ namespace ilot {
 
 constexpr std::uint32_t kNoNearest = 0xffffffffu;
 
-// Of each pixel the distance to its nearest one and which that is in one number: a nearer one is less, of equally near
-// ones the first.
+// For each pixel one number that combines the distance to its nearest pixel and the number of that pixel. A nearer
+// pixel gives a smaller key. Of equally near pixels the first one counts.
 template <class Key>
 struct NearestKeys {
-  int bits = 0;                // of a pixel's number; the distance lies above them
-  Key far = 0;                 // none within reach
+  int bits = 0;                // of the number of a pixel; the bits above them are the distance
+  Key far = 0;                 // keys from this value on: none within reach
   std::vector<Key> keys = {};  // row by row
 
   bool any(std::size_t i) const { return keys[i] < far; }
@@ -23,10 +23,11 @@ struct NearestKeys {
   std::uint32_t distance(std::size_t i) const { return static_cast<std::uint32_t>(keys[i] >> bits); }
 };
 
-// Of each pixel the nearest one that has a height, in steps from side to side, of equally near ones the first, row by
-// row: itself where it has one. Pixels are those of the image with a margin around it in which there is none. Lines up
-// and down, then rows to both sides (distance by sweeps: Rosenfeld and Pfaltz 1968). O(n), one key a pixel; the columns
-// several at a time. `reach` below 2^31. Keys of 32 bits where those of the image fit (fit_nearest_keys), or of 64.
+// Finds for each pixel the nearest one that has a height, in steps from side to side. Of equally near pixels the first
+// one counts, row by row. A pixel with a height is its own nearest. The result has the pixels of the image and a margin
+// around it that contains no height. It sweeps columns up and down, then rows in both directions (Rosenfeld and Pfaltz
+// 1968). O(n), one key per pixel; several columns are processed at a time. `reach` is below 2^31. Keys have 32 bits
+// where those of the image fit (fit_nearest_keys), otherwise 64.
 template <class Key>
 NearestKeys<Key> nearest_keys(const Image& image, std::uint32_t reach, std::uint32_t margin);
 extern template NearestKeys<std::int32_t> nearest_keys(const Image&, std::uint32_t, std::uint32_t);
@@ -36,7 +37,7 @@ inline bool fit_nearest_keys(std::size_t pixels, std::uint32_t reach) {
   return pixels == 0 || (std::uint64_t{reach} + 2) << std::bit_width(pixels - 1) < std::uint64_t{1} << 31;
 }
 
-// Calls use(keys) with the shorter ones that fit.
+// Calls use(keys) with the shortest key type that fits.
 template <class Use>
 auto with_nearest_keys(const Image& image, std::uint32_t reach, const Use& use) {
   return fit_nearest_keys(image.size(), reach) ? use(nearest_keys<std::int32_t>(image, reach, 0))
@@ -48,7 +49,7 @@ struct NearestPixels {
   std::vector<std::uint32_t> distance;  // steps from side to side; reach + 1 where there is none
 };
 
-// The same, taken apart: 8 bytes a pixel besides.
+// The same as two separate arrays, with 8 more bytes per pixel.
 NearestPixels nearest_pixels(const Image& image, std::uint32_t reach);
 
 }  // namespace ilot

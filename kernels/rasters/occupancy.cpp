@@ -13,8 +13,8 @@ void or_of_two(const Occupancy* __restrict a, const Occupancy* __restrict b, Occ
   for (std::size_t i = 0; i < size; ++i) out[i] = a[i] | b[i];
 }
 
-// Each value becomes that of itself and the window - 1 behind it, `stride` apart, together. Those with less than a
-// window behind them lose their meaning, but keep their places.
+// Combines each value with the window - 1 values behind it, `stride` apart. Values with fewer than that many behind
+// them become meaningless, but keep their places.
 void join_windows(std::vector<Occupancy>& values, std::vector<Occupancy>& scratch, std::size_t stride,
                   std::size_t window) {
   scratch.resize(values.size());
@@ -28,7 +28,7 @@ void join_windows(std::vector<Occupancy>& values, std::vector<Occupancy>& scratc
   if (reached < window) reach_on(window - reached);
 }
 
-// The image with a margin of nothing.
+// Returns the image with an empty margin.
 std::vector<Occupancy> with_margin(std::span<const Occupancy> image, std::size_t width, std::size_t height,
                                    std::size_t margin) {
   const std::size_t row = width + 2 * margin;

@@ -6,20 +6,21 @@
 
 namespace ilot {
 
-// At which heights something stands in a pixel: bit i is set where a point lies in bin i above the ground. 31 bins, so
-// that an occupancy kept as a Height is never negative.
+// The heights at which a pixel is occupied. Bit i is set where a point is in bin i above the ground. There are 31 bins,
+// so an occupancy stored as a Height is never negative.
 using Occupancy = std::uint32_t;
 constexpr std::uint32_t kOccupancyBins = 31;
 
-// A square ring around a pixel: farther than `within` pixels along one of the axes, and no farther than `reach`.
+// A square ring around a pixel: the pixels farther than `within` pixels along one of the axes, and no farther than
+// `reach`.
 struct PixelRing {
   std::uint32_t within = 0, reach = 1;  // within < reach
 };
 
-// Of each pixel the bins in which no pixel of the ring around it has anything: what is no wider than `within` stands
-// free there (the isolation of Cabo et al. 2014, ISPRS J. 87, and the ring of Lehtomaki et al. 2010, all heights at
-// once). Nothing stands outside of the image. Bits of words that are or-ed in windows which double with each pass:
-// O(n log reach), several pixels at a time; 20 bytes a pixel.
+// Returns for each pixel the bins that are empty in all pixels of the ring around it. An object no wider than `within`
+// stands free in these bins (the isolation of Cabo et al. 2014, ISPRS J. 87, and the ring of Lehtomaki et al. 2010, for
+// all heights at once). Outside of the image all bins are empty. The bits are combined by OR in windows that double
+// with each pass: O(n log reach), several pixels at a time, 20 bytes per pixel.
 std::vector<Occupancy> free_bins(std::span<const Occupancy> image, std::uint32_t width, std::uint32_t height,
                                  const PixelRing& ring);
 

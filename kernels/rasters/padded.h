@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: a copy of an image with a border of one pixel, so that neighbours need no bounds.
+// Internal to the raster kernels: a copy of an image with a border of one pixel, so that neighbours need no test of
+// bounds.
 #pragma once
 #include <algorithm>
 #include <array>
@@ -19,7 +20,7 @@ struct PaddedFrame {
   std::size_t size() const { return std::size_t{stride} * (height + 2); }
   std::size_t row(std::uint32_t y) const { return std::size_t{stride} * (y + 1) + 1; }  // of its first pixel
 
-  // Steps to the neighbours; four: the first four. Added to a pixel modulo 2^32.
+  // Steps to the neighbours. For four neighbours use the first four. They are added to a pixel modulo 2^32.
   std::array<std::uint32_t, 8> steps() const {
     return {0u - stride, 0u - 1u, 1u, stride, 0u - stride - 1u, 0u - stride + 1u, stride - 1u, stride + 1u};
   }

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kMostDigitBits = 16;
 
-// One stable pass by a digit of how far below the top a pixel is.
+// One stable pass by a digit of the depth of a pixel below the top.
 void sort_by_digit(const Image& image, Height top, int shift, int bits, const std::vector<std::uint32_t>& from,
                    std::vector<std::uint32_t>& to) {
   const std::uint32_t digits = 1u << bits;

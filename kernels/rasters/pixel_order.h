@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: pixels sorted by height.
+// Internal to the raster kernels: pixels sorted by height.
 #pragma once
 #include <cstdint>
 #include <vector>
@@ -8,9 +8,9 @@
 
 namespace ilot {
 
-// Indices of the pixels that have a height, the highest first, equal ones by position. Counting sort over up to 16
-// bits of the height at a time: one pass when the heights of the image differ by less than 2^16, else two. O(n); 8
-// bytes a pixel.
+// Returns the indices of the pixels that have a height, the highest first, equal ones by position. It is a counting
+// sort over up to 16 bits of the height at a time: one pass when the heights of the image differ by less than 2^16,
+// otherwise two. O(n), 8 bytes per pixel.
 std::vector<std::uint32_t> pixels_from_the_top(const Image& image);
 
 }  // namespace ilot

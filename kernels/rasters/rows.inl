@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of what rasters do to whole rows: plain loops that the compiler turns into vectors of each instruction set.
+// Bodies of the operations on whole rows: plain loops that the compiler turns into vectors of each instruction set.
 
 void least_of_two(const LeastArgs& a) {
   const std::int32_t *first = a.first, *second = a.second;
@@ -41,6 +41,6 @@ void widen_codes(const WidenArgs& a) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const RasterRowsBody kRasterRows;
 const RasterRowsBody kRasterRows{least_of_two, lower_by_step, narrow_heights, widen_codes};

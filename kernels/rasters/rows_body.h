@@ -13,7 +13,7 @@ constexpr std::uint32_t kCodesOfEnds = 2;
 
 struct LeastArgs {
   const std::int32_t *first, *second;
-  std::int32_t* out;  // no part of them
+  std::int32_t* out;  // does not overlap with them
   std::size_t size;
 };
 
@@ -41,7 +41,7 @@ struct WidenArgs {
 struct RasterRowsBody {
   void (*least_of_two)(const LeastArgs&);
   void (*lower_by_step)(const StepArgs&);
-  bool (*narrow_heights)(const NarrowArgs&);  // whether all have a code
+  bool (*narrow_heights)(const NarrowArgs&);  // returns whether all heights have a code
   void (*widen_codes)(const WidenArgs&);
 };
 extern const Variants<RasterRowsBody> kRasterRows;

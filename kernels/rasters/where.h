@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// Inside of the raster kernels: the few of many pixels for which something holds.
+// Internal to the raster kernels: visits the few of many pixels that satisfy a predicate.
 #pragma once
 #include <bit>
 #include <cstddef>
 
 namespace ilot {
 
-// Calls take(i) for the i below `size`, in order, for which holds(i), a whole number, is not 0. Sixteen are looked at
-// together: where `holds` has no branches, by vector instructions, and most of the sixteen go by at once.
+// Calls take(i), in order, for each i below `size` for which predicate(i), an integer, is not 0. Sixteen pixels are
+// tested together. Where `predicate` has no branches, this uses vector instructions, and most groups of sixteen are
+// skipped at once.
 template <class Predicate, class Take>
 void for_each_where(std::size_t size, const Predicate& predicate, const Take& take) {
   constexpr unsigned kTogether = 16;

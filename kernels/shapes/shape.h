@@ -8,10 +8,10 @@
 
 namespace ilot {
 
-enum class ShapeKind : std::uint8_t { kPlane, kSphere, kCylinder, kCone };  // the simplest first
+enum class ShapeKind : std::uint8_t { kPlane, kSphere, kCylinder, kCone };  // from the simplest to the most complex
 constexpr int kShapeKinds = 4;
 
-// In the frame and the units of the points.
+// A shape in the frame and the units of the points.
 //   plane     origin: a point of it, axis: its normal
 //   sphere    origin: its centre
 //   cylinder  origin: a point of its axis
@@ -24,10 +24,10 @@ struct Shape {
   double sine = 0, cosine = 1;  // of a cone's half angle
 };
 
-// How a shape is seen from a point: the signed distance (outside positive; along a plane's normal) and the surface
-// normal there. Never farther than the point moves: |distance(p) - distance(q)| <= |p - q|. Behind a cone's apex the
-// distance is to the tangent plane, at most the true one. On an axis or a centre, where every direction is normal, the
-// normal is zero.
+// The signed distance of a point from a shape and the surface normal there. The distance is positive outside; for a
+// plane it is positive along its normal. It never changes by more than the point moves: |distance(p) - distance(q)| <=
+// |p - q|. Behind the apex of a cone it is the distance to the tangent plane, which is at most the true distance. On an
+// axis or at a centre, where every direction is normal, the normal is zero.
 struct ShapeView {
   double distance = 0;
   Vec3 normal;
@@ -48,7 +48,7 @@ inline ShapeView view_of(const Shape& s, Vec3 p) {
 inline Shape shape_of(const Plane& plane) {
   return {ShapeKind::kPlane, -plane.d * plane.n, plane.n};
 }
-// Of a shape of kind plane; the normal points up.
+// The plane of a shape of kind plane. Its normal points up.
 inline Plane plane_of(const Shape& s) {
   const Vec3 n = s.axis;
   const bool down = n.z < 0 || (n.z == 0 && (n.y < 0 || (n.y == 0 && n.x < 0)));

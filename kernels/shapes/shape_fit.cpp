@@ -16,7 +16,8 @@ constexpr double kConverged = 1e-9;  // relative gain of a step that ends the fi
 
 using Row = std::array<double, kMost>;
 
-// Directions in which the parameters move. origin: three axes (cylinder: two across), axis: two tilts.
+// Directions in which the parameters move. The origin moves along three axes (cylinder: two perpendicular to its axis).
+// The axis has two tilts.
 struct Frame {
   Vec3 e1, e2;
 };
@@ -109,7 +110,7 @@ double error_of(const Shape& s, std::span<const Vec3> points) {
   return error;
 }
 
-// Cholesky; false where the matrix is not safely positive definite.
+// Solves by Cholesky. Returns false where the matrix is not safely positive definite.
 bool solve(Normal n, std::size_t m, double damping, Row& x) {
   for (std::size_t i = 0; i < m; ++i) n.a[i][i] *= 1 + damping;
   for (std::size_t i = 0; i < m; ++i) {
@@ -141,7 +142,7 @@ ShapeFit fit_curved(std::span<const Vec3> points, const Shape& start) {
   const std::size_t m = parameters_of(start.kind);
   ShapeFit fit{start};
   if (points.size() < m) return fit;
-  if (start.kind == ShapeKind::kCylinder) {  // levers are short when the origin lies amid the points
+  if (start.kind == ShapeKind::kCylinder) {  // rotations are well conditioned when the origin is amid the points
     Vec3 sum;
     for (const Vec3& p : points) sum = sum + p;
     const Vec3 centre = (1 / static_cast<double>(points.size())) * sum;

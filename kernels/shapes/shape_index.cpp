@@ -73,7 +73,7 @@ ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end
   return {f(axis.x), f(axis.y), f(axis.z), f(least), f(std::sqrt(1 - least * least))};
 }
 
-// No shape comes near a leaf without points any more, nor to a ball without balls.
+// After this no shape comes near a leaf without points, or a ball without balls.
 void empty_ball(ShapeIndex& index, std::size_t ball) {
   for (std::vector<float>& level : index.balls) {
     float* radii = level.data() + ball / 8 * 32 + 24;
@@ -83,7 +83,7 @@ void empty_ball(ShapeIndex& index, std::size_t ball) {
   }
 }
 
-// From the whole box down to cells that hold a few points on average.
+// Chooses the levels from the whole box down to cells that contain a few points on average.
 void choose_levels(ShapeIndex& s) {
   const std::uint64_t differing = s.size > 0 ? s.code.front() ^ s.code[s.size - 1] : 0;
   const int top = (static_cast<int>(std::bit_width(differing)) + 2) / 3;

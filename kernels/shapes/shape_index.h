@@ -8,50 +8,52 @@
 
 namespace ilot {
 
-// Points with normals in Morton order of their own box, under a hierarchy of bounding balls: 64 points are a leaf,
-// eight leaves a node, and so on. Points can be taken out; a hole is a point that is not a number, so no test finds it,
-// and a ball without points has a radius that is not a number, so that none comes near.
+// Points with normals in Morton order of their own box, under a hierarchy of bounding balls. 64 points are a leaf,
+// eight leaves are a node, and so on. Points can be removed. A removed point is a hole: its coordinates are NaN, so no
+// test finds it. A ball without points has the radius NaN, so no shape comes near it.
 struct ShapeIndex {
-  // All normals of a leaf, one way round or the other, lie about the axis within the angle of this cosine and sine.
+  // All normals of a leaf, in one sense or the other, are within an angle about the axis. The cosine and sine are those
+  // of this angle.
   struct Cone {
     float x = 0, y = 0, z = 0;
-    float cosine = -1, sine = 0;  // of unit normals; -1 and 0: of any others
+    float cosine = -1, sine = 0;  // of unit normals; -1 and 0 for other normals
   };
 
   static constexpr std::uint32_t kLeaf = 64;
 
   std::vector<float> x, y, z, nx, ny, nz;  // whole leaves
-  std::vector<std::uint32_t> index;        // per position: into the caller's points
+  std::vector<std::uint32_t> index;        // per position: index of the caller's point
   std::vector<std::uint64_t> code;         // per position: Morton code from the box's corner
-  std::vector<std::uint32_t> in_leaf;      // points left per leaf
-  std::vector<std::uint64_t> changed;      // per leaf: the epoch since which its points are what they are
+  std::vector<std::uint32_t> in_leaf;      // per leaf: points that are left
+  std::vector<std::uint64_t> changed;      // per leaf: the epoch since which its points have not changed
   std::vector<std::vector<float>> balls;   // per level, groups of 8: x8 y8 z8 radius8
   std::vector<Cone> cones;                 // per leaf
-  std::size_t size = 0;                    // positions, holes included
-  std::size_t left = 0;                    // points
-  std::uint64_t epoch = 1;                 // grows whenever points are taken out
+  std::size_t size = 0;                    // number of positions, holes included
+  std::size_t left = 0;                    // number of points
+  std::uint64_t epoch = 1;                 // grows whenever points are removed
   Vec3 centre;                             // of the box
   double reach = 0;                        // half its diagonal
-  int first_level = 0, levels = 0;         // octree levels worth sampling from: cells of 2^(first_level + i) units
+  int first_level = 0, levels = 0;  // octree levels that are useful for sampling: cells of 2^(first_level + i) units
 
   bool is_hole(std::size_t i) const { return x[i] != x[i]; }
   Vec3 position(std::size_t i) const { return {x[i], y[i], z[i]}; }
   Vec3 normal(std::size_t i) const { return {nx[i], ny[i], nz[i]}; }
-  // Positions of the octree cell of edge 2^level units around position i.
+  // Returns the positions of the octree cell of edge 2^level units around position i.
   struct Range {
     std::size_t begin, end;
   };
   Range cell_around(std::size_t i, int level) const;
 };
 
-// Of the chosen points (indices) that have a normal; without normals at all, of all of them, with normals of zero,
-// which agree with a shape where min_cos is zero. Offsets are integers, the box's edges below 2^21 units. The answer
-// does not depend on the order of the indices, up to points that coincide. O(n). `epoch` (from 1) is that of the index
-// and of all its leaves: one that takes the place of another goes on with the next one.
+// Builds the index of the chosen points (indices) that have a normal. When there are no normals at all, it contains all
+// chosen points with normals of zero. These agree with a shape where min_cos is zero. Offsets are integers, and the
+// edges of the box are below 2^21 units. The result does not depend on the order of the indices, except for points that
+// coincide. O(n). `epoch` (from 1) is that of the index and of all its leaves. An index that replaces another must
+// continue with the next epoch.
 ShapeIndex build_shape_index(const OrientedPoints& points, std::span<const std::uint32_t> chosen,
                              std::uint64_t epoch = 1);
 
-// Makes holes of the positions, in a new epoch. O(positions).
+// Removes the points at these positions, in a new epoch. O(positions).
 void take_out(ShapeIndex& index, std::span<const std::uint32_t> positions);
 
 }  // namespace ilot

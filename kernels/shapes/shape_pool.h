@@ -8,8 +8,8 @@
 
 namespace ilot {
 
-// Candidates of one kind, the one with the highest bound on top (ties: the earlier draw). A bound is exact when it was
-// counted since points were last taken out.
+// Candidates of one kind, with the highest bound on top (ties: the earlier draw). A bound is exact when it was counted
+// after points were last removed.
 class ShapePool {
  public:
   struct Candidate {
@@ -31,7 +31,7 @@ class ShapePool {
     heap_.pop_back();
     return c;
   }
-  // Drops what has fewer points than `least`, and all but the best `most` once there are twice as many.
+  // Drops candidates with a bound below `least`, and all but the best `most` once there are more than twice as many.
   void prune(std::uint32_t least, std::size_t most) {
     std::erase_if(heap_, [&](const Candidate& c) { return c.bound < least; });
     if (heap_.size() > 2 * most) {

@@ -23,14 +23,14 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::uint64_t kBatchDraws = 1024;
 constexpr std::size_t kPool = 4096;  // candidates of a kind that are kept
 constexpr std::size_t kSample = std::size_t{1} << 17;
-constexpr double kLocality = 4;  // half a cell around a point of a shape is that shape's, twice over
+constexpr double kLocality = 4;  // half of a cell around a point of a shape is that shape's: (1/2)^2
 constexpr int kRefinements = 10;
-constexpr double kFirstReach = 3;       // epsilons; normals make a rough start
+constexpr double kFirstReach = 3;       // in epsilons; a start from normals is rough
 constexpr double kSimpler = 0.97;       // share of the points for which a simpler kind is preferred
 constexpr double kExplained = 2.0 / 3;  // share on earlier shapes that makes a fringe
 constexpr double kWorthRefining = 0.5;  // share of the best count
 
-// A shape and positions of its points among the remaining.
+// A shape and the positions of its points among the remaining points.
 struct Part {
   Shape shape;
   Indices members;
@@ -86,7 +86,7 @@ class Search {
 
   ShapeScoreParams score_params() const { return {params_.epsilon, params_.min_cos}; }
 
-  // Half of what the smallest shape should have: its normals make a rough first fit.
+  // Half of what the smallest shape should have, because the first fit from normals is rough.
   std::uint32_t least_count() const {
     return std::max(3u, static_cast<std::uint32_t>(static_cast<double>(params_.min_points) / (4 * share_)));
   }
@@ -145,7 +145,7 @@ class Search {
     if (c.bound >= least_count()) pool.push(std::move(c));
   }
 
-  // The pool whose top has the most points, counted exactly.
+  // Returns the pool whose top has the most points, counted exactly.
   std::optional<std::size_t> best_kind() {
     for (;;) {
       std::optional<std::size_t> best;
@@ -159,7 +159,7 @@ class Search {
   // ---- refinement ---------------------------------------------------------------------------------------------------
   Points remaining_points() const { return {all_.x.data(), all_.y.data(), all_.z.data(), all_.size}; }
 
-  // The connected part that shares most points with `like`; the largest when `like` is empty.
+  // Returns the connected component that shares most points with `like`, or the largest when `like` is empty.
   Indices part_of(const Indices& members, const Indices& like) const {
     const Clusters clusters = euclidean_clusters(remaining_points(), members, params_.connectivity);
     Indices votes(clusters.count, 0);
@@ -178,7 +178,7 @@ class Search {
 
   bool allowed(const Shape& s) const { return s.radius <= max_radius_; }
 
-  // A part of fewer than min_points may be any of the shape's.
+  // Refines a shape. A part with fewer than min_points may be any part of the shape.
   Part refine(const Shape& start) const {
     ShapeScoreParams wide = score_params();
     wide.epsilon *= kFirstReach;
@@ -199,7 +199,7 @@ class Search {
       part.members = std::move(next);
       if (converged) break;
     }
-    // Whatever round ended it: the members are those of the shape that is kept.
+    // Whichever round ended the loop, the members are those of the shape that is kept.
     std::erase_if(part.members, [&](std::uint32_t i) {
       const ShapeView v = view_of(part.shape, all_.position(i));
       return std::abs(v.distance) > params_.epsilon || std::abs(dot(v.normal, all_.normal(i))) < params_.min_cos;
@@ -233,7 +233,7 @@ class Search {
       if (pools_[k].empty() || pools_[k].top().bound < enough) continue;
       ShapePool::Candidate c = pools_[k].pop();
       Part part = refine(c.shape);
-      if (part.members.size() < params_.min_points) continue;  // the candidate promised more than there is
+      if (part.members.size() < params_.min_points) continue;  // the candidate had a higher bound than it has points
       c = {part.shape, bound_shape(sample(), part.shape, score_params()), c.draw, 0};
       pools_[k].push(std::move(c));  // other parts of the same shape may remain
       if (kSimpler * static_cast<double>(part.members.size()) > static_cast<double>(chosen.members.size()))
@@ -285,7 +285,7 @@ class Search {
     all_ = build_shape_index(points_, left, all_.epoch + 1);  // counts round anew
   }
 
-  // Bounds on one sample say nothing about another.
+  // Bounds on one sample are not valid for another.
   void rescale(ShapePool& pool) {
     ShapePool fresh;
     while (!pool.empty()) {
@@ -301,7 +301,7 @@ class Search {
   ShapeRansacParams params_;
   ShapeIndex all_, sample_;
   bool sampled_ = false;
-  double share_ = 1;  // points that one of the sample stands for
+  double share_ = 1;  // points that one point of the sample represents
   double max_radius_ = 0;
   Rng rng_{0};
   std::array<ShapePool, kShapeKinds> pools_;

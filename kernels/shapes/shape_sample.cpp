@@ -4,7 +4,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kThinnest = 0.1;  // sine of the smallest angle between directions that are told apart
+constexpr double kThinnest = 0.1;  // sine of the smallest angle between directions that count as different
 
 std::optional<Vec3> unit(Vec3 v) {
   const double length = norm(v);
@@ -27,7 +27,7 @@ std::optional<Shape> sphere_through(const ShapeSample& s) {
   const Vec3 between = s[1].p - s[0].p;
   const double c = dot(s[0].n, s[1].n), sine2 = 1 - c * c;
   if (!(sine2 > kThinnest * kThinnest)) return std::nullopt;
-  // Feet of the shortest segment between the two normals.
+  // The feet of the shortest segment between the two normals.
   const double d0 = dot(between, s[0].n), d1 = dot(between, s[1].n);
   const double t0 = (d0 - c * d1) / sine2, t1 = (c * d0 - d1) / sine2;
   const Vec3 centre = 0.5 * ((s[0].p + t0 * s[0].n) + (s[1].p + t1 * s[1].n));
@@ -40,7 +40,7 @@ std::optional<Shape> cylinder_through(const ShapeSample& s) {
   const Vec3 across = cross(s[0].n, s[1].n);
   if (!(norm(across) > kThinnest)) return std::nullopt;
   const Vec3 axis = (1 / norm(across)) * across;
-  // In the plane across the axis the two normals are lines that meet in the centre.
+  // In the plane perpendicular to the axis, the two normals are lines that meet in the centre.
   const Vec3 between = s[1].p - s[0].p;
   const Vec3 flat = between - dot(between, axis) * axis;
   const Vec3 side = cross(axis, s[1].n);
@@ -64,7 +64,7 @@ std::optional<Shape> cone_through(const ShapeSample& s) {
     if (!r) return std::nullopt;
     ray[i] = *r;
   }
-  // Unit rays end on a circle around the axis.
+  // Unit vectors along the rays end on a circle around the axis.
   auto axis = unit(cross(ray[1] - ray[0], ray[2] - ray[0]));
   if (!axis) return std::nullopt;
   double cosine = (dot(*axis, ray[0]) + dot(*axis, ray[1]) + dot(*axis, ray[2])) / 3;
@@ -72,7 +72,7 @@ std::optional<Shape> cone_through(const ShapeSample& s) {
     axis = -1.0 * *axis;
     cosine = -cosine;
   }
-  // Between 3 and 80 degrees: a needle is a cylinder, a shield a plane.
+  // The angle must be between 3 and 80 degrees. A narrower cone looks like a cylinder, a wider one like a plane.
   if (!(cosine > 0.17 && cosine < 0.9986)) return std::nullopt;
   return Shape{ShapeKind::kCone, apex, *axis, 0, std::sqrt(1 - cosine * cosine), cosine};
 }

@@ -20,8 +20,8 @@ struct Request {
   std::span<const std::uint32_t> met() const { return {leaves.get(), args.leaf_count}; }
 };
 
-// Leaves that have no normal within the angle of the plane's: the angle between it and the axis of theirs is at least
-// the sum of both.
+// Removes the leaves that have no normal within the angle of the plane's normal. For these the angle between it and the
+// axis of the leaf is at least the sum of both angles.
 void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_cos) {
   constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
   const double cosine = std::max(0.0, min_cos - kRounding), sine = std::sqrt(1 - cosine * cosine);
@@ -35,8 +35,8 @@ void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_
   r.args.leaf_count = left;
 }
 
-// A shape in float32, its origin moved near the points where that does not change it, and what rounding may add to a
-// distance: a few units in the last place of the longest vector.
+// Prepares a shape in float32. Its origin is moved near the points where that does not change the shape. The slack is
+// what rounding may add to a distance: a few units in the last place of the longest vector.
 void prepare(Request& r, const ShapeIndex& index, const Shape& s, const ShapeScoreParams& params) {
   Vec3 origin = s.origin;
   const double along = dot(index.centre - origin, s.axis);
@@ -75,7 +75,7 @@ bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf
          z + radius >= box.min.z && z - radius <= box.max.z;
 }
 
-// Of the leaves met the points on the shape that `wanted` says yes to, judged in double.
+// Returns those points on the shape in the leaves near it for which `wanted` is true, judged in double.
 template <class Wanted>
 std::vector<std::uint32_t> found_points(Request& r, const ShapeIndex& index, const Shape& shape,
                                         const ShapeScoreParams& params, const Wanted& wanted) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Bodies of shape scoring: balls that a shape comes near, then the points in them. Distances to a shape change no
-// faster than the point moves, so a ball whose centre is farther away than epsilon plus its radius holds no hit.
+// Bodies of shape scoring: first the balls near a shape, then the points in them. The distance to a shape changes no
+// faster than the point moves. So a ball whose centre is farther away than epsilon plus its radius contains no hit.
 
 namespace {
 
-// V: eight lanes or the widest.
+// V has eight lanes or the widest.
 template <typename V>
 struct ShapeLanes {
   V ox, oy, oz, ux, uy, uz, radius, sine, cosine;
@@ -19,7 +19,7 @@ inline ShapeLanes<Wide> load_shape_wide(const float* s) {
           splat_wide(s[5]), splat_wide(s[6]), splat_wide(s[7]), splat_wide(s[8])};
 }
 
-// From the shape's axis (plane: along it; sphere: from the centre) to the point.
+// The vector from the shape's axis to the point (plane: along the axis; sphere: from the centre).
 template <typename V>
 struct AcrossLanes {
   V x, y, z, along, length;
@@ -42,7 +42,7 @@ inline V shape_distance(const ShapeLanes<V>& s, const AcrossLanes<V>& a) {
   return magnitude(a.length - s.radius);
 }
 
-// How well normals agree, scaled by the distance from the axis except for planes.
+// How well normals agree, multiplied by the distance from the axis except for planes.
 template <int kKind, typename V>
 inline V shape_agreement(const ShapeLanes<V>& s, const AcrossLanes<V>& a, V nx, V ny, V nz) {
   if constexpr (kKind == 0) return magnitude(nx * s.ux + ny * s.uy + nz * s.uz);
@@ -163,6 +163,6 @@ std::uint32_t shape_hits(const ShapeArgs& args) {
   }
 }
 
-// Last: the bodies compiled here, under one name.
+// The last line exports the bodies compiled here under one name.
 extern const ShapeScoreBody kShapeScore;
 const ShapeScoreBody kShapeScore{shape_hits, shape_leaves};

@@ -43,15 +43,15 @@ inline F8 magnitude(F8 a) {
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return static_cast<std::uint32_t>(_mm256_movemask_ps(_mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ)));
 }
-// v where it is at most the limit, else 0.
+// Returns v where it is at most the limit, otherwise 0.
 inline F8 where_le(F8 v, F8 limit) {
   return {_mm256_and_ps(v.v, _mm256_cmp_ps(v.v, limit.v, _CMP_LE_OQ))};
 }
-// Lane by lane: yes where a is at most b, else no.
+// Lane by lane: yes where a is at most b, otherwise no.
 inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
   return {_mm256_blendv_ps(no.v, yes.v, _mm256_cmp_ps(a.v, b.v, _CMP_LE_OQ))};
 }
-// Towards zero.
+// Rounds towards zero.
 inline F8 truncated(F8 a) {
   return {_mm256_cvtepi32_ps(_mm256_cvttps_epi32(a.v))};
 }
@@ -80,7 +80,7 @@ struct CompressTable {
 };
 constexpr CompressTable kCompress;
 
-// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+// The lanes that a mask selects. put() writes the selected lanes side by side. Eight elements are overwritten.
 struct Pick8 {
   __m256i lanes;
   std::uint32_t count;
@@ -92,7 +92,7 @@ inline Pick8 pick8(std::uint32_t mask) {
 inline void put(float* to, const Pick8& pick, F8 v) {
   _mm256_storeu_ps(to, _mm256_permutevar8x32_ps(v.v, pick.lanes));
 }
-// The picked lanes' numbers, counted from first.
+// Writes the numbers of the selected lanes, counted from first.
 inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to),
                       _mm256_add_epi32(pick.lanes, _mm256_set1_epi32(static_cast<int>(first))));
@@ -136,7 +136,8 @@ inline Wide min_wide(Wide a, Wide b) {
 inline WideCount zero_wide_count() {
   return zero_count();
 }
-// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// were appended.
 inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
   const Pick8 pick = pick8(mask_le(load8(value), limit));
   const __m256i v = _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
@@ -144,7 +145,7 @@ inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, con
   return pick.count;
 }
 
-// Sums of whole numbers, each addend held exactly by a float.
+// Sums of integers, each of which a float represents exactly.
 struct Sum8 {
   __m256i v;
 };
@@ -213,12 +214,13 @@ inline D select(DMask m, D yes, D no) {
 inline void store_d(double* p, D a) {
   _mm256_storeu_pd(p, a.v);
 }
-// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+// Returns two to the power of integers from -1022 to 1023. The last bits of 1.5 x 2^52 + n + 1023 are those of the
+// exponent.
 inline D power_of_two(D whole) {
   const __m256d shifted = _mm256_add_pd(whole.v, _mm256_set1_pd(0x1.8p52 + 1023));
   return {_mm256_castsi256_pd(_mm256_slli_epi64(_mm256_castpd_si256(shifted), 52))};
 }
-// To the nearest whole number, ties to even.
+// Rounds to the nearest integer, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   _mm_storeu_si128(reinterpret_cast<__m128i*>(to), _mm256_cvtpd_epi32(a.v));
 }

@@ -44,7 +44,7 @@ inline F8 magnitude(F8 a) {
 inline std::uint32_t mask_le(F8 a, F8 b) {
   return _mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ);
 }
-// Lane by lane: yes where a is at most b, else no.
+// Lane by lane: yes where a is at most b, otherwise no.
 inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
   return {_mm256_mask_blend_ps(_mm256_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), no.v, yes.v)};
 }
@@ -52,7 +52,7 @@ inline F8 gather8(const float* from, const std::uint32_t* at) {
   return {_mm256_i32gather_ps(from, _mm256_loadu_si256(reinterpret_cast<const __m256i*>(at)), 4)};
 }
 
-// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+// The lanes that a mask selects. put() writes the selected lanes side by side. Eight elements are overwritten.
 struct Pick8 {
   __mmask8 mask;
   std::uint32_t count;
@@ -63,7 +63,7 @@ inline Pick8 pick8(std::uint32_t mask) {
 inline void put(float* to, const Pick8& pick, F8 v) {
   _mm256_storeu_ps(to, _mm256_maskz_compress_ps(pick.mask, v.v));
 }
-// The picked lanes' numbers, counted from first.
+// Writes the numbers of the selected lanes, counted from first.
 inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
   const __m256i numbers =
       _mm256_add_epi32(_mm256_setr_epi32(0, 1, 2, 3, 4, 5, 6, 7), _mm256_set1_epi32(static_cast<int>(first)));
@@ -108,7 +108,7 @@ inline Wide min_wide(Wide a, Wide b) {
 inline Wide select_le(Wide a, Wide b, Wide yes, Wide no) {
   return {_mm512_mask_blend_ps(_mm512_cmp_ps_mask(a.v, b.v, _CMP_LE_OQ), no.v, yes.v)};
 }
-// Towards zero.
+// Rounds towards zero.
 inline Wide truncated(Wide a) {
   return {_mm512_cvtepi32_ps(_mm512_cvttps_epi32(a.v))};
 }
@@ -118,14 +118,15 @@ inline void store_truncated(std::int32_t* to, Wide a) {
 inline Wide magnitude(Wide a) {
   return {_mm512_abs_ps(a.v)};
 }
-// v where it is at most the limit, else 0.
+// Returns v where it is at most the limit, otherwise 0.
 inline Wide where_le(Wide v, Wide limit) {
   return {_mm512_maskz_mov_ps(_mm512_cmp_ps_mask(v.v, limit.v, _CMP_LE_OQ), v.v)};
 }
 inline float greatest(Wide a) {
   return _mm512_reduce_max_ps(a.v);
 }
-// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// were appended.
 inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
   const __mmask16 mask = _mm512_cmp_ps_mask(_mm512_loadu_ps(value), limit.v, _CMP_LE_OQ);
   _mm512_storeu_si512(to, _mm512_maskz_compress_epi32(mask, _mm512_loadu_si512(from)));
@@ -149,7 +150,7 @@ inline std::uint32_t total(WideCount c) {
   return static_cast<std::uint32_t>(_mm512_reduce_add_epi32(c.v));
 }
 
-// Sums of whole numbers, each addend held exactly by a float.
+// Sums of integers, each of which a float represents exactly.
 struct Sum8 {
   __m256i v;
 };
@@ -218,12 +219,13 @@ inline D select(DMask m, D yes, D no) {
 inline void store_d(double* p, D a) {
   _mm512_storeu_pd(p, a.v);
 }
-// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+// Returns two to the power of integers from -1022 to 1023. The last bits of 1.5 x 2^52 + n + 1023 are those of the
+// exponent.
 inline D power_of_two(D whole) {
   const __m512d shifted = _mm512_add_pd(whole.v, _mm512_set1_pd(0x1.8p52 + 1023));
   return {_mm512_castsi512_pd(_mm512_slli_epi64(_mm512_castpd_si512(shifted), 52))};
 }
-// To the nearest whole number, ties to even.
+// Rounds to the nearest integer, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   _mm256_storeu_si256(reinterpret_cast<__m256i*>(to), _mm512_cvtpd_epi32(a.v));
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Eight float lanes out of two SSE2 registers, or plain loops where there is no SSE2.
+// Eight float lanes made of two SSE2 registers, or plain loops where there is no SSE2.
 #pragma once
 #include <cstdint>
 
@@ -49,7 +49,7 @@ inline std::uint32_t mask_le(F8 a, F8 b) {
          static_cast<std::uint32_t>(_mm_movemask_ps(_mm_cmple_ps(a.hi, b.hi))) << 4;
 }
 
-// v where it is at most the limit, else 0.
+// Returns v where it is at most the limit, otherwise 0.
 inline F8 where_le(F8 v, F8 limit) {
   return {_mm_and_ps(v.lo, _mm_cmple_ps(v.lo, limit.lo)), _mm_and_ps(v.hi, _mm_cmple_ps(v.hi, limit.hi))};
 }
@@ -155,7 +155,7 @@ inline std::uint32_t total(Count8 c) {
 
 namespace ilot::simd::baseline {
 
-// Lane by lane: yes where a is at most b, else no.
+// Lane by lane: yes where a is at most b, otherwise no.
 inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
   const std::uint32_t mask = mask_le(a, b);
   float y[8], n[8];
@@ -164,7 +164,7 @@ inline F8 select_le(F8 a, F8 b, F8 yes, F8 no) {
   for (int i = 0; i < 8; ++i) n[i] = (mask >> i & 1) != 0 ? y[i] : n[i];
   return load8(n);
 }
-// Towards zero.
+// Rounds towards zero.
 inline void store_truncated(std::int32_t* to, F8 a) {
   float lanes[8];
   store8(lanes, a);
@@ -190,7 +190,7 @@ inline F8 gather8(const float* from, const std::uint32_t* at) {
   return load8(lanes);
 }
 
-// Which lanes a mask picks. put() writes the picked lanes side by side; eight elements are overwritten.
+// The lanes that a mask selects. put() writes the selected lanes side by side. Eight elements are overwritten.
 struct Pick8 {
   std::uint32_t mask, count;
 };
@@ -208,7 +208,7 @@ inline void put(float* to, const Pick8& pick, F8 v) {
     n += pick.mask >> lane & 1;
   }
 }
-// The picked lanes' numbers, counted from first.
+// Writes the numbers of the selected lanes, counted from first.
 inline void put_numbers(std::uint32_t* to, const Pick8& pick, std::uint32_t first) {
   std::uint32_t n = 0;
   for (std::uint32_t lane = 0; lane < 8; ++lane) {
@@ -236,7 +236,8 @@ inline Wide min_wide(Wide a, Wide b) {
 inline WideCount zero_wide_count() {
   return zero_count();
 }
-// Appends from[i] of the lanes where value[i] is at most the limit; kWide elements are overwritten. Returns how many.
+// Appends from[i] of the lanes where value[i] is at most the limit. kWide elements are overwritten. Returns how many
+// were appended.
 inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, const float* value, Wide limit) {
   const std::uint32_t mask = mask_le(load8(value), limit);
   std::uint32_t n = 0;
@@ -247,7 +248,7 @@ inline std::uint32_t append_le(std::uint32_t* to, const std::uint32_t* from, con
   return n;
 }
 
-// Sums of whole numbers, each addend held exactly by a float.
+// Sums of integers, each of which a float represents exactly.
 struct Sum8 {
   std::int32_t v[8];
 };
@@ -317,7 +318,8 @@ inline void store_d(double* p, D a) {
   p[0] = a.v[0];
   p[1] = a.v[1];
 }
-// Two to the power of whole numbers from -1022 to 1023: the last bits of 1.5 x 2^52 + n + 1023 are the exponent's.
+// Returns two to the power of integers from -1022 to 1023. The last bits of 1.5 x 2^52 + n + 1023 are those of the
+// exponent.
 inline D power_of_two(D whole) {
   D out;
   for (int i = 0; i < 2; ++i) {
@@ -329,7 +331,7 @@ inline D power_of_two(D whole) {
   }
   return out;
 }
-// To the nearest whole number, ties to even.
+// Rounds to the nearest integer, ties to even.
 inline void store_rounded(std::int32_t* to, D a) {
   for (int i = 0; i < 2; ++i) to[i] = static_cast<std::int32_t>(__builtin_nearbyint(a.v[i]));
 }

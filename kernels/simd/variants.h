@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// Instruction sets are known in this folder only. Each kernel body is one text (kernels/FOLDER/NAME.inl) over fixed
-// lanes (lanes_*.h), compiled once for each instruction set; the answers are the same bits in each.
-// kernels/CMakeLists.txt lists the bodies; nothing here knows them.
+// Only this folder knows the instruction sets. Each kernel body is one text (kernels/FOLDER/NAME.inl) over fixed lanes
+// (lanes_*.h). It is compiled once for each instruction set, and the results have the same bits in each.
+// kernels/CMakeLists.txt lists the bodies. No file of this folder knows them.
 #pragma once
 #include <cstdint>
 
@@ -12,7 +12,7 @@ constexpr Isa kIsas[] = {Isa::baseline, Isa::avx2, Isa::avx512};
 
 const char* name_of(Isa isa);
 
-// Whether this machine has it and this build was made for it.
+// Whether this machine has the instruction set and this build includes it.
 bool has_isa(Isa isa);
 
 // The best instruction set of this machine, chosen once. ILOT_FORCE_ISA=baseline|avx2|avx512 overrides it; a name that
@@ -25,7 +25,7 @@ struct Variants {
   const Body* each[3];
 
   const Body& best() const { return *each[static_cast<int>(chosen_isa())]; }
-  // Of an instruction set that the machine has (has_isa).
+  // Returns the functions for an instruction set that the machine has (has_isa).
   const Body& of(Isa isa) const { return *each[static_cast<int>(isa)]; }
 };
 
