@@ -63,9 +63,9 @@ bool shows_thousands(std::string_view row, const TextDialect& dialect) {
 
 void read_rows(std::span<const std::string> rows, std::span<const std::size_t> counts, Reading& reading) {
   std::vector<std::string_view> fields;
-  std::vector<std::size_t> with(kMostColumns + 1);
+  std::vector<std::size_t> with(kMostShownColumns + 1);
   for (const std::string& row : rows) {
-    split_row(row, reading.dialect, kMostColumns, fields);
+    split_row(row, reading.dialect, kMostShownColumns, fields);
     std::vector<double>& values = reading.rows.emplace_back(fields.size());
     for (std::size_t i = 0; i < fields.size() && !values.empty(); ++i)
       if (!parse_number(fields[i], reading.dialect, values[i])) values.clear();
@@ -101,7 +101,7 @@ bool are_decimals(std::span<const std::string> rows) {
   std::size_t seen = 0;
   for (const std::string& row : rows) {
     if (row.find('"') != std::string::npos) return true;  // quotes show that commas are decimal commas
-    split_row(row, {Separator::comma, '.', 0}, kMostColumns, fields);
+    split_row(row, {Separator::comma, '.', 0}, kMostShownColumns, fields);
     for (std::size_t i = 1; i < fields.size(); i += 2) {
       if (fields[i].size() < 2) continue;
       if (fields[i].front() == '0') return true;

@@ -251,7 +251,7 @@ bool looks_like_numbers(std::string_view line) {
   // German thousands ("6.861.000,5") consist only of digits and points, so the text between separators must begin as a
   // number.
   std::vector<std::string_view> fields;
-  split_fields(plain, kMostColumns, fields);
+  split_fields(plain, kMostShownColumns, fields);
   double value = 0;
   for (const std::string_view field : fields) {
     const bool grouped = !field.empty() && field.find_first_not_of("+-0123456789.") == std::string_view::npos;

@@ -13,7 +13,7 @@
 
 namespace ilot {
 
-constexpr std::size_t kMostColumns = 1001;  // of a row that is looked at to find the dialect
+constexpr std::size_t kMostShownColumns = 1001;  // of a row that is looked at to find the dialect
 
 // Returns a text for people: "separated by semicolons, decimal comma".
 std::string description_of(const TextDialect& dialect);
