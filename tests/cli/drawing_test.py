@@ -14,7 +14,7 @@ EXE = os.environ["ILOT_EXE"]
 HOSTILE = ["F\u00e9n\u00eatre n\u00b0 1 \u2014 \u00e9tage", "100%%d %%%% %", "a^Ib^J", "\\U+0041 \\P {x}", "line\n  0\nEOF\n", "\U0001F3E0",
            "<svg onload=x> & \"quoted\"", "=SUM(A1)", " ", ""]
 
-# Runs where ezdxf is: audits, then tells what the drawing holds.
+# Runs where ezdxf is installed: audits the drawing, then prints its contents.
 AUDIT = """
 import json, sys, ezdxf
 from ezdxf.lldxf.encoding import decode_dxf_unicode

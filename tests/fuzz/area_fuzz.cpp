@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an area: GeoJSON or WKT, and as the text of --bounds.
+// Reads any bytes as an area in GeoJSON or WKT, and as the text of --bounds.
 #include <cstdint>
 
 #include "engine/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as CityJSON or a sequence of it; faces of few corners are cut into triangles.
+// Reads any bytes as CityJSON or CityJSONSeq, and cuts faces with few corners into triangles.
 #include <cstdint>
 
 #include "engine/deliverables/solids/model_file.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a drawing; one that can be read can be judged and has nothing to correct beside itself.
+// Reads any bytes as a drawing. A drawing that can be read can be validated, and a comparison with itself finds nothing
+// to correct.
 #include <cstdint>
 
 #include "engine/compare/drawing_control.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an E57 file, read to the end. Its pages are given right checksums, or no change would pass them.
+// Reads any bytes as an E57 file to the end. The pages get correct checksums first, because otherwise every change
+// would be rejected.
 #include "engine/formats/e57/e57.h"
 #include "tests/fuzz/fuzz_file.h"
 #include "tests/support/e57_writer.h"

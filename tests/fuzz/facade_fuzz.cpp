@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a facade; what is one reads back from what is written of it, and can be drawn: the drawing reads back
-// too.
+// Reads any bytes as a facade. A facade that can be read is written and read again, and it is drawn; the drawing is
+// read again too.
 #include <cstdint>
 
 #include "engine/deliverables/drawings/drawing_svg.h"
@@ -15,7 +15,7 @@
 
 namespace {
 
-// Throws Error for coordinates that no drawing holds, and nothing else.
+// Throws only Error, for coordinates that no drawing can contain.
 void draw(const ilot::Facade& facade) {
   using namespace ilot;
   const DrawingLayers layers = preset_layers("ilot");

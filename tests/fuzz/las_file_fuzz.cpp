@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a file of the LAS family: opened, all points read and held against the header.
+// Opens any bytes as a file of the LAS family, reads all points and compares them with the header.
 #include "engine/formats/las/las.h"
 #include "engine/validity/validate_las.h"
 #include "tests/fuzz/fuzz_file.h"

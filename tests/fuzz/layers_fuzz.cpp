@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a mapping of layers.
+// Reads any bytes as a mapping of layers.
 #include <cstdint>
 
 #include "engine/deliverables/drawings/drawing_layers.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as one LAZ chunk: the first five choose layout, number of points and fields, the rest is the
-// chunk.
+// Reads any bytes as one LAZ chunk. The first five bytes choose the layout, the number of points and the fields; the
+// rest is the chunk.
 #include <vector>
 
 #include "engine/cloud/record.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a file of the LAS family: opened, and its first points read.
+// Opens any bytes as a file of the LAS family and reads its first points.
 #include <unistd.h>
 
 #include <cstdio>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as an OBJ of buildings.
+// Reads any bytes as an OBJ file of buildings.
 #include <cstdint>
 
 #include "engine/deliverables/solids/model_file.h"

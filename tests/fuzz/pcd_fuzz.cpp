@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a PCD file, read to the end.
+// Reads any bytes as a PCD file to the end.
 #include "engine/formats/tables/pcd.h"
 #include "tests/fuzz/fuzz_file.h"
 

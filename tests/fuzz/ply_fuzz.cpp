@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a PLY file, read to the end.
+// Reads any bytes as a PLY file to the end.
 #include "engine/formats/tables/ply.h"
 #include "tests/fuzz/fuzz_file.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a file of settings, and their first line as an argument of --set. What was understood is printed, and
-// must be understood again as the same.
+// Reads any bytes as a file of settings, and their first line as an argument of --set. The settings are printed, and
+// the printed text must give the same settings.
 #include <cstdint>
 
 #include "engine/error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a model to validate: the first says the format.
+// Reads any bytes as a model to validate. The first byte chooses the format.
 #include <cstdint>
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as a text file: the first one chooses the extension, which decides on counts and intensities.
+// Reads any bytes as a text file. The first byte chooses the extension, which decides on counts and intensities.
 #include "engine/formats/tables/text.h"
 #include "tests/fuzz/fuzz_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Any bytes as the truth of a scene.
+// Reads any bytes as the truth of a scene.
 #include <cstdint>
 
 #include "engine/compare/truth.h"
