@@ -31,8 +31,8 @@ EVERYWHERE = {"engine/error.h", "engine/geos_context.h", "engine/markup.h", "eng
               "engine/whole_file_writer.h", "engine/pass/stop.h"}
 PRODUCTS = {"products/roofs", "products/facades", "products/streets"}
 PURE = re.compile(r"^engine/products/\w+/\w+/")  # steps of a product: plain data in and out
-KERNEL_HEIGHT = {"core": 0, "geometry": 1, "simd": 1, "classifiers": 2, "neighbours": 2, "planes": 3, "plane_methods": 4,
-                 "shapes": 4, "delaunay": 3, "outlines": 4, "meshes": 4, "rasters": 4, "morphology": 5}
+KERNEL_HEIGHT = {"core": 0, "geometry": 1, "simd": 1, "classifiers": 2, "neighbours": 2, "planes": 3, "shapes": 4,
+                 "plane_methods": 5, "delaunay": 3, "outlines": 4, "meshes": 4, "rasters": 4, "morphology": 5}
 CLOUD_FORMATS = re.compile(r"\b(las|laz|copc|e57|ply|pcd|ptx|LAS|LAZ|COPC|E57|PLY|PCD|PTX)\b|LASF")
 DRAWING_FORMATS = re.compile(r"\b(dxf|DXF|CityJSON|GDAL|gdal\w*|ogr\w*|OGR\w*)\b")
 TALKING = re.compile(r"<iostream>|\bstd::(cout|cerr|clog|printf|exit)\b|\b(printf|puts|abort|exit|_exit)\s*\(")
