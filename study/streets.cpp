@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "engine/model/point_label.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/whole_file.h"
 #include "kernels/core/parallel.h"
@@ -26,10 +27,6 @@ namespace {
 
 using namespace ilot;
 namespace fs = std::filesystem;
-
-bool is_object(PointLabel label) {
-  return label >= PointLabel::car && label <= PointLabel::other;
-}
 
 // Returns for each object that was found the object candidate that overlaps it best.
 std::vector<TrainingSample> objects_of(const Street& street) {
@@ -56,10 +53,10 @@ void evaluate_selection(const Street& street, const std::vector<CandidateClass>&
   std::map<std::string, std::uint64_t> detected;
   std::uint64_t wrong = 0, right = 0, objects = 0;
   for (std::size_t i = 0; i < taken.size(); ++i) {
-    if (taken[i] == 0 || !is_object(classes[i].label)) continue;
+    if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
     if (street.object[i] == 0) {
       ++wrong;
-      ++m[is_object(street.samples[i].label) ? PointLabel::none : street.samples[i].label][classes[i].label];
+      ++m[is_street_object(street.samples[i].label) ? PointLabel::none : street.samples[i].label][classes[i].label];
       continue;
     }
     const PointLabel truth = street.classes.at(street.object[i]);

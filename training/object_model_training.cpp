@@ -8,6 +8,7 @@
 #include <map>
 
 #include "engine/error.h"
+#include "engine/model/point_label.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "kernels/core/parallel.h"
 #include "training/feature_selection.h"
@@ -205,7 +206,7 @@ bool has_role(const TrainingSample& s) {
 std::vector<TrainingSample> whole_objects(std::span<const TrainingSample> samples) {
   std::vector<TrainingSample> out;
   for (const TrainingSample& s : samples)
-    if (!has_role(s) && s.label >= PointLabel::car) out.push_back(s);
+    if (!has_role(s) && is_street_object(s.label)) out.push_back(s);
   return out;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/model/point_label.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "training/role_weights.h"
 #include "training/tree_boosting.h"
@@ -13,7 +14,7 @@ namespace {
 CandidateKind nature_of(const TrainingSample& s) {
   if (s.role == CandidateRole::part) return CandidateKind::part;
   if (s.role == CandidateRole::merged) return CandidateKind::merged;
-  if (s.label >= PointLabel::car) return CandidateKind::object;
+  if (is_street_object(s.label)) return CandidateKind::object;
   return s.label == PointLabel::none ? CandidateKind::nothing : CandidateKind::vegetation;
 }
 
@@ -80,7 +81,7 @@ std::vector<KindShares> held_out(std::span<const TrainingSample> all, const Trai
 // freely.
 RoleSample role_sample(const TrainingSample& s, const KindShares& shares) {
   RoleSample out;
-  const bool object = s.label >= PointLabel::car;
+  const bool object = is_street_object(s.label);
   switch (s.role) {
     case CandidateRole::whole:
       out.may = {object, !object, 1, 1};

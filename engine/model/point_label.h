@@ -17,4 +17,10 @@ inline const std::map<std::uint32_t, std::string>& point_label_names() {
   return names;
 }
 
+// True for the classes of objects that stand on a street: all labels from `car` on. A new class is the last one, with a
+// name above.
+inline bool is_street_object(PointLabel label) {
+  return label >= PointLabel::car && point_label_names().contains(static_cast<std::uint32_t>(label));
+}
+
 }  // namespace ilot

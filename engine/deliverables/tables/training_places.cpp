@@ -9,6 +9,7 @@
 
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
+#include "engine/model/point_label.h"
 
 namespace ilot {
 namespace {
@@ -23,7 +24,7 @@ PointLabel label_of(const fs::path& path, const std::string& name) {
   if (name == "none") return PointLabel::none;
   for (const auto& [value, known] : point_label_names()) {
     const auto label = static_cast<PointLabel>(value);
-    if (known == name && (label == PointLabel::vegetation || label >= PointLabel::car)) return label;
+    if (known == name && (label == PointLabel::vegetation || is_street_object(label))) return label;
   }
   throw usage(path, "there is no class '" + name + "'; there is: car, lamppost, pedestrian, other, vegetation, none");
 }

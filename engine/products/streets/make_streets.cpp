@@ -8,6 +8,7 @@
 
 #include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
+#include "engine/model/point_label.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_labels.h"
@@ -57,10 +58,6 @@ StreetObject object_of(const FoundStreet& street, const StretchIndex& blocks, co
   o.stretch = address.stretch;
   o.block = address.block;
   return o;
-}
-
-bool is_object(PointLabel label) {
-  return label >= PointLabel::car && label <= PointLabel::other;
 }
 
 void add_parts(const FoundStreet& street, StreetPlan& plan) {
@@ -165,7 +162,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   const StretchIndex blocks(street.stretches, street.tiles->raster().scale);
   const double unit = store.unit();
   for (std::size_t i = 0; i < street.candidates.size(); ++i) {
-    if (taken[i] == 0 || !is_object(classes[i].label) || street.candidates[i].points < kLeastPoints) continue;
+    if (taken[i] == 0 || !is_street_object(classes[i].label) || street.candidates[i].points < kLeastPoints) continue;
     StreetObject object = object_of(street, blocks, street.candidates[i], classes[i]);
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
@@ -183,7 +180,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
     const std::uint32_t candidate = candidate_of[part];
     const PointLabel label = classes[candidate - 1].label;
     labels.object.push_back(object_of_candidate[candidate]);
-    labels.label.push_back(is_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
+    labels.label.push_back(is_street_object(label) && object_of_candidate[candidate] == 0 ? PointLabel::none : label);
   }
   add_parts(street, plan);
   write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);

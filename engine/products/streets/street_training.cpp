@@ -10,6 +10,7 @@
 
 #include "engine/deliverables/tables/training_places.h"
 #include "engine/error.h"
+#include "engine/model/point_label.h"
 
 namespace ilot {
 namespace {
@@ -106,12 +107,12 @@ ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const 
         train.places.string(), learnt.outside, learnt.places, learnt.first_outside.x, learnt.first_outside.y));
   std::map<PointLabel, std::size_t> counts;
   for (const TrainingSample& s : learnt.samples) ++counts[s.label];
-  for (const PointLabel label : {PointLabel::car, PointLabel::lamppost, PointLabel::pedestrian, PointLabel::other})
-    if (counts.count(label) == 0)
+  for (const auto& entry : point_label_names())
+    if (const auto label = static_cast<PointLabel>(entry.first); is_street_object(label) && counts.count(label) == 0)
       add_warning(
           fmt::format("{}: holds no {}, so nothing will be called that", train.places.string(), name_of(label)));
   ObjectModel model = train.learn(learnt.samples);
-  model.recipe = fmt::format("trained by ilot run --train on {} things\n", learnt.samples.size());
+  model.recipe = fmt::format("trained by ilot run --train on {} objects\n", learnt.samples.size());
   for (const auto& [label, count] : counts) model.recipe += fmt::format("{}: {}\n", name_of(label), count);
   return model;
 }
@@ -155,7 +156,7 @@ std::vector<CandidateClass> StreetClasses::of(const std::vector<ObjectCandidate>
   if (!trained) return predicted;
   const std::vector<CandidateClass> learnt = classify_candidates(*trained, features);
   for (std::size_t i = 0; i < predicted.size(); ++i) {
-    if (predicted[i].label < PointLabel::car) continue;
+    if (!is_street_object(predicted[i].label)) continue;
     predicted[i].label = learnt[i].label;
     predicted[i].probability *= learnt[i].probability;
   }

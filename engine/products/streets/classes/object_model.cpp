@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "engine/error.h"
+#include "engine/model/point_label.h"
 #include "engine/products/streets/classes/object_model_functions.h"
 #include "engine/products/streets/classes/role_trees_text.h"
 #include "engine/products/streets/classes/svm_decisions.h"
@@ -109,7 +110,7 @@ class ModelReader {
     if (!(v[0] > 0)) fail("a class is never there");
     std::string name;
     words >> name;
-    for (std::uint32_t value = 0; value <= static_cast<std::uint32_t>(PointLabel::other); ++value) {
+    for (std::uint32_t value = 0; value <= point_label_names().rbegin()->first; ++value) {
       if (object_class_name(static_cast<PointLabel>(value)) != name) continue;
       model_.classes.push_back(static_cast<PointLabel>(value));
       model_.prior.push_back(v[0]);
@@ -152,7 +153,7 @@ KindShares nature_of(const ObjectModel& model, const std::vector<double>& share)
   KindShares out{};
   for (std::size_t c = 0; c < share.size(); ++c) {
     const PointLabel label = model.classes[c];
-    const CandidateKind kind = label >= PointLabel::car    ? CandidateKind::object
+    const CandidateKind kind = is_street_object(label)     ? CandidateKind::object
                                : label == PointLabel::none ? CandidateKind::nothing
                                                            : CandidateKind::vegetation;
     out[static_cast<std::size_t>(kind)] += share[c];
@@ -171,7 +172,7 @@ MostProbable most_probable(const ObjectModel& model, const ClassShares& shares, 
   MostProbable best{object ? PointLabel::other : PointLabel::none};
   double all = 0;
   for (std::size_t c = 0; c < shares.share.size(); ++c) {
-    if ((model.classes[c] >= PointLabel::car) != object) continue;
+    if (is_street_object(model.classes[c]) != object) continue;
     all += shares.share[c];
     if (shares.share[c] > best.share)
       best = {model.classes[c], shares.share[c], shares.nearest[c] >= model.min_similarity[c]};
