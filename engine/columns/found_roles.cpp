@@ -15,6 +15,7 @@
 namespace ilot {
 namespace {
 
+constexpr RasterUse kUse{"classes of points", ""};
 constexpr std::uint32_t kSide = 128;              // side of a tile, in pixels
 constexpr double kPixelMetres = 1.1;              // largest side of a pixel
 constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the surface of the ground
@@ -38,8 +39,8 @@ class RoleFinder {
       : store_(store),
         context_(context),
         unit_mm_(unit_millimetres(store, context)),
-        tiles_(context, store.folder() / "ground",
-               plan_raster(store, context, pixel_units(unit_mm_), kSide, "classes of points"), "classes of points"),
+        tiles_(context, store.folder() / "ground", plan_raster(store, context, pixel_units(unit_mm_), kSide, kUse),
+               kUse),
         pixel_of_(raster().pixel) {}
 
   RoleCounts find() {

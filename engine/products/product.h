@@ -32,6 +32,7 @@ struct ProductRun {
   const std::vector<PlannedSite>* footprints = nullptr;  // nullptr: no file of footprints was given
   const StreetTraining* training = nullptr;
   std::function<bool(const char* product)> asked;  // whether the product is asked for by --products
+  bool outlines_wanted = false;                    // a product that is found among planes follows
   std::filesystem::path folder;                    // folder of all results
   Progress& progress;
   RunRecord& record;

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/replay/kept_planes.h"
 
+#include <algorithm>
+
 #include "engine/products/planes/product.h"
 #include "engine/products/product.h"
+#include "engine/run/products.h"
 
 namespace ilot {
 
@@ -17,6 +20,7 @@ std::shared_ptr<PlanesResult> kept_planes(const KeptRun& run, Progress& progress
                   nullptr,
                   nullptr,
                   [&](const char* product) { return run.made(product); },
+                  std::ranges::any_of(products_to_make(run.options().products), &Product::found_among_planes),
                   folder,
                   progress,
                   record};

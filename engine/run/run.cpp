@@ -170,6 +170,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
   }
 
   std::filesystem::create_directories(out.staging());
+  const std::vector<const Product*> products = products_to_make(options.products);
   ProductRun work{index.store,
                   inputs,
                   options.settings,
@@ -177,10 +178,11 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
                   options.footprints.empty() ? nullptr : &sites,
                   &training,
                   [&](const char* product) { return makes(options, product); },
+                  std::ranges::any_of(products, &Product::found_among_planes),
                   out.staging(),
                   progress,
                   record};
-  for (const Product* product : products_to_make(options.products)) product->make(work);
+  for (const Product* product : products) product->make(work);
   const LabelParams labels = labels_of(options, std::move(work.planes));
 
   std::uint64_t labelled = 0;

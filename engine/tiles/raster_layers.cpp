@@ -9,10 +9,10 @@ constexpr double kShareOfLayers = 0.15;  // share of the budget for packed layer
 }  // namespace
 
 RasterLayers::RasterLayers(const PassContext& context, const std::filesystem::path& folder, TileRaster raster,
-                           const std::string& what)
+                           const RasterUse& use)
     : raster_(std::move(raster)),
       packed_(folder, static_cast<std::uint64_t>(kShareOfLayers * static_cast<double>(context.budget_bytes))),
-      runner_(context, packed_, what) {
+      runner_(context, packed_, use) {
   raster_.grid.run = [this](std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) {
     runner_.run(bytes, body);
   };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 #include <filesystem>
-#include <string>
 
 #include "engine/pass/context.h"
 #include "engine/tiles/packed_layers.h"
@@ -12,11 +11,11 @@
 namespace ilot {
 
 // A raster with its layers, which are packed in memory and, beyond a share of the budget, in files of `folder`. It also
-// runs the work on its tiles within --memory. The text of an Error begins with `what`.
+// runs the work on its tiles within --memory. The text of an Error begins with `use.what`.
 class RasterLayers {
  public:
   RasterLayers(const PassContext& context, const std::filesystem::path& folder, TileRaster raster,
-               const std::string& what);
+               const RasterUse& use);
   RasterLayers(const RasterLayers&) = delete;
   RasterLayers& operator=(const RasterLayers&) = delete;
 

@@ -55,7 +55,7 @@ Index3 TileRaster::corner(std::size_t tile) const {
 }
 
 TileRaster plan_raster(const Store& store, const PassContext& context, std::int64_t pixel, std::uint32_t side,
-                       const std::string& what) {
+                       const RasterUse& use) {
   TileRaster raster;
   raster.pixel = pixel;
   raster.unit = store.unit();
@@ -72,8 +72,8 @@ TileRaster plan_raster(const Store& store, const PassContext& context, std::int6
   if (std::max(width, height) > kMostPixels)
     throw Error(fmt::format(
         "{}: the points are spread over {} tiles of {:.0f} m that do not touch, which is more than a raster "
-        "can hold: give larger pixels (streets.pixel), or a part of them (--bounds)",
-        what, grouped(windows.size()), side * raster.scale.pixel));
+        "can hold: give {}or a part of them (--bounds)",
+        use.what, grouped(windows.size()), side * raster.scale.pixel, use.remedy));
   raster.grid.width = static_cast<std::uint32_t>(width);
   raster.grid.height = static_cast<std::uint32_t>(height);
   for (const auto& [row, column] : windows)

@@ -2,13 +2,13 @@
 // A raster over the points of a store, in tiles. Only tiles with points exist.
 #pragma once
 #include <cstdint>
-#include <string>
 
 #include "engine/pass/context.h"
 #include "engine/store/store.h"
 #include "engine/tiles/folded_axis.h"
 #include "engine/tiles/point_windows.h"
 #include "engine/tiles/raster_scale.h"
+#include "engine/tiles/raster_use.h"
 #include "kernels/rasters/tiles.h"
 
 namespace ilot {
@@ -44,9 +44,9 @@ struct TileRaster {
 };
 
 // Plans the raster of a store with pixels of `pixel` lattice units and tiles of `side` pixels. Throws Error, which
-// begins with `what`, where there are so many tiles that their pixels cannot be numbered (2^31 in one direction).
+// begins with `use.what`, where there are so many tiles that their pixels cannot be numbered (2^31 in one direction).
 // O(points).
 TileRaster plan_raster(const Store& store, const PassContext& context, std::int64_t pixel, std::uint32_t side,
-                       const std::string& what);
+                       const RasterUse& use);
 
 }  // namespace ilot

@@ -49,8 +49,8 @@ std::uint64_t TileRunner::make_room(std::uint64_t least, std::uint64_t wanted) c
   const std::uint64_t enough = memory_ + least - static_cast<std::uint64_t>(std::max<std::int64_t>(0, free));
   throw Error(
       fmt::format("{}: this raster needs about {} MiB of memory at once, --memory allows {} MiB: give "
-                  "--memory {}M or more, larger pixels (streets.pixel), or a part of the points (--bounds)",
-                  what_, (enough >> 20) + 1, memory_ >> 20, ((enough >> 20) / 64 + 1) * 64));
+                  "--memory {}M or more, {}or a part of the points (--bounds)",
+                  use_.what, (enough >> 20) + 1, memory_ >> 20, ((enough >> 20) / 64 + 1) * 64, use_.remedy));
 }
 
 void TileRunner::need(std::uint64_t bytes) const {

@@ -3,11 +3,10 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
-#include <utility>
 
 #include "engine/pass/context.h"
 #include "engine/tiles/packed_layers.h"
+#include "engine/tiles/raster_use.h"
 
 namespace ilot {
 
@@ -17,8 +16,8 @@ namespace ilot {
 // enough. The results do not depend on any of this.
 class TileRunner {
  public:
-  TileRunner(const PassContext& context, PackedLayers& layers, std::string what)
-      : memory_(context.memory_bytes), budget_(context.budget_bytes), layers_(layers), what_(std::move(what)) {}
+  TileRunner(const PassContext& context, PackedLayers& layers, const RasterUse& use)
+      : memory_(context.memory_bytes), budget_(context.budget_bytes), layers_(layers), use_(use) {}
 
   // The functions RunTasks and NeedBytes of a TileGrid.
   void run(std::span<const std::uint64_t> bytes, const std::function<void(std::size_t)>& body) const;
@@ -30,7 +29,7 @@ class TileRunner {
 
   std::uint64_t memory_, budget_;
   PackedLayers& layers_;
-  std::string what_;  // beginning of the text of an Error
+  RasterUse use_;
 };
 
 }  // namespace ilot

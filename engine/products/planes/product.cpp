@@ -46,7 +46,7 @@ void make(ProductRun& run) {
   }
   run.planes = std::make_shared<PlanesResult>(
       make_planes(run.store, run.inputs.readers, settings, run.context, run.progress, run.record));
-  if (run.asked("facades")) run.planes->outlines = LargestOutlines(kMostCorners);
+  if (run.outlines_wanted) run.planes->outlines = LargestOutlines(kMostCorners);
   run.progress.begin_stage("boundaries", run.store.points());
   make_boundaries(run.store, *run.planes, run.settings, run.inputs, run.context, run.folder, run.record);
   write_tables(run, *run.planes);

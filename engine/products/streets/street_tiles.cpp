@@ -18,6 +18,7 @@ namespace ilot {
 namespace {
 
 constexpr std::uint32_t kSide = 512;
+constexpr RasterUse kUse{"streets", "a larger streets.pixel, "};
 constexpr std::uint64_t kBytesDrawn = 16;            // bytes per pixel of a tile that is drawn
 constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // memory of points while they are read, with their chunks
 constexpr double kFinestPixel = 0.05;                // metres
@@ -104,13 +105,13 @@ double pixel_for(double density, StreetView view) {
 }
 
 TileRaster street_raster(const Store& store, const PassContext& context, double pixel_metres) {
-  return plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, "streets");
+  return plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, kUse);
 }
 
 StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres, SeeTile see)
     : store_(store),
       context_(context),
-      tiles_(context, store.folder() / "streets", street_raster(store, context, pixel_metres), "streets"),
+      tiles_(context, store.folder() / "streets", street_raster(store, context, pixel_metres), kUse),
       layers_(tiles_.layers()) {
   if (see)
     layers_.write = [this, see](const char* layer, std::size_t tile, const Image& image) {
