@@ -108,14 +108,13 @@ RunOptions options_of(const RunArguments& given) {
 }
 
 // Sets how much memory the allocator may keep for the next request. Memory that returns to the system must be cleared
-// again by the system. The amount is a sixteenth of --memory, shared by the pools of the allocator. A pool serves
-// requests up to half of its share. Larger ones go to the system.
+// again by the system. The amount is a sixteenth of --memory, shared by the threads. A thread is served from pools up to
+// half of its share. Larger requests go to the system, and leave no gaps.
 void let_allocator_keep(std::uint64_t memory_bytes, int threads) {
-  constexpr std::uint64_t kLeastRequest = 256u << 10, kMostRequest = 32u << 20;  // the upper limit of the C library
-  const std::uint64_t pools = allocator_pools(memory_bytes, threads);
-  const std::uint64_t request = memory_bytes / 32 / pools;
+  constexpr std::uint64_t kLeastRequest = 128u << 10, kMostRequest = 32u << 20;  // the upper limit of the C library
+  const std::uint64_t request = memory_bytes / 32 / static_cast<std::uint64_t>(threads);
   const auto kept = static_cast<int>(std::clamp(request, kLeastRequest, kMostRequest));
-  mallopt(M_ARENA_MAX, static_cast<int>(pools));
+  mallopt(M_ARENA_MAX, static_cast<int>(allocator_pools(memory_bytes, threads)));
   mallopt(M_MMAP_THRESHOLD, kept);
   mallopt(M_TRIM_THRESHOLD, 2 * kept);
 }
