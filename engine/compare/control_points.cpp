@@ -21,6 +21,12 @@ struct Pair {
   std::size_t point = 0, vertex = 0;
 };
 
+bool is_occluded(const FacadeElement& e, std::size_t corner) {
+  if (e.edges.empty()) return false;
+  const std::size_t before = corner == 0 ? e.edges.size() - 1 : corner - 1;
+  return e.edges[corner].status == DrawnStatus::occluded || e.edges[before].status == DrawnStatus::occluded;
+}
+
 bool is_completed(const FacadeElement& e, std::size_t corner) {
   if (e.status == DrawnStatus::completed) return true;
   if (e.edges.empty()) return false;
@@ -28,13 +34,14 @@ bool is_completed(const FacadeElement& e, std::size_t corner) {
   return e.edges[corner].status != DrawnStatus::seen || e.edges[before].status != DrawnStatus::seen;
 }
 
-std::vector<DrawnVertex> vertices_of_kind(std::span<const Facade> facades, const std::string& kind) {
+std::vector<DrawnVertex> vertices_of_kind(std::span<const Facade> facades, const std::string& kind, bool as_documents) {
   std::vector<DrawnVertex> vertices;
   for (const Facade& facade : facades) {
     for (const FacadeElement& e : facade.elements) {
       const bool asked = e.kind == kind || (kind == "window" && e.kind == "opening");
       if (!asked || e.status == DrawnStatus::occluded) continue;
-      for (std::size_t i = 0; i < e.ring.size(); ++i) vertices.push_back({&facade, &e, e.ring[i], is_completed(e, i)});
+      for (std::size_t i = 0; i < e.ring.size(); ++i)
+        if (as_documents || !is_occluded(e, i)) vertices.push_back({&facade, &e, e.ring[i], is_completed(e, i)});
     }
   }
   return vertices;
@@ -60,7 +67,8 @@ std::vector<Pair> pairs_within_reach(const std::vector<Vec3>& points, const std:
 
 ControlGroup evaluate_group(const std::string& name, const std::vector<Vec3>& points, std::span<const Facade> facades,
                             const ControlPointParams& params) {
-  const std::vector<DrawnVertex> vertices = vertices_of_kind(facades, name.substr(0, name.find('_')));
+  const std::vector<DrawnVertex> vertices =
+      vertices_of_kind(facades, name.substr(0, name.find('_')), params.as_documents);
   std::vector<char> point_taken(points.size()), vertex_taken(vertices.size());
   std::vector<double> dx, dz, dd, completed;
   for (const Pair& pair : pairs_within_reach(points, vertices, params)) {

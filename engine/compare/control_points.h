@@ -15,6 +15,7 @@ struct ControlPointParams {
   double limit_m = 0.3;  // a drawn vertex farther away than this, in the plane of the facade, is not homologous
   double depth_m = 0.5;  // a drawn vertex farther than this in front of or behind the true one is not homologous
   double metres_per_unit = 1;
+  bool as_documents = false;  // vertices on occluded edges count as completed, as in the tables of the documents
 };
 
 struct MeanAndSpread {
@@ -36,7 +37,8 @@ struct ControlGroup {
 // kind of element on which its vertices are searched: window_top on windows (and on elements of kind `opening`). Every
 // vertex serves at most one control point of a group. Pairs are made in the order of their distance (ties: the earlier
 // control point, then the earlier vertex). A control point without a vertex within the limit is missed. Occluded
-// elements have no drawn vertices. There may be several facades; each control point is measured in the axes of the
+// elements have no drawn vertices, and a vertex between an occluded edge and any other is not drawn: its control point
+// is missed. There may be several facades; each control point is measured in the axes of the
 // facade of its vertex. O(c v) per group.
 std::vector<ControlGroup> evaluate_control_points(std::span<const TrueControlPoint> truth,
                                                   std::span<const Facade> facades,

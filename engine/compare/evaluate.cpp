@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/compare/label_counts.h"
+#include "engine/deliverables/layers/gpkg_readers.h"
 #include "engine/deliverables/solids/model_file.h"
 #include "engine/deliverables/tables/facade_json.h"
 #include "engine/deliverables/tables/planes_csv.h"
@@ -160,9 +161,14 @@ void evaluate_facades(const ResultFiles& files, const Truth& truth, const Evalua
     return;
   }
   if (truth.has_control_points)
-    evaluation.control_points =
-        evaluate_control_points(truth.control_points, facades, {params.control_point_limit_m, 0.5, metres_per_unit});
-  if (truth.has_openings) evaluation.openings = evaluate_openings(truth.openings, facades, {0.5, 0.5, metres_per_unit});
+    evaluation.control_points = evaluate_control_points(
+        truth.control_points, facades, {params.control_point_limit_m, 0.5, metres_per_unit, params.as_documents});
+  if (!truth.has_openings) return;
+  const OpeningMatching rule{0.5, 0.5, metres_per_unit};
+  evaluation.openings = evaluate_openings(truth.openings, facades, rule);
+  evaluation.facade_sides = evaluate_facade_sides(truth.openings, facades, metres_per_unit);
+  evaluation.drawn_edges =
+      evaluate_drawn_edges(truth.openings, match_openings(truth.openings, facades, rule), metres_per_unit);
 }
 
 void evaluate_roof_models(const ResultFiles& files, const Truth& truth, double metres_per_unit,
@@ -186,7 +192,22 @@ void evaluate_roof_models(const ResultFiles& files, const Truth& truth, double m
   evaluation.roofs = roofs;
 }
 
-void evaluate_street(const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
+// Found objects without a partner in the truth have the wrong class, whatever it is.
+ProbabilityEvaluation evaluate_probabilities(const fs::path& file, const std::map<std::uint32_t, bool>& right) {
+  std::vector<JudgedProbability> all;
+  std::map<std::string, std::vector<JudgedProbability>> by_class;
+  const ClassNames names = point_label_names();
+  for (const StreetObject& object : read_objects_gpkg(file)) {
+    const auto known = right.find(object.id);
+    all.push_back({object.probability, known != right.end() && known->second});
+    by_class[names.at(static_cast<std::uint32_t>(object.label))].push_back(all.back());
+  }
+  ProbabilityEvaluation result{reliability(all), {}};
+  for (const auto& [name, statements] : by_class) result.by_class[name] = reliability(statements);
+  return result;
+}
+
+void evaluate_street(const ResultFiles& files, const LabelCounts& counts, const Truth& truth, Evaluation& evaluation) {
   if (!truth.has_objects || !counts.has_true_element) return;
   if (!counts.has_objects) {
     evaluation.notes.emplace_back("no extra bytes 'object_id': objects are not judged");
@@ -194,6 +215,8 @@ void evaluate_street(const LabelCounts& counts, const Truth& truth, Evaluation& 
   }
   evaluation.objects =
       evaluate_objects(truth.objects, counts.objects.sorted(), counts.object_labels.sorted(), point_label_names());
+  if (files.objects)
+    evaluation.probabilities = evaluate_probabilities(*files.objects, evaluation.objects->right_of_found);
 }
 
 }  // namespace
@@ -214,6 +237,7 @@ ResultFiles find_results(const fs::path& result) {
   files.clouds = files_in(result / "points", is_cloud_extension);
   files.facades = files_in(result / "facades", named(".json"));
   if (fs::is_regular_file(result / "planes.csv")) files.planes_csv = result / "planes.csv";
+  if (fs::is_regular_file(result / "streets" / "objects.gpkg")) files.objects = result / "streets" / "objects.gpkg";
   for (const char* end : {".city.jsonl", ".city.json", ".obj"}) {
     const std::vector<fs::path> models = files_in(result / "roofs", named(end));
     if (!files.roofs && !models.empty()) files.roofs = models.front();
@@ -235,7 +259,7 @@ Evaluation evaluate(const fs::path& result, const Truth& truth, const EvaluatePa
   evaluate_boundary(files, counts, truth, params, evaluation);
   evaluate_facades(files, truth, params, counts.metres_per_unit, evaluation);
   evaluate_roof_models(files, truth, counts.metres_per_unit, evaluation);
-  evaluate_street(counts, truth, evaluation);
+  evaluate_street(files, counts, truth, evaluation);
   const bool any_result = evaluation.confusion || evaluation.planes || evaluation.control_points ||
                           evaluation.openings || evaluation.roofs || evaluation.objects;
   if (!any_result)

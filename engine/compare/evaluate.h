@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -10,10 +11,13 @@
 #include "engine/compare/boundary_error.h"
 #include "engine/compare/confusion.h"
 #include "engine/compare/control_points.h"
+#include "engine/compare/drawn_edges.h"
+#include "engine/compare/facade_sides.h"
 #include "engine/compare/objects.h"
 #include "engine/compare/openings.h"
 #include "engine/compare/plane_errors.h"
 #include "engine/compare/plane_sizes.h"
+#include "engine/compare/reliability.h"
 #include "engine/compare/roofs.h"
 
 namespace ilot {
@@ -24,6 +28,7 @@ struct EvaluateParams {
   std::uint64_t min_points = 1;          // smaller true planes are not judged
   MatchRule rule = MatchRule::main;
   double control_point_limit_m = 0.3;
+  bool as_documents = false;  // definitions of the documents' tables (ControlPointParams)
 };
 
 // The source of the classes in the confusion matrix.
@@ -40,6 +45,12 @@ struct RoofEvaluation {
   std::uint64_t models = 0, closed = 0;  // found buildings, and those of them whose shells are closed
 };
 
+// The probabilities that objects.gpkg states, of all found objects and by the class that was found.
+struct ProbabilityEvaluation {
+  Reliability all;
+  std::map<std::string, Reliability> by_class;
+};
+
 struct Evaluation {
   std::string result, truth;  // as the user named them
   std::uint64_t points = 0;   // of the labelled clouds
@@ -50,15 +61,18 @@ struct Evaluation {
   std::uint64_t boundary_planes = 0;  // number of planes over which it is summed
   std::optional<std::vector<ControlGroup>> control_points;
   std::optional<OpeningResult> openings;
+  std::optional<DrawnEdges> drawn_edges;  // of openings
+  std::optional<FacadeSides> facade_sides;
   std::optional<RoofEvaluation> roofs;
   std::optional<ObjectResult> objects;
-  std::vector<std::string> notes;  // what the truth contains and the result does not
+  std::optional<ProbabilityEvaluation> probabilities;  // of the classes of found objects
+  std::vector<std::string> notes;                      // what the truth contains and the result does not
 };
 
 // The files in an output folder of a run, or the one file that is given: a labelled cloud, or models of roofs.
 struct ResultFiles {
   std::vector<std::filesystem::path> clouds, facades;
-  std::optional<std::filesystem::path> planes_csv, roofs;
+  std::optional<std::filesystem::path> planes_csv, roofs, objects;
 };
 ResultFiles find_results(const std::filesystem::path& result);
 

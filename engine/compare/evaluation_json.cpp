@@ -103,6 +103,29 @@ Json json_of(const RoofEvaluation& r) {
   return json;
 }
 
+Json json_of(const DrawnEdges& d) {
+  Json json{{"true_m", d.true_m}, {"within", Json::array()}, {"stated", Json::array()}};
+  for (std::size_t i = 0; i < kEdgeLimitsM.size(); ++i)
+    json["within"].push_back({{"limit_m", kEdgeLimitsM[i]}, {"share", d.share(i)}});
+  for (const StatedErrors& s : d.stated)
+    json["stated"].push_back({{"status", s.status == DrawnStatus::seen ? "seen" : "completed"},
+                              {"edges", s.edges},
+                              {"within", s.within},
+                              {"median_stated_m", s.edges ? Json(s.median_stated_m) : Json()},
+                              {"median_true_m", s.edges ? Json(s.median_true_m) : Json()}});
+  return json;
+}
+
+Json json_of(const Reliability& r) {
+  Json json{
+      {"count", r.count}, {"calibration_error", r.count ? Json(r.calibration_error) : Json()}, {"bins", Json::array()}};
+  for (const ReliabilityBin& bin : r.bins)
+    json["bins"].push_back({{"count", bin.count},
+                            {"mean_probability", bin.count ? Json(bin.mean_probability) : Json()},
+                            {"right", bin.count ? Json(bin.right) : Json()}});
+  return json;
+}
+
 }  // namespace
 
 ForeignPoints foreign_points(const PlaneMatching& m) {
@@ -140,11 +163,22 @@ std::string evaluation_json(const Evaluation& e) {
     json["openings"] = {{"true", e.openings->truth},        {"found", e.openings->found},
                         {"matched", e.openings->matched},   {"iou_mean", e.openings->iou_mean},
                         {"invented", e.openings->invented}, {"ring_distance_m", e.openings->ring_distance_m}};
+  if (e.facade_sides) json["facades"] = {{"judged", e.facade_sides->judged}, {"mirrored", e.facade_sides->mirrored}};
+  if (e.drawn_edges) json["edges"] = json_of(*e.drawn_edges);
   if (e.roofs) json["roofs"] = json_of(*e.roofs);
   if (e.objects)
-    json["objects"] = {{"true", e.objects->truth},        {"unseen", e.objects->unseen},
-                       {"found", e.objects->found},       {"detected", e.objects->detected},
-                       {"false", e.objects->false_found}, {"confusion", json_of(e.objects->confusion)}};
+    json["objects"] = {{"true", e.objects->truth},
+                       {"unseen", e.objects->unseen},
+                       {"found", e.objects->found},
+                       {"detected", e.objects->detected},
+                       {"false", e.objects->false_found},
+                       {"right_class", number(e.objects->right_class)},
+                       {"detected_and_right", number(e.objects->detected_and_right)},
+                       {"confusion", json_of(e.objects->confusion)}};
+  if (e.probabilities) {
+    json["probabilities"] = json_of(e.probabilities->all);
+    for (const auto& [name, r] : e.probabilities->by_class) json["probabilities"]["classes"][name] = json_of(r);
+  }
   json["notes"] = e.notes;
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

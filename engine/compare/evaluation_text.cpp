@@ -109,9 +109,10 @@ std::string boundary_text(const Evaluation& e) {
 
 std::string control_points_text(const std::vector<ControlGroup>& groups) {
   std::vector<Row> rows{
-      {"group", "n", "missed", "dX, cm (sd)", "dZ, cm (sd)", "dD, cm (sd)", "completed", "dD, cm (sd)"}};
+      {"group", "n", "missed", "drawn", "dX, cm (sd)", "dZ, cm (sd)", "dD, cm (sd)", "completed", "dD, cm (sd)"}};
   for (const ControlGroup& g : groups)
-    rows.push_back({g.name, fmt::format("{}", g.count), fmt::format("{}", g.missed), centimetres(g.dx_m, g.drawn),
+    rows.push_back({g.name, fmt::format("{}", g.count), fmt::format("{}", g.missed),
+                    percent(static_cast<double>(g.drawn) / static_cast<double>(g.count)), centimetres(g.dx_m, g.drawn),
                     centimetres(g.dz_m, g.drawn), centimetres(g.dd_m, g.drawn), fmt::format("{}", g.completed),
                     centimetres(g.completed_dd_m, g.completed)});
   return "control points\n" + table(rows);
@@ -120,6 +121,21 @@ std::string control_points_text(const std::vector<ControlGroup>& groups) {
 std::string openings_text(const OpeningResult& o) {
   return fmt::format("openings  true {}  found {}  matched {}  invented {}  IoU {:.3f}  ring distance {:.4f} m\n",
                      o.truth, o.found, o.matched, o.invented, o.iou_mean, o.ring_distance_m);
+}
+
+std::string drawn_edges_text(const DrawnEdges& d) {
+  std::string text = fmt::format("edges     {:.1f} m of true openings; drawn within", d.true_m);
+  for (std::size_t i = 0; i < kEdgeLimitsM.size(); ++i)
+    text += fmt::format("{} {:g} cm {}", i == 0 ? "" : ",", 100 * kEdgeLimitsM[i], percent(d.share(i)));
+  text += " (missed openings count as wrong)\n";
+  for (const StatedErrors& s : d.stated) {
+    if (s.edges == 0) continue;
+    text += fmt::format(
+        "stated    {} of {} {} edges within their stated error ({}); median stated {:.4f}, true {:.4f} m\n", s.within,
+        s.edges, s.status == DrawnStatus::seen ? "seen" : "completed",
+        percent(static_cast<double>(s.within) / static_cast<double>(s.edges)), s.median_stated_m, s.median_true_m);
+  }
+  return text;
 }
 
 std::string roofs_text(const RoofEvaluation& r) {
@@ -146,9 +162,27 @@ std::string roofs_text(const RoofEvaluation& r) {
 }
 
 std::string objects_text(const ObjectResult& o) {
+  const auto share = [](std::optional<double> v) { return v ? percent(*v) : "-"; };
   return fmt::format("objects  true {}  found {}  detected {}  false {}  (unseen {})\n", o.truth, o.found, o.detected,
                      o.false_found, o.unseen) +
+         fmt::format("right class, mean over classes: {} of the detected, {} of all\n", share(o.right_class),
+                     share(o.detected_and_right)) +
          confusion_text(o.confusion, "classes of objects");
+}
+
+std::string probabilities_text(const ProbabilityEvaluation& p) {
+  std::vector<Row> rows{{"class", "objects", "calibration error"}};
+  rows.push_back({"all", fmt::format("{}", p.all.count), percent(p.all.calibration_error)});
+  for (const auto& [name, r] : p.by_class)
+    rows.push_back({name, fmt::format("{}", r.count), percent(r.calibration_error)});
+  std::string text = "probabilities of classes\n" + table(rows);
+  for (std::size_t b = 0; b < p.all.bins.size(); ++b) {
+    const ReliabilityBin& bin = p.all.bins[b];
+    if (bin.count > 0)
+      text += fmt::format("stated {:.2f}: {} of {} objects are right\n", bin.mean_probability, percent(bin.right),
+                          bin.count);
+  }
+  return text;
 }
 
 }  // namespace
@@ -172,8 +206,13 @@ std::string evaluation_text(const Evaluation& e) {
   if (e.boundary) parts.push_back(boundary_text(e));
   if (e.control_points) parts.push_back(control_points_text(*e.control_points));
   if (e.openings) parts.push_back(openings_text(*e.openings));
+  if (e.facade_sides && e.facade_sides->judged > 0)
+    parts.push_back(fmt::format("facades   {} with true openings, {} of them mirrored\n", e.facade_sides->judged,
+                                e.facade_sides->mirrored));
+  if (e.drawn_edges) parts.push_back(drawn_edges_text(*e.drawn_edges));
   if (e.roofs) parts.push_back(roofs_text(*e.roofs));
   if (e.objects) parts.push_back(objects_text(*e.objects));
+  if (e.probabilities) parts.push_back(probabilities_text(*e.probabilities));
   for (const std::string& note : e.notes) parts.push_back("note: " + note + "\n");
   std::string text;
   for (const std::string& part : parts) text += (text.empty() ? "" : "\n") + part;

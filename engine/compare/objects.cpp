@@ -31,6 +31,30 @@ std::map<std::string, std::uint32_t> class_numbers(std::span<const TrueObject> t
   return numbers;
 }
 
+struct ClassCounts {
+  std::uint64_t truth = 0, detected = 0, right = 0;
+};
+
+// The means over the true classes.
+void set_class_shares(const std::map<std::string, ClassCounts>& counts, ObjectResult& result) {
+  double of_detected = 0, of_all = 0, with_detected = 0;
+  for (const auto& [name, c] : counts) {
+    of_all += static_cast<double>(c.right) / static_cast<double>(c.truth);
+    if (c.detected == 0) continue;
+    of_detected += static_cast<double>(c.right) / static_cast<double>(c.detected);
+    ++with_detected;
+  }
+  if (with_detected > 0) result.right_class = of_detected / with_detected;
+  if (!counts.empty()) result.detected_and_right = of_all / static_cast<double>(counts.size());
+}
+
+// Returns the class that is right for a true class: `other` for those that the product does not know.
+const std::string& right_class(const std::string& true_class, const ClassNames& known) {
+  static const std::string kOther = "other";
+  const bool is_known = std::any_of(known.begin(), known.end(), [&](const auto& k) { return k.second == true_class; });
+  return is_known ? true_class : kOther;
+}
+
 }  // namespace
 
 ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const LabelPair> pairs,
@@ -47,21 +71,31 @@ ObjectResult evaluate_objects(std::span<const TrueObject> truth, std::span<const
   found_names[kUnlabelled] = "unlabelled";
   LabelPairs objects;
   ObjectResult result;
+  std::map<std::string, ClassCounts> of_class;
+  for (const auto& [found, label] : label_of) result.right_of_found[found] = false;
   for (const TrueObject& object : truth) {
     if (!seen.contains(object.id)) {
       ++result.unseen;
       continue;
     }
     ++result.truth;
+    ClassCounts& count = of_class[object.class_name];
+    ++count.truth;
     const auto found = partner.find(object.id);
     std::uint32_t label = 0;
     if (found != partner.end()) {
       ++result.detected;
+      ++count.detected;
       const auto labelled = label_of.find(found->second);
       label = labelled == label_of.end() ? kUnlabelled : labelled->second;
+      const bool right =
+          found_names.contains(label) && found_names.at(label) == right_class(object.class_name, label_names);
+      count.right += right;
+      result.right_of_found[found->second] = right;
     }
     objects.add(numbers.at(object.class_name), label);
   }
+  set_class_shares(of_class, result);
   result.found = matching.found_planes;
   result.false_found = result.found - matching.matches.size();
   result.confusion = confusion_of_labels(objects.sorted(), true_names, found_names);

@@ -14,9 +14,10 @@ namespace {
 
 constexpr double kSample = 0.01;  // metres between samples of a ring
 
-struct Pair {
-  double iou = 0, distance = 0;
-  std::size_t truth = 0, found = 0;
+// A possible pair: `drawn` is the index of the drawn opening.
+struct Candidate {
+  OpeningPair pair;
+  std::size_t drawn = 0;
 };
 
 // The plane of a ring; nullopt when it has no area.
@@ -43,7 +44,7 @@ bool boxes_meet(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b
 }
 
 void compare(const TrueOpening& truth, std::size_t number, const std::vector<const FacadeElement*>& found,
-             const OpeningMatching& params, std::vector<Pair>& pairs) {
+             const OpeningMatching& params, std::vector<Candidate>& candidates) {
   Vec3 normal;
   const std::optional<FlatFrame> frame = frame_of_ring(truth.ring, normal);
   if (!frame) return;
@@ -57,31 +58,45 @@ void compare(const TrueOpening& truth, std::size_t number, const std::vector<con
     if (iou < params.least_iou) continue;
     const double step = kSample / params.metres_per_unit;
     const double distance = mean_ring_distance(polygon.ring, true_area.edges(), step) * params.metres_per_unit;
-    pairs.push_back({iou, distance, number, f});
+    candidates.push_back({{number, found[f], iou, distance, true_polygon.ring, polygon.ring}, f});
   }
+}
+
+std::vector<const FacadeElement*> drawn_openings(std::span<const Facade> facades) {
+  std::vector<const FacadeElement*> drawn;
+  for (const Facade& facade : facades)
+    for (const FacadeElement& e : facade.elements)
+      if (e.opening && e.status != DrawnStatus::occluded) drawn.push_back(&e);
+  return drawn;
 }
 
 }  // namespace
 
+std::vector<OpeningPair> match_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
+                                        const OpeningMatching& params) {
+  const std::vector<const FacadeElement*> drawn = drawn_openings(facades);
+  std::vector<Candidate> candidates;
+  for (std::size_t t = 0; t < truth.size(); ++t) compare(truth[t], t, drawn, params, candidates);
+  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
+    return std::tie(b.pair.iou, a.pair.truth, a.drawn) < std::tie(a.pair.iou, b.pair.truth, b.drawn);
+  });
+  std::vector<char> truth_taken(truth.size()), drawn_taken(drawn.size());
+  std::vector<OpeningPair> pairs;
+  for (Candidate& candidate : candidates) {
+    if (truth_taken[candidate.pair.truth] || drawn_taken[candidate.drawn]) continue;
+    truth_taken[candidate.pair.truth] = drawn_taken[candidate.drawn] = 1;
+    pairs.push_back(std::move(candidate.pair));
+  }
+  return pairs;
+}
+
 OpeningResult evaluate_openings(std::span<const TrueOpening> truth, std::span<const Facade> facades,
                                 const OpeningMatching& params) {
-  std::vector<const FacadeElement*> found;
-  for (const Facade& facade : facades)
-    for (const FacadeElement& e : facade.elements)
-      if (e.opening && e.status != DrawnStatus::occluded) found.push_back(&e);
-  std::vector<Pair> pairs;
-  for (std::size_t t = 0; t < truth.size(); ++t) compare(truth[t], t, found, params, pairs);
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
-    return std::tie(b.iou, a.truth, a.found) < std::tie(a.iou, b.truth, b.found);
-  });
-  std::vector<char> truth_taken(truth.size()), found_taken(found.size());
-  OpeningResult result{truth.size(), found.size(), 0, 0, 0, 0};
-  for (const Pair& pair : pairs) {
-    if (truth_taken[pair.truth] || found_taken[pair.found]) continue;
-    truth_taken[pair.truth] = found_taken[pair.found] = 1;
+  OpeningResult result{truth.size(), drawn_openings(facades).size(), 0, 0, 0, 0};
+  for (const OpeningPair& pair : match_openings(truth, facades, params)) {
     ++result.matched;
     result.iou_mean += pair.iou;
-    result.ring_distance_m += pair.distance;
+    result.ring_distance_m += pair.distance_m;
   }
   result.invented = result.found - result.matched;
   if (result.matched == 0) return result;

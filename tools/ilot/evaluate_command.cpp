@@ -145,6 +145,8 @@ void add_evaluate_command(CLI::App& app, Action& action) {
                    "metres within which a drawn vertex counts for a control point [0.3]")
       ->option_text("M")
       ->check(CLI::Range(0.0, 100.0));
+  command->add_flag("--as-documents", given->params.as_documents,
+                    "vertices on occluded edges count as drawn, as in the tables of the documents [off]");
   add_model_options(*command, *given);
   add_drawing_options(*command, *given);
   command->add_option("--html", given->html, "also write a fragment for a page [none]")->option_text("FILE");

@@ -108,8 +108,8 @@ RunOptions options_of(const RunArguments& given) {
 }
 
 // Sets how much memory the allocator may keep for the next request. Memory that returns to the system must be cleared
-// again by the system. The amount is a sixteenth of --memory, shared by the threads. A thread is served from pools up to
-// half of its share. Larger requests go to the system, and leave no gaps.
+// again by the system. The amount is a sixteenth of --memory, shared by the threads. A thread is served from pools up
+// to half of its share. Larger requests go to the system, and leave no gaps.
 void let_allocator_keep(std::uint64_t memory_bytes, int threads) {
   constexpr std::uint64_t kLeastRequest = 128u << 10, kMostRequest = 32u << 20;  // the upper limit of the C library
   const std::uint64_t request = memory_bytes / 32 / static_cast<std::uint64_t>(threads);

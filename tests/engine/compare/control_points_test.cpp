@@ -59,6 +59,20 @@ TEST(ControlPoints, WhatIsHiddenFarBehindOrOfAnotherKindIsMissed) {
   EXPECT_TRUE(evaluate_control_points({}, {}).empty());
 }
 
+TEST(ControlPoints, VerticesOfOccludedEdgesAreNotDrawn) {
+  FacadeElement window = drawn("window", wall_rectangle(1, 1, 2, 3));
+  window.edges.assign(4, {});
+  window.edges[0].status = DrawnStatus::occluded;  // the foot
+  const Facade facade = facade_of({window});
+  const std::vector<TrueControlPoint> truth{{"window_top", 1, {1, 0, 3}}, {"window_bottom", 1, {1, 0, 1}}};
+  const auto groups = evaluate_control_points(truth, std::span(&facade, 1));
+  EXPECT_EQ(groups[0].missed, 0u);
+  EXPECT_EQ(groups[1].missed, 1u);
+  ControlPointParams documents;
+  documents.as_documents = true;
+  EXPECT_EQ(evaluate_control_points(truth, std::span(&facade, 1), documents)[1].completed, 1u);
+}
+
 TEST(ControlPoints, VerticesOfCompletedEdgesAreCompleted) {
   FacadeElement window = drawn("window", wall_rectangle(1, 1, 2, 3));
   window.edges.assign(4, {});

@@ -29,6 +29,21 @@ TEST(Objects, CountsAHandMadeStreet) {
   const std::vector<std::vector<std::uint64_t>> counts{
       {1, 0, 0, 0, 1}, {0, 0, 0, 1, 0}, {0, 1, 0, 0, 1}, {0, 0, 0, 0, 0}};
   EXPECT_EQ(r.confusion.counts, counts);
+  // Of the detected: the car is right, the pedestrian is not, the lamppost has no label. Of all: half of the cars.
+  EXPECT_NEAR(r.right_class.value(), 1.0 / 3, 1e-12);
+  EXPECT_NEAR(r.detected_and_right.value(), 0.5 / 3, 1e-12);
+  EXPECT_EQ(r.right_of_found,
+            (std::map<std::uint32_t, bool>{{50, true}, {51, false}, {52, false}, {53, false}, {70, false}}));
+}
+
+TEST(Objects, OtherIsRightForClassesThatTheProductDoesNotKnow) {
+  const ClassNames labels{{10, "car"}, {13, "other"}};
+  const std::vector<TrueObject> truth{{1, "kiosk", 10}, {2, "dog", 10}};
+  const std::vector<LabelPair> pairs{{1, 50, 10}, {2, 51, 10}};
+  const ObjectResult r = evaluate_objects(truth, pairs, std::vector<LabelPair>{{50, 13, 10}, {51, 10, 10}}, labels);
+  EXPECT_NEAR(r.right_class.value(), 0.5, 1e-12);
+  EXPECT_TRUE(r.right_of_found.at(50));
+  EXPECT_FALSE(r.right_of_found.at(51));
 }
 
 TEST(Objects, HalfOfBothTogetherIsEnough) {
