@@ -16,6 +16,7 @@
 #include "scan/roofs/roofs_scan.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
+#include "scan/wild/distributions.h"
 
 namespace ilot::scan {
 
@@ -56,22 +57,53 @@ const Scene& find_scene(std::string_view name) {
   return *found;
 }
 
+namespace {
+
+std::string join(std::span<const std::string_view> names) {
+  std::string text;
+  for (std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::string list_drawn() {
+  std::string text = fmt::format("Drawn by the wild scenes (distributions.csv, sha256 {})\n", distributions_hash());
+  for (const Distribution& row : distributions()) {
+    const std::string_view unit = row.unit == "-" ? "" : row.unit;
+    const std::string range =
+        row.choices.empty() ? fmt::format("{} to {} {}", row.from, row.to, unit) : join(row.choices);
+    text += fmt::format("  {:<24} {} ({}) [{}, for each {}]{}\n", "scene." + std::string(row.name), row.meaning, range,
+                        row.group, row.per, row.family.empty() ? "" : " --without " + std::string(row.family));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string list_scenes() {
   std::string text;
   for (const Scene& scene : scenes()) {
     text += fmt::format("{:<20} {}\n", scene.name, scene.help);
     text += fmt::format("  {:<18} {}\n", "--points", scene.points);
+    if (!scene.groups.empty()) {
+      text += fmt::format("  {:<18} of the groups {}, see below\n", "drawn parameters", join(scene.groups));
+      continue;
+    }
     for (const SceneOption& option : scene.options)
       text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
                           option.standard, option.unit);
   }
-  return text;
+  return text + list_drawn();
 }
 
 std::string scenes_markdown() {
   std::string text = "## Options\n\nGenerated from the table in `scan/scenes.cpp`; `--set KEY=VALUE`.\n";
   for (const Scene& scene : scenes()) {
     text += fmt::format("\n### {}\n\nA scan of {}. `--points` is met {}.\n\n", scene.name, scene.help, scene.points);
+    if (!scene.groups.empty()) {
+      text += fmt::format("Draws from the groups {} of `scan/wild/distributions.csv`; families for `--without`: {}.\n",
+                          join(scene.groups), join(families_of(scene.groups)));
+      continue;
+    }
     text += "| key | default | range | meaning |\n|---|---|---|---|\n";
     for (const SceneOption& option : scene.options)
       text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
