@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/optics/arch.h"
+
 namespace ilot::scan {
 namespace {
 
@@ -28,7 +30,11 @@ TrueElement describe(const FacadeBuilder& facade, const char* kind, const Openin
   element.width = width_of(o);
   element.height = top_of(o) - o.bottom;
   element.depth = depth;
-  if (o.rise > 0) {
+  if (o.head != ArchHead::circular) {
+    for (const ArchArc& arc : arcs_of(o))
+      element.arcs.push_back(
+          {facade.frame().place(arc.centre.x, 0, arc.centre.y), arc.radius, arc.from_deg, arc.to_deg});
+  } else if (o.rise > 0) {
     const double radius = arch_radius(o), half = arch_half_angle_deg(o);
     element.arcs.push_back({facade.frame().place(middle_of(o), 0, top_of(o) - radius), radius, 90 - half, 90 + half});
   }
