@@ -17,12 +17,15 @@
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
 #include "scan/wild/distributions.h"
+#include "scan/wild/wild_scenes.h"
 
 namespace ilot::scan {
 
 namespace {
 
 constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+
+constexpr std::string_view kWild = "about; without it the drawn density decides, up to 2,000,000";
 
 }  // namespace
 
@@ -46,6 +49,12 @@ std::span<const Scene> scenes() {
             "about; the density follows", street_flight_options(), scan_street_flight_scene},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
+      Scene{"facade-wild", "one house, its neighbours and what stands before it; everything is drawn", kWild,
+            drawn_options(kFacadeWildGroups), scan_wild_scene<plan_facade_wild>, kFacadeWildGroups},
+      Scene{"row-wild", "a row of 3 to 12 houses and often the other side of the street; everything is drawn", kWild,
+            drawn_options(kRowWildGroups), scan_wild_scene<plan_row_wild>, kRowWildGroups},
+      Scene{"court-wild", "a court scanned from inside, four fronts; everything is drawn", kWild,
+            drawn_options(kCourtWildGroups), scan_wild_scene<plan_court_wild>, kCourtWildGroups},
   };
   return kScenes;
 }

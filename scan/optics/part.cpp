@@ -122,18 +122,25 @@ struct SheetPlace {
 };
 
 // Finds where the ray is `depth` behind the surface of the sheet. The surface deviates little from the panel's plane,
-// so a few steps of fixed-point iteration suffice; their number is constant.
+// so a constant, small number of steps of fixed-point iteration suffices. The large form comes first.
 SheetPlace sheet_place(const Ray& ray, const Sheet& sheet, double rate, double reach, double depth) {
-  constexpr int kSteps = 4;
+  constexpr int kFormSteps = 2, kReliefSteps = 2;
   const Panel& panel = sheet.panel;
   SheetPlace at{(reach - depth) / rate, {}};
-  for (int step = 0;; ++step) {
+  const auto land = [&] {
     const Vec3 offset = point_at(ray, at.t) - panel.origin;
     at.p = {dot(panel.u, offset), dot(panel.v, offset)};
-    if (step == kSteps) return at;
+  };
+  land();
+  const int steps = sheet.form.flat() ? kReliefSteps : kFormSteps + kReliefSteps;
+  const bool rough = sheet.relief.roughness > 0 || sheet.relief.stone_out > 0;
+  for (int step = 0; step < steps; ++step) {
     const double x = sheet.x + at.p.x, z = sheet.z + at.p.y;
-    at.t = (reach + sheet.form.at(x, z) + relief_at(sheet.relief, x, z) - depth) / rate;
+    const double relief = rough && step + kReliefSteps >= steps ? relief_at(sheet.relief, x, z) : 0;
+    at.t = (reach + sheet.form.at(x, z) + relief - depth) / rate;
+    land();
   }
+  return at;
 }
 
 // A ray into a joint meets its ground or, where it leaves the joint before, its side.

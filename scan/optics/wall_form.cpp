@@ -57,12 +57,12 @@ double WallForm::most() const {
 
 FormPlane plane_of_form(const WallForm& form, double x0, double x1, double z0, double z1) {
   // On a symmetric lattice the three unknowns are independent of each other.
-  constexpr int kSteps = 4;
+  constexpr int kSteps = 4, kCells = 2 * kSteps + 1;
   const double mx = (x0 + x1) / 2, mz = (z0 + z1) / 2;
   double sum = 0, sx = 0, sz = 0, xx = 0, zz = 0;
   for (int i = -kSteps; i <= kSteps; ++i)
     for (int k = -kSteps; k <= kSteps; ++k) {
-      const double dx = (x1 - x0) * i / (2 * kSteps), dz = (z1 - z0) * k / (2 * kSteps);
+      const double dx = (x1 - x0) * i / kCells, dz = (z1 - z0) * k / kCells;
       const double h = form.at(mx + dx, mz + dz);
       sum += h;
       sx += h * dx;
@@ -73,7 +73,7 @@ FormPlane plane_of_form(const WallForm& form, double x0, double x1, double z0, d
   FormPlane plane;
   plane.along = xx > 0 ? sx / xx : 0;
   plane.up = zz > 0 ? sz / zz : 0;
-  plane.base = sum / ((2 * kSteps + 1) * (2 * kSteps + 1)) - plane.along * mx - plane.up * mz;
+  plane.base = sum / (kCells * kCells) - plane.along * mx - plane.up * mz;
   return plane;
 }
 

@@ -2,6 +2,7 @@
 #include "scan/wild/wild_scanner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "engine/error.h"
@@ -17,7 +18,7 @@ constexpr std::uint64_t kGrainPulses = 1 << 16, kGrainsAtOnce = 24;
 constexpr double kFirstSecond = 200000, kRadians = 3.14159265358979323846 / 180;
 constexpr double kIntensityRange = 8;    // metres: at this range a white, perpendicular surface fills the scale
 constexpr double kMostBias = 9;          // the bias grows with the squared tangent of the incidence up to this
-constexpr double kPilotPulses = 600000;  // of the sparse scan that is counted
+constexpr double kPilotPulses = 150000;  // of the sparse scan that is counted
 constexpr double kLeastRange = 0.8, kStrayRange = 30;  // metres: echoes from the air lie between
 
 // The registration error of a station or a head.
@@ -109,7 +110,7 @@ class WildScanner {
     const double tangent2 = cosine2 > 0 ? std::min(kMostBias, (1 - cosine2) / cosine2) : kMostBias;
     const double noise = scan_.beam.range_noise * gaussian(rng);
     const Vec3 way = (echo.range + faults.incidence_bias * tangent2 + noise) * pulse.aim.axis;
-    if (!scan_.scene.keep.contains(pulse.origin + way)) return;
+    if (!scan_.crop.contains(pulse.origin + way)) return;
     const bool mixed = std::abs(echo.range - echo.surface_range) > std::max(scan_.beam.range_noise, scan_.grid);
     if (mixed && faults.filtered) return;
     ColouredPoint point;
@@ -198,6 +199,12 @@ double median_density(const WildScan& scan, const Tally& tally) {
 }
 
 }  // namespace
+
+bool WildCrop::contains(Vec3 p) const {
+  const Vec3 d = p - origin;
+  const double x = dot(along, d), o = dot(out, d);
+  return x >= x0 && x <= x1 && o >= out0 && o <= out1 && d.z >= z0 && d.z <= z1;
+}
 
 WildScan draw_scanner(Draws& draws, std::uint64_t seed) {
   WildScan scan;

@@ -34,8 +34,17 @@ struct WildFaults {
   WildColour colour = WildColour::sixteen_bit;
 };
 
+// A box with the directions of a frame. Points outside are removed, as an office cuts a part out of its scan.
+struct WildCrop {
+  Vec3 origin, along{1, 0, 0}, out{0, -1, 0};
+  double x0 = 0, x1 = 0, out0 = 0, out1 = 0, z0 = -6, z1 = 60;
+  bool contains(Vec3 p) const;
+};
+
 struct WildScan {
-  TerrestrialScene scene;  // its stations are those of the scan; none when a vehicle carries the scanner
+  TerrestrialScene
+      scene;  // `keep` is not used; its stations are those of the scan; none when a vehicle carries the scanner
+  WildCrop crop;
   std::optional<WildDrive> drive;
   BeamParams beam;
   WildFaults faults;
