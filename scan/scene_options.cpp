@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include "engine/error.h"
@@ -44,6 +45,16 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
   return row.back();
 }
 
+// Returns the number of a name in "first|second|third".
+std::optional<double> choice_value(std::string_view choices, std::string_view name) {
+  for (double index = 0; !choices.empty(); ++index) {
+    const std::size_t end = std::min(choices.find('|'), choices.size());
+    if (choices.substr(0, end) == name) return index;
+    choices.remove_prefix(std::min(end + 1, choices.size()));
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::span<const SceneOption> district_options() {
@@ -62,6 +73,12 @@ void SceneValues::set(std::string_view assignment) {
     });
     throw Error(fmt::format("--set {}: no such key; the nearest is {}", key, nearest->key), ExitCode::usage);
   }
+  if (const auto chosen = choice_value(option->choices, text)) {
+    values_.insert_or_assign(std::string(key), *chosen);
+    return;
+  }
+  if (!option->choices.empty())
+    throw Error(fmt::format("--set {}: \"{}\" is not one of {}", key, text, option->choices), ExitCode::usage);
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= option->low && value <= option->high))
@@ -69,6 +86,26 @@ void SceneValues::set(std::string_view assignment) {
                             option->unit),
                 ExitCode::usage);
   values_.insert_or_assign(std::string(key), value);
+}
+
+void SceneValues::leave_out(std::string_view families, std::span<const std::string_view> known) {
+  while (!families.empty()) {
+    const std::size_t end = std::min(families.find(','), families.size());
+    const std::string_view family = families.substr(0, end);
+    families.remove_prefix(std::min(end + 1, families.size()));
+    if (std::find(known.begin(), known.end(), family) == known.end()) {
+      std::string names;
+      for (std::string_view name : known) names += (names.empty() ? "" : ", ") + std::string(name);
+      throw Error(fmt::format("--without {}: {}", family,
+                              names.empty() ? "this scene has no families of forms" : "not one of " + names),
+                  ExitCode::usage);
+    }
+    left_out_.emplace(family);
+  }
+}
+
+bool SceneValues::leaves_out(std::string_view family) const {
+  return left_out_.find(family) != left_out_.end();
 }
 
 double SceneValues::get(std::string_view key) const {
@@ -81,7 +118,11 @@ double SceneValues::get(std::string_view key) const {
 std::string SceneValues::json() const {
   std::string text;
   for (const SceneOption& option : options_)
-    text += fmt::format(",\"{}\":{}", option.key.substr(option.key.find('.') + 1), get(option.key));
+    if (!option.drawn || is_set(option.key))
+      text += fmt::format(",\"{}\":{}", option.key.substr(option.key.find('.') + 1), get(option.key));
+  std::string families;
+  for (const std::string& family : left_out_) families += (families.empty() ? "\"" : ",\"") + family + "\"";
+  if (!families.empty()) text += ",\"without\":[" + families + "]";
   return text;
 }
 

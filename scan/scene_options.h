@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,6 +17,8 @@ struct SceneOption {
   std::string_view unit;
   double low, high;  // both ends are allowed
   std::string_view help;
+  bool drawn = false;             // unless it is set, the seed decides; `standard` is not used
+  std::string_view choices = {};  // names of the values 0, 1, 2... with | between them; empty = a number
 };
 
 // Puts the options that all terrestrial scenes share before the scene's own options.
@@ -41,18 +44,25 @@ class SceneValues {
   explicit SceneValues(std::span<const SceneOption> options) : options_(options) {}
 
   // Takes "scene.key=value". Throws Error (usage) for an unknown key and names the nearest known key. Throws Error
-  // (usage) too when the value is not a number within the range.
+  // (usage) too when the value is neither a number within the range nor one of the choices.
   void set(std::string_view assignment);
+
+  // Leaves out families of forms: names with commas between them. Throws Error (usage) for a name that is not one of
+  // `known`.
+  void leave_out(std::string_view families, std::span<const std::string_view> known);
+  bool leaves_out(std::string_view family) const;
 
   double get(std::string_view key) const;  // the default if nothing was set; the key must exist
   bool is_set(std::string_view key) const;
 
-  // Returns all values as members of a JSON object. Each member has a comma before it: ,"density":12
+  // Returns the values as members of a JSON object, without those that the seed decides, and the families that are left
+  // out. Each member has a comma before it: ,"density":12
   std::string json() const;
 
  private:
   std::span<const SceneOption> options_;
   std::map<std::string, double, std::less<>> values_;
+  std::set<std::string, std::less<>> left_out_;
 };
 
 }  // namespace ilot::scan

@@ -16,12 +16,16 @@
 #include "scan/roofs/roofs_scan.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
+#include "scan/wild/distributions.h"
+#include "scan/wild/wild_scenes.h"
 
 namespace ilot::scan {
 
 namespace {
 
 constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+
+constexpr std::string_view kWild = "about; without it the drawn density decides, up to 2,000,000";
 
 }  // namespace
 
@@ -45,6 +49,12 @@ std::span<const Scene> scenes() {
             "about; the density follows", street_flight_options(), scan_street_flight_scene},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
+      Scene{"facade-wild", "one house, its neighbours and what stands before it; everything is drawn", kWild,
+            drawn_options(kFacadeWildGroups), scan_wild_scene<plan_facade_wild>, kFacadeWildGroups},
+      Scene{"row-wild", "a row of 3 to 12 houses and often the other side of the street; everything is drawn", kWild,
+            drawn_options(kRowWildGroups), scan_wild_scene<plan_row_wild>, kRowWildGroups},
+      Scene{"court-wild", "a court scanned from inside, four fronts; everything is drawn", kWild,
+            drawn_options(kCourtWildGroups), scan_wild_scene<plan_court_wild>, kCourtWildGroups},
   };
   return kScenes;
 }
@@ -56,22 +66,53 @@ const Scene& find_scene(std::string_view name) {
   return *found;
 }
 
+namespace {
+
+std::string join(std::span<const std::string_view> names) {
+  std::string text;
+  for (std::string_view name : names) text += (text.empty() ? "" : ", ") + std::string(name);
+  return text;
+}
+
+std::string list_drawn() {
+  std::string text = fmt::format("Drawn by the wild scenes (distributions.csv, sha256 {})\n", distributions_hash());
+  for (const Distribution& row : distributions()) {
+    const std::string_view unit = row.unit == "-" ? "" : row.unit;
+    const std::string range =
+        row.choices.empty() ? fmt::format("{} to {} {}", row.from, row.to, unit) : join(row.choices);
+    text += fmt::format("  {:<24} {} ({}) [{}, for each {}]{}\n", "scene." + std::string(row.name), row.meaning, range,
+                        row.group, row.per, row.family.empty() ? "" : " --without " + std::string(row.family));
+  }
+  return text;
+}
+
+}  // namespace
+
 std::string list_scenes() {
   std::string text;
   for (const Scene& scene : scenes()) {
     text += fmt::format("{:<20} {}\n", scene.name, scene.help);
     text += fmt::format("  {:<18} {}\n", "--points", scene.points);
+    if (!scene.groups.empty()) {
+      text += fmt::format("  {:<18} of the groups {}, see below\n", "drawn parameters", join(scene.groups));
+      continue;
+    }
     for (const SceneOption& option : scene.options)
       text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
                           option.standard, option.unit);
   }
-  return text;
+  return text + list_drawn();
 }
 
 std::string scenes_markdown() {
   std::string text = "## Options\n\nGenerated from the table in `scan/scenes.cpp`; `--set KEY=VALUE`.\n";
   for (const Scene& scene : scenes()) {
     text += fmt::format("\n### {}\n\nA scan of {}. `--points` is met {}.\n\n", scene.name, scene.help, scene.points);
+    if (!scene.groups.empty()) {
+      text += fmt::format("Draws from the groups {} of `scan/wild/distributions.csv`; families for `--without`: {}.\n",
+                          join(scene.groups), join(families_of(scene.groups)));
+      continue;
+    }
     text += "| key | default | range | meaning |\n|---|---|---|---|\n";
     for (const SceneOption& option : scene.options)
       text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,

@@ -34,6 +34,7 @@ struct Scene {
   // Writes the cloud and its truth. Each file is written whole or not at all. The work runs on the threads of the
   // calling arena, and the bytes do not depend on the number of threads. Throws Error.
   ScanCounts (*scan)(const ScanRequest& request);
+  std::span<const std::string_view> groups = {};  // of distributions.csv that it draws from; none = nothing is drawn
 };
 
 // Returns the scenes in the order of the documentation.

@@ -103,6 +103,28 @@ void TruthWriter::materials(const std::map<int, std::string>& names) {
   add_names("materials", names);
 }
 
+void TruthWriter::add(const TrueDraws& draws) {
+  if (draws.distributions.empty()) return;
+  append(fmt::format(",\n\"distributions_sha256\":\"{}\"", draws.distributions));
+  for (const TrueDraw& d : draws.scene) {
+    const std::string choice = d.choice.empty() ? "" : fmt::format(R"(,"choice":"{}")", d.choice);
+    add_line("drawn", fmt::format(R"({{"name":"{}","value":{},"unit":"{}"{}{}}})", d.name, d.value, d.unit, choice,
+                                  d.fixed ? R"(,"fixed":true)" : ""));
+  }
+  for (const TrueDrawSummary& d : draws.elements) {
+    std::string choices;
+    for (const auto& [name, count] : d.choices)
+      choices += fmt::format("{}\"{}\":{}", choices.empty() ? "" : ",", name, count);
+    const std::string counts = choices.empty() ? "" : ",\"choices\":{" + choices + "}";
+    add_line("drawn_elements",
+             fmt::format(R"({{"name":"{}","unit":"{}","per":"{}","elements":{},"least":{},"most":{},"mean":{}{}}})",
+                         d.name, d.unit, d.per, d.elements, d.least, d.most, d.mean, counts));
+  }
+  for (const TrueShare& share : draws.shares)
+    add_line("drawn_shares",
+             fmt::format(R"({{"name":"{}","elements":{},"happened":{}}})", share.name, share.elements, share.happened));
+}
+
 void TruthWriter::add(const TrueStation& s) {
   add_line("stations", fmt::format(R"({{"id":{},"position":{},"step_horizontal_deg":{},"step_vertical_deg":{}}})", s.id,
                                    place_text(s.position), s.step_horizontal_deg, s.step_vertical_deg));

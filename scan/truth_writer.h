@@ -101,6 +101,36 @@ struct TrueNoise {
   double range = 0, angle_deg = 0, divergence_mrad = 0, beam_diameter = 0;
 };
 
+// A value that was drawn once for a scene.
+struct TrueDraw {
+  std::string name;
+  double value = 0;  // of a choice, the number of its name
+  std::string unit;
+  std::string choice;  // the name; empty = not a choice
+  bool fixed = false;  // set by the caller
+};
+
+// The values that were drawn for elements.
+struct TrueDrawSummary {
+  std::string name, unit, per;
+  std::uint64_t elements = 0;
+  double least = 0, most = 0, mean = 0;
+  std::map<std::string, std::uint64_t> choices;  // how often each was drawn
+};
+
+// For how many of the elements something was decided with a drawn probability.
+struct TrueShare {
+  std::string name;
+  std::uint64_t elements = 0, happened = 0;
+};
+
+struct TrueDraws {
+  std::string distributions;  // SHA-256 of the file of distributions; empty = nothing was drawn
+  std::vector<TrueDraw> scene;
+  std::vector<TrueDrawSummary> elements;
+  std::vector<TrueShare> shares;
+};
+
 // Items may be added in any order and in any number. Each kind is written to a file of its own until finish() joins
 // these files, so memory does not grow. The kinds are written in the order in which they were first added. The output
 // appears under its name at finish(), or not at all. Throws Error.
@@ -114,6 +144,7 @@ class TruthWriter {
   void classes(const std::map<int, std::string>& names);    // of the values of true_class
   void materials(const std::map<int, std::string>& names);  // of the values of the user data
 
+  void add(const TrueDraws& draws);  // writes nothing when nothing was drawn
   void add(const TrueStation& station);
   void add(const TruePlane& plane);
   void add(const TrueShape& shape);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/optics/arch.h"
 #include "scan/optics/exact_math.h"
 
 namespace ilot::scan {
@@ -16,6 +17,20 @@ Plane plane_through(const std::vector<Vec3>& ring) {
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) area = area + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
   const Vec3 normal = (1 / norm(area)) * area;
   return {normal, -dot(normal, ring[0])};
+}
+
+// Returns the corners of a head of several arcs between its springings, from right to left.
+std::vector<FlatPoint> head_points(const Opening& opening, double chord_deg) {
+  std::vector<FlatPoint> points;
+  for (const ArchArc& arc : arcs_of(opening)) {
+    const int chords = std::max(2, static_cast<int>(std::ceil((arc.to_deg - arc.from_deg) / chord_deg)));
+    for (int i = 1; i <= chords; ++i) {
+      const SinCos turn = sin_cos_deg(arc.from_deg + (arc.to_deg - arc.from_deg) * i / chords);
+      points.push_back({arc.centre.x + arc.radius * turn.cos, arc.centre.y + arc.radius * turn.sin});
+    }
+  }
+  points.pop_back();  // the left springing
+  return points;
 }
 
 }  // namespace
@@ -47,7 +62,7 @@ void FacadeBuilder::control_point(const char* group, std::uint32_t element, doub
 }
 
 SurfaceId FacadeBuilder::surface(const Finish& finish, std::uint32_t plane) {
-  return scene_.model.add_surface({finish.surface_class, plane, finish.element, finish.material});
+  return scene_.model.add_surface({finish.surface_class, plane, finish.element, finish.material, finish.tone});
 }
 
 std::uint32_t FacadeBuilder::own_plane(const Plane& plane, const Finish& finish, std::vector<Vec3> ring) {
@@ -60,6 +75,7 @@ std::uint32_t FacadeBuilder::own_plane(const Plane& plane, const Finish& finish,
 
 std::uint32_t FacadeBuilder::plane_parallel(double out, const Finish& finish, TruePolygon polygon) {
   constexpr double kTouch = 1e-5;  // metres
+  if (!frame_.form.flat()) return bowed_plane(finish, std::move(polygon));
   FlatPoint low{1e9, 1e9}, high{-1e9, -1e9};
   for (Vec3 p : polygon.ring) {
     const double x = dot(frame_.along, p - frame_.origin), z = p.z - frame_.origin.z;
@@ -79,7 +95,7 @@ std::uint32_t FacadeBuilder::plane_parallel(double out, const Finish& finish, Tr
     if (plane.element != finish.element) plane.element = 0;  // several elements share the plane
     return plane.id;
   }
-  const Plane plane{frame_.out, -dot(frame_.out, frame_.place(0, out, 0))};
+  const Plane plane{frame_.out, -dot(frame_.out, frame_.origin + out * frame_.out)};
   const std::uint32_t id = own_plane(plane, finish, {});
   scene_.planes.back().polygons = {std::move(polygon)};
   pieces.push_back({low, high, scene_.planes.size() - 1});
@@ -90,7 +106,9 @@ std::vector<Vec3> FacadeBuilder::outline(const Opening& opening, double out, dou
   std::vector<Vec3> ring{frame_.place(opening.left, out, opening.bottom),
                          frame_.place(opening.right, out, opening.bottom),
                          frame_.place(opening.right, out, opening.springing)};
-  if (opening.rise > 0) {
+  if (opening.head != ArchHead::circular) {
+    for (FlatPoint p : head_points(opening, chord_deg)) ring.push_back(frame_.place(p.x, out, p.y));
+  } else if (opening.rise > 0) {
     const double radius = arch_radius(opening), half = arch_half_angle_deg(opening);
     const double x = (opening.left + opening.right) / 2, z = top_of(opening) - radius;
     const int chords = std::max(2, static_cast<int>(std::ceil(2 * half / chord_deg)));
@@ -103,12 +121,36 @@ std::vector<Vec3> FacadeBuilder::outline(const Opening& opening, double out, dou
   return ring;
 }
 
+// A wall that leans or bows has the plane in least squares through its corners and the middles of its sides.
+std::uint32_t FacadeBuilder::bowed_plane(const Finish& finish, TruePolygon polygon) {
+  FlatPoint low{1e9, 1e9}, high{-1e9, -1e9};
+  double outs = 0, forms = 0;
+  for (Vec3 p : polygon.ring) {
+    const double x = dot(frame_.along, p - frame_.origin), z = p.z - frame_.origin.z;
+    low = {std::min(low.x, x), std::min(low.y, z)};
+    high = {std::max(high.x, x), std::max(high.y, z)};
+    outs += dot(frame_.out, p - frame_.origin);
+    forms += frame_.form.at(x, z);
+  }
+  const FormPlane f = plane_of_form(frame_.form, low.x, high.x, low.y, high.y);
+  const double out = (outs - forms) / static_cast<double>(polygon.ring.size()) + f.base;
+  const Vec3 normal = frame_.out - f.along * frame_.along - f.up * kUp;
+  const Vec3 unit = (1 / norm(normal)) * normal;
+  const std::uint32_t id = own_plane({unit, -dot(unit, frame_.origin + out * frame_.out)}, finish, {});
+  scene_.planes.back().polygons = {std::move(polygon)};
+  return id;
+}
+
 void FacadeBuilder::wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
                          const Finish& finish) {
-  TruePolygon polygon;
+  wall(x0, x1, z0, z1, out, openings, finish, {}, finish);
+}
+
+Panel FacadeBuilder::panel_of(double x0, double x1, double z0, double z1, double out,
+                              const std::vector<Opening>& openings, TruePolygon& polygon) const {
   polygon.ring = {frame_.place(x0, out, z0), frame_.place(x1, out, z0), frame_.place(x1, out, z1),
                   frame_.place(x0, out, z1)};
-  Panel panel{frame_.place(x0, out, 0), frame_.along, kUp, {}, {}, 0};
+  Panel panel{frame_.origin + x0 * frame_.along + out * frame_.out, frame_.along, kUp, {}, {}, 0};
   const double w = x1 - x0, e = kOverlap;
   panel.ring = {{-e, z0 - e}, {w + e, z0 - e}, {w + e, z1 + e}, {-e, z1 + e}};
   for (Opening o : openings) {
@@ -119,8 +161,18 @@ void FacadeBuilder::wall(double x0, double x1, double z0, double z1, double out,
     o.right -= x0;
     panel.openings.push_back(o);
   }
-  panel.surface = surface(finish, plane_parallel(out, finish, std::move(polygon)));
-  add(std::move(panel));
+  return panel;
+}
+
+void FacadeBuilder::wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
+                         const Finish& finish, const WallRelief& relief, const Finish& joint) {
+  TruePolygon polygon;
+  Panel panel = panel_of(x0, x1, z0, z1, out, openings, polygon);
+  const std::uint32_t plane = plane_parallel(out, finish, std::move(polygon));
+  panel.surface = surface(finish, plane);
+  if (frame_.form.flat() && relief.most() == 0) return add(std::move(panel));
+  const SurfaceId joint_surface = relief.joint > 0 ? surface(joint) : panel.surface;
+  add(Sheet{std::move(panel), x0, 0, frame_.form, relief, joint_surface});
 }
 
 void FacadeBuilder::plate(const std::vector<Vec3>& ring, const Finish& finish, Faces faces) {
@@ -200,6 +252,21 @@ void FacadeBuilder::reveal(const Opening& o, double out0, double out1, const Fin
     plate({{o.left, back, s}, {o.right, back, s}, {o.right, front, s}, {o.left, front, s}}, finish);
     return;
   }
+  if (o.head == ArchHead::circular && frame_.form.flat()) return soffit(o, out0, out1, finish);
+  // Chords of 3 degrees lie within a millimetre of the arcs.
+  std::vector<FlatPoint> head = head_points(o, 3);
+  head.insert(head.begin(), {o.right, s});
+  head.push_back({o.left, s});
+  for (std::size_t i = 0; i + 1 < head.size(); ++i) {
+    const FlatPoint right = head[i], left = head[i + 1];
+    plate({{left.x, back, left.y}, {right.x, back, right.y}, {right.x, front, right.y}, {left.x, front, left.y}},
+          finish, Faces::unnamed);
+  }
+}
+
+// Adds the soffit of a circular arch.
+void FacadeBuilder::soffit(const Opening& o, double out0, double out1, const Finish& finish) {
+  const double front = out0 + kOverlap, back = out1 - kOverlap;
   const double radius = arch_radius(o), x = (o.left + o.right) / 2, z = top_of(o) - radius;
   TrueShape soffit{next_id(), "cylinder", frame_.place(x, out1, z), frame_.out, radius, 0, out0 - out1, 0};
   Shell shell;

@@ -15,10 +15,13 @@
 namespace ilot::scan {
 
 // A position with two directions: the lower left corner of the facade, the direction along the wall, and the direction
-// out of it.
+// out of it. Everything on a wall that leans or bows goes with it.
 struct FacadeFrame {
   Vec3 origin, along{1, 0, 0}, out{0, -1, 0};
-  Vec3 place(double x, double outward, double z) const { return origin + x * along + outward * out + Vec3{0, 0, z}; }
+  WallForm form = {};
+  Vec3 place(double x, double outward, double z) const {
+    return origin + x * along + (outward + form.at(x, z)) * out + Vec3{0, 0, z};
+  }
 };
 
 // Describes a piece: its class of the scene, the element that it belongs to (0 = none), and its material.
@@ -26,6 +29,7 @@ struct Finish {
   std::uint8_t surface_class = 0;
   std::uint32_t element = 0;
   Material material = Material::render;
+  std::uint8_t tone = 0;
 };
 
 // States whether the faces of a piece are planes of the truth. Some are too small to be planes.
@@ -54,6 +58,10 @@ class FacadeBuilder {
   // Adds a rectangle parallel to the facade, with openings.
   void wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
             const Finish& finish);
+
+  // Adds the same rectangle with a fine relief. Stones are parts of it; joints have the finish `joint`.
+  void wall(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
+            const Finish& finish, const WallRelief& relief, const Finish& joint);
 
   // Adds a flat piece in any direction. The ring is in x, out, z.
   void plate(const std::vector<Vec3>& ring, const Finish& finish, Faces faces = Faces::true_planes);
@@ -91,6 +99,10 @@ class FacadeBuilder {
 
  private:
   std::uint32_t next_id() const { return static_cast<std::uint32_t>(scene_.planes.size() + scene_.shapes.size() + 1); }
+  Panel panel_of(double x0, double x1, double z0, double z1, double out, const std::vector<Opening>& openings,
+                 TruePolygon& polygon) const;
+  void soffit(const Opening& opening, double out0, double out1, const Finish& finish);
+  std::uint32_t bowed_plane(const Finish& finish, TruePolygon polygon);
   std::uint32_t plane_parallel(double out, const Finish& finish, TruePolygon polygon);
   std::uint32_t own_plane(const Plane& plane, const Finish& finish, std::vector<Vec3> ring);
   void sweep(const std::vector<Vec3>& ring, Vec3 way, const Finish& finish, Faces faces);

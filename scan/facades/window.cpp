@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/optics/arch.h"
+
 namespace ilot::scan {
 namespace {
 
-constexpr double kFrame = 0.05, kBar = 0.035;  // metres
+constexpr double kBar = 0.035;  // metres
 constexpr double kGlassBehind = 0.02, kCurtainBehind = 0.15;
 constexpr double kRoomDepth = 3;
 
@@ -28,7 +30,11 @@ TrueElement describe(const FacadeBuilder& facade, const char* kind, const Openin
   element.width = width_of(o);
   element.height = top_of(o) - o.bottom;
   element.depth = depth;
-  if (o.rise > 0) {
+  if (o.head != ArchHead::circular) {
+    for (const ArchArc& arc : arcs_of(o))
+      element.arcs.push_back(
+          {facade.frame().place(arc.centre.x, 0, arc.centre.y), arc.radius, arc.from_deg, arc.to_deg});
+  } else if (o.rise > 0) {
     const double radius = arch_radius(o), half = arch_half_angle_deg(o);
     element.arcs.push_back({facade.frame().place(middle_of(o), 0, top_of(o) - radius), radius, 90 - half, 90 + half});
   }
@@ -38,8 +44,8 @@ TrueElement describe(const FacadeBuilder& facade, const char* kind, const Openin
 // Returns the openings of the frame for its panes, within a rectangle that contains the whole opening.
 std::vector<Opening> panes_of(const Opening& o, const WindowStyle& style) {
   std::vector<Opening> panes;
-  const double left = o.left + kFrame, right = o.right - kFrame, bottom = o.bottom + kFrame;
-  const double top = top_of(o) - (o.rise > 0 ? 0 : kFrame);
+  const double left = o.left + style.frame, right = o.right - style.frame, bottom = o.bottom + style.frame;
+  const double top = top_of(o) - (o.rise > 0 ? 0 : style.frame);
   const double across = (right - left + kBar) / style.panes_across, up = (top - bottom + kBar) / style.panes_up;
   for (int row = 0; row < style.panes_up; ++row)
     for (int column = 0; column < style.panes_across; ++column)
@@ -70,8 +76,12 @@ void add_curtains(FacadeBuilder& facade, const Opening& o, double out, double sh
 void glaze(FacadeBuilder& facade, const Opening& o, const WindowStyle& style, std::uint32_t element, Rng& rng) {
   const auto finish = [&](Material m) { return Finish{style.classes.other, element, m}; };
   const double out = -style.recess, e = kOverlap;
-  facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out, panes_of(o, style), finish(Material::wood));
-  facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out - kGlassBehind, {}, finish(Material::glass));
+  if (style.framed)
+    facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out, panes_of(o, style), finish(Material::wood));
+  facade.wall(o.left - e, o.right + e, o.bottom - e, top_of(o) + e, out - kGlassBehind, {}, finish(style.glass));
+  if (style.blind > 0)
+    facade.wall(o.left - e, o.right + e, top_of(o) - style.blind * (top_of(o) - o.bottom), top_of(o) + e,
+                out + style.blind_before, {}, {style.classes.other, element, Material::wood, style.tone});
   add_curtains(facade, o, out - kCurtainBehind, style.curtains, finish(Material::cloth), rng);
   add_room(facade, o, out - e, style.room_beside, finish(Material::interior));
 }
@@ -82,7 +92,7 @@ void add_sill(FacadeBuilder& facade, const Opening& o, Place place, const Window
   TrueElement sill = describe(facade, "sill", front, place, style.sill_out);
   sill.ring = facade.outline(front, style.sill_out);
   const std::uint32_t id = facade.add_element(sill);
-  const Finish finish{style.classes.sill, id, style.wall};
+  const Finish finish{style.classes.sill, id, style.wall, style.tone};
   facade.block({x0, x1, -kOverlap, style.sill_out, front.bottom, front.springing}, finish);
   facade.block({o.left, o.right, -style.recess - kOverlap, 0, front.bottom, front.springing}, finish);
   for (double x : {x0, x1}) {
@@ -96,13 +106,13 @@ void add_lintel(FacadeBuilder& facade, const Opening& o, Place place, const Wind
                       top_of(o) + style.lintel_height, 0};
   TrueElement lintel = describe(facade, "lintel", front, place, style.lintel_out);
   lintel.ring = facade.outline(front, style.lintel_out);
-  const Finish finish{style.classes.lintel, facade.add_element(lintel), style.wall};
+  const Finish finish{style.classes.lintel, facade.add_element(lintel), style.wall, style.tone};
   facade.block({front.left, front.right, -kOverlap, style.lintel_out, front.bottom, front.springing}, finish);
 }
 
 // Adds two upright borders and one above them, all of one thickness.
 void add_surround(FacadeBuilder& facade, const Opening& o, const WindowStyle& style, std::uint32_t element) {
-  const Finish finish{style.classes.lintel, element, style.wall};
+  const Finish finish{style.classes.lintel, element, style.wall, style.tone};
   const double w = style.surround_width, out = style.surround_out, top = top_of(o);
   facade.block({o.left - w, o.left, -kOverlap, out, o.bottom, top + w}, finish);
   facade.block({o.right, o.right + w, -kOverlap, out, o.bottom, top + w}, finish);
@@ -128,9 +138,9 @@ std::uint32_t add_window(FacadeBuilder& facade, const Opening& opening, Place pl
     facade.control_point("window_top", id, x, 0, opening.springing);
     facade.control_point("window_bottom", id, x, 0, opening.bottom);
   }
-  const Finish reveal{style.classes.reveal, id, style.wall};
+  const Finish reveal{style.classes.reveal, id, style.wall, style.tone};
   const bool has_sill = style.sill_out > 0;
-  facade.reveal(opening, 0, -style.recess, reveal,
+  facade.reveal(opening, style.wall_swing, -style.recess, reveal,
                 has_sill ? FacadeBuilder::Ledge::without : FacadeBuilder::Ledge::with);
   if (style.surround_out > 0) add_surround(facade, opening, style, id);
   if (has_sill) add_sill(facade, opening, place, style);
@@ -147,7 +157,7 @@ std::uint32_t add_door(FacadeBuilder& facade, const Opening& opening, Place plac
   const char* name = kind == DoorKind::door ? "door" : "shop";
   const std::uint32_t id = facade.add_element(describe(facade, name, opening, place, -style.recess));
   facade.add_opening(id, facade.outline(opening, 0));
-  facade.reveal(opening, 0, -style.recess, {style.classes.reveal, id, style.wall});
+  facade.reveal(opening, style.wall_swing, -style.recess, {style.classes.reveal, id, style.wall, style.tone});
   if (kind == DoorKind::shop) {
     WindowStyle front = style;
     front.panes_across = 3;

@@ -24,6 +24,13 @@ struct WindowStyle {
   double railing = 0;                                               // height of an iron railing, 0 = none
   double curtains = 0.5;                                            // greatest share of the width that curtains hide
   double room_beside = 0.6;                                         // how much wider the room behind is, on either side
+  Material glass = Material::glass;
+  bool framed = true;          // without it there are panes only
+  double frame = 0.05;         // width of the frame
+  double blind = 0;            // share of the height that a roller blind hides, from the top
+  double blind_before = 0.03;  // metres from the frame to the blind
+  std::uint8_t tone = 0;       // of the wall's material
+  double wall_swing = 0;       // metres by which a rough wall stands out; reveals begin there
 };
 
 struct Place {

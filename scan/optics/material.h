@@ -25,13 +25,16 @@ enum class Material : std::uint8_t {
   paving,
   grass,
   foliage,
-  cloth,        // clothes, curtains: one colour per half metre
-  car_paint,    // one colour per five metres
-  interior,     // rooms seen through windows
-  white_target  // uniform; reflects half of the light
+  cloth,         // clothes, curtains: one colour per half metre
+  car_paint,     // one colour per five metres
+  interior,      // rooms seen through windows
+  white_target,  // uniform; reflects half of the light
+  dark_glass,    // no echo at all
+  clear_glass,   // most of the light goes through
+  mirror_glass   // shows what it mirrors, behind itself
 };
 
-constexpr std::size_t kMaterials = 18;
+constexpr std::size_t kMaterials = 21;
 
 // Returns a name such as "limestone", as in the truth.
 const char* name_of(Material material);

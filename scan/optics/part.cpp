@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "kernels/geometry/ring.h"
+#include "scan/optics/arch.h"
 
 namespace ilot::scan {
 namespace {
@@ -115,6 +116,74 @@ std::optional<PartHit> meet_shell(const Ray& ray, const Shell& shell, double fro
   return std::nullopt;
 }
 
+struct SheetPlace {
+  double t = 0;
+  FlatPoint p;  // in the panel
+};
+
+// Finds where the ray is `depth` behind the surface of the sheet. The surface deviates little from the panel's plane,
+// so a constant, small number of steps of fixed-point iteration suffices. The large form comes first.
+SheetPlace sheet_place(const Ray& ray, const Sheet& sheet, double rate, double reach, double depth) {
+  constexpr int kFormSteps = 2, kReliefSteps = 2;
+  const Panel& panel = sheet.panel;
+  SheetPlace at{(reach - depth) / rate, {}};
+  const auto land = [&] {
+    const Vec3 offset = point_at(ray, at.t) - panel.origin;
+    at.p = {dot(panel.u, offset), dot(panel.v, offset)};
+  };
+  land();
+  const int steps = sheet.form.flat() ? kReliefSteps : kFormSteps + kReliefSteps;
+  const bool rough = sheet.relief.roughness > 0 || sheet.relief.stone_out > 0;
+  for (int step = 0; step < steps; ++step) {
+    const double x = sheet.x + at.p.x, z = sheet.z + at.p.y;
+    const double relief = rough && step + kReliefSteps >= steps ? relief_at(sheet.relief, x, z) : 0;
+    at.t = (reach + sheet.form.at(x, z) + relief - depth) / rate;
+    land();
+  }
+  return at;
+}
+
+// A ray into a joint meets its ground or, where it leaves the joint before, its side.
+SheetPlace in_the_joint(const Ray& ray, const Sheet& sheet, double rate, double reach) {
+  const auto is_joint = [&](const SheetPlace& at) {
+    return in_joint(sheet.relief, sheet.x + at.p.x, sheet.z + at.p.y);
+  };
+  const SheetPlace ground = sheet_place(ray, sheet, rate, reach, sheet.relief.joint_depth);
+  if (is_joint(ground)) return ground;
+  double open = 0, closed = sheet.relief.joint_depth;
+  for (int i = 0; i < 6; ++i) {
+    const double middle = (open + closed) / 2;
+    (is_joint(sheet_place(ray, sheet, rate, reach, middle)) ? open : closed) = middle;
+  }
+  return sheet_place(ray, sheet, rate, reach, open);
+}
+
+std::optional<PartHit> meet_sheet(const Ray& ray, const Sheet& sheet, double from) {
+  const Panel& panel = sheet.panel;
+  const Vec3 normal = cross(panel.u, panel.v);
+  const double rate = dot(normal, ray.direction);
+  if (rate == 0) return std::nullopt;
+  const double reach = dot(normal, panel.origin - ray.origin);
+  SheetPlace at = sheet_place(ray, sheet, rate, reach, 0);
+  SurfaceId surface = panel.surface;
+  if (in_joint(sheet.relief, sheet.x + at.p.x, sheet.z + at.p.y)) {
+    at = in_the_joint(ray, sheet, rate, reach);
+    surface = sheet.joint_surface;
+  }
+  if (!(at.t > from) || !contains_by_share(panel.ring, at.p)) return std::nullopt;
+  for (const Opening& opening : panel.openings)
+    if (contains(opening, at.p)) return std::nullopt;
+  return PartHit{at.t, surface, facing(normal, ray)};
+}
+
+Box3<Vec3> bounds_of_panel(const Panel& panel, double thick) {
+  std::vector<Vec3> corners;
+  const Vec3 normal = cross(panel.u, panel.v);
+  for (FlatPoint p : panel.ring)
+    for (double side : {-thick, thick}) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v + side * normal);
+  return bounds_of_points(corners);
+}
+
 void add_plane(Solid& solid, Vec3 normal, Vec3 through) {
   assert(solid.plane_count < Solid::kMaxPlanes);
   const Vec3 unit = (1 / norm(normal)) * normal;
@@ -157,6 +226,7 @@ bool contains(const Opening& opening, FlatPoint p) {
   if (!(p.x > opening.left && p.x < opening.right && p.y > opening.bottom)) return false;
   if (p.y < opening.springing) return true;
   if (!(opening.rise > 0) || p.y > opening.springing + opening.rise) return false;
+  if (opening.head != ArchHead::circular) return below_arch(opening, p);
   const double radius = arch_radius(opening);
   const double dx = p.x - (opening.left + opening.right) / 2, dy = p.y - (opening.springing + opening.rise - radius);
   return dx * dx + dy * dy < radius * radius;
@@ -165,12 +235,15 @@ bool contains(const Opening& opening, FlatPoint p) {
 std::optional<PartHit> meet(const Ray& ray, const Part& part, double from) {
   if (const auto* solid = std::get_if<Solid>(&part)) return meet_solid(ray, *solid, from);
   if (const auto* panel = std::get_if<Panel>(&part)) return meet_panel(ray, *panel, from);
+  if (const auto* sheet = std::get_if<Sheet>(&part)) return meet_sheet(ray, *sheet, from);
   return meet_shell(ray, std::get<Shell>(part), from);
 }
 
 Box3<Vec3> bounds_of(const Part& part) {
   if (const auto* solid = std::get_if<Solid>(&part)) return solid->bounds;
   if (const auto* shell = std::get_if<Shell>(&part)) return shell->bounds;
+  if (const auto* sheet = std::get_if<Sheet>(&part))
+    return bounds_of_panel(sheet->panel, sheet->form.most() + sheet->relief.most() + kOverlap);
   const auto& panel = std::get<Panel>(part);
   std::vector<Vec3> corners;
   for (FlatPoint p : panel.ring) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of the scenes on the ground: convex solids bounded by planes and one quadric, flat panels with openings,
-// and the inner sides of quadrics (soffits of arches). All parts are opaque. Intersections are computed in double.
-// Where parts meet, builders let them overlap by kOverlap, so that no ray passes through a joint.
+// sheets that are not quite flat, and the inner sides of quadrics (soffits of arches). All parts are opaque.
+// Intersections are computed in double. Where parts meet, builders let them overlap by kOverlap, so that no ray passes
+// through a joint.
 #pragma once
 #include <array>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include "kernels/geometry/box3.h"
 #include "kernels/geometry/flat.h"
 #include "scan/optics/solid.h"
+#include "scan/optics/wall_form.h"
 
 namespace ilot::scan {
 
@@ -49,11 +51,15 @@ struct Solid {
   Box3<Vec3> bounds;
 };
 
-// A hole in a panel: a rectangle whose upper side may be the arc of a circle. The centre of the arc lies on the
-// vertical axis of the opening. `rise` is the height of the crown above the springing: width / 2 for a round arch, 0
-// for no arch.
+// The form of an arch. A pointed arch rises by at least half of its width, a basket arch by less.
+enum class ArchHead : std::uint8_t { circular, basket, pointed };
+
+// A hole in a panel: a rectangle whose upper side may be an arch. The centre of a circular arch lies on the vertical
+// axis of the opening. `rise` is the height of the crown above the springing: width / 2 for a round arch, 0 for no
+// arch. The other forms are described in arch.h.
 struct Opening {
   double left = 0, right = 0, bottom = 0, springing = 0, rise = 0;
+  ArchHead head = ArchHead::circular;
 };
 double arch_radius(const Opening& opening);
 bool contains(const Opening& opening, FlatPoint p);
@@ -67,6 +73,17 @@ struct Panel {
   SurfaceId surface = 0;
 };
 
+// A panel that is not quite flat: a wall that leans and bows, rough or of stones. The form counts from the plane of the
+// panel along its normal; (x, z) are the facade's coordinates of the panel's origin, u runs along x and v along z.
+// Joints have a surface of their own.
+struct Sheet {
+  Panel panel;
+  double x = 0, z = 0;
+  WallForm form;
+  WallRelief relief;
+  SurfaceId joint_surface = 0;
+};
+
 // The part of a quadric inside all half-spaces. It is visible from both sides.
 struct Shell {
   Quadric quadric;
@@ -75,7 +92,7 @@ struct Shell {
   Box3<Vec3> bounds;
 };
 
-using Part = std::variant<Solid, Panel, Shell>;
+using Part = std::variant<Solid, Panel, Shell, Sheet>;
 
 struct PartHit {
   double t = 0;

@@ -19,6 +19,7 @@ struct SurfaceLabel {
   std::uint32_t plane = 0;    // true_plane: id of a plane or a shape, 0 = none
   std::uint32_t element = 0;  // true_element, 0 = none
   Material material = Material::render;
+  std::uint8_t tone = 0;  // shades of the material's colour: 0 = the colour itself
 };
 
 struct SceneModel {

@@ -39,6 +39,10 @@ Transmission transmission(Material material) {
   switch (material) {
     case Material::glass:
       return {0.66, 0.13};
+    case Material::dark_glass:
+      return {1, 0};
+    case Material::clear_glass:
+      return {0.25, 0.7};
     case Material::car_paint:
       return {0.15, 0};
     case Material::iron:
@@ -57,17 +61,30 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     const auto hit = scene_.nearest(ray, candidates_, from);
     if (!hit || hit->t > kMaxRange) return;
     const Material material = model_.surfaces[hit->surface].material;
+    if (material == Material::mirror_glass) return touch_mirrored(ray, *hit, weight);
     const Transmission way = transmission(material);
     if (chance < way.lost) return;
     if (chance >= way.lost + way.through) {
       const double cosine = -dot(hit->normal, ray.direction);
-      touches_.push_back({hit->t, weight * reflectance(material) * cosine, hit->surface});
+      touches_.push_back({hit->t, weight * reflectance(material) * cosine, hit->surface, cosine});
       return;
     }
     from = hit->t + kBehind;
     weight *= 0.7;
     chance = (chance - way.lost) / way.through;  // makes it uniform again
   }
+}
+
+// The scanner sees what a mirror shows as if it were behind the mirror, at the length of the whole way.
+void BeamTracer::touch_mirrored(const Ray& ray, const PartHit& mirror, double weight) {
+  if (!beam_.mirrored) return;
+  const Vec3 away = ray.direction - (2 * dot(ray.direction, mirror.normal)) * mirror.normal;
+  const auto hit = scene_.cast({point_at(ray, mirror.t), unit(away)}, kBehind);
+  if (!hit || mirror.t + hit->t > kMaxRange) return;
+  const Material material = model_.surfaces[hit->surface].material;
+  if (transmission(material).lost > 0.5) return;
+  const double cosine = -dot(hit->normal, unit(away));
+  touches_.push_back({mirror.t + hit->t, weight * reflectance(material) * cosine, *beam_.mirrored, cosine});
 }
 
 bool BeamTracer::one_plane(SurfaceId a, SurfaceId b) const {
@@ -85,7 +102,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       ++end;
     }
     // The echo gets the surface with most energy, of equal ones the nearest, and the mean range of that surface.
-    Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0};
+    Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0, 1};
     double most = 0;
     for (std::size_t i = first; i < end; ++i) {
       double own = 0, own_moment = 0;
@@ -98,6 +115,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       most = own;
       echo.surface = touches_[i].surface;
       echo.surface_range = own_moment / own;
+      echo.cosine = touches_[i].cosine;
     }
     if (energy >= kMinEnergy && echoes.size() < kMaxEchoes) echoes.push_back(echo);
     first = end;

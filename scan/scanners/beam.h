@@ -2,6 +2,7 @@
 // One pulse of a terrestrial scanner: the surfaces that its footprint touches and the echoes that come back.
 #pragma once
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "kernels/core/rng.h"
@@ -16,6 +17,8 @@ struct BeamParams {
   double divergence_mrad = 0.2;    // full angle, 1/e2
   double diameter = 0.0045;        // metres, at the scanner, 1/e2
   double separation = 0.3;         // metres: closer echoes reach the receiver as one
+  // The surface of echoes that came by way of a mirror. Without it, mirrors give no echo.
+  std::optional<SurfaceId> mirrored = std::nullopt;
 };
 
 // Radius of the footprint in metres.
@@ -28,6 +31,7 @@ struct Echo {
   double energy = 0;         // received: share of the light times reflectance times cosine of incidence
   SurfaceId surface = 0;     // the surface that gave most of the energy; pieces of one plane count as one
   double surface_range = 0;  // range of that surface; differs from range where the footprint mixes two surfaces
+  double cosine = 1;         // of the incidence on that surface
 };
 
 // What glass and the finish of a material do to a pulse.
@@ -53,9 +57,11 @@ class BeamTracer {
   struct Touch {
     double range, energy;
     SurfaceId surface;
+    double cosine;
   };
   bool one_plane(SurfaceId a, SurfaceId b) const;
   void touch(const Ray& ray, double weight, double chance);
+  void touch_mirrored(const Ray& ray, const PartHit& mirror, double weight);
   void gather(std::vector<Echo>& echoes) const;
 
   const SceneModel& model_;

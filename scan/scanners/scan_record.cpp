@@ -9,7 +9,12 @@ namespace {
 
 constexpr std::uint8_t kFormat = 7;
 constexpr std::size_t kStandardSize = 36, kGpsTime = 22, kRgb = 30;
-constexpr std::size_t kTrueClass = 36, kTruePlane = 37, kTrueElement = 41, kRecordSize = 45;
+constexpr std::size_t kTruth = 9;  // bytes of the true class, plane and element
+
+// Bytes before the truth: the standard fields of point formats 6 and 7.
+std::size_t standard_size(std::uint8_t format) {
+  return format == kFormat ? kStandardSize : kRgb;
+}
 
 // EPSG:2154 as WKT 1, the form that LAS 1.4 requires. It is a constant because the text of PROJ changes with its
 // version.
@@ -34,18 +39,27 @@ ExtraField extra_field(const char* name, const char* description, FieldType type
   return field;
 }
 
+RecordLayout layout_of(std::uint8_t format, double grid) {
+  RecordLayout layout;
+  const std::size_t at = standard_size(format);
+  layout.point_format = format;
+  layout.record_length = static_cast<std::uint16_t>(at + kTruth);
+  layout.scale = {grid, grid, grid};
+  layout.offset = {kEastOrigin, kNorthOrigin, 0};
+  layout.extra = {extra_field("true_class", "named in the truth", FieldType::u8, at, 1),
+                  extra_field("true_plane", "id of plane or shape, 0 = none", FieldType::u32, at + 1, 4),
+                  extra_field("true_element", "id of the element, 0 = none", FieldType::u32, at + 5, 4)};
+  return layout;
+}
+
 }  // namespace
 
 RecordLayout coloured_layout(double grid) {
-  RecordLayout layout;
-  layout.point_format = kFormat;
-  layout.record_length = kRecordSize;
-  layout.scale = {grid, grid, grid};
-  layout.offset = {kEastOrigin, kNorthOrigin, 0};
-  layout.extra = {extra_field("true_class", "named in the truth", FieldType::u8, kTrueClass, 1),
-                  extra_field("true_plane", "id of plane or shape, 0 = none", FieldType::u32, kTruePlane, 4),
-                  extra_field("true_element", "id of the element, 0 = none", FieldType::u32, kTrueElement, 4)};
-  return layout;
+  return layout_of(kFormat, grid);
+}
+
+RecordLayout uncoloured_layout(double grid) {
+  return layout_of(kFormat - 1, grid);
 }
 
 CloudSpec cloud_spec(const RecordLayout& layout) {
@@ -60,8 +74,8 @@ CloudSpec cloud_spec(const RecordLayout& layout) {
 }
 
 void append_record(std::vector<std::byte>& records, const ColouredPoint& point, const RecordLayout& layout) {
-  const std::size_t at = records.size();
-  records.resize(at + kRecordSize);
+  const std::size_t at = records.size(), standard = standard_size(layout.point_format);
+  records.resize(at + standard + kTruth);
   std::byte* record = records.data() + at;
   const auto units = [&](double metres, std::size_t axis) {
     return static_cast<std::int32_t>(std::llround(metres / layout.scale[axis]));
@@ -77,21 +91,27 @@ void append_record(std::vector<std::byte>& records, const ColouredPoint& point, 
   fields.user_data = point.material;
   fields.source_id = point.source;
   fields.scan_angle_deg = point.scan_angle_deg;
-  encode_fields(fields, {record, kStandardSize}, kFormat);
+  encode_fields(fields, {record, standard}, layout.point_format);
   store(record + kGpsTime, point.gps_time);
-  for (std::size_t c = 0; c < 3; ++c) store(record + kRgb + 2 * c, point.rgb[c]);
-  store(record + kTrueClass, point.true_class);
-  store(record + kTruePlane, point.true_plane);
-  store(record + kTrueElement, point.true_element);
+  if (layout.point_format == kFormat)
+    for (std::size_t c = 0; c < 3; ++c) store(record + kRgb + 2 * c, point.rgb[c]);
+  store(record + standard, point.true_class);
+  store(record + standard + 1, point.true_plane);
+  store(record + standard + 5, point.true_element);
+}
+
+RecordTruth truth_of(const std::byte* record, const RecordLayout& layout) {
+  const std::byte* truth = record + standard_size(layout.point_format);
+  return {load<std::uint8_t>(truth), load<std::uint32_t>(truth + 1), load<std::uint32_t>(truth + 5)};
 }
 
 RecordTruth truth_of(const std::byte* record) {
-  return {load<std::uint8_t>(record + kTrueClass), load<std::uint32_t>(record + kTruePlane),
-          load<std::uint32_t>(record + kTrueElement)};
+  const std::byte* truth = record + kStandardSize;
+  return {load<std::uint8_t>(truth), load<std::uint32_t>(truth + 1), load<std::uint32_t>(truth + 5)};
 }
 
 Vec3 place_of(const std::byte* record, const RecordLayout& layout) {
-  const PointFields f = decode_fields({record, kStandardSize}, kFormat);
+  const PointFields f = decode_fields({record, standard_size(layout.point_format)}, layout.point_format);
   return {f.x * layout.scale[0], f.y * layout.scale[1], f.z * layout.scale[2]};
 }
 

@@ -18,6 +18,9 @@ constexpr Vec3 kSceneOrigin{kEastOrigin, kNorthOrigin, 0};
 // user data contain the true material. `grid` is in metres per coordinate unit.
 RecordLayout coloured_layout(double grid);
 
+// Returns the same layout without colours: point format 6.
+RecordLayout uncoloured_layout(double grid);
+
 // Returns the specification of a cloud for records of that layout, in EPSG:2154.
 CloudSpec cloud_spec(const RecordLayout& layout);
 
@@ -35,6 +38,7 @@ struct ColouredPoint {
   std::uint32_t true_plane = 0, true_element = 0;
 };
 
+// Appends a record of either layout.
 void append_record(std::vector<std::byte>& records, const ColouredPoint& point, const RecordLayout& layout);
 
 // The truth in a record of that layout.
@@ -43,6 +47,7 @@ struct RecordTruth {
   std::uint32_t true_plane = 0, true_element = 0;
 };
 RecordTruth truth_of(const std::byte* record);
+RecordTruth truth_of(const std::byte* record, const RecordLayout& layout);
 
 // Returns the position of the record, in metres in the scene.
 Vec3 place_of(const std::byte* record, const RecordLayout& layout);

@@ -9,6 +9,7 @@
 #include "kernels/core/parallel.h"
 #include "scan/optics/exact_math.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/scanners/scene_truth.h"
 #include "scan/scanners/stations_file.h"
 
 namespace ilot::scan {
@@ -128,54 +129,6 @@ std::uint64_t count_points(const TerrestrialScan& scan) {
   return bytes / coloured_layout(scan.grid).record_length;
 }
 
-// Counts points per plane and per element, by id.
-struct Tally {
-  std::vector<std::uint64_t> planes, elements, classes = std::vector<std::uint64_t>(256);
-  std::uint64_t points = 0;
-
-  static void count(std::vector<std::uint64_t>& list, std::uint32_t id) {
-    if (id >= list.size()) list.resize(id + 1);
-    ++list[id];
-  }
-  void add(const RecordTruth& truth) {
-    ++points;
-    ++classes[truth.true_class];
-    count(planes, truth.true_plane);
-    count(elements, truth.true_element);
-  }
-  static std::uint64_t of(const std::vector<std::uint64_t>& list, std::uint32_t id) {
-    return id < list.size() ? list[id] : 0;
-  }
-};
-
-void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& tally) {
-  const TerrestrialScene& scene = scan.scene;
-  const BeamParams& beam = scan.beam;
-  truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
-  truth.classes(scene.classes);
-  std::map<int, std::string> materials;
-  for (const SurfaceLabel& label : scene.model.surfaces)
-    materials.emplace(1 + static_cast<int>(label.material), name_of(label.material));
-  truth.materials(materials);
-  for (const StationParams& s : scene.stations)
-    truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
-  for (TruePlane plane : scene.planes) {
-    plane.points = Tally::of(tally.planes, plane.id);
-    truth.add(plane);
-  }
-  for (TrueShape shape : scene.shapes) {
-    shape.points = Tally::of(tally.planes, shape.id);
-    truth.add(shape);
-  }
-  for (TrueElement element : scene.elements) {
-    element.points = Tally::of(tally.elements, element.id);
-    truth.add(element);
-  }
-  for (const TrueOpening& opening : scene.openings) truth.add(opening);
-  for (const TrueControlPoint& point : scene.control_points) truth.add(point);
-  for (const TrueBuilding& building : scene.buildings) truth.add(building);
-}
-
 std::string settings_text(const ScanRequest& request, const TerrestrialScan& scan) {
   std::string text = "\"scene\":\"" + std::string(request.scene) + "\",\"seed\":" + std::to_string(request.seed);
   text += request.values.json();
@@ -218,21 +171,18 @@ void scan_terrestrial(const TerrestrialScan& scan, const std::function<void(std:
 }
 
 ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& request) {
-  const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(coloured_layout(scan.grid)));
+  const RecordLayout layout = coloured_layout(scan.grid);
+  const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   const std::size_t length = writer->record_length();
   Tally tally;
   scan_terrestrial(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at]));
+    for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at], layout));
     if (request.written) request.written(records.size() / length);
   });
-  write_truth(truth, scan, tally);
-  ScanCounts counts{{"points", tally.points}, {"planes", scan.scene.planes.size()}};
-  if (!scan.scene.shapes.empty()) counts.emplace_back("shapes", scan.scene.shapes.size());
-  if (!scan.scene.elements.empty()) counts.emplace_back("elements", scan.scene.elements.size());
-  for (const auto& [value, class_name] : scan.scene.classes)
-    counts.emplace_back("points of " + class_name, tally.classes[static_cast<std::size_t>(value)]);
+  write_scene_truth(truth, scan.scene, scan.beam, tally);
+  const ScanCounts counts = scene_counts(scan.scene, tally);
   writer->finish();
   write_stations(stations_path(request.output), scan.scene.stations);
   truth.finish(counts);

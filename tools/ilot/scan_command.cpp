@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/error.h"
@@ -11,6 +12,7 @@
 #include "scan/scanners/stations_file.h"
 #include "scan/scenes.h"
 #include "scan/truth_writer.h"
+#include "scan/wild/distributions.h"
 #include "tools/ilot/commands.h"
 #include "tools/ilot/console.h"
 
@@ -22,7 +24,7 @@ struct ScanArguments {
   std::optional<std::uint64_t> points;
   std::uint64_t seed = 0;
   int threads = 0;
-  std::vector<std::string> settings;
+  std::vector<std::string> settings, without;
   bool list = false, overwrite = false, quiet = false;
 };
 
@@ -30,6 +32,8 @@ scan::ScanRequest make_request(const ScanArguments& given, const scan::Scene& sc
   if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
   scan::ScanRequest request{scene.name, scan::SceneValues(scene.options), given.seed, given.points, given.output};
   for (const std::string& setting : given.settings) request.values.set(setting);
+  const std::vector<std::string_view> families = scan::families_of(scene.groups);
+  for (const std::string& names : given.without) request.values.leave_out(names, families);
   return request;
 }
 
@@ -67,6 +71,7 @@ int scan_command(const ScanArguments& given) {
   with_threads(given.threads > 0 ? given.threads : hardware_threads(), [&] { counts = scene.scan(request); });
   progress.end_stage();
   progress.note(summary_text(given.output, counts));
+  if (!scene.groups.empty()) progress.note("drawn from distributions.csv, sha256 " + scan::distributions_hash());
   return static_cast<int>(ExitCode::ok);
 }
 
@@ -87,6 +92,9 @@ void add_scan_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(1, 1024));
   command->add_option("--set", given->settings, "one option of the scene, see --list [none]")
       ->option_text("scene.KEY=VALUE")
+      ->take_all();
+  command->add_option("--without", given->without, "families of forms that a wild scene leaves out, see --list [none]")
+      ->option_text("FAMILY,...")
       ->take_all();
   command->add_flag("--list", given->list, "list the scenes and what can be set about them [off]");
   command->add_flag("--overwrite", given->overwrite, "replace FILE and its truth [off]");
