@@ -17,6 +17,8 @@
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
 #include "scan/wild/distributions.h"
+#include "scan/wild/roofs/wild_roofs_scan.h"
+#include "scan/wild/street/wild_street_scan.h"
 #include "scan/wild/wild_scenes.h"
 
 namespace ilot::scan {
@@ -47,6 +49,12 @@ std::span<const Scene> scenes() {
             "to about 1 %, by scaling the spacing of profiles and pulses", street_options(), scan_street_scene},
       Scene{"street-air", "that street and the gardens behind its houses, seen from the air",
             "about; the density follows", street_flight_options(), scan_street_flight_scene},
+      Scene{"street-wild", "a street with its yards that is drawn from wide distributions, with objects of 70 kinds",
+            "about; without it the extent follows the density, up to 2 million points", wild_street_options(),
+            scan_wild_street_scene, kWildStreetGroups},
+      Scene{"roofs-wild", "a town from the air, with roofs and faults that are drawn from wide distributions",
+            "about; without it the extent follows the density, up to 2 million points", wild_roofs_options(),
+            scan_wild_roofs_scene, kWildRoofsGroups},
       Scene{"district", "a town of houses under flat, gable and hip roofs, seen from the air",
             "exactly; the area follows from the density", district_options(), scan_district_scene},
       Scene{"facade-wild", "one house, its neighbours and what stands before it; everything is drawn", kWild,

@@ -48,6 +48,19 @@ std::string arc_text(const TrueArc& arc) {
                      arc.radius, arc.from_deg, arc.to_deg);
 }
 
+std::string occluded_text(const std::optional<double>& share) {
+  return share ? fmt::format(R"(,"occluded":{:.4f})", *share) : "";
+}
+
+std::string object_text(const TrueObject& o) {
+  return fmt::format(R"({{"id":{},"class":"{}","variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
+                     R"("heading_deg":{}}},"touches":{},"points":{}{}{}{}}})",
+                     o.id, o.object_class, o.variant, place_text(o.base), place_text(o.box_centre),
+                     direction_text(o.box_size), o.heading_deg, ids_text(o.touches), o.points,
+                     occluded_text(o.occluded), o.moves ? R"(,"moves":true)" : "",
+                     o.sometimes ? R"(,"sometimes":true)" : "");
+}
+
 }  // namespace
 
 struct TruthWriter::Spool {
@@ -174,11 +187,22 @@ void TruthWriter::add(const TrueBuilding& b) {
 }
 
 void TruthWriter::add(const TrueObject& o) {
-  const Vec3 size = o.box_size;
-  add_line("objects", fmt::format(R"({{"id":{},"class":"{}","variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
-                                  R"("heading_deg":{}}},"touches":{},"points":{}}})",
-                                  o.id, o.object_class, o.variant, place_text(o.base), place_text(o.box_centre),
-                                  direction_text(size), o.heading_deg, ids_text(o.touches), o.points));
+  add_line("objects", object_text(o));
+}
+
+void TruthWriter::add_plant(const TrueObject& plant) {
+  add_line("plants", object_text(plant));
+}
+
+void TruthWriter::add(const TrueTree& t) {
+  add_line("trees", fmt::format(R"({{"id":{},"form":"{}","base":{},"height_m":{:.4f},"crown_base_m":{:.4f},)"
+                                R"("crown_radius_m":{:.4f},"trunk_radius_m":{:.4f},"points":{}{}}})",
+                                t.id, t.form, place_text(t.base), t.height, t.crown_base, t.crown_radius,
+                                t.trunk_radius, t.points, occluded_text(t.occluded)));
+}
+
+void TruthWriter::add(const TrueKerb& k) {
+  add_line("kerbs", fmt::format(R"({{"line":{},"height_m":{:.4f}}})", ring_text(k.line), k.height));
 }
 
 void TruthWriter::add(const TrueBlock& b) {

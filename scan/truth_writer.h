@@ -83,6 +83,24 @@ struct TrueObject {
   double heading_deg = 0;
   std::vector<std::uint32_t> touches;
   std::uint64_t points = 0;
+  // Of wild scenes only: nothing is written for what is not set.
+  std::optional<double> occluded = std::nullopt;  // share of the rays from the scanner to it that something hides
+  bool moves = false;                             // during the scan
+  bool sometimes = false;                         // it is there for some passes, stations or flight lines only
+};
+
+struct TrueTree {
+  std::uint32_t id = 0;  // in the numbering of the objects
+  std::string form;
+  Vec3 base;  // of the trunk
+  double height = 0, crown_base = 0, crown_radius = 0, trunk_radius = 0;
+  std::uint64_t points = 0;
+  std::optional<double> occluded = std::nullopt;
+};
+
+struct TrueKerb {
+  std::vector<Vec3> line;  // on the upper edge
+  double height = 0;       // above the road
 };
 
 struct TrueBlock {
@@ -153,6 +171,9 @@ class TruthWriter {
   void add(const TrueControlPoint& point);
   void add(const TrueBuilding& building);
   void add(const TrueObject& object);
+  void add_plant(const TrueObject& plant);  // hedges and shrubs: objects that are not to be found as such
+  void add(const TrueTree& tree);
+  void add(const TrueKerb& kerb);
   void add(const TrueBlock& block);
 
   void finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/core/rng.h"
+#include "scan/optics/value_noise.h"
 
 namespace ilot::scan {
 namespace {
@@ -63,32 +63,6 @@ Recipe recipe_of(Material material) {
   return {0.5, {220, 220, 220}, 0, 1, 0, 0};
 }
 
-// Returns a uniform value in [-1, 1) for each lattice cell.
-double cell_value(std::int64_t x, std::int64_t y, std::int64_t z, std::uint64_t key) {
-  const std::uint64_t bits = mix64(mix64(mix64(static_cast<std::uint64_t>(x) ^ key) ^ static_cast<std::uint64_t>(y)) ^
-                                   static_cast<std::uint64_t>(z));
-  return static_cast<double>(bits >> 11) * 0x1p-52 - 1;
-}
-
-double mix(double a, double b, double share) {
-  return a + (b - a) * share;
-}
-
-// Continuous value noise: there is a random value at each corner of a lattice, with smooth interpolation between
-// corners. (Perlin 1985, values in place of gradients)
-double noise(Vec3 p, std::uint64_t key) {
-  const double fx = std::floor(p.x), fy = std::floor(p.y), fz = std::floor(p.z);
-  const auto x = static_cast<std::int64_t>(fx), y = static_cast<std::int64_t>(fy), z = static_cast<std::int64_t>(fz);
-  const auto smooth = [](double s) { return s * s * (3 - 2 * s); };
-  const double u = smooth(p.x - fx), v = smooth(p.y - fy), w = smooth(p.z - fz);
-  std::array<double, 2> layers{};
-  for (std::int64_t k = 0; k < 2; ++k)
-    layers[static_cast<std::size_t>(k)] =
-        mix(mix(cell_value(x, y, z + k, key), cell_value(x + 1, y, z + k, key), u),
-            mix(cell_value(x, y + 1, z + k, key), cell_value(x + 1, y + 1, z + k, key), u), v);
-  return mix(layers[0], layers[1], w);
-}
-
 // Tests for a bed joint: brickwork has mortar every 6.5 cm of height.
 bool is_bed_joint(double z) {
   constexpr double kRow = 0.065, kJoint = 0.012;
@@ -113,10 +87,11 @@ Rgb16 colour(Material material, Vec3 place) {
   if (material == Material::brick && is_bed_joint(place.z)) material = Material::mortar;
   const Recipe r = recipe_of(material);
   const auto key = static_cast<std::uint64_t>(material) * 0x9e3779b97f4a7c15ull;
-  const double spot = 0.6 * noise((1 / r.spot_size) * place, key) + 0.4 * noise((3.7 / r.spot_size) * place, key + 4);
-  const double warm = noise((0.7 / r.spot_size) * place, key + 1);
-  const double fine = noise(100.0 * place, key + 2);
-  const double dirt = 0.05 * noise({place.x / 0.25, place.y / 0.25, place.z / 3}, key + 3);
+  const double spot =
+      0.6 * value_noise((1 / r.spot_size) * place, key) + 0.4 * value_noise((3.7 / r.spot_size) * place, key + 4);
+  const double warm = value_noise((0.7 / r.spot_size) * place, key + 1);
+  const double fine = value_noise(100.0 * place, key + 2);
+  const double dirt = 0.05 * value_noise({place.x / 0.25, place.y / 0.25, place.z / 3}, key + 3);
   const double light = 1 + r.spots * spot + r.grain * fine + dirt;
   const std::array<double, 3> tint{1 + r.warmth * warm, 1, 1 - r.warmth * warm};
   Rgb16 rgb{};

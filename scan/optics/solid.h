@@ -22,7 +22,7 @@ inline Vec3 point_at(const Ray& ray, double t) {
 // The intersection of at most kMaxFaces half-spaces with outward normals. It may be open where no ray comes from (a
 // house has no floor). The bounds must still contain all of the surface that can be seen.
 struct ConvexSolid {
-  static constexpr std::size_t kMaxFaces = 12;
+  static constexpr std::size_t kMaxFaces = 32;
   std::array<Plane, kMaxFaces> planes;
   std::uint32_t face_count = 0;
   std::uint32_t first_face = 0;  // number of its face 0 in the list of faces of the scene

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -9,6 +8,7 @@
 #include "engine/deliverables/solids/city_json.h"
 #include "engine/formats/writer.h"
 #include "scan/roofs/roofs_scan.h"
+#include "scan/roofs/roofs_truth.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/truth_writer.h"
 
@@ -25,104 +25,6 @@ std::string settings_text(const RoofsScan& scan) {
                      R"("trees_per_hectare":{},"density":{},"height_m":{},"scan_angle_deg":{},"jitter":{},"grid_m":{})",
                      t.seed, t.buildings, t.adjoining, t.chimneys, t.slope_percent, t.trees, f.density, f.height,
                      f.angle_deg, f.jitter, kGrid);
-}
-
-Vec3 in_town(const RoofBuilding& building, std::uint32_t vertex) {
-  return building.frame.to_town(building.solid.vertices[vertex]);
-}
-
-std::vector<Vec3> ring_in_town(const RoofBuilding& building, const std::vector<std::uint32_t>& ring) {
-  std::vector<Vec3> places;
-  for (std::uint32_t v : ring) places.push_back(in_town(building, v));
-  return places;
-}
-
-TruePolygon polygon_of(const RoofBuilding& building, std::uint32_t id, const RoofFace& face) {
-  TruePolygon polygon{id, ring_in_town(building, face.rings[0]), {}};
-  for (std::size_t r = 1; r < face.rings.size(); ++r) polygon.holes.push_back(ring_in_town(building, face.rings[r]));
-  return polygon;
-}
-
-TruePlane ground_plane(const RoofTown& town) {
-  const auto corner = [&](double x, double y) { return Vec3{x, y, town.ground.height(x, y)}; };
-  const Rect& a = town.area;
-  TruePlane plane;
-  plane.id = kTownGround;
-  plane.surface_class = "ground";
-  plane.plane = town.ground.plane();
-  plane.polygons.push_back({0, {corner(a.x0, a.y0), corner(a.x1, a.y0), corner(a.x1, a.y1), corner(a.x0, a.y1)}, {}});
-  return plane;
-}
-
-// Returns all planes, sorted by id.
-std::vector<TruePlane> planes_of(const RoofTown& town, const std::vector<std::uint64_t>& points) {
-  std::vector<TruePlane> planes(town.plane_count + kFirstTownPlane);
-  planes[kTownGround] = ground_plane(town);
-  for (std::uint32_t b = 0; b < town.buildings.size(); ++b) {
-    const RoofBuilding& building = town.buildings[b];
-    for (std::size_t f = 0; f < building.solid.faces.size(); ++f) {
-      const RoofFace& face = building.solid.faces[f];
-      if (face.part == RoofPart::floor) continue;
-      TruePlane& plane = planes[kFirstTownPlane + building.face_plane[f]];
-      if (plane.polygons.empty()) {
-        plane.id = kFirstTownPlane + building.face_plane[f];
-        plane.surface_class = face.part == RoofPart::roof ? "roof" : "wall";
-        plane.plane.n = building.frame.direction_to_town(face.plane.n);
-        plane.plane.d = -dot(plane.plane.n, in_town(building, face.rings[0][0]));
-      }
-      plane.area += face_area(building.solid, face);
-      plane.polygons.push_back(polygon_of(building, b + 1, face));
-    }
-  }
-  for (TruePlane& plane : planes) plane.points = points[plane.id];
-  return planes;
-}
-
-std::vector<std::uint32_t> roof_planes(const RoofBuilding& building) {
-  std::vector<std::uint32_t> ids;
-  for (std::size_t f = 0; f < building.solid.faces.size(); ++f)
-    if (building.solid.faces[f].part == RoofPart::roof) ids.push_back(kFirstTownPlane + building.face_plane[f]);
-  return ids;
-}
-
-const RoofFace& floor_of(const RoofBuilding& building) {
-  return *std::find_if(building.solid.faces.begin(), building.solid.faces.end(),
-                       [](const RoofFace& f) { return f.part == RoofPart::floor; });
-}
-
-TrueBuilding truth_of_building(const RoofBuilding& building, std::uint32_t id) {
-  TrueBuilding truth{id,
-                     name_of(building.kind),
-                     ring_in_town(building, floor_of(building).rings[0]),
-                     roof_planes(building),
-                     building.eave,
-                     building.ridge,
-                     building.floor};
-  std::reverse(truth.footprint.begin(), truth.footprint.end());
-  return truth;
-}
-
-SurfaceKind kind_of(RoofPart part) {
-  return part == RoofPart::roof ? SurfaceKind::roof : part == RoofPart::wall ? SurfaceKind::wall : SurfaceKind::ground;
-}
-
-Building model_of(const RoofBuilding& building, std::uint32_t id) {
-  Building model;
-  model.id = fmt::format("building-{}", id);
-  for (std::uint32_t v = 0; v < building.solid.vertices.size(); ++v)
-    model.vertices.push_back(in_town(building, v) + kSceneOrigin);
-  for (std::size_t f = 0; f < building.solid.faces.size(); ++f) {
-    const RoofFace& face = building.solid.faces[f];
-    const bool seen = face.part != RoofPart::floor;
-    model.surfaces.push_back({kind_of(face.part), seen ? kFirstTownPlane + building.face_plane[f] : 0, face.rings});
-  }
-  model.attributes = {{"building_id", std::int64_t{id}},
-                      {"roof_type", std::string(name_of(building.kind))},
-                      {"roof_faces", static_cast<std::int64_t>(roof_planes(building).size())},
-                      {"eave_m", building.eave},
-                      {"ridge_m", building.ridge},
-                      {"ground_m", building.floor}};
-  return model;
 }
 
 std::map<int, std::string> materials_of(const RoofTown& town) {
@@ -159,7 +61,7 @@ ScanCounts scan_roofs_scene(const ScanRequest& request) {
     total += records.size() / layout.record_length;
     request.written(records.size() / layout.record_length);
   });
-  for (const TruePlane& plane : planes_of(town, points))
+  for (const TruePlane& plane : planes_of_town(town, points))
     if (plane.id > 0) truth.add(plane);
   for (std::uint32_t b = 0; b < town.buildings.size(); ++b) {
     truth.add(truth_of_building(town.buildings[b], b + 1));
