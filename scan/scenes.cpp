@@ -13,6 +13,7 @@
 #include "scan/facades/facade_restoration.h"
 #include "scan/facades/shapes.h"
 #include "scan/facades/stones.h"
+#include "scan/models/model_scan.h"
 #include "scan/roofs/roofs_scan.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
@@ -22,6 +23,23 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+constexpr std::string_view kModelPoints = "to about 2 % from 100,000 points on, by scaling steps and density";
+
+std::string options_text(std::span<const SceneOption> options) {
+  std::string text;
+  for (const SceneOption& option : options)
+    text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                        option.standard, option.unit);
+  return text;
+}
+
+std::string options_markdown(std::span<const SceneOption> options) {
+  std::string text = "| key | default | range | meaning |\n|---|---|---|---|\n";
+  for (const SceneOption& option : options)
+    text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
+                        option.unit, option.help);
+  return text;
+}
 
 }  // namespace
 
@@ -61,23 +79,21 @@ std::string list_scenes() {
   for (const Scene& scene : scenes()) {
     text += fmt::format("{:<20} {}\n", scene.name, scene.help);
     text += fmt::format("  {:<18} {}\n", "--points", scene.points);
-    for (const SceneOption& option : scene.options)
-      text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
-                          option.standard, option.unit);
+    text += options_text(scene.options);
   }
-  return text;
+  text += fmt::format("{:<20} {}\n  {:<18} {}\n", "--model FILE", "a model that you have, CityJSON or OBJ", "--points",
+                      kModelPoints);
+  return text + options_text(model_options());
 }
 
 std::string scenes_markdown() {
   std::string text = "## Options\n\nGenerated from the table in `scan/scenes.cpp`; `--set KEY=VALUE`.\n";
   for (const Scene& scene : scenes()) {
     text += fmt::format("\n### {}\n\nA scan of {}. `--points` is met {}.\n\n", scene.name, scene.help, scene.points);
-    text += "| key | default | range | meaning |\n|---|---|---|---|\n";
-    for (const SceneOption& option : scene.options)
-      text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
-                          option.unit, option.help);
+    text += options_markdown(scene.options);
   }
-  return text;
+  text += fmt::format("\n### --model FILE\n\nA scan of a model that you have. `--points` is met {}.\n\n", kModelPoints);
+  return text + options_markdown(model_options());
 }
 
 }  // namespace ilot::scan

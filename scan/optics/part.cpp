@@ -115,6 +115,20 @@ std::optional<PartHit> meet_shell(const Ray& ray, const Shell& shell, double fro
   return std::nullopt;
 }
 
+// The side of each edge on which the ray passes is the sign of a volume. Two triangles at a common edge compute the
+// same number with opposite signs, so no ray passes between them.
+std::optional<PartHit> meet_facet(const Ray& ray, const Facet& facet, double from) {
+  const Vec3 a = facet.a - ray.origin, b = facet.b - ray.origin, c = facet.c - ray.origin;
+  const double ab = dot(ray.direction, cross(a, b)), bc = dot(ray.direction, cross(b, c));
+  const double ca = dot(ray.direction, cross(c, a));
+  const bool left = ab >= 0 && bc >= 0 && ca >= 0, right = ab <= 0 && bc <= 0 && ca <= 0;
+  const double rate = dot(facet.normal, ray.direction);
+  if (!(left || right) || rate == 0) return std::nullopt;
+  const double t = dot(facet.normal, a) / rate;
+  if (!(t > from)) return std::nullopt;
+  return PartHit{t, facet.surface, facing(facet.normal, ray)};
+}
+
 void add_plane(Solid& solid, Vec3 normal, Vec3 through) {
   assert(solid.plane_count < Solid::kMaxPlanes);
   const Vec3 unit = (1 / norm(normal)) * normal;
@@ -165,16 +179,25 @@ bool contains(const Opening& opening, FlatPoint p) {
 std::optional<PartHit> meet(const Ray& ray, const Part& part, double from) {
   if (const auto* solid = std::get_if<Solid>(&part)) return meet_solid(ray, *solid, from);
   if (const auto* panel = std::get_if<Panel>(&part)) return meet_panel(ray, *panel, from);
+  if (const auto* triangle = std::get_if<Facet>(&part)) return meet_facet(ray, *triangle, from);
   return meet_shell(ray, std::get<Shell>(part), from);
 }
 
 Box3<Vec3> bounds_of(const Part& part) {
   if (const auto* solid = std::get_if<Solid>(&part)) return solid->bounds;
   if (const auto* shell = std::get_if<Shell>(&part)) return shell->bounds;
+  if (const auto* t = std::get_if<Facet>(&part)) return bounds_of_points(std::array{t->a, t->b, t->c});
   const auto& panel = std::get<Panel>(part);
   std::vector<Vec3> corners;
   for (FlatPoint p : panel.ring) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v);
   return bounds_of_points(corners);
+}
+
+std::optional<Facet> facet(Vec3 a, Vec3 b, Vec3 c, SurfaceId surface) {
+  const Vec3 area = cross(b - a, c - a);
+  const double length = norm(area);
+  if (!(length > 0)) return std::nullopt;
+  return Facet{a, b, c, (1 / length) * area, surface};
 }
 
 Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface) {

@@ -36,25 +36,31 @@ ExtraField extra_field(const char* name, const char* description, FieldType type
 
 }  // namespace
 
-RecordLayout coloured_layout(double grid) {
+Crs lambert_93() {
+  Crs crs;
+  crs.wkt = kLambert93;
+  crs.epsg = 2154;
+  crs.unit_assumed = false;
+  return crs;
+}
+
+RecordLayout coloured_layout(double grid, Vec3 origin) {
   RecordLayout layout;
   layout.point_format = kFormat;
   layout.record_length = kRecordSize;
   layout.scale = {grid, grid, grid};
-  layout.offset = {kEastOrigin, kNorthOrigin, 0};
+  layout.offset = {origin.x, origin.y, origin.z};
   layout.extra = {extra_field("true_class", "named in the truth", FieldType::u8, kTrueClass, 1),
                   extra_field("true_plane", "id of plane or shape, 0 = none", FieldType::u32, kTruePlane, 4),
                   extra_field("true_element", "id of the element, 0 = none", FieldType::u32, kTrueElement, 4)};
   return layout;
 }
 
-CloudSpec cloud_spec(const RecordLayout& layout) {
+CloudSpec cloud_spec(const RecordLayout& layout, const Crs& crs) {
   CloudSpec spec;
   spec.like.format = "las";
   spec.like.layout = layout;
-  spec.like.crs.wkt = kLambert93;
-  spec.like.crs.epsg = 2154;
-  spec.like.crs.unit_assumed = false;
+  spec.like.crs = crs;
   spec.software = "ilot scan";
   return spec;
 }

@@ -84,27 +84,14 @@ class TerrestrialScanner {
     const StationParams& station = scan_.scene.stations[at];
     const Echo& echo = echoes[i];
     const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
-    ColouredPoint point;
-    point.place = station.position + range * aim.axis;
-    if (!scan_.scene.keep.contains(point.place)) return;
-    point.place = point.place + shifts_[at];
+    const Vec3 place = station.position + range * aim.axis;
+    if (!scan_.scene.keep.contains(place)) return;
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
-    point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
-    point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
-    const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
-    point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
-    point.return_number = static_cast<std::uint8_t>(i + 1);
-    point.return_count = static_cast<std::uint8_t>(echoes.size());
+    ColouredPoint point = echo_point(echoes, i, label, {station.position, aim.axis}, kIntensityRange,
+                                     std::max(scan_.beam.range_noise, scan_.grid));
+    point.place = place + shifts_[at];
     point.source = station.id;
     point.gps_time = second;
-    // If the noise is larger than the effect of mixing, the point belongs to its main surface.
-    if (std::abs(echo.range - echo.surface_range) <= std::max(scan_.beam.range_noise, scan_.grid)) {
-      point.true_class = label.true_class;
-      point.true_plane = label.plane;
-      point.true_element = label.element;
-    } else {
-      point.true_class = kMixedClass;
-    }
     append_record(records, point, layout_);
   }
 
@@ -128,27 +115,7 @@ std::uint64_t count_points(const TerrestrialScan& scan) {
   return bytes / coloured_layout(scan.grid).record_length;
 }
 
-// Counts points per plane and per element, by id.
-struct Tally {
-  std::vector<std::uint64_t> planes, elements, classes = std::vector<std::uint64_t>(256);
-  std::uint64_t points = 0;
-
-  static void count(std::vector<std::uint64_t>& list, std::uint32_t id) {
-    if (id >= list.size()) list.resize(id + 1);
-    ++list[id];
-  }
-  void add(const RecordTruth& truth) {
-    ++points;
-    ++classes[truth.true_class];
-    count(planes, truth.true_plane);
-    count(elements, truth.true_element);
-  }
-  static std::uint64_t of(const std::vector<std::uint64_t>& list, std::uint32_t id) {
-    return id < list.size() ? list[id] : 0;
-  }
-};
-
-void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& tally) {
+void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const PointTally& tally) {
   const TerrestrialScene& scene = scan.scene;
   const BeamParams& beam = scan.beam;
   truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
@@ -160,15 +127,15 @@ void write_truth(TruthWriter& truth, const TerrestrialScan& scan, const Tally& t
   for (const StationParams& s : scene.stations)
     truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
   for (TruePlane plane : scene.planes) {
-    plane.points = Tally::of(tally.planes, plane.id);
+    plane.points = PointTally::of(tally.planes, plane.id);
     truth.add(plane);
   }
   for (TrueShape shape : scene.shapes) {
-    shape.points = Tally::of(tally.planes, shape.id);
+    shape.points = PointTally::of(tally.planes, shape.id);
     truth.add(shape);
   }
   for (TrueElement element : scene.elements) {
-    element.points = Tally::of(tally.elements, element.id);
+    element.points = PointTally::of(tally.elements, element.id);
     truth.add(element);
   }
   for (const TrueOpening& opening : scene.openings) truth.add(opening);
@@ -221,7 +188,7 @@ ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& req
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(coloured_layout(scan.grid)));
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   const std::size_t length = writer->record_length();
-  Tally tally;
+  PointTally tally;
   scan_terrestrial(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
     for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at]));
