@@ -110,8 +110,9 @@ void place_stations(ModelScan& scan, const ModelScanners& scanners, const SceneV
   }
   if (places.size() > 8) where += " ...";
   if (automatic)
-    scan.notes.push_back(fmt::format("{} stations placed, up to {:.1f} m before the sides with windows:{}",
-                                     places.size(), distance, where));
+    scan.notes.push_back(
+        fmt::format("{} stations placed, up to {:.1f} m {}:{}", places.size(), distance,
+                    scan.stage.openings.empty() ? "around the buildings" : "before sides with openings", where));
 }
 
 void place_vehicle(ModelScan& scan, const std::filesystem::path& path, const SceneValues& values) {

@@ -115,16 +115,25 @@ std::optional<PartHit> meet_shell(const Ray& ray, const Shell& shell, double fro
   return std::nullopt;
 }
 
-// The side of each edge on which the ray passes is the sign of a volume. Two triangles at a common edge compute the
-// same number with opposite signs, so no ray passes between them.
+// Returns where a place is relative to the ray, seen along the axis in which the ray is longest. All facets compute the
+// same two numbers for a common corner.
+FlatPoint beside(const Ray& ray, Vec3 place) {
+  const Vec3 p = place - ray.origin, d = ray.direction;
+  const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
+  if (z >= x && z >= y) return {p.x - d.x / d.z * p.z, p.y - d.y / d.z * p.z};
+  if (x >= y) return {p.y - d.y / d.x * p.x, p.z - d.z / d.x * p.x};
+  return {p.z - d.z / d.y * p.y, p.x - d.x / d.y * p.y};
+}
+
+// Watertight (Woop, Benthin, Wald 2013): the side of an edge is the sign of a difference of two rounded products, which
+// is right or zero, and zero counts as inside. So no ray passes between facets with common corners.
 std::optional<PartHit> meet_facet(const Ray& ray, const Facet& facet, double from) {
-  const Vec3 a = facet.a - ray.origin, b = facet.b - ray.origin, c = facet.c - ray.origin;
-  const double ab = dot(ray.direction, cross(a, b)), bc = dot(ray.direction, cross(b, c));
-  const double ca = dot(ray.direction, cross(c, a));
+  const FlatPoint a = beside(ray, facet.a), b = beside(ray, facet.b), c = beside(ray, facet.c);
+  const double ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
   const bool left = ab >= 0 && bc >= 0 && ca >= 0, right = ab <= 0 && bc <= 0 && ca <= 0;
   const double rate = dot(facet.normal, ray.direction);
   if (!(left || right) || rate == 0) return std::nullopt;
-  const double t = dot(facet.normal, a) / rate;
+  const double t = dot(facet.normal, facet.a - ray.origin) / rate;
   if (!(t > from)) return std::nullopt;
   return PartHit{t, facet.surface, facing(facet.normal, ray)};
 }
