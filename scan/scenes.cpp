@@ -13,6 +13,7 @@
 #include "scan/facades/facade_restoration.h"
 #include "scan/facades/shapes.h"
 #include "scan/facades/stones.h"
+#include "scan/models/model_scan.h"
 #include "scan/roofs/roofs_scan.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
@@ -26,6 +27,23 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::string_view kScaled = "to about 1 % from 100,000 points on, by scaling the angular step";
+constexpr std::string_view kModelPoints = "to about 2 % from 100,000 points on, by scaling steps and density";
+
+std::string options_text(std::span<const SceneOption> options) {
+  std::string text;
+  for (const SceneOption& option : options)
+    text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
+                        option.standard, option.unit);
+  return text;
+}
+
+std::string options_markdown(std::span<const SceneOption> options) {
+  std::string text = "| key | default | range | meaning |\n|---|---|---|---|\n";
+  for (const SceneOption& option : options)
+    text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
+                        option.unit, option.help);
+  return text;
+}
 
 constexpr std::string_view kWild = "about; without it the drawn density decides, up to 2,000,000";
 
@@ -105,11 +123,11 @@ std::string list_scenes() {
       text += fmt::format("  {:<18} of the groups {}, see below\n", "drawn parameters", join(scene.groups));
       continue;
     }
-    for (const SceneOption& option : scene.options)
-      text += fmt::format("  {:<18} {} ({} to {}) [{} {}]\n", option.key, option.help, option.low, option.high,
-                          option.standard, option.unit);
+    text += options_text(scene.options);
   }
-  return text + list_drawn();
+  text += fmt::format("{:<20} {}\n  {:<18} {}\n", "--model FILE", "a model that you have, CityJSON or OBJ", "--points",
+                      kModelPoints);
+  return text + options_text(model_options()) + list_drawn();
 }
 
 std::string scenes_markdown() {
@@ -121,12 +139,10 @@ std::string scenes_markdown() {
                           join(scene.groups), join(families_of(scene.groups)));
       continue;
     }
-    text += "| key | default | range | meaning |\n|---|---|---|---|\n";
-    for (const SceneOption& option : scene.options)
-      text += fmt::format("| `{}` | {} | {} to {} {} | {} |\n", option.key, option.standard, option.low, option.high,
-                          option.unit, option.help);
+    text += options_markdown(scene.options);
   }
-  return text;
+  text += fmt::format("\n### --model FILE\n\nA scan of a model that you have. `--points` is met {}.\n\n", kModelPoints);
+  return text + options_markdown(model_options());
 }
 
 }  // namespace ilot::scan

@@ -6,15 +6,12 @@
 #include <algorithm>
 #include <span>
 
-#include "scan/scanners/scan_record.h"
-
 namespace ilot::scan {
 namespace {
 
 constexpr std::size_t kChunk = 1 << 20;  // bytes that are copied at a time
 
-std::string place_text(Vec3 local) {
-  const Vec3 p = local + kSceneOrigin;
+std::string place_text(Vec3 p) {
   return fmt::format("[{:.4f},{:.4f},{:.4f}]", p.x, p.y, p.z);
 }
 
@@ -29,33 +26,38 @@ std::string list_text(const Items& items, const Text& text_of) {
   return text + "]";
 }
 
-std::string ring_text(const std::vector<Vec3>& ring) {
-  return list_text(ring, place_text);
+std::string ring_text(const std::vector<Vec3>& ring, Vec3 origin) {
+  return list_text(ring, [&](Vec3 p) { return place_text(origin + p); });
 }
 
 std::string ids_text(const std::vector<std::uint32_t>& ids) {
   return list_text(ids, [](std::uint32_t id) { return std::to_string(id); });
 }
 
-std::string polygon_text(const TruePolygon& polygon) {
-  std::string text = fmt::format(R"({{"building":{},"ring":{})", polygon.building, ring_text(polygon.ring));
-  if (!polygon.holes.empty()) text += R"(,"holes":)" + list_text(polygon.holes, ring_text);
+std::string polygon_text(const TruePolygon& polygon, Vec3 origin) {
+  std::string text = fmt::format(R"({{"building":{},"ring":{})", polygon.building, ring_text(polygon.ring, origin));
+  if (!polygon.holes.empty())
+    text += R"(,"holes":)" + list_text(polygon.holes, [&](const auto& hole) { return ring_text(hole, origin); });
   return text + "}";
 }
 
-std::string arc_text(const TrueArc& arc) {
-  return fmt::format(R"({{"centre":{},"radius_m":{:.4f},"from_deg":{:.6f},"to_deg":{:.6f}}})", place_text(arc.centre),
-                     arc.radius, arc.from_deg, arc.to_deg);
+std::string arc_text(const TrueArc& arc, Vec3 origin) {
+  return fmt::format(R"({{"centre":{},"radius_m":{:.4f},"from_deg":{:.6f},"to_deg":{:.6f}}})",
+                     place_text(origin + arc.centre), arc.radius, arc.from_deg, arc.to_deg);
+}
+
+std::string seen_text(const std::optional<TrueSight>& seen) {
+  return seen ? fmt::format(R"(,"rays":{},"area_m2":{:.4f},"flush":{})", seen->rays, seen->area, seen->flush) : "";
 }
 
 std::string occluded_text(const std::optional<double>& share) {
   return share ? fmt::format(R"(,"occluded":{:.4f})", *share) : "";
 }
 
-std::string object_text(const TrueObject& o) {
+std::string object_text(const TrueObject& o, Vec3 origin) {
   return fmt::format(R"({{"id":{},"class":"{}","variant":"{}","base":{},"box":{{"centre":{},"size":{},)"
                      R"("heading_deg":{}}},"touches":{},"points":{}{}{}{}}})",
-                     o.id, o.object_class, o.variant, place_text(o.base), place_text(o.box_centre),
+                     o.id, o.object_class, o.variant, place_text(origin + o.base), place_text(origin + o.box_centre),
                      direction_text(o.box_size), o.heading_deg, ids_text(o.touches), o.points,
                      occluded_text(o.occluded), o.moves ? R"(,"moves":true)" : "",
                      o.sometimes ? R"(,"sometimes":true)" : "");
@@ -76,8 +78,10 @@ struct TruthWriter::Spool {
   }
 };
 
-TruthWriter::TruthWriter(const std::filesystem::path& path, const std::string& settings) : file_(path) {
-  append(fmt::format("{{\"scan\":{{{}}},\n\"crs\":\"EPSG:2154\"", settings));
+TruthWriter::TruthWriter(const std::filesystem::path& path, const std::string& settings, const ScenePlace& place)
+    : file_(path), origin_(place.origin) {
+  append(fmt::format("{{\"scan\":{{{}}}", settings));
+  if (place.crs.epsg) append(fmt::format(",\n\"crs\":\"EPSG:{}\"", place.crs.epsg));
 }
 
 TruthWriter::~TruthWriter() = default;
@@ -140,21 +144,21 @@ void TruthWriter::add(const TrueDraws& draws) {
 
 void TruthWriter::add(const TrueStation& s) {
   add_line("stations", fmt::format(R"({{"id":{},"position":{},"step_horizontal_deg":{},"step_vertical_deg":{}}})", s.id,
-                                   place_text(s.position), s.step_horizontal_deg, s.step_vertical_deg));
+                                   place_text(origin_ + s.position), s.step_horizontal_deg, s.step_vertical_deg));
 }
 
 void TruthWriter::add(const TruePlane& p) {
-  const double d = p.plane.d - dot(p.plane.n, kSceneOrigin);
+  const double d = p.plane.d - dot(p.plane.n, origin_);
   const std::string area = p.area > 0 ? fmt::format(R"(,"area_m2":{:.4f})", p.area) : "";
   add_line("planes",
            fmt::format(R"({{"id":{},"class":"{}","plane":[{},{},{},{}],"points":{},"element":{}{},"polygons":{}}})",
                        p.id, p.surface_class, p.plane.n.x, p.plane.n.y, p.plane.n.z, d, p.points, p.element, area,
-                       list_text(p.polygons, polygon_text)));
+                       list_text(p.polygons, [&](const auto& polygon) { return polygon_text(polygon, origin_); })));
 }
 
 void TruthWriter::add(const TrueShape& s) {
-  std::string text = fmt::format(R"({{"id":{},"kind":"{}","point":{},"axis":{})", s.id, s.kind, place_text(s.point),
-                                 direction_text(s.axis));
+  std::string text = fmt::format(R"({{"id":{},"kind":"{}","point":{},"axis":{})", s.id, s.kind,
+                                 place_text(origin_ + s.point), direction_text(s.axis));
   if (s.radius > 0) text += fmt::format(R"(,"radius_m":{})", s.radius);
   if (s.half_angle_deg > 0) text += fmt::format(R"(,"half_angle_deg":{})", s.half_angle_deg);
   if (s.length > 0) text += fmt::format(R"(,"length_m":{})", s.length);
@@ -163,51 +167,52 @@ void TruthWriter::add(const TrueShape& s) {
 
 void TruthWriter::add(const TrueElement& e) {
   std::string text = fmt::format(R"({{"id":{},"kind":"{}","facade":{},"row":{},"column":{},"ring":{})", e.id, e.kind,
-                                 e.facade, e.row, e.column, ring_text(e.ring));
-  if (!e.arcs.empty()) text += R"(,"arcs":)" + list_text(e.arcs, arc_text);
-  add_line("elements", text + fmt::format(R"(,"width_m":{:.4f},"height_m":{:.4f},"depth_m":{:.4f},"points":{}}})",
-                                          e.width, e.height, e.depth, e.points));
+                                 e.facade, e.row, e.column, ring_text(e.ring, origin_));
+  if (!e.arcs.empty())
+    text += R"(,"arcs":)" + list_text(e.arcs, [&](const TrueArc& arc) { return arc_text(arc, origin_); });
+  add_line("elements", text + fmt::format(R"(,"width_m":{:.4f},"height_m":{:.4f},"depth_m":{:.4f},"points":{}{}}})",
+                                          e.width, e.height, e.depth, e.points, seen_text(e.seen)));
 }
 
 void TruthWriter::add(const TrueOpening& o) {
-  add_line("openings", fmt::format(R"({{"id":{},"element":{},"facade":{},"ring":{}}})", o.id, o.element, o.facade,
-                                   ring_text(o.ring)));
+  add_line("openings", fmt::format(R"({{"id":{},"element":{},"facade":{},"ring":{}{}}})", o.id, o.element, o.facade,
+                                   ring_text(o.ring, origin_), seen_text(o.seen)));
 }
 
 void TruthWriter::add(const TrueControlPoint& p) {
-  add_line("control_points",
-           fmt::format(R"({{"group":"{}","element":{},"position":{}}})", p.group, p.element, place_text(p.position)));
+  add_line("control_points", fmt::format(R"({{"group":"{}","element":{},"position":{}}})", p.group, p.element,
+                                         place_text(origin_ + p.position)));
 }
 
 void TruthWriter::add(const TrueBuilding& b) {
   add_line("buildings",
            fmt::format(R"({{"id":{},"roof":"{}","footprint":{},"faces":{},"eave_m":{:.4f},"ridge_m":{:.4f},)"
                        R"("ground_m":{:.4f}}})",
-                       b.id, b.roof, ring_text(b.footprint), ids_text(b.faces), b.eave, b.ridge, b.ground));
+                       b.id, b.roof, ring_text(b.footprint, origin_), ids_text(b.faces), b.eave, b.ridge, b.ground));
 }
 
 void TruthWriter::add(const TrueObject& o) {
-  add_line("objects", object_text(o));
+  add_line("objects", object_text(o, origin_));
 }
 
 void TruthWriter::add_plant(const TrueObject& plant) {
-  add_line("plants", object_text(plant));
+  add_line("plants", object_text(plant, origin_));
 }
 
 void TruthWriter::add(const TrueTree& t) {
   add_line("trees", fmt::format(R"({{"id":{},"form":"{}","base":{},"height_m":{:.4f},"crown_base_m":{:.4f},)"
                                 R"("crown_radius_m":{:.4f},"trunk_radius_m":{:.4f},"points":{}{}}})",
-                                t.id, t.form, place_text(t.base), t.height, t.crown_base, t.crown_radius,
+                                t.id, t.form, place_text(origin_ + t.base), t.height, t.crown_base, t.crown_radius,
                                 t.trunk_radius, t.points, occluded_text(t.occluded)));
 }
 
 void TruthWriter::add(const TrueKerb& k) {
-  add_line("kerbs", fmt::format(R"({{"line":{},"height_m":{:.4f}}})", ring_text(k.line), k.height));
+  add_line("kerbs", fmt::format(R"({{"line":{},"height_m":{:.4f}}})", ring_text(k.line, origin_), k.height));
 }
 
 void TruthWriter::add(const TrueBlock& b) {
-  add_line("blocks", fmt::format(R"({{"id":{},"side":"{}","from":{},"to":{}}})", b.id, b.side, place_text(b.from),
-                                 place_text(b.to)));
+  add_line("blocks", fmt::format(R"({{"id":{},"side":"{}","from":{},"to":{}}})", b.id, b.side,
+                                 place_text(origin_ + b.from), place_text(origin_ + b.to)));
 }
 
 void TruthWriter::finish(const std::vector<std::pair<std::string, std::uint64_t>>& counts) {

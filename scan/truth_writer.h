@@ -13,6 +13,7 @@
 
 #include "engine/formats/file.h"
 #include "kernels/core/types.h"
+#include "scan/scanners/scan_record.h"
 
 namespace ilot::scan {
 
@@ -47,6 +48,13 @@ struct TrueArc {
   double radius = 0, from_deg = 0, to_deg = 0;  // counter-clockwise seen from outside, 0 = to the right
 };
 
+// How an element of a scanned model is seen.
+struct TrueSight {
+  std::uint64_t rays = 0;  // pulses whose axis meets it first, with or without an echo
+  double area = 0;         // square metres within the ring
+  bool flush = false;      // nothing of it lies more than 2 cm before or behind the wall
+};
+
 struct TrueElement {
   std::uint32_t id = 0;
   std::string kind;
@@ -55,11 +63,13 @@ struct TrueElement {
   std::vector<TrueArc> arcs;
   double width = 0, height = 0, depth = 0;  // depth: projection positive, recess negative
   std::uint64_t points = 0;
+  std::optional<TrueSight> seen = {};
 };
 
 struct TrueOpening {
   std::uint32_t id = 0, element = 0, facade = 0;
   std::vector<Vec3> ring;
+  std::optional<TrueSight> seen = {};
 };
 
 struct TrueControlPoint {
@@ -155,7 +165,7 @@ struct TrueDraws {
 class TruthWriter {
  public:
   // `settings` is the body of a JSON object that describes how the scan was made.
-  TruthWriter(const std::filesystem::path& path, const std::string& settings);
+  TruthWriter(const std::filesystem::path& path, const std::string& settings, const ScenePlace& place = {});
   ~TruthWriter();
 
   void noise(const TrueNoise& noise);
@@ -185,6 +195,7 @@ class TruthWriter {
   void add_line(std::string_view kind, const std::string& text);
 
   OutputFile file_;
+  Vec3 origin_;
   std::vector<std::unique_ptr<Spool>> spools_;
 };
 

@@ -108,6 +108,23 @@ std::vector<FlatEdge> FlatArea::edges() const {
   return edges;
 }
 
+std::vector<FlatPoint> FlatArea::largest_ring() const {
+  const GEOSGeometry* largest = nullptr;
+  double most = 0;
+  for (int i = 0; i < GEOSGetNumGeometries_r(geos_context(), geometry_->shape.get()); ++i) {
+    const GEOSGeometry* part = GEOSGetGeometryN_r(geos_context(), geometry_->shape.get(), i);
+    const double area = area_of(part);
+    if (GEOSGeomTypeId_r(geos_context(), part) != GEOS_POLYGON || !(area > most)) continue;
+    largest = part;
+    most = area;
+  }
+  std::vector<FlatEdge> edges;
+  if (largest) append_ring(GEOSGetExteriorRing_r(geos_context(), largest), edges);
+  std::vector<FlatPoint> ring;
+  for (const FlatEdge& edge : edges) ring.push_back(edge.a);
+  return ring;
+}
+
 double intersection_over_union(const FlatArea& a, const FlatArea& b) {
   const double common = a.common_area(b), together = a.area() + b.area() - common;
   return together > 0 ? common / together : 0;

@@ -25,6 +25,9 @@ class FlatArea {
   double common_area(const FlatArea& other) const;
   std::vector<FlatEdge> edges() const;  // of all rings
 
+  // The outer ring of the largest polygon, not closed. Empty when there is no area.
+  std::vector<FlatPoint> largest_ring() const;
+
  private:
   struct Geometry;
   std::shared_ptr<const Geometry> geometry_;

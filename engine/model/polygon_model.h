@@ -14,13 +14,24 @@ enum class FaceKind : std::uint8_t { unknown, roof, wall, ground };
 struct PolygonFace {
   std::vector<std::vector<std::uint32_t>> rings;  // indices of vertices, outer ring first, at least 3 corners each
   FaceKind kind = FaceKind::unknown;
-  std::uint32_t shell = 0;  // number of the shell within the model; surfaces without a solid are one shell
+  std::uint32_t shell = 0;    // number of the shell within the model; surfaces without a solid are one shell
+  std::int32_t surface = -1;  // index of the surface to which the face belongs; -1 = none
+};
+
+// What a file says of the faces that belong together: a semantic surface of CityJSON or a material of OBJ.
+struct ModelSurface {
+  std::string type;          // of CityJSON: WallSurface, Window ...; empty = not given
+  std::string id;            // of CityJSON; of OBJ the name of the group; may be empty
+  std::int32_t parent = -1;  // index of the surface that contains this one, as a wall contains a window; -1 = none
+  std::string object_type;   // of CityJSON: Building, Road ...
+  std::string material;      // of OBJ: as usemtl names it
 };
 
 struct PolygonModel {
   std::string name;
   std::vector<Vec3> vertices;  // CRS coordinates and units, finite
   std::vector<PolygonFace> faces;
+  std::vector<ModelSurface> surfaces = {};
 };
 
 // Returns Newell's normal of the outer ring. Its length is twice the area; it is zero for degenerate rings.

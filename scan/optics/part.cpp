@@ -184,6 +184,29 @@ Box3<Vec3> bounds_of_panel(const Panel& panel, double thick) {
   return bounds_of_points(corners);
 }
 
+// Returns where a place is relative to the ray, seen along the axis in which the ray is longest. All facets compute the
+// same two numbers for a common corner.
+FlatPoint beside(const Ray& ray, Vec3 place) {
+  const Vec3 p = place - ray.origin, d = ray.direction;
+  const double x = std::abs(d.x), y = std::abs(d.y), z = std::abs(d.z);
+  if (z >= x && z >= y) return {p.x - d.x / d.z * p.z, p.y - d.y / d.z * p.z};
+  if (x >= y) return {p.y - d.y / d.x * p.x, p.z - d.z / d.x * p.x};
+  return {p.z - d.z / d.y * p.y, p.x - d.x / d.y * p.y};
+}
+
+// Watertight (Woop, Benthin, Wald 2013): the side of an edge is the sign of a difference of two rounded products, which
+// is right or zero, and zero counts as inside. So no ray passes between facets with common corners.
+std::optional<PartHit> meet_facet(const Ray& ray, const Facet& facet, double from) {
+  const FlatPoint a = beside(ray, facet.a), b = beside(ray, facet.b), c = beside(ray, facet.c);
+  const double ab = cross(a, b), bc = cross(b, c), ca = cross(c, a);
+  const bool left = ab >= 0 && bc >= 0 && ca >= 0, right = ab <= 0 && bc <= 0 && ca <= 0;
+  const double rate = dot(facet.normal, ray.direction);
+  if (!(left || right) || rate == 0) return std::nullopt;
+  const double t = dot(facet.normal, facet.a - ray.origin) / rate;
+  if (!(t > from)) return std::nullopt;
+  return PartHit{t, facet.surface, facing(facet.normal, ray)};
+}
+
 void add_plane(Solid& solid, Vec3 normal, Vec3 through) {
   assert(solid.plane_count < Solid::kMaxPlanes);
   const Vec3 unit = (1 / norm(normal)) * normal;
@@ -236,6 +259,7 @@ std::optional<PartHit> meet(const Ray& ray, const Part& part, double from) {
   if (const auto* solid = std::get_if<Solid>(&part)) return meet_solid(ray, *solid, from);
   if (const auto* panel = std::get_if<Panel>(&part)) return meet_panel(ray, *panel, from);
   if (const auto* sheet = std::get_if<Sheet>(&part)) return meet_sheet(ray, *sheet, from);
+  if (const auto* triangle = std::get_if<Facet>(&part)) return meet_facet(ray, *triangle, from);
   return meet_shell(ray, std::get<Shell>(part), from);
 }
 
@@ -244,10 +268,18 @@ Box3<Vec3> bounds_of(const Part& part) {
   if (const auto* shell = std::get_if<Shell>(&part)) return shell->bounds;
   if (const auto* sheet = std::get_if<Sheet>(&part))
     return bounds_of_panel(sheet->panel, sheet->form.most() + sheet->relief.most() + kOverlap);
+  if (const auto* t = std::get_if<Facet>(&part)) return bounds_of_points(std::array{t->a, t->b, t->c});
   const auto& panel = std::get<Panel>(part);
   std::vector<Vec3> corners;
   for (FlatPoint p : panel.ring) corners.push_back(panel.origin + p.x * panel.u + p.y * panel.v);
   return bounds_of_points(corners);
+}
+
+std::optional<Facet> facet(Vec3 a, Vec3 b, Vec3 c, SurfaceId surface) {
+  const Vec3 area = cross(b - a, c - a);
+  const double length = norm(area);
+  if (!(length > 0)) return std::nullopt;
+  return Facet{a, b, c, (1 / length) * area, surface};
 }
 
 Solid prism(std::span<const Vec3> ring, Vec3 sweep, SurfaceId surface) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The parts of the scenes on the ground: convex solids bounded by planes and one quadric, flat panels with openings,
-// sheets that are not quite flat, and the inner sides of quadrics (soffits of arches). All parts are opaque.
+// sheets that are not quite flat, the inner sides of quadrics (soffits of arches), and the triangles of models that
+// others made. All parts are opaque.
 // Intersections are computed in double. Where parts meet, builders let them overlap by kOverlap, so that no ray passes
 // through a joint.
 #pragma once
@@ -92,7 +93,15 @@ struct Shell {
   Box3<Vec3> bounds;
 };
 
-using Part = std::variant<Solid, Panel, Shell, Sheet>;
+// A triangle that is visible from both sides. A ray that goes through the common edge of two triangles with the same
+// corners meets one of them at least.
+struct Facet {
+  Vec3 a, b, c;
+  Vec3 normal;  // unit length, along (b - a) x (c - a)
+  SurfaceId surface = 0;
+};
+
+using Part = std::variant<Solid, Panel, Shell, Sheet, Facet>;
 
 struct PartHit {
   double t = 0;
@@ -107,6 +116,9 @@ std::optional<PartHit> meet(const Ray& ray, const Part& part, double from);
 Box3<Vec3> bounds_of(const Part& part);
 
 // The functions below make solids from simple descriptions. All faces get `surface`. Change single faces afterwards.
+
+// Returns nothing for corners on a line.
+std::optional<Facet> facet(Vec3 a, Vec3 b, Vec3 c, SurfaceId surface);
 
 // Returns a prism: a convex ring of at most 8 points in a plane, swept along `sweep`. Its faces are the sides from
 // ring[i] to ring[i + 1], then the ring itself, then the copy of the ring.

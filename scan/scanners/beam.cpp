@@ -54,19 +54,41 @@ Transmission transmission(Material material) {
   }
 }
 
+Transmission BeamTracer::way_of(Material material) const {
+  return material == Material::glass ? beam_.glass : transmission(material);
+}
+
+void BeamTracer::follow_mirror(const Ray& ray, const PartHit& mirror, double weight, SurfaceId pane) {
+  const Vec3 place = point_at(ray, mirror.t);
+  const Ray way{place, unit(ray.direction - 2 * dot(ray.direction, mirror.normal) * mirror.normal)};
+  scene_.candidates(way, mirrored_);
+  const auto hit = scene_.nearest(way, mirrored_, kBehind);
+  if (!hit || mirror.t + hit->t > beam_.farthest) return;
+  const double cosine = -dot(hit->normal, way.direction);
+  const double share = reflectance(model_.surfaces[hit->surface].material);
+  touches_.push_back({mirror.t + hit->t, weight * share * cosine, hit->surface, pane});
+}
+
 // `chance` is one number in [0, 1) for the whole pulse, so a pane has the same effect on the whole footprint.
 void BeamTracer::touch(const Ray& ray, double weight, double chance) {
   double from = 0;
+  std::optional<SurfaceId> behind;
   for (int pane = 0; pane < 4; ++pane) {
     const auto hit = scene_.nearest(ray, candidates_, from);
-    if (!hit || hit->t > kMaxRange) return;
+    if (!hit || hit->t > beam_.farthest) return;
+    if (!first_) first_ = hit->surface;
     const Material material = model_.surfaces[hit->surface].material;
     if (material == Material::mirror_glass) return touch_mirrored(ray, *hit, weight);
-    const Transmission way = transmission(material);
+    const Transmission way = way_of(material);
     if (chance < way.lost) return;
-    if (chance >= way.lost + way.through) {
+    if (chance >= way.lost + way.through + way.mirrored) {
       const double cosine = -dot(hit->normal, ray.direction);
-      touches_.push_back({hit->t, weight * reflectance(material) * cosine, hit->surface, cosine});
+      touches_.push_back({hit->t, weight * reflectance(material) * cosine, hit->surface, cosine, behind});
+      return;
+    }
+    if (!behind) behind = hit->surface;
+    if (chance >= way.lost + way.through) {
+      follow_mirror(ray, *hit, weight, *behind);
       return;
     }
     from = hit->t + kBehind;
@@ -102,7 +124,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       ++end;
     }
     // The echo gets the surface with most energy, of equal ones the nearest, and the mean range of that surface.
-    Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0, 1};
+    Echo echo{energy > 0 ? moment / energy : 0, energy, 0, 0, 1, {}};
     double most = 0;
     for (std::size_t i = first; i < end; ++i) {
       double own = 0, own_moment = 0;
@@ -114,6 +136,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
       if (!(own > most)) continue;
       most = own;
       echo.surface = touches_[i].surface;
+      echo.pane = touches_[i].pane;
       echo.surface_range = own_moment / own;
       echo.cosine = touches_[i].cosine;
     }
@@ -125,6 +148,7 @@ void BeamTracer::gather(std::vector<Echo>& echoes) const {
 void BeamTracer::trace(Vec3 origin, const Aim& aim, Rng& rng, std::vector<Echo>& echoes) {
   echoes.clear();
   touches_.clear();
+  first_.reset();
   const double wander = beam_.angle_noise_deg * kRadiansPerDegree;
   const double right = wander * gaussian(rng), up = wander * gaussian(rng);
   const double chance = rng.uniform();

@@ -39,13 +39,13 @@ ExtraField extra_field(const char* name, const char* description, FieldType type
   return field;
 }
 
-RecordLayout layout_of(std::uint8_t format, double grid) {
+RecordLayout layout_of(std::uint8_t format, double grid, Vec3 origin) {
   RecordLayout layout;
   const std::size_t at = standard_size(format);
   layout.point_format = format;
   layout.record_length = static_cast<std::uint16_t>(at + kTruth);
   layout.scale = {grid, grid, grid};
-  layout.offset = {kEastOrigin, kNorthOrigin, 0};
+  layout.offset = {origin.x, origin.y, origin.z};
   layout.extra = {extra_field("true_class", "named in the truth", FieldType::u8, at, 1),
                   extra_field("true_plane", "id of plane or shape, 0 = none", FieldType::u32, at + 1, 4),
                   extra_field("true_element", "id of the element, 0 = none", FieldType::u32, at + 5, 4)};
@@ -54,21 +54,27 @@ RecordLayout layout_of(std::uint8_t format, double grid) {
 
 }  // namespace
 
-RecordLayout coloured_layout(double grid) {
-  return layout_of(kFormat, grid);
+Crs lambert_93() {
+  Crs crs;
+  crs.wkt = kLambert93;
+  crs.epsg = 2154;
+  crs.unit_assumed = false;
+  return crs;
+}
+
+RecordLayout coloured_layout(double grid, Vec3 origin) {
+  return layout_of(kFormat, grid, origin);
 }
 
 RecordLayout uncoloured_layout(double grid) {
-  return layout_of(kFormat - 1, grid);
+  return layout_of(kFormat - 1, grid, kSceneOrigin);
 }
 
-CloudSpec cloud_spec(const RecordLayout& layout) {
+CloudSpec cloud_spec(const RecordLayout& layout, const Crs& crs) {
   CloudSpec spec;
   spec.like.format = "las";
   spec.like.layout = layout;
-  spec.like.crs.wkt = kLambert93;
-  spec.like.crs.epsg = 2154;
-  spec.like.crs.unit_assumed = false;
+  spec.like.crs = crs;
   spec.software = "ilot scan";
   return spec;
 }

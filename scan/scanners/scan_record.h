@@ -14,15 +14,24 @@ namespace ilot::scan {
 constexpr double kEastOrigin = 651000, kNorthOrigin = 6861000;
 constexpr Vec3 kSceneOrigin{kEastOrigin, kNorthOrigin, 0};
 
+// EPSG:2154.
+Crs lambert_93();
+
+// Where a scene is in the world: its origin in whole metres, and its CRS. An unknown CRS has neither wkt nor epsg.
+struct ScenePlace {
+  Vec3 origin = kSceneOrigin;
+  Crs crs = lambert_93();
+};
+
 // Returns the layout: point format 7 (RGB) with the extra bytes true_class u8, true_plane u32 and true_element u32. The
 // user data contain the true material. `grid` is in metres per coordinate unit.
-RecordLayout coloured_layout(double grid);
+RecordLayout coloured_layout(double grid, Vec3 origin = kSceneOrigin);
 
 // Returns the same layout without colours: point format 6.
 RecordLayout uncoloured_layout(double grid);
 
-// Returns the specification of a cloud for records of that layout, in EPSG:2154.
-CloudSpec cloud_spec(const RecordLayout& layout);
+// Returns the specification of a cloud for records of that layout.
+CloudSpec cloud_spec(const RecordLayout& layout, const Crs& crs = lambert_93());
 
 struct ColouredPoint {
   Vec3 place;  // metres in the scene

@@ -2,23 +2,9 @@
 #include "scan/scanners/scene_truth.h"
 
 namespace ilot::scan {
-namespace {
 
-void count(std::vector<std::uint64_t>& list, std::uint32_t id) {
-  if (id >= list.size()) list.resize(id + 1);
-  ++list[id];
-}
-
-}  // namespace
-
-void Tally::add(const RecordTruth& truth) {
-  ++points;
-  ++classes[truth.true_class];
-  count(planes, truth.true_plane);
-  count(elements, truth.true_element);
-}
-
-void write_scene_truth(TruthWriter& truth, const TerrestrialScene& scene, const BeamParams& beam, const Tally& tally) {
+void write_scene_truth(TruthWriter& truth, const TerrestrialScene& scene, const BeamParams& beam,
+                       const PointTally& tally) {
   truth.noise({beam.range_noise, beam.angle_noise_deg, beam.divergence_mrad, beam.diameter});
   truth.classes(scene.classes);
   std::map<int, std::string> materials;
@@ -28,15 +14,15 @@ void write_scene_truth(TruthWriter& truth, const TerrestrialScene& scene, const 
   for (const StationParams& s : scene.stations)
     truth.add(TrueStation{s.id, s.position, s.step_horizontal_deg, s.step_vertical_deg});
   for (TruePlane plane : scene.planes) {
-    plane.points = Tally::of(tally.planes, plane.id);
+    plane.points = PointTally::of(tally.planes, plane.id);
     truth.add(plane);
   }
   for (TrueShape shape : scene.shapes) {
-    shape.points = Tally::of(tally.planes, shape.id);
+    shape.points = PointTally::of(tally.planes, shape.id);
     truth.add(shape);
   }
   for (TrueElement element : scene.elements) {
-    element.points = Tally::of(tally.elements, element.id);
+    element.points = PointTally::of(tally.elements, element.id);
     truth.add(element);
   }
   for (const TrueOpening& opening : scene.openings) truth.add(opening);
@@ -44,7 +30,7 @@ void write_scene_truth(TruthWriter& truth, const TerrestrialScene& scene, const 
   for (const TrueBuilding& building : scene.buildings) truth.add(building);
 }
 
-ScanCounts scene_counts(const TerrestrialScene& scene, const Tally& tally) {
+ScanCounts scene_counts(const TerrestrialScene& scene, const PointTally& tally) {
   ScanCounts counts{{"points", tally.points}, {"planes", scene.planes.size()}};
   if (!scene.shapes.empty()) counts.emplace_back("shapes", scene.shapes.size());
   if (!scene.elements.empty()) counts.emplace_back("elements", scene.elements.size());

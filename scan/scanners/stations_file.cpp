@@ -6,7 +6,6 @@
 #include <string>
 
 #include "engine/formats/file.h"
-#include "scan/scanners/scan_record.h"
 
 namespace ilot::scan {
 
@@ -15,10 +14,10 @@ std::filesystem::path stations_path(const std::filesystem::path& cloud) {
   return path.replace_extension(".stations.csv");
 }
 
-void write_stations(const std::filesystem::path& path, std::span<const StationParams> stations) {
+void write_stations(const std::filesystem::path& path, std::span<const StationParams> stations, Vec3 origin) {
   std::string text = "name,x,y,z,azimuth_step_deg,elevation_step_deg\n";
   for (const StationParams& s : stations) {
-    const Vec3 p = kSceneOrigin + s.position;
+    const Vec3 p = origin + s.position;
     text +=
         fmt::format("{},{:.4f},{:.4f},{:.4f},{},{}\n", s.id, p.x, p.y, p.z, s.step_horizontal_deg, s.step_vertical_deg);
   }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <span>
 
+#include "scan/scanners/scan_record.h"
 #include "scan/scanners/station.h"
 
 namespace ilot::scan {
@@ -13,6 +14,7 @@ namespace ilot::scan {
 std::filesystem::path stations_path(const std::filesystem::path& cloud);
 
 // Writes world coordinates and degrees, one line per station. The file is written whole or not at all. Throws Error.
-void write_stations(const std::filesystem::path& path, std::span<const StationParams> stations);
+void write_stations(const std::filesystem::path& path, std::span<const StationParams> stations,
+                    Vec3 origin = kSceneOrigin);
 
 }  // namespace ilot::scan

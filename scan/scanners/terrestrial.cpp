@@ -85,27 +85,14 @@ class TerrestrialScanner {
     const StationParams& station = scan_.scene.stations[at];
     const Echo& echo = echoes[i];
     const double range = echo.range + scan_.beam.range_noise * gaussian(rng);
-    ColouredPoint point;
-    point.place = station.position + range * aim.axis;
-    if (!scan_.scene.keep.contains(point.place)) return;
-    point.place = point.place + shifts_[at];
+    const Vec3 place = station.position + range * aim.axis;
+    if (!scan_.scene.keep.contains(place)) return;
     const SurfaceLabel& label = scan_.scene.model.surfaces[echo.surface];
-    point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
-    point.rgb = colour(label.material, station.position + echo.surface_range * aim.axis);
-    const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
-    point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
-    point.return_number = static_cast<std::uint8_t>(i + 1);
-    point.return_count = static_cast<std::uint8_t>(echoes.size());
+    ColouredPoint point = echo_point(echoes, i, label, {station.position, aim.axis}, kIntensityRange,
+                                     std::max(scan_.beam.range_noise, scan_.grid));
+    point.place = place + shifts_[at];
     point.source = station.id;
     point.gps_time = second;
-    // If the noise is larger than the effect of mixing, the point belongs to its main surface.
-    if (std::abs(echo.range - echo.surface_range) <= std::max(scan_.beam.range_noise, scan_.grid)) {
-      point.true_class = label.true_class;
-      point.true_plane = label.plane;
-      point.true_element = label.element;
-    } else {
-      point.true_class = kMixedClass;
-    }
     append_record(records, point, layout_);
   }
 
@@ -175,7 +162,7 @@ ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& req
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   const std::size_t length = writer->record_length();
-  Tally tally;
+  PointTally tally;
   scan_terrestrial(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
     for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at], layout));

@@ -15,14 +15,12 @@
 #include "kernels/geometry/box3.h"
 #include "scan/optics/part_scene.h"
 #include "scan/scanners/beam.h"
+#include "scan/scanners/echo_point.h"
 #include "scan/scanners/station.h"
 #include "scan/scenes.h"
 #include "scan/truth_writer.h"
 
 namespace ilot::scan {
-
-// The value of true_class of points between two surfaces. They have no plane and no element.
-constexpr std::uint8_t kMixedClass = 0;
 
 struct TerrestrialScene {
   SceneModel model;

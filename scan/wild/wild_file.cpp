@@ -58,7 +58,7 @@ ScanCounts write_wild(WildScan scan, const ScanRequest& request) {
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), wild_settings(request, scan));
   truth.add(scan.drawn);
-  Tally tally;
+  PointTally tally;
   scan_wild(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
     for (std::size_t at = 0; at < records.size(); at += layout.record_length) tally.add(truth_of(&records[at], layout));

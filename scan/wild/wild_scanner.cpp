@@ -181,12 +181,12 @@ double pulses_of(const WildScan& scan) {
 }
 
 // Returns the median over the area of the walls of their points per square metre.
-double median_density(const WildScan& scan, const Tally& tally) {
+double median_density(const WildScan& scan, const PointTally& tally) {
   std::vector<std::pair<double, double>> walls;  // density, area
   double area = 0;
   for (const TruePlane& plane : scan.scene.planes) {
     if (plane.surface_class != "facade" || !(plane.area > 0)) continue;
-    walls.emplace_back(static_cast<double>(Tally::of(tally.planes, plane.id)) / plane.area, plane.area);
+    walls.emplace_back(static_cast<double>(PointTally::of(tally.planes, plane.id)) / plane.area, plane.area);
     area += plane.area;
   }
   std::sort(walls.begin(), walls.end());
@@ -247,7 +247,7 @@ void scan_wild(const WildScan& scan, const std::function<void(std::span<const st
 double fit_density(WildScan& scan, std::uint64_t most, std::optional<std::uint64_t> points) {
   scale_wild(scan, std::sqrt(pulses_of(scan) / kPilotPulses));
   const RecordLayout layout = wild_layout(scan);
-  Tally tally;
+  PointTally tally;
   scan_wild(scan, [&](std::span<const std::byte> records) {
     for (std::size_t at = 0; at < records.size(); at += layout.record_length) tally.add(truth_of(&records[at], layout));
   });

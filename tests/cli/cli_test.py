@@ -54,6 +54,35 @@ class Cli(unittest.TestCase):
             self.assertIn(word, lines[0])
         self.assertEqual(sorted(self.folder.rglob("*")), before, "nothing may be written")
 
+    def test_scans_of_models(self):
+        model = self.folder / "box.obj"
+        model.write_text("mtllib gone.mtl\n" + "".join(f"v {x} {y} {z}\n" for z in (0, 5) for y in (0, 8) for x in (0, 9)) +
+                         "f -8 -7 -3 -4\nf -7 -5 -1 -3\nf -5 -6 -2 -1\nf -6 -8 -4 -2\nf -4 -3 -1 -2\n")
+        cloud = self.folder / "box.las"
+        scan = ["scan", "--model", model, "-o", cloud]
+        self.refuse(["scan", "--model", model], "-o FILE")
+        self.refuse(["scan", "stones", "-o", cloud, "--flight"], "--model")
+        self.refuse(["scan", "stones", *scan[1:]], "contradict")
+        self.refuse(["scan", "--model", self.folder / "none.obj", "-o", cloud], "no such file")
+        self.refuse([*scan, "--unit", "furlong"], "us-ft")
+        self.refuse([*scan, "--unit", "mm"], "--unit", code=1)
+        self.refuse([*scan, "--set", "scene.glass_nothing=1"], "above 1")
+        self.refuse([*scan, "--stations", self.folder / "none.csv"], "none.csv", code=1)
+        places = self.folder / "far.csv"
+        places.write_text("a,9e6,9e6,2\n")
+        self.refuse([*scan, "--vehicle", places], "far from the model")
+        places.write_text("a,4,-9,2\n")
+        self.refuse([*scan, "--vehicle", places], "two places")
+        done = ilot(*scan, "--stations", "--vehicle", "--flight", "--points", 5000)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("stations placed", done.stderr)
+        self.refuse(scan, "--overwrite")
+        truth = json.loads((self.folder / "box.truth.json").read_text())
+        self.assertEqual(sorted({p["class"] for p in truth["planes"]}), ["facade", "ground", "roof"])
+        done = ilot(*scan, "--stations", places, "--overwrite", "-q")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(len(json.loads((self.folder / "box.truth.json").read_text())["stations"]), 1)
+
     def test_usage_faults_of_run(self):
         c, o = self.cloud, self.out
         self.refuse(["run"], "INPUT")

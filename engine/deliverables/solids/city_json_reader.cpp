@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // CityJSON 1.0 to 2.0 (OGC 20-072r5) and CityJSONSeq: one header line, then one feature a line.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <unordered_map>
 
 #include "engine/deliverables/solids/json_parts.h"
@@ -37,17 +40,36 @@ FaceKind kind_of(const std::string& type) {
   return type == "GroundSurface" ? FaceKind::ground : FaceKind::unknown;
 }
 
+// True when a level of detail is the wanted one: "2" asks for 2, 2.0, 2.1, ...
+bool is_level(const Json& lod, const std::string& wanted) {
+  const std::string text = lod.is_number()   ? fmt::format("{}", lod.get<double>())
+                           : lod.is_string() ? lod.get<std::string>()
+                                             : std::string();
+  return text == wanted || text.starts_with(wanted + ".");
+}
+
+// Returns the text that crs_from_text() takes for ".../EPSG/0/7415", "urn:ogc:def:crs:EPSG::7415" or "EPSG:7415".
+std::string crs_text(const Json& metadata) {
+  const Json& json = json_field(metadata, "referenceSystem");
+  if (!json.is_string()) return "";
+  const auto& text = json.get_ref<const std::string&>();
+  const std::size_t at = text.find_last_of("/:");
+  const std::string code = at == text.npos ? text : text.substr(at + 1);
+  const bool whole = !code.empty() && code.find_first_not_of("0123456789") == code.npos;
+  return whole && text.find("EPSG") != text.npos ? "EPSG:" + code : "";
+}
+
 class CityJsonParser {
  public:
-  explicit CityJsonParser(const std::string& name) : name_(name) {}
+  CityJsonParser(const std::string& name, const ModelReading& wanted) : name_(name), wanted_(wanted) {}
 
   void document(const Json& root) {
     const Json& type = json_field(root, "type");
     if (type == "CityJSON")
-      transform_ = transform_of(json_field(root, "transform"));
+      head(root);
     else if (type != "CityJSONFeature")
       fail("neither a CityJSON object nor a CityJSONFeature");
-    vertices_ = vertices_of(json_field(root, "vertices"));
+    vertices_ = vertices_of(json_field(root, "vertices"), transform_);
     const Json& objects = json_field(root, "CityObjects");
     if (!objects.is_object()) fail("CityObjects is missing or no object");
     for (const auto& [id, object] : objects.items()) add_object(objects, id, object);
@@ -58,9 +80,15 @@ class CityJsonParser {
   ModelFile finish() {
     ModelFile file;
     for (std::size_t i = 0; i < models_.size(); ++i)
-      if ((!any_building_ || is_building_[i]) && !models_[i].faces.empty())
+      if ((!any_building_ || is_building_[i] || wanted_.every_object) && !models_[i].faces.empty())
         file.models.push_back(std::move(models_[i]));
-    if (templates_) file.warnings.push_back(fmt::format("{}: {} geometry templates left out", name_, templates_));
+    if (file.models.empty() && other_level_ > 0)
+      throw Error(fmt::format("{}: no geometry of level of detail {}; there is {}", name_, wanted_.lod,
+                              fmt::join(levels_, ", ")));
+    if (other_level_)
+      file.warnings.push_back(
+          fmt::format("{}: {} objects without level of detail {} left out", name_, other_level_, wanted_.lod));
+    file.crs = crs_;
     return file;
   }
 
@@ -85,13 +113,22 @@ class CityJsonParser {
             vector_of(json_field(json, "translate"), "transform.translate")};
   }
 
-  std::vector<Vec3> vertices_of(const Json& list) const {
+  void head(const Json& root) {
+    transform_ = transform_of(json_field(root, "transform"));
+    crs_ = crs_text(json_field(root, "metadata"));
+    const Json& templates = json_field(root, "geometry-templates");
+    if (templates.is_null()) return;
+    templates_ = json_field(templates, "templates");
+    template_vertices_ = vertices_of(json_field(templates, "vertices-templates"), {});
+  }
+
+  std::vector<Vec3> vertices_of(const Json& list, const Transform& transform) const {
     if (!list.is_array()) fail("vertices is missing or no list");
     std::vector<Vec3> vertices;
     vertices.reserve(list.size());
     for (const Json& entry : list) {
       const Vec3 v = vector_of(entry, "a vertex");
-      const auto& [s, t] = transform_;
+      const auto& [s, t] = transform;
       const Vec3 world{v.x * s.x + t.x, v.y * s.y + t.y, v.z * s.z + t.z};
       if (!std::isfinite(world.x + world.y + world.z)) fail("a vertex is not finite");
       vertices.push_back(world);
@@ -115,17 +152,58 @@ class CityJsonParser {
     if (!geometries.is_array()) fail("geometry of '" + id + "' is no list");
     const Json* best = nullptr;
     for (const Json& geometry : geometries) {
-      if (json_field(geometry, "type") == "GeometryInstance") {
-        ++templates_;
-      } else if (!best || lod_of(geometry) > lod_of(*best)) {
-        best = &geometry;
-      }
+      const Json& shape = shape_of(geometry);
+      const bool wanted = wanted_.lod.empty() || is_level(json_field(shape, "lod"), wanted_.lod);
+      if (!wanted) levels_.insert(json_field(shape, "lod").dump());
+      if (wanted && (!best || lod_of(shape) > lod_of(shape_of(*best)))) best = &geometry;
     }
+    if (!best && !geometries.empty()) ++other_level_;
     if (!best) return;
     const Json& type = json_field(object, "type");
-    enter_model(root_of(objects, id), type.is_string() && type.get_ref<const std::string&>().starts_with("Building"));
+    object_type_ = type.is_string() ? type.get<std::string>() : "";
+    enter_model(root_of(objects, id), object_type_.starts_with("Building"));
     local_.clear();
-    add_geometry(*best);
+    place_.reset();
+    if (json_field(*best, "type") == "GeometryInstance") place_ = place_of(*best);
+    add_geometry(shape_of(*best));
+  }
+
+  // Returns the template of an instance; any other geometry is its own shape.
+  const Json& shape_of(const Json& geometry) const {
+    if (json_field(geometry, "type") != "GeometryInstance") return geometry;
+    const Json& number = json_field(geometry, "template");
+    if (!number.is_number_integer() || number < 0 || !templates_.is_array() || number >= templates_.size())
+      fail("an instance names a geometry template that does not exist");
+    const Json& shape = templates_[number.get<std::size_t>()];
+    if (json_field(shape, "type") == "GeometryInstance") fail("a geometry template is an instance itself");
+    return shape;
+  }
+
+  // How the vertices of a template get to their places: a matrix by rows, then the reference point.
+  struct InstancePlace {
+    std::array<double, 16> matrix{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+    Vec3 point;
+
+    Vec3 of(Vec3 v) const {
+      const auto row = [&](std::size_t r) {
+        return matrix[4 * r] * v.x + matrix[4 * r + 1] * v.y + matrix[4 * r + 2] * v.z + matrix[4 * r + 3];
+      };
+      return point + Vec3{row(0), row(1), row(2)};
+    }
+  };
+
+  InstancePlace place_of(const Json& instance) const {
+    InstancePlace place;
+    const Json& matrix = json_field(instance, "transformationMatrix");
+    if (!matrix.is_array() || matrix.size() != 16) fail("an instance needs a matrix of 16 numbers");
+    for (std::size_t i = 0; i < 16; ++i) {
+      if (!matrix[i].is_number() || !std::isfinite(place.matrix[i] = matrix[i].get<double>()))
+        fail("an instance needs a matrix of 16 finite numbers");
+    }
+    const Json& at = json_field(instance, "boundaries");
+    if (!at.is_array() || at.size() != 1) fail("an instance needs one reference point");
+    place.point = vertices_[vertex_index(at[0], vertices_.size())];
+    return place;
   }
 
   void enter_model(const std::string& name, bool building) {
@@ -144,14 +222,33 @@ class CityJsonParser {
     const Json& type = json_field(geometry, "type");
     const Json& boundaries = json_field(geometry, "boundaries");
     const Json& semantics = json_field(geometry, "semantics");
-    surfaces_ = &json_field(semantics, "surfaces");
     const Json& values = json_field(semantics, "values");
+    add_surfaces(json_field(semantics, "surfaces"));
     if (type == "MultiSurface" || type == "CompositeSurface")
       add_shell(boundaries, values);
     else if (type == "Solid")
       add_shells(boundaries, values);
     else if (type == "MultiSolid" || type == "CompositeSolid")
       for (std::size_t i = 0; i < list(boundaries).size(); ++i) add_shells(boundaries[i], child(values, i));
+  }
+
+  // Appends the semantic surfaces of a geometry, and one for faces without semantics before them.
+  void add_surfaces(const Json& surfaces) {
+    std::vector<ModelSurface>& own = models_[current_].surfaces;
+    first_surface_ = own.size() + 1;
+    surface_count_ = surfaces.is_array() ? surfaces.size() : 0;
+    own.push_back({"", "", -1, object_type_, ""});
+    for (std::size_t i = 0; i < surface_count_; ++i) {
+      const auto text = [&](const char* key) {
+        const Json& field = json_field(surfaces[i], key);
+        return field.is_string() ? field.get<std::string>() : std::string();
+      };
+      ModelSurface surface{text("type"), text("id"), -1, object_type_, ""};
+      const Json& parent = json_field(surfaces[i], "parent");
+      if (parent.is_number_integer() && parent >= 0 && parent < surface_count_)
+        surface.parent = static_cast<std::int32_t>(first_surface_ + parent.get<std::size_t>());
+      own.push_back(std::move(surface));
+    }
   }
 
   const Json& list(const Json& json) const {
@@ -185,40 +282,51 @@ class CityJsonParser {
       for (const Json& corner : ring) face.rings.back().push_back(vertex(corner));
     }
     if (face.rings.empty()) fail("a face has no ring");
-    const Json& surface = value.is_number_integer() && value >= 0 ? child(*surfaces_, value.get<std::size_t>()) : value;
-    if (const Json& type = json_field(surface, "type"); type.is_string()) face.kind = kind_of(type.get<std::string>());
+    const bool named = value.is_number_integer() && value >= 0 && value < surface_count_;
+    const std::size_t surface = named ? first_surface_ + value.get<std::size_t>() : first_surface_ - 1;
+    face.surface = static_cast<std::int32_t>(surface);
+    face.kind = kind_of(models_[current_].surfaces[surface].type);
     models_[current_].faces.push_back(std::move(face));
   }
 
+  std::uint32_t vertex_index(const Json& corner, std::size_t count) const {
+    if (!corner.is_number_integer() || corner < 0 || corner >= count)
+      fail(fmt::format("a face names a vertex that is none of {}", count));
+    return corner.get<std::uint32_t>();
+  }
+
   std::uint32_t vertex(const Json& corner) {
-    if (!corner.is_number_integer() || corner < 0 || corner >= vertices_.size())
-      fail(fmt::format("a face names a vertex that is none of {}", vertices_.size()));
-    const auto index = corner.get<std::uint32_t>();
+    const std::uint32_t index = vertex_index(corner, place_ ? template_vertices_.size() : vertices_.size());
     std::vector<Vec3>& own = models_[current_].vertices;
     const auto [entry, added] = local_.try_emplace(index, static_cast<std::uint32_t>(own.size()));
-    if (added) own.push_back(vertices_[index]);
+    if (added) own.push_back(place_ ? place_->of(template_vertices_[index]) : vertices_[index]);
     return entry->second;
   }
 
   const std::string& name_;
+  ModelReading wanted_;
   std::uint64_t line_ = 0;
   Transform transform_;
-  std::vector<Vec3> vertices_;
+  std::string crs_, object_type_;
+  std::vector<Vec3> vertices_, template_vertices_;
+  Json templates_;
+  std::optional<InstancePlace> place_;                 // of the current object, where its geometry is an instance
+  std::size_t first_surface_ = 0, surface_count_ = 0;  // of the current geometry
+  std::set<std::string> levels_;                       // levels of detail that were not wanted
   std::vector<PolygonModel> models_;
   std::vector<bool> is_building_;
   std::vector<std::uint32_t> shells_;  // number so far, per model
   std::unordered_map<std::string, std::size_t> names_;
   std::unordered_map<std::uint32_t, std::uint32_t> local_;  // of the current object: vertex of the file -> the model's
-  const Json* surfaces_ = nullptr;
   std::size_t current_ = 0;
-  std::uint64_t templates_ = 0;
+  std::uint64_t other_level_ = 0;  // objects
   bool any_building_ = false;
 };
 
 }  // namespace
 
-ModelFile parse_city_json(std::string_view text, const std::string& name) {
-  CityJsonParser parser(name);
+ModelFile parse_city_json(std::string_view text, const std::string& name, const ModelReading& wanted) {
+  CityJsonParser parser(name, wanted);
   if (!is_json_sequence(text)) {
     parser.document(parse_json(text, parser.place()));
     return parser.finish();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Wavefront OBJ: the lines v, f, o and g.
+// Wavefront OBJ: the lines v, f, o, g, usemtl and mtllib.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -31,6 +31,10 @@ class ObjParser {
     } else if (word == "o" || word == "g") {
       group_ = std::string(rest(text));
       current_.reset();
+    } else if (word == "usemtl") {
+      material_ = std::string(rest(text));
+    } else if (word == "mtllib") {
+      file_.material_files.emplace_back(rest(text));
     }
   }
 
@@ -105,7 +109,14 @@ class ObjParser {
       if (added) model.vertices.push_back(vertices_[i]);
       i = entry->second;
     }
-    model.faces.push_back({{std::move(corners)}, FaceKind::unknown, 0});
+    model.faces.push_back({{std::move(corners)}, FaceKind::unknown, 0, surface_of(model)});
+  }
+
+  // Returns the index of the current material among the surfaces of the model.
+  std::int32_t surface_of(PolygonModel& model) {
+    const auto [entry, added] = surfaces_[*current_].try_emplace(material_, model.surfaces.size());
+    if (added) model.surfaces.push_back({"", model.name, -1, "", material_});
+    return static_cast<std::int32_t>(entry->second);
   }
 
   // A group becomes a model when its first face is read.
@@ -115,12 +126,13 @@ class ObjParser {
     if (added) {
       file_.models.push_back({group_, {}, {}});
       local_.emplace_back();
+      surfaces_.emplace_back();
     }
     current_ = entry->second;
   }
 
   const std::string& name_;
-  std::string group_;
+  std::string group_, material_;
   std::size_t least_corners_;
   std::uint64_t number_ = 0, statements_ = 0;
   bool blank_ = true;
@@ -128,6 +140,7 @@ class ObjParser {
   std::optional<std::size_t> current_;
   std::unordered_map<std::string, std::size_t> models_;
   std::vector<std::unordered_map<std::uint32_t, std::uint32_t>> local_;  // per model: vertex of the file -> its own
+  std::vector<std::unordered_map<std::string, std::size_t>> surfaces_;   // per model: material -> index of its surface
   ModelFile file_;
 };
 

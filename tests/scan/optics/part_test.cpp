@@ -174,5 +174,39 @@ TEST(Part, CutKeepsTheSurfacesOfTheOtherFaces) {
   EXPECT_EQ(bottom->surface, 1u);
 }
 
+// Facets around one corner: a ray through the corner or a common edge meets one of them at least.
+TEST(Part, NoRayPassesBetweenFacets) {
+  Rng rng(11);
+  for (int round = 0; round < 200; ++round) {
+    std::vector<Vec3> rim;
+    for (int i = 0; i < 6; ++i) {
+      const double angle = 1.0471975 * i;
+      rim.push_back({std::cos(angle), std::sin(angle), 0.3 * rng.uniform()});
+    }
+    const Vec3 centre = 0.01 * random_place(rng, 1);
+    std::vector<Part> parts;
+    for (std::size_t i = 0; i < 6; ++i) parts.push_back(*facet(centre, rim[i], rim[(i + 1) % 6], 0));
+    for (int k = 0; k < 50; ++k) {
+      const Vec3 edge = centre + (k % 10 / 10.0) * (rim[static_cast<std::size_t>(k) % 6] - centre);
+      const Ray ray = ray_to(edge + Vec3{rng.uniform(), rng.uniform(), 3}, edge);
+      EXPECT_TRUE(std::any_of(parts.begin(), parts.end(), [&](const Part& p) { return meet(ray, p, 0).has_value(); }));
+    }
+  }
+}
+
+TEST(Part, FacetsAreSeenFromBothSides) {
+  const Part triangle = *facet({0, 0, 0}, {1, 0, 0}, {0, 1, 0}, 7);
+  for (const double side : {1.0, -1.0}) {
+    const auto hit = meet({{0.2, 0.3, 2 * side}, {0, 0, -side}}, triangle, 0);
+    ASSERT_TRUE(hit);
+    EXPECT_DOUBLE_EQ(hit->t, 2);
+    EXPECT_DOUBLE_EQ(hit->normal.z, side);
+    EXPECT_EQ(hit->surface, 7u);
+    EXPECT_FALSE(meet({{0.6, 0.6, 2 * side}, {0, 0, -side}}, triangle, 0));
+    EXPECT_FALSE(meet({{0.2, 0.3, 2 * side}, {0, 0, side}}, triangle, 0));
+  }
+  EXPECT_FALSE(facet({0, 0, 0}, {1, 1, 1}, {2, 2, 2}, 0));
+}
+
 }  // namespace
 }  // namespace ilot::scan

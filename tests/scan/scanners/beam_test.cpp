@@ -129,5 +129,32 @@ TEST(Beam, GlassSendsBackLittleAndLetsSomeThrough) {
   EXPECT_GT(pane, 0);
 }
 
+// A pane at 45 degrees that mirrors everything: the wall beside the beam appears behind the pane, at the whole way.
+TEST(Beam, AMirrorShowsWhatStandsBesideIt) {
+  SceneModel model;
+  model.add_surface({1, 1, 4, Material::glass});
+  model.add_surface({2, 2, 0, Material::white_target});
+  const double d = std::sqrt(0.5);
+  model.parts.push_back(Panel{{-d, 10 - d, -1}, {d, d, 0}, {0, 0, 1}, {{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}, 0});
+  model.parts.push_back(Panel{{6, 0, -5}, {0, 1, 0}, {0, 0, 1}, {{0, 0}, {20, 0}, {20, 10}, {0, 10}}, {}, 1});
+  BeamParams beam = quiet_beam();
+  beam.glass = {0, 0, 1};
+  const PartScene scene(model.parts, 0.05);
+  BeamTracer tracer(model, scene, beam);
+  std::vector<Echo> echoes;
+  Rng rng(1);
+  tracer.trace({0, 0, 0}, kAhead, rng, echoes);
+  ASSERT_EQ(echoes.size(), 1u);
+  EXPECT_NEAR(echoes[0].range, 16, 1e-4);
+  EXPECT_EQ(echoes[0].surface, 1u);
+  EXPECT_EQ(echoes[0].pane, 0u);
+  EXPECT_EQ(tracer.first_surface(), 0u);
+  beam.glass = {1, 0, 0};
+  BeamTracer lost(model, scene, beam);
+  lost.trace({0, 0, 0}, kAhead, rng, echoes);
+  EXPECT_TRUE(echoes.empty());
+  EXPECT_EQ(lost.first_surface(), 0u);
+}
+
 }  // namespace
 }  // namespace ilot::scan

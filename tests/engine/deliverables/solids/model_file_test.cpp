@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/solids/model_file.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "engine/error.h"
@@ -145,6 +146,74 @@ TEST(ModelFile, ChoosesByExtension) {
   EXPECT_FALSE(is_model_file("a.truth.json") || is_model_file("a.json") || is_model_file("a.laz"));
   EXPECT_THROW(read_models(folder.put("a.stl", "solid")), Error);
   EXPECT_THROW(read_models(folder.path() / "none.obj"), Error);
+}
+
+TEST(ModelFile, KeepsSemanticSurfacesAndTheirParents) {
+  const std::string text =
+      R"({"type":"CityJSON","version":"2.0","metadata":{"referenceSystem":"https://www.opengis.net/def/crs/EPSG/0/7415"},)"
+      R"("CityObjects":{"b":{"type":"Building","geometry":[{"type":"MultiSurface","lod":"3",)"
+      R"("boundaries":[[[0,1,2]],[[0,1,3]],[[1,2,3]]],"semantics":{"surfaces":[{"type":"WallSurface","id":"w"},)"
+      R"({"type":"Window","parent":0}],"values":[0,1,null]}}]}},"vertices":[[0,0,0],[1,0,0],[0,1,0],[0,0,1]]})";
+  const ModelFile file = parse_city_json(text, "a.json");
+  EXPECT_EQ(file.crs, "EPSG:7415");
+  const PolygonModel& model = file.models.at(0);
+  const auto surface = [&](std::size_t f) {
+    return model.surfaces.at(static_cast<std::size_t>(model.faces[f].surface));
+  };
+  EXPECT_EQ(surface(0).type, "WallSurface");
+  EXPECT_EQ(surface(0).id, "w");
+  EXPECT_EQ(surface(1).type, "Window");
+  EXPECT_EQ(surface(1).parent, model.faces[0].surface);
+  EXPECT_EQ(surface(2).type, "");
+  EXPECT_EQ(surface(2).object_type, "Building");
+}
+
+TEST(ModelFile, TakesTheWantedLevelOfDetail) {
+  const auto geometry = [](const char* lod, const char* ring) {
+    return fmt::format(R"({{"type":"MultiSurface","lod":"{}","boundaries":[[{}]]}})", lod, ring);
+  };
+  const std::string text = R"({"type":"CityJSON","version":"2.0","CityObjects":{"b":{"type":"Building","geometry":[)" +
+                           geometry("1.2", "[0,1,2]") + "," + geometry("2.2", "[0,1,2,3]") +
+                           R"(]}},"vertices":[[0,0,0],[1,0,0],[1,1,0],[0,1,0]]})";
+  EXPECT_EQ(parse_city_json(text, "a.json").models.at(0).faces[0].rings[0].size(), 4u);
+  EXPECT_EQ(parse_city_json(text, "a.json", {"1", false}).models.at(0).faces[0].rings[0].size(), 3u);
+  EXPECT_EQ(parse_city_json(text, "a.json", {"2.2", false}).models.at(0).faces[0].rings[0].size(), 4u);
+  try {
+    parse_city_json(text, "a.json", {"3", false});
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_NE(std::string(error.what()).find("\"1.2\", \"2.2\""), std::string::npos) << error.what();
+  }
+}
+
+TEST(ModelFile, PutsTemplatesWhereTheirInstancesAre) {
+  const auto text = [](const char* number, const char* matrix) {
+    return fmt::format(
+        R"({{"type":"CityJSON","version":"2.0","transform":{{"scale":[0.5,0.5,0.5],"translate":[100,0,0]}},)"
+        R"("geometry-templates":{{"templates":[{{"type":"MultiSurface","lod":"2","boundaries":[[[0,1,2]]]}}],)"
+        R"("vertices-templates":[[0,0,0],[1,0,0],[0,1,0]]}},"CityObjects":{{"t":{{"type":"CityFurniture","geometry":)"
+        R"([{{"type":"GeometryInstance","template":{},"boundaries":[0],"transformationMatrix":{}}}]}}}},)"
+        R"("vertices":[[20,40,6]]}})",
+        number, matrix);
+  };
+  const char* twice = "[2,0,0,1,0,2,0,0,0,0,2,0,0,0,0,1]";
+  const ModelFile file = parse_city_json(text("0", twice), "a.json");
+  ASSERT_EQ(file.models.size(), 1u);
+  EXPECT_NEAR(file.models[0].vertices.at(1).x, 100 + 10 + 2 + 1, 1e-12);
+  EXPECT_NEAR(file.models[0].vertices.at(2).y, 20 + 2, 1e-12);
+  EXPECT_NEAR(file.models[0].vertices.at(0).z, 3, 1e-12);
+  EXPECT_THROW(parse_city_json(text("1", twice), "a.json"), Error);
+  EXPECT_THROW(parse_city_json(text("0", "[1,2]"), "a.json"), Error);
+}
+
+TEST(ModelFile, KeepsMaterialsOfObj) {
+  const ModelFile file = parse_obj(
+      "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nusemtl Glass\nf 1 2 3\nusemtl wall\nf -3 -2 -1\n", "a.obj", "a");
+  const PolygonModel& model = file.models.at(0);
+  ASSERT_EQ(model.surfaces.size(), 2u);
+  EXPECT_EQ(model.surfaces[static_cast<std::size_t>(model.faces[0].surface)].material, "Glass");
+  EXPECT_EQ(model.surfaces[static_cast<std::size_t>(model.faces[1].surface)].material, "wall");
+  EXPECT_EQ(file.material_files, std::vector<std::string>{"a.mtl"});
 }
 
 }  // namespace
