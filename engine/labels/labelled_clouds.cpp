@@ -8,6 +8,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/changed_reader.h"
+#include "engine/formats/las/extra_bytes.h"
 #include "engine/formats/laz/laz_extender.h"
 #include "engine/formats/row_buffer.h"
 #include "engine/formats/writer.h"
@@ -23,76 +24,33 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kStretch = 50000;  // rows labelled at a time, at most, where the input has no chunks
 
-CloudSpec labelled_spec(const PointReader& input, const LabelParams& params) {
-  CloudSpec spec;
-  spec.like = reader_of_records(input).info();
-  spec.software = "ilot " + version();
-  const auto add = [&](const char* name, const char* meaning, FieldType type) {
-    spec.appended.push_back({name, meaning, type});
-  };
-  if (params.with_planes || params.with_roofs) add("plane_id", "0 = none", FieldType::u32);
-  if (params.with_planes) {
-    add("residual", "signed distance to plane, m", FieldType::f32);
-    add("boundary", "1 = on its plane's outline", FieldType::u8);
-    if (!params.final_shape.empty()) add("shape_id", "sphere, cylinder, cone; 0 = none", FieldType::u32);
-  }
-  if (params.with_roofs) add("unit_id", "building, 0 = none", FieldType::u32);
-  if (params.with_streets) add("object_id", "on the street, 0 = none", FieldType::u32);
-  if (params.with_facades) add("facade_id", "0 = none", FieldType::u16);
-  if (params.with_facades) add("element_id", "on its facade, 0 = none", FieldType::u32);
-  if (params.with_roofs || params.with_streets || params.with_facades)
-    add("label", "1 ground, 2 roof, 5 facade...", FieldType::u8);
-  if (params.with_roofs) {
-    if (params.with_planes) add("roof_plane_id", "roof face, 0 = none", FieldType::u32);
-  }
-  if (params.write_normals)
-    for (const char* name : {"NormalX", "NormalY", "NormalZ"}) add(name, "unit normal, 0 0 0 = none", FieldType::f32);
-  return spec;
-}
-
-// The signed distance in lattice units, from the coordinates as they are in the input.
-double residual(const std::byte* record, const LatticeMap& lattice, const JoinedPlane& plane) {
-  const Vec3 offset = lattice.offset_from(plane.anchor, load<std::int32_t>(record), load<std::int32_t>(record + 4),
-                                          load<std::int32_t>(record + 8));
-  return signed_distance(plane.plane, offset);
-}
-
-// Appends values after a record, one after the other.
-class Appender {
- public:
-  explicit Appender(std::byte* to) : to_(to) {}
-  template <class T>
-  void add(T value) {
-    store<T>(to_, value);
-    to_ += sizeof value;
-  }
-
- private:
-  std::byte* to_;
+// A field of a product, or the field `label`, whose source is the number of products.
+struct AppendedField {
+  std::size_t source = 0;
+  LabelField field;
 };
 
-// Appends the labels in the order of labelled_spec().
-void append_labels(const RowLabels& row, double residual_m, const LabelParams& params, std::byte* to) {
-  Appender out(to);
-  if (row.plane != nullptr || row.roof != nullptr)
-    out.add<std::uint32_t>(row.plane != nullptr ? row.plane->plane : row.roof->plane);
-  if (row.plane != nullptr) {
-    out.add<float>(static_cast<float>(residual_m));
-    out.add<std::uint8_t>(row.plane->boundary);
-    if (!params.final_shape.empty()) out.add<std::uint32_t>(row.plane->shape);
+// The fields of all products in the order of their places.
+std::vector<AppendedField> appended_fields(std::span<const ProductLabels> products) {
+  std::vector<AppendedField> fields;
+  for (std::size_t p = 0; p < products.size(); ++p)
+    for (const LabelField& field : products[p].fields) fields.push_back({p, field});
+  if (std::ranges::any_of(products, &ProductLabels::gives_classes))
+    fields.push_back(
+        {products.size(), label_field<PointLabel>(FieldPlace::label, "label", "1 ground, 2 roof, 5 facade...",
+                                                  [](PointLabel label) { return static_cast<std::uint8_t>(label); })});
+  std::ranges::stable_sort(fields, {}, [](const AppendedField& f) { return f.field.place; });
+  return fields;
+}
+
+// Writes the fields of the valid rows; those of row i begin at to.first + i * to.stride.
+void write_fields(std::span<const AppendedField> fields, const StretchLabels& labels, const LabelledRows& rows,
+                  FieldOutput to) {
+  for (const AppendedField& f : fields) {
+    f.field.write(f.source < labels.labels.size() ? labels.labels[f.source] : std::as_bytes(std::span(labels.classes)),
+                  rows, to);
+    to.first += type_size(f.field.field.type);
   }
-  if (row.roof != nullptr) out.add<std::uint32_t>(row.roof->unit);
-  if (row.street != nullptr) out.add<std::uint32_t>(row.street->object);
-  if (row.facade != nullptr) {
-    out.add<std::uint16_t>(row.facade->facade);
-    out.add<std::uint32_t>(row.facade->element);
-  }
-  if (row.roof != nullptr || row.street != nullptr || row.facade != nullptr)
-    out.add<std::uint8_t>(static_cast<std::uint8_t>(row.label()));
-  if (row.roof != nullptr && row.plane != nullptr) out.add<std::uint32_t>(row.roof->plane);
-  if (row.plane == nullptr || !params.write_normals) return;
-  for (const std::int16_t n : {row.plane->normal.x, row.plane->normal.y, row.plane->normal.z})
-    out.add<float>(static_cast<float>(n) / 32767.0f);
 }
 
 // Rows of one input and the labels of each.
@@ -119,13 +77,22 @@ std::vector<std::byte> joined_rows(const Stretch& s, std::size_t length, std::si
 // Writes the labelled cloud of one input.
 class Labeller {
  public:
-  Labeller(const Store& store, const std::vector<BlockRows>& blocks, const LabelParams& params,
+  Labeller(const Store& store, const std::vector<BlockRows>& blocks, std::span<const ProductLabels> products,
            const PassContext& context, PointReader& input, std::uint32_t file)
-      : store_(store), blocks_(blocks), params_(params), context_(context), input_(input), file_(file) {}
+      : store_(store),
+        blocks_(blocks),
+        products_(products),
+        fields_(appended_fields(products)),
+        context_(context),
+        input_(input),
+        file_(file) {}
 
   // Returns the number of rows that have a label.
   std::uint64_t write(const fs::path& path) const {
-    CloudSpec spec = labelled_spec(input_, params_);
+    CloudSpec spec;
+    spec.like = reader_of_records(input_).info();
+    spec.software = "ilot " + version();
+    for (const AppendedField& f : fields_) spec.appended.push_back(f.field.field);
     spec.waiting_bytes = affordable(context_.budget_bytes) / 2;  // the other half is for stretches
     if (const auto extender = LazExtender::open(reader_of_records(input_), path, spec)) return extend(*extender);
     return copy(*create_cloud(path, spec));
@@ -187,12 +154,10 @@ class Labeller {
   // The number of stretches that keep the threads busy and fit into memory.
   std::size_t stretches_at_once(std::span<const std::uint64_t> bounds, std::size_t appended_length) const {
     if (!input_.random_access()) return 1;
-    constexpr std::uint64_t kLabelsOfRow = sizeof(InputOrder) + sizeof(PlaneLabel) + sizeof(RoofLabel) +
-                                           sizeof(StreetLabel) + sizeof(FacadeLabel) + sizeof(PlaneLabel);
     constexpr std::uint64_t kCodersOfStretch = 1u << 20;  // models and buffers to read and write one stretch
     std::uint64_t longest = 0;
     for (std::size_t i = 0; i + 1 < bounds.size(); ++i) longest = std::max(longest, bounds[i + 1] - bounds[i]);
-    const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + kLabelsOfRow;
+    const std::uint64_t row = 2 * (input_.info().layout.record_length + appended_length) + bytes_of_row(products_);
     const std::uint64_t room = affordable(context_.budget_bytes) / 2 / (longest * row + kCodersOfStretch);
     return static_cast<std::size_t>(std::clamp<std::uint64_t>(room, 1, 2 * static_cast<std::uint64_t>(thread_count())));
   }
@@ -204,25 +169,20 @@ class Labeller {
     s.valid.resize(count);
     if (input_.read(first, s.rows, s.valid) != count)
       throw Error(input_.info().path.string() + ": can no longer be read in full; the file changed during the run");
-    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file_, first), count, params_);
-    const LatticeMap lattice(input_.info().layout, store_.unit());
-    const double metres = store_.unit() * context_.metres_per_unit;
+    const StretchLabels labels = collect_labels(store_, blocks_, input_order(file_, first), count, products_);
+    const LabelledRows rows{s.rows, length, s.valid, LatticeMap(input_.info().layout, store_.unit()),
+                            store_.unit() * context_.metres_per_unit};
     s.appended.resize(count * appended_length);
-    for (std::size_t i = 0; i < count; ++i) {
-      if (s.valid[i] == 0) continue;
-      const RowLabels say = labels.row(i);
-      const bool on_plane = say.plane != nullptr && say.plane->plane != 0;
-      const double distance =
-          on_plane ? metres * residual(s.rows.data() + i * length, lattice, params_.planes[say.plane->plane - 1]) : 0;
-      append_labels(say, distance, params_, s.appended.data() + i * appended_length);
-      s.labelled += say.is_labelled();
-    }
+    write_fields(fields_, labels, rows, {s.appended.data(), appended_length});
+    for (std::size_t i = 0; i < count; ++i)
+      if (s.valid[i] != 0) s.labelled += labels.labelled[i];
     return s;
   }
 
   const Store& store_;
   const std::vector<BlockRows>& blocks_;
-  const LabelParams& params_;
+  std::span<const ProductLabels> products_;
+  std::vector<AppendedField> fields_;
   const PassContext& context_;
   PointReader& input_;
   std::uint32_t file_;
@@ -262,13 +222,14 @@ void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inpu
 }
 
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
-                                    const LabelParams& params, const fs::path& folder, const PassContext& context) {
+                                    std::span<const ProductLabels> products, const fs::path& folder,
+                                    const PassContext& context) {
   fs::create_directories(folder);
   const std::vector<BlockRows> blocks = sample_rows(store);
   const std::vector<std::string> names = labelled_names(inputs);
   std::uint64_t labelled = 0;
   for (std::uint32_t f = 0; f < inputs.size(); ++f)
-    labelled += Labeller(store, blocks, params, context, *inputs[f], f).write(folder / names[f]);
+    labelled += Labeller(store, blocks, products, context, *inputs[f], f).write(folder / names[f]);
   return labelled;
 }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,9 @@ void check_labelled_clouds(const std::vector<std::unique_ptr<PointReader>>& inpu
 std::vector<std::string> labelled_names(const std::vector<std::unique_ptr<PointReader>>& inputs);
 
 // Writes a compressed file folder/NAME for every input, with NAME from labelled_names(). Returns the number of points
-// with a plane, a unit, an object or a label.
+// with a label.
 std::uint64_t write_labelled_clouds(const Store& store, const std::vector<std::unique_ptr<PointReader>>& inputs,
-                                    const LabelParams& params, const std::filesystem::path& folder,
+                                    std::span<const ProductLabels> products, const std::filesystem::path& folder,
                                     const PassContext& context);
 
 }  // namespace ilot

@@ -2,6 +2,7 @@
 #include "engine/labels/row_labels.h"
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 #include "engine/pass/pass.h"
@@ -14,69 +15,55 @@ namespace {
 constexpr std::uint64_t kBytesPerPoint = 64;
 constexpr std::uint32_t kRowSample = 1024;
 
-void sort_plane_rows(const Store& store, std::uint32_t block, const LabelParams& params,
-                     std::span<const std::uint32_t> sorted) {
-  const auto plane = store.read(block, columns::kPlane);
-  const auto boundary = store.read(block, columns::kBoundary);
-  std::vector<std::uint32_t> shape(sorted.size());
-  if (!params.final_shape.empty()) {
-    shape = store.read(block, columns::kShape);
-    for (std::uint32_t& s : shape) s = params.final_shape[s];
-  }
-  std::vector<PackedNormal> normals(sorted.size());
-  if (params.write_normals) normals = store.read(block, columns::kNormals);
-  std::vector<PlaneLabel> rows(sorted.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) {
-    const std::uint32_t from = sorted[i];
-    rows[i] = {params.final_id[plane[from]], shape[from], normals[from], boundary[from]};
-  }
-  store.write(block, columns::kPlaneRows, rows);
-}
-
-template <class T>
-void sort_column(const Store& store, std::uint32_t block, const Column<T>& column, const Column<T>& as,
-                 std::span<const std::uint32_t> sorted) {
-  const auto labels = store.read(block, column);
-  std::vector<T> rows(labels.size());
-  for (std::size_t i = 0; i < sorted.size(); ++i) rows[i] = labels[sorted[i]];
-  store.write(block, as, rows);
-}
-
 // "row_order" is written first: a block is known to be complete by the column that is written last.
-void sort_rows(const Store& store, std::uint32_t block, const LabelParams& params) {
+void sort_rows(const Store& store, std::uint32_t block, std::span<const ProductLabels> products) {
   const auto order = store.read(block, columns::kOrder);
   const std::vector<std::uint32_t> sorted = points_by_row(store, block, order);
   std::vector<InputOrder> orders(order.size());
   for (std::size_t i = 0; i < sorted.size(); ++i) orders[i] = order[sorted[i]];
   store.write(block, columns::kRowOrder, orders);
-  if (params.with_planes) sort_plane_rows(store, block, params, sorted);
-  if (params.with_streets) sort_column(store, block, columns::kStreet, columns::kStreetRows, sorted);
-  if (params.with_facades) sort_column(store, block, columns::kFacade, columns::kFacadeRows, sorted);
-  if (params.with_roofs) sort_column(store, block, columns::kRoof, columns::kRoofRows, sorted);
+  for (const ProductLabels& product : products) product.sort(store, block, sorted);
 }
 
-// Collects the values of a column of a block, sorted by rows, for the rows [first, first + labels.size()).
-template <class T>
-void collect(const Store& store, std::uint32_t block, const Column<T>& column, std::uint32_t from,
-             std::span<const InputOrder> orders, InputOrder first, std::span<T> labels) {
-  std::vector<T> rows(orders.size());
-  store.open(block, column).read(from, rows);
-  for (std::size_t i = 0; i < orders.size(); ++i)
-    if (orders[i] >= first && orders[i] < first + labels.size()) labels[orders[i] - first] = rows[i];
+// Decides the class of each row among those that the products give, and whether the row has a label at all.
+void set_classes(std::span<const ProductLabels> products, std::size_t count, StretchLabels& rows) {
+  rows.classes.assign(count, PointLabel::none);
+  rows.labelled.assign(count, 0);
+  std::vector<std::uint8_t> decided(count, 0);
+  std::vector<PointClass> given(count);
+  for (std::size_t p = 0; p < products.size(); ++p) {
+    products[p].classify(rows.labels[p], given);
+    for (std::size_t i = 0; i < count; ++i) {
+      rows.labelled[i] |= given[i].labelled;
+      if (decided[i] != 0 || (!given[i].decides && rows.classes[i] != PointLabel::none)) continue;
+      rows.classes[i] = given[i].label;
+      decided[i] = given[i].decides;
+    }
+  }
+  for (std::size_t i = 0; i < count; ++i) rows.labelled[i] |= rows.classes[i] != PointLabel::none;
+}
+
+// The rows [from, to) of a block contain all of those in [first, end).
+struct RowRange {
+  std::uint32_t from = 0, to = 0;
+};
+
+RowRange rows_between(const BlockRows& block, InputOrder first, InputOrder end) {
+  if (block.samples.front() >= end || block.last < first) return {};
+  const auto lower = std::upper_bound(block.samples.begin(), block.samples.end(), first);
+  const auto upper = std::lower_bound(block.samples.begin(), block.samples.end(), end);
+  return {static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample,
+          std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample)};
 }
 
 }  // namespace
 
-void rows_pass(const Store& store, const LabelParams& params, const PassContext& context) {
+void rows_pass(const Store& store, std::span<const ProductLabels> products, const PassContext& context) {
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const bool done = params.with_roofs     ? store.has(block, columns::kRoofRows)
-                      : params.with_facades ? store.has(block, columns::kFacadeRows)
-                      : params.with_streets ? store.has(block, columns::kStreetRows)
-                                            : store.has(block, columns::kPlaneRows);
-    if (!done) sort_rows(store, block, params);
+    if (!products.back().is_sorted(store, block)) sort_rows(store, block, products);
   });
   flush_pass(store, Pass::rows);
 }
@@ -95,53 +82,48 @@ std::vector<BlockRows> sample_rows(const Store& store) {
 }
 
 StretchLabels collect_labels(const Store& store, const std::vector<BlockRows>& blocks, InputOrder first,
-                             std::size_t count, const LabelParams& params) {
-  StretchLabels labels{std::vector<PlaneLabel>(params.with_planes ? count : 0),
-                       std::vector<RoofLabel>(params.with_roofs ? count : 0),
-                       std::vector<StreetLabel>(params.with_streets ? count : 0),
-                       std::vector<FacadeLabel>(params.with_facades ? count : 0)};
-  const InputOrder end = first + count;
+                             std::size_t count, std::span<const ProductLabels> products) {
+  StretchLabels rows;
+  for (const ProductLabels& product : products) rows.labels.emplace_back(count * product.row_bytes);
   std::vector<InputOrder> orders;
+  std::vector<std::byte> stored;
   for (std::uint32_t b = 0; b < blocks.size(); ++b) {
-    const BlockRows& block = blocks[b];
-    if (block.samples.front() >= end || block.last < first) continue;
-    const auto lower = std::upper_bound(block.samples.begin(), block.samples.end(), first);
-    const auto upper = std::lower_bound(block.samples.begin(), block.samples.end(), end);
-    const auto from =
-        static_cast<std::uint32_t>(std::max<std::ptrdiff_t>(0, lower - block.samples.begin() - 1)) * kRowSample;
-    const auto to = std::min(block.points, static_cast<std::uint32_t>(upper - block.samples.begin()) * kRowSample);
+    const auto [from, to] = rows_between(blocks[b], first, first + count);
+    if (from == to) continue;
     orders.resize(to - from);
     store.open(b, columns::kRowOrder).read(from, orders);
-    if (params.with_planes) collect(store, b, columns::kPlaneRows, from, orders, first, std::span(labels.planes));
-    if (params.with_roofs) collect(store, b, columns::kRoofRows, from, orders, first, std::span(labels.roofs));
-    if (params.with_streets) collect(store, b, columns::kStreetRows, from, orders, first, std::span(labels.streets));
-    if (params.with_facades) collect(store, b, columns::kFacadeRows, from, orders, first, std::span(labels.facades));
+    for (std::size_t p = 0; p < products.size(); ++p) {
+      const std::size_t bytes = products[p].row_bytes;
+      stored.resize(orders.size() * bytes);
+      products[p].read(store, b, from, stored);
+      for (std::size_t i = 0; i < orders.size(); ++i)
+        if (orders[i] >= first && orders[i] < first + count)
+          std::memcpy(rows.labels[p].data() + (orders[i] - first) * bytes, stored.data() + i * bytes, bytes);
+    }
   }
-  return labels;
+  set_classes(products, count, rows);
+  return rows;
 }
 
-std::uint64_t count_labelled(const Store& store, const LabelParams& params, const PassContext& context) {
+std::uint64_t bytes_of_row(std::span<const ProductLabels> products) {
+  std::uint64_t all = 0, largest = 0;
+  for (const ProductLabels& product : products) {
+    all += product.row_bytes;
+    largest = std::max<std::uint64_t>(largest, product.row_bytes);
+  }
+  return sizeof(InputOrder) + all + largest + sizeof(PointClass) + 3;
+}
+
+std::uint64_t count_labelled(const Store& store, std::span<const ProductLabels> products, const PassContext& context) {
   std::vector<std::uint64_t> labelled(store.blocks().size(), 0);
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
-    const auto column = [&]<class T>(bool made, const Column<T>& name, std::vector<T>& values) {
-      if (made) values = store.read(block, name);
-    };
-    std::vector<std::uint32_t> plane, shape;
-    StretchLabels labels;
-    column(params.with_planes, columns::kPlane, plane);
-    column(params.with_planes && !params.final_shape.empty(), columns::kShape, shape);
-    column(params.with_roofs, columns::kRoof, labels.roofs);
-    column(params.with_streets, columns::kStreet, labels.streets);
-    column(params.with_facades, columns::kFacade, labels.facades);
-    labels.planes.resize(plane.size());
-    for (std::size_t p = 0; p < plane.size(); ++p) {
-      labels.planes[p].plane = params.final_id[plane[p]];
-      if (!shape.empty()) labels.planes[p].shape = params.final_shape[shape[p]];
-    }
-    for (std::size_t p = 0; p < store.blocks()[block].points; ++p) labelled[i] += labels.row(p).is_labelled();
+    StretchLabels points;
+    for (const ProductLabels& product : products) points.labels.push_back(product.of_points(store, block));
+    set_classes(products, store.blocks()[block].points, points);
+    labelled[i] = std::accumulate(points.labelled.begin(), points.labelled.end(), std::uint64_t{0});
   });
   return std::accumulate(labelled.begin(), labelled.end(), std::uint64_t{0});
 }

@@ -12,6 +12,7 @@
 #include "engine/columns/run_inputs.h"
 #include "engine/pass/context.h"
 #include "engine/pass/measure.h"
+#include "engine/products/product_labels.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
 #include "engine/settings/settings.h"
@@ -60,6 +61,8 @@ struct Product {
   // Makes the product: its columns in the store, its files, and its counts in the record. A product that finds nothing
   // is recorded as skipped, with the reason.
   void (*make)(ProductRun& run) = nullptr;
+  // What it says of points, after all products are made; run.planes is still set. Takes from the run what it needs.
+  ProductLabels (*labels)(ProductRun& run) = nullptr;
   std::string (*summary)(const RunRecord& record) = nullptr;  // "12 buildings"; empty: the product did not run
 };
 

@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-// Returns them in the order in which they are shown to people.
+// Returns them in the order in which they are shown to people, and in which their classes of points count.
 std::span<const Product* const> all_products();
 
 // Returns the products that are asked for and the planes that they need, in the order in which they are made.

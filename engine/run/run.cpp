@@ -141,18 +141,12 @@ void warn_of_unused(const RunOptions& options, Progress& progress, RunRecord& re
   check("--train", options.train, "streets");
 }
 
-// Of the planes only the data that labels need stays in memory.
-LabelParams labels_of(const RunOptions& options, std::shared_ptr<PlanesResult> planes) {
-  LabelParams labels;
-  labels.with_planes = planes != nullptr;
-  labels.with_roofs = makes(options, "roofs");
-  labels.with_facades = makes(options, "facades");
-  labels.with_streets = makes(options, "streets");
-  if (planes == nullptr) return labels;
-  labels.final_id = std::move(planes->final_id);
-  labels.planes = std::move(planes->planes);
-  labels.final_shape = std::move(planes->final_shape);
-  labels.write_normals = options.settings.normals.write;
+// What the products that were made say of points, in the order in which their classes count.
+std::vector<ProductLabels> labels_of(std::span<const Product* const> made, ProductRun& work) {
+  std::vector<ProductLabels> labels;
+  for (const Product* product : all_products())
+    if (std::ranges::find(made, product) != made.end()) labels.push_back(product->labels(work));
+  work.planes.reset();
   return labels;
 }
 
@@ -183,7 +177,7 @@ void make_products(const RunOptions& options, const RunInputs& inputs, const std
                   progress,
                   record};
   for (const Product* product : products) product->make(work);
-  const LabelParams labels = labels_of(options, std::move(work.planes));
+  const std::vector<ProductLabels> labels = labels_of(products, work);
 
   std::uint64_t labelled = 0;
   if (options.clouds) {

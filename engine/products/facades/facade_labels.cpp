@@ -205,4 +205,18 @@ void write_facade_labels(const FacadeWork& work, std::span<const WallGroup> wall
   });
 }
 
+ProductLabels facade_labels() {
+  ProductLabels labels = product_labels<FacadeLabel>(
+      [](const Store& store, std::uint32_t block) { return store.read(block, columns::kFacade); }, columns::kFacadeRows,
+      [](const FacadeLabel& l) {
+        return PointClass{l.label, l.facade != 0};
+      },
+      {label_field<FacadeLabel>(FieldPlace::facade, "facade_id", "0 = none",
+                                [](const FacadeLabel& l) { return l.facade; }),
+       label_field<FacadeLabel>(FieldPlace::facade, "element_id", "on its facade, 0 = none",
+                                [](const FacadeLabel& l) { return l.element; })});
+  labels.gives_classes = true;
+  return labels;
+}
+
 }  // namespace ilot

@@ -7,6 +7,7 @@
 #include "engine/pass/context.h"
 #include "engine/products/facades/elements/facade_model.h"
 #include "engine/products/facades/facade_gathering.h"
+#include "engine/products/product_labels.h"
 
 namespace ilot {
 
@@ -27,5 +28,8 @@ struct FacadeLabel {
 // O(points).
 void write_facade_labels(const FacadeWork& work, std::span<const WallGroup> walls, std::span<const FoundFacade> found,
                          const PassContext& context);
+
+// Labels from the column "facade".
+ProductLabels facade_labels();
 
 }  // namespace ilot

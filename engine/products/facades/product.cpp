@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/make_facades.h"
 
 namespace ilot {
@@ -27,10 +28,14 @@ void make(ProductRun& run) {
   if (run.record.facades->facades == 0) skip_product(run, facades_product(), kNoFacade);
 }
 
+ProductLabels labels(ProductRun&) {
+  return facade_labels();
+}
+
 }  // namespace
 
 const Product& facades_product() {
-  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, summary};
+  static const Product product{"facades", true, false, {16, 12, 1.5}, suits, make, labels, summary};
   return product;
 }
 

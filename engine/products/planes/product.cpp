@@ -6,6 +6,7 @@
 #include "engine/deliverables/tables/shapes_csv.h"
 #include "engine/products/planes/make_boundaries.h"
 #include "engine/products/planes/make_planes.h"
+#include "engine/products/planes/plane_labels.h"
 
 namespace ilot {
 namespace {
@@ -53,10 +54,17 @@ void make(ProductRun& run) {
   if (run.planes->segments.empty()) skip_product(run, planes_product(), kNoPlane);
 }
 
+// Of the planes only the data that labels need stays in memory.
+ProductLabels labels(ProductRun& run) {
+  PlanesResult& planes = *run.planes;
+  return plane_labels({std::move(planes.final_id), std::move(planes.planes), run.settings.normals.write,
+                       std::move(planes.final_shape)});
+}
+
 }  // namespace
 
 const Product& planes_product() {
-  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, summary};
+  static const Product product{"planes", false, false, {48, 6, 2.5}, suits, make, labels, summary};
   return product;
 }
 

@@ -9,6 +9,7 @@
 #include "engine/products/roofs/cluster_plan.h"
 #include "engine/products/roofs/footprint_outcome.h"
 #include "engine/products/roofs/make_roofs.h"
+#include "engine/products/roofs/roof_labels.h"
 
 namespace ilot {
 namespace {
@@ -62,10 +63,14 @@ void make(ProductRun& run) {
                  why_no_building(given ? sites : std::vector<PlannedSite>{}, given, run.context.wanted != nullptr));
 }
 
+ProductLabels labels(ProductRun& run) {
+  return roof_labels(run.planes != nullptr);
+}
+
 }  // namespace
 
 const Product& roofs_product() {
-  static const Product product{"roofs", false, true, {44, 8, 1.5}, suits, make, summary};
+  static const Product product{"roofs", false, true, {44, 8, 1.5}, suits, make, labels, summary};
   return product;
 }
 

@@ -60,4 +60,19 @@ void RoofLabels::write_columns(const PassContext& context,
   });
 }
 
+ProductLabels roof_labels(bool with_planes) {
+  const auto face = [](const RoofLabel& l) { return l.plane; };
+  ProductLabels labels = product_labels<RoofLabel>(
+      [](const Store& store, std::uint32_t block) { return store.read(block, columns::kRoof); }, columns::kRoofRows,
+      [](const RoofLabel& l) {
+        return PointClass{l.label, l.unit != 0, l.unit != 0};
+      },
+      {label_field<RoofLabel>(FieldPlace::unit, "unit_id", "building, 0 = none",
+                              [](const RoofLabel& l) { return l.unit; }),
+       with_planes ? label_field<RoofLabel>(FieldPlace::face, "roof_plane_id", "roof face, 0 = none", face)
+                   : label_field<RoofLabel>(FieldPlace::plane, "plane_id", "0 = none", face)});
+  labels.gives_classes = true;
+  return labels;
+}
+
 }  // namespace ilot

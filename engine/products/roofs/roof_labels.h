@@ -12,6 +12,7 @@
 
 #include "engine/model/point_label.h"
 #include "engine/pass/context.h"
+#include "engine/products/product_labels.h"
 #include "engine/store/store.h"
 
 namespace ilot {
@@ -67,5 +68,9 @@ class RoofLabels {
   std::uint64_t written_ = 0;
   std::vector<std::vector<Run>> runs_;  // per block, in the order of units
 };
+
+// Labels from the column "roof". The plane of a point is its roof face: it is the field plane_id where the product
+// planes did not run.
+ProductLabels roof_labels(bool with_planes);
 
 }  // namespace ilot

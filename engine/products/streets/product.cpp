@@ -2,6 +2,7 @@
 #include "engine/products/streets/product.h"
 
 #include "engine/products/streets/make_streets.h"
+#include "engine/products/streets/street_labels.h"
 
 namespace ilot {
 namespace {
@@ -24,10 +25,14 @@ void make(ProductRun& run) {
   if (run.record.streets->objects == 0) skip_product(run, streets_product(), kNoObject);
 }
 
+ProductLabels labels(ProductRun&) {
+  return street_labels();
+}
+
 }  // namespace
 
 const Product& streets_product() {
-  static const Product product{"streets", false, false, {30, 8, 1.0}, suits, make, summary};
+  static const Product product{"streets", false, false, {30, 8, 1.0}, suits, make, labels, summary};
   return product;
 }
 

@@ -92,4 +92,16 @@ void write_street_labels(const Store& store, const StreetTiles& tiles, const Obj
   });
 }
 
+ProductLabels street_labels() {
+  ProductLabels labels = product_labels<StreetLabel>(
+      [](const Store& store, std::uint32_t block) { return store.read(block, columns::kStreet); }, columns::kStreetRows,
+      [](const StreetLabel& l) {
+        return PointClass{l.label, l.label != PointLabel::none, l.object != 0};
+      },
+      {label_field<StreetLabel>(FieldPlace::object, "object_id", "on the street, 0 = none",
+                                [](const StreetLabel& l) { return l.object; })});
+  labels.gives_classes = true;
+  return labels;
+}
+
 }  // namespace ilot

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "engine/model/point_label.h"
+#include "engine/products/product_labels.h"
 #include "engine/products/streets/street_tiles.h"
 
 namespace ilot {
@@ -25,5 +26,8 @@ struct ObjectLabels {
 // near the ground, higher points are facade. Points outside of the wanted area stay without a label.
 void write_street_labels(const Store& store, const StreetTiles& tiles, const ObjectLabels& candidates,
                          double least_height, const PassContext& context);
+
+// Labels from the column "street".
+ProductLabels street_labels();
 
 }  // namespace ilot

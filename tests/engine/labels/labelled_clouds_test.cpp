@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/products/facades/facade_labels.h"
+#include "engine/products/planes/plane_labels.h"
+#include "engine/products/roofs/roof_labels.h"
+#include "engine/products/streets/street_labels.h"
 #include "kernels/neighbours/normals.h"
 #include "tests/support/cloud_store.h"
 
@@ -55,13 +59,14 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
   for (const std::uint64_t block_points : {1u << 20, 900u}) {
     const CloudStore cloud(points, {block_points, 2000, 3});
     write_labels(cloud.store());
-    const LabelParams params{{0, 3, 0, 1, 2}, level_planes(), true};  // joined plane 2 was dropped
-    rows_pass(cloud.store(), params, {});
+    const std::vector<std::uint32_t> final_id{0, 3, 0, 1, 2};  // joined plane 2 was dropped
+    const std::vector<ProductLabels> labels{plane_labels({final_id, level_planes(), true})};
+    rows_pass(cloud.store(), labels, {});
     PassContext context;
     context.metres_per_unit = 0.5;
     std::uint64_t expected = 0;
     const std::uint64_t labelled =
-        write_labelled_clouds(cloud.store(), cloud.inputs(), params, cloud.folder() / "out", context);
+        write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out", context);
     for (std::uint64_t f = 0; f < 3; ++f) {
       const auto out = open_cloud(cloud.folder() / "out" / ("cloud" + std::to_string(f) + ".laz"));
       const Rows was = read_rows(*cloud.inputs()[f]), is = read_rows(*out);
@@ -71,7 +76,7 @@ TEST(LabelledClouds, RowsComeBackInInputOrderWithAllTheirBytes) {
         const std::byte* row = is.bytes.data() + i * is.length;
         const std::byte* before = was.bytes.data() + i * was.length;
         ASSERT_TRUE(std::equal(before, before + was.length, row)) << "file " << f << " row " << i;
-        const std::uint32_t id = params.final_id[plane_of(input_order(f, i))];
+        const std::uint32_t id = final_id[plane_of(input_order(f, i))];
         ASSERT_EQ(load<std::uint32_t>(row + was.length), id);
         const double z = 0.5 * test::kUnit * load<std::int32_t>(before + 8);
         ASSERT_EQ(load<float>(row + was.length + 4), id == 0 ? 0.0f : static_cast<float>(z));
@@ -99,7 +104,7 @@ TEST(LabelledClouds, NoInputOverwritesTheOutputOfAnother) {
   params.unit = test::kUnit;
   const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
   write_labels(store);
-  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
+  const std::vector<ProductLabels> labels{plane_labels({{0, 1, 2, 3, 4}, level_planes(), false})};
   rows_pass(store, labels, {});
   write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
   std::vector<std::int32_t> found;
@@ -120,7 +125,7 @@ TEST(LabelledClouds, CompressedInputsGiveTheSameRows) {
     test::write_cloud(folder.path() / name, points, classes, 7);
     const test::FilesStore files(folder.path(), {name}, 900);
     write_labels(*files.cloud);
-    const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), true};
+    const std::vector<ProductLabels> labels{plane_labels({{0, 1, 2, 3, 4}, level_planes(), true})};
     rows_pass(*files.cloud, labels, {});
     write_labelled_clouds(*files.cloud, files.inputs, labels, folder.path() / "out", {});
     outputs.push_back(read_rows(*open_cloud(folder.path() / "out" / "c.laz")));
@@ -142,7 +147,7 @@ TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
   params.filter.keep = IndexBox{{-200, -200, -200}, {200, 200, 200}};
   const Store store = build_index(inputs, params, folder.path() / "store", {}).store;
   write_labels(store);
-  const LabelParams labels{{0, 1, 2, 3, 4}, level_planes(), false};
+  const std::vector<ProductLabels> labels{plane_labels({{0, 1, 2, 3, 4}, level_planes(), false})};
   rows_pass(store, labels, {});
   write_labelled_clouds(store, inputs, labels, folder.path() / "out", {});
   const Rows rows = read_rows(*open_cloud(folder.path() / "out" / "c.laz"));
@@ -151,6 +156,53 @@ TEST(LabelledClouds, RowsThatNeverEnteredTheStoreStayWithoutLabel) {
     const std::uint32_t wanted = params.filter.keep->contains(points[i]) ? plane_of(input_order(0, i)) : 0;
     ASSERT_EQ(load<std::uint32_t>(rows.bytes.data() + i * rows.length + 20), wanted);
   }
+}
+
+// The class of a building counts before that of a facade, and that before that of a street. What a building says of
+// points that are not its own counts last.
+TEST(LabelledClouds, ClassesCountInTheOrderOfTheProducts) {
+  struct Case {
+    RoofLabel roof;
+    FacadeLabel facade;
+    StreetLabel street;
+    PointLabel wanted;
+    bool labelled;
+  };
+  const std::vector<Case> cases{
+      {{1, 4, PointLabel::roof}, {2, 3, PointLabel::window}, {5, PointLabel::car}, PointLabel::roof, true},
+      {{0, 0, PointLabel::vegetation}, {2, 3, PointLabel::window}, {5, PointLabel::car}, PointLabel::window, true},
+      {{0, 0, PointLabel::vegetation}, {}, {5, PointLabel::car}, PointLabel::car, true},
+      {{0, 0, PointLabel::vegetation}, {}, {}, PointLabel::vegetation, true},
+      {{0, 0, PointLabel::vegetation}, {0, 3, PointLabel::none}, {}, PointLabel::none, false},
+      {{1, 0, PointLabel::none}, {}, {5, PointLabel::car}, PointLabel::none, true},
+      {{}, {}, {5, PointLabel::none}, PointLabel::none, true},
+      {{}, {}, {}, PointLabel::none, false}};
+  std::vector<Index3> points;
+  for (std::size_t i = 0; i < cases.size(); ++i) points.push_back({static_cast<std::int64_t>(i), 0, 0});
+  const CloudStore cloud(points, {1u << 20, 2000, 1});
+  const auto write = [&](auto column, auto Case::*label) {
+    std::vector<std::decay_t<decltype(cases[0].*label)>> values;
+    for (const InputOrder order : cloud.store().read(0, columns::kOrder)) values.push_back(cases[row_of(order)].*label);
+    cloud.store().write(0, column, values);
+  };
+  write(columns::kRoof, &Case::roof);
+  write(columns::kFacade, &Case::facade);
+  write(columns::kStreet, &Case::street);
+  const std::vector<ProductLabels> labels{roof_labels(false), facade_labels(), street_labels()};
+  rows_pass(cloud.store(), labels, {});
+  const StretchLabels rows = collect_labels(cloud.store(), sample_rows(cloud.store()), 0, cases.size(), labels);
+  std::uint64_t labelled = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    EXPECT_EQ(rows.classes[i], cases[i].wanted) << i;
+    EXPECT_EQ(rows.labelled[i] != 0, cases[i].labelled) << i;
+    labelled += cases[i].labelled;
+  }
+  EXPECT_EQ(count_labelled(cloud.store(), labels, {}), labelled);
+  EXPECT_EQ(write_labelled_clouds(cloud.store(), cloud.inputs(), labels, cloud.folder() / "out", {}), labelled);
+  const auto out = open_cloud(cloud.folder() / "out" / "cloud0.laz");
+  std::vector<std::string> names;
+  for (const ExtraField& field : out->info().layout.extra) names.push_back(field.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"plane_id", "unit_id", "object_id", "facade_id", "element_id", "label"}));
 }
 
 }  // namespace
