@@ -63,6 +63,12 @@ void close_gaps() {
   if (limit != 0 && free_memory() < limit / kTight) malloc_trim(0);
 }
 
+int affordable_threads(std::uint64_t memory_bytes, int wanted) {
+  constexpr std::uint64_t kMemoryOfThread = 24u << 20;
+  const std::uint64_t most = std::max<std::uint64_t>(memory_bytes / kMemoryOfThread, 1);
+  return static_cast<int>(std::min<std::uint64_t>(most, static_cast<std::uint64_t>(wanted)));
+}
+
 std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads) {
   constexpr std::uint64_t kMemoryOfPool = 128u << 20;
   return std::clamp<std::uint64_t>(memory_bytes / kMemoryOfPool, 1, static_cast<std::uint64_t>(threads) + 1);

@@ -15,6 +15,11 @@ std::uint64_t free_memory();
 // Returns the bytes that a step which is not a pass may use: its budget, or the free memory if that is less.
 std::uint64_t affordable(std::uint64_t budget_bytes);
 
+// Returns how many threads work under a limit of memory: as many as wanted, but at most one for each 24 MiB. Each
+// thread takes some memory beside the budget: about 0.8 MiB was measured in the search for planes (stacks, buffers of
+// inner loops, gaps of the allocator), so they take at most a thirtieth of the limit.
+int affordable_threads(std::uint64_t memory_bytes, int wanted);
+
 // Returns the number of pools of the allocator: one for each thread and one more, but no more than one for each 128
 // MiB, because each pool keeps freed memory in its gaps.
 std::uint64_t allocator_pools(std::uint64_t memory_bytes, int threads);

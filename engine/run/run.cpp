@@ -278,7 +278,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
 int run(const RunOptions& options, Progress& progress, const TrainObjectModel& learn) {
   progress.run_start("ilot run");
   int code = 0;
-  with_threads(options.threads > 0 ? options.threads : hardware_threads(),
+  with_threads(affordable_threads(options.memory_bytes, options.threads > 0 ? options.threads : hardware_threads()),
                [&] { code = run_in_arena(options, learn, progress); });
   return code;
 }

@@ -127,7 +127,8 @@ int run_command(const RunArguments& given) {
   const RunOptions options = options_of(given);
   const Verbosity verbosity = given.quiet ? Verbosity::quiet : (given.verbose ? Verbosity::verbose : Verbosity::normal);
   ConsoleProgress progress(verbosity, given.log);
-  let_allocator_keep(options.memory_bytes, options.threads > 0 ? options.threads : hardware_threads());
+  const int wanted = options.threads > 0 ? options.threads : hardware_threads();
+  let_allocator_keep(options.memory_bytes, affordable_threads(options.memory_bytes, wanted));
   return run(options, progress.get(),
              [](std::span<const TrainingSample> samples) { return train_object_model(samples); });
 }
@@ -173,7 +174,8 @@ void add_machine_options(CLI::App& command, RunArguments& given) {
           "--memory", given.memory,
           "upper bound of resident memory, with K, M, G or T [2G, at most half of what machine or cgroup allow]")
       ->option_text("BYTES");
-  command.add_option("--threads", given.threads, "1 to 1024 threads [all]")
+  command
+      .add_option("--threads", given.threads, "1 to 1024 threads; at most one for each 24 MiB of --memory work [all]")
       ->check(CLI::Range(1, 1024))
       ->option_text("N");
   command.add_option("--block-points", given.block_points, "256 to 67108864 points per block of the store [1048576]")
