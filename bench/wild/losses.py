@@ -69,10 +69,11 @@ def loss_of(record, product):
 
 
 def number_row(name, pairs):
-    """Mean loss in the lowest and the highest fifth of a parameter, and the rank correlation."""
+    """Mean loss in the lowest and the highest fifth of a parameter, with all equal values, and the rank correlation."""
     pairs.sort(key=lambda p: p[0])
     fifth = max(1, len(pairs) // 5)
-    low, high = pairs[:fifth], pairs[-fifth:]
+    low = [p for p in pairs if p[0] <= pairs[fifth - 1][0]]
+    high = [p for p in pairs if p[0] >= pairs[-fifth][0]]
     if pairs[0][0] == pairs[-1][0]:
         return None
     loss = lambda part: statistics.fmean(p[1] for p in part)
