@@ -293,7 +293,7 @@ HouseForm draw_form(Draws& draws, std::uint64_t id, double width, double depth) 
 
 }  // namespace
 
-void add_wild_house(WildStreetModel& model, const WildStreet& street, const WildPlot& plot, Draws& draws) {
+void add_wild_house(WildStreetModel& model, const WildStreet& street, const StreetPlot& plot, Draws& draws) {
   HouseForm form = draw_form(draws, plot.id, plot.s1 - plot.s0, plot.depth);
   const double front = street.half_street() + plot.setback;
   const auto height = [&](double s) { return street.ground_height(s, plot.side * (front - 0.05)); };

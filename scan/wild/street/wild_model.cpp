@@ -43,7 +43,7 @@ void add_object(WildStreetModel& model, const WildObject& object, double leaf_de
 WildStreetModel build_wild_street(const WildStreet& street, const std::vector<WildObject>& objects, Draws& draws) {
   WildStreetModel model;
   add_wild_ground(model, street);
-  for (const WildPlot& plot : street.plots)
+  for (const StreetPlot& plot : street.plots)
     if (plot.use == PlotUse::house) add_wild_house(model, street, plot, draws);
   if (street.layout == "court") add_court_ends(model, street, draws);
   for (const WildObject& object : objects) add_object(model, object, draws.number("street.leaf_density", object.id));

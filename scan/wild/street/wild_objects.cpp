@@ -88,9 +88,9 @@ class Placer {
     }
   }
 
-  const WildPlot* plot_at(int side, double s) const {
+  const StreetPlot* plot_at(int side, double s) const {
     const auto found = std::find_if(street_.plots.begin(), street_.plots.end(),
-                                    [&](const WildPlot& p) { return p.side == side && s >= p.s0 && s <= p.s1; });
+                                    [&](const StreetPlot& p) { return p.side == side && s >= p.s0 && s <= p.s1; });
     return found == street_.plots.end() ? nullptr : &*found;
   }
 
@@ -98,7 +98,7 @@ class Placer {
   struct Spot {
     double out = 0, heading = 0;
   };
-  std::optional<Spot> spot_of(int side, ObjectPlace place, const WildPlot& plot, const ObjectShape& shape, Rng& rng) {
+  std::optional<Spot> spot_of(int side, ObjectPlace place, const StreetPlot& plot, const ObjectShape& shape, Rng& rng) {
     const Box3<Vec3> box = box_of(shape);
     const double half = (box.max.y - box.min.y) / 2, road = street_.half_road, outer = street_.half_street();
     const double front = outer + plot.setback;
@@ -154,7 +154,7 @@ class Placer {
       WildObject object;
       object.kind = kind;
       kind->make(object.shape, rng);
-      const WildPlot* plot = plot_at(side, s);
+      const StreetPlot* plot = plot_at(side, s);
       if (!plot) continue;
       const auto spot = spot_of(side, place, *plot, object.shape, rng);
       if (!spot) continue;
@@ -252,7 +252,7 @@ class Placer {
         kind->make(tree.shape, rng);
         const Box3<Vec3> box = box_of(tree.shape);
         const double width = std::max(1.5, 0.8 * (box.max.y - box.min.y));
-        const WildPlot* plot = plot_at(side, s);
+        const StreetPlot* plot = plot_at(side, s);
         const bool planted = rng.uniform() < share;
         if (planted && plot && plot->use != PlotUse::cross)
           set(tree, s, side * (street_.half_road + between(rng, 0.6, 1.2)), between(rng, -180, 180), rng);

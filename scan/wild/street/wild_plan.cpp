@@ -23,9 +23,9 @@ void add_profile(WildStreet& street, Draws& draws) {
   street.profile.push_back({s, z});
 }
 
-WildPlot plot_of(Draws& draws, const WildStreet& street, std::uint32_t id, int side, double s0, double s1,
-                 PlotUse use) {
-  WildPlot plot{id, use, side, s0, s1};
+StreetPlot plot_of(Draws& draws, const WildStreet& street, std::uint32_t id, int side, double s0, double s1,
+                   PlotUse use) {
+  StreetPlot plot{id, use, side, s0, s1};
   const bool detached = street.layout == "detached";
   plot.setback = detached ? draws.number("street.front_garden", id) : draws.number("street.setback", id);
   plot.depth = draws.number("street.house_depth", id);
@@ -90,7 +90,7 @@ void add_patch(WildStreet& street, GroundPatch::Kind kind, int side, double s0, 
   street.patches.push_back(patch);
 }
 
-void add_plot_ground(WildStreet& street, const WildPlot& plot, double cross_slope) {
+void add_plot_ground(WildStreet& street, const StreetPlot& plot, double cross_slope) {
   using Kind = GroundPatch::Kind;
   const double edge = -street.camber * street.half_road, outer = street.half_street();
   const double top = edge + street.kerb + 0.02 * street.pavement;
@@ -126,7 +126,7 @@ void add_ground(WildStreet& street, Draws& draws) {
   for (const int side : {1, -1})
     add_patch(street, GroundPatch::Kind::road, side, from, to, 0, street.half_road, 0, -street.camber,
               Material::asphalt);
-  for (const WildPlot& plot : street.plots) add_plot_ground(street, plot, cross_slope);
+  for (const StreetPlot& plot : street.plots) add_plot_ground(street, plot, cross_slope);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ constexpr double kTile = 20;              // metres
 constexpr double kRunUp = 4;              // metres that a vehicle drives beyond both ends
 
 // Returns two directions across another one.
-void set_across(WildPulse& pulse) {
+void set_across(StreetPulse& pulse) {
   const Vec3 d = pulse.ray.direction;
   const Vec3 helper = std::abs(d.z) < 0.9 ? Vec3{0, 0, 1} : Vec3{1, 0, 0};
   const Vec3 right = cross(d, helper);
@@ -55,7 +55,7 @@ std::vector<Rect> tiles_of(const WildStreetScan& scan) {
 
 }  // namespace
 
-struct WildPulses::State {
+struct StreetPulses::State {
   const WildStreetScan& scan;
   // vehicle
   double profiles = 10, step_deg = 0.4;
@@ -96,7 +96,7 @@ struct WildPulses::State {
   }
 
   // One turn of one head; the second pass drives on the other lane.
-  void visit_turn(int pass, int head, std::uint64_t turn, const std::function<void(WildPulse&)>& visit) const {
+  void visit_turn(int pass, int head, std::uint64_t turn, const std::function<void(StreetPulse&)>& visit) const {
     const WildStreetScanner& c = scan.scanner;
     const SinCos turned = sin_cos_deg((head == 0 ? 1 : -1) * c.turned_deg);
     const double lane = pass == 0 ? c.lane : -c.lane;
@@ -106,7 +106,7 @@ struct WildPulses::State {
       const double at = static_cast<double>(turn) + angle_deg / 360 + 0.5 + 0.5 * head;
       const double s = at / profiles - kRunUp;
       const SinCos angle = sin_cos_deg(angle_deg);
-      WildPulse pulse;
+      StreetPulse pulse;
       pulse.ray = {{s, lane, scan.street.profile_height(s) - scan.street.camber * std::abs(lane) + c.height},
                    {angle.sin * turned.sin, angle.sin * turned.cos, angle.cos}};
       set_across(pulse);
@@ -122,7 +122,7 @@ struct WildPulses::State {
     }
   }
 
-  void visit_column(std::size_t station, std::uint64_t column, const std::function<void(WildPulse&)>& visit) const {
+  void visit_column(std::size_t station, std::uint64_t column, const std::function<void(StreetPulse&)>& visit) const {
     const double share = static_cast<double>(column) / static_cast<double>(columns);
     const SinCos azimuth = sin_cos_deg(360 * share - 180);
     Rng error(mix64(scan.seed ^ 0x73746174ull), station);
@@ -131,7 +131,7 @@ struct WildPulses::State {
     for (std::uint64_t row = 0; row < rows; ++row) {
       const double angle_deg = kLow + static_cast<double>(row) * station_step_deg;
       const SinCos up = sin_cos_deg(angle_deg);
-      WildPulse pulse;
+      StreetPulse pulse;
       pulse.ray = {scan.scanner.stations[station], {up.cos * azimuth.cos, up.cos * azimuth.sin, up.sin}};
       set_across(pulse);
       pulse.time = scan.scanner.sweep * share;
@@ -143,9 +143,9 @@ struct WildPulses::State {
     }
   }
 
-  void visit_tile(const Rect& tile, const std::function<void(WildPulse&)>& visit) const {
+  void visit_tile(const Rect& tile, const std::function<void(StreetPulse&)>& visit) const {
     flight->for_each_pulse(tile, [&](const Pulse& from) {
-      WildPulse pulse;
+      StreetPulse pulse;
       pulse.ray = {scan.street.to_street(from.ray.origin), scan.street.turned_to_street(from.ray.direction)};
       set_across(pulse);
       pulse.time = pulse.gps_time = from.gps_time;
@@ -160,17 +160,17 @@ struct WildPulses::State {
   }
 };
 
-WildPulses::WildPulses(const WildStreetScan& scan) : state_(std::make_unique<State>(scan)) {}
-WildPulses::~WildPulses() = default;
+StreetPulses::StreetPulses(const WildStreetScan& scan) : state_(std::make_unique<State>(scan)) {}
+StreetPulses::~StreetPulses() = default;
 
-std::size_t WildPulses::grains() const {
+std::size_t StreetPulses::grains() const {
   const WildStreetScanner& c = state_->scan.scanner;
   if (c.platform == Platform::air) return state_->tiles.size();
   if (c.platform == Platform::tripod) return c.stations.size() * state_->grains_of_station;
   return static_cast<std::size_t>(c.heads * c.passes) * state_->grains_of_head;
 }
 
-void WildPulses::visit(std::size_t grain, const std::function<void(WildPulse&)>& visit) const {
+void StreetPulses::visit(std::size_t grain, const std::function<void(StreetPulse&)>& visit) const {
   const WildStreetScanner& c = state_->scan.scanner;
   if (c.platform == Platform::air) {
     state_->visit_tile(state_->tiles[grain], visit);

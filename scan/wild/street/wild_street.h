@@ -34,7 +34,7 @@ struct GroundPatch {
 enum class PlotUse : std::uint8_t { house, gap, cross, square };
 
 // A piece of one side of the street, from its pavement to the end of its yard.
-struct WildPlot {
+struct StreetPlot {
   std::uint32_t id = 0;
   PlotUse use = PlotUse::house;
   int side = 1;
@@ -50,7 +50,7 @@ struct WildStreet {
   std::string_view layout;
   Platform platform = Platform::vehicle;
   std::vector<ProfileKnot> profile;
-  std::vector<WildPlot> plots;
+  std::vector<StreetPlot> plots;
   std::vector<GroundPatch> patches;  // where several lie over a position, the last counts
 
   double half_street() const { return half_road + pavement; }
@@ -117,7 +117,7 @@ WildStreetModel build_wild_street(const WildStreet& street, const std::vector<Wi
 
 // The pieces of build_wild_street.
 void add_wild_ground(WildStreetModel& model, const WildStreet& street);
-void add_wild_house(WildStreetModel& model, const WildStreet& street, const WildPlot& plot, Draws& draws);
+void add_wild_house(WildStreetModel& model, const WildStreet& street, const StreetPlot& plot, Draws& draws);
 void add_court_ends(WildStreetModel& model, const WildStreet& street, Draws& draws);
 
 }  // namespace ilot::scan

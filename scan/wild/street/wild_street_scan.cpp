@@ -109,7 +109,7 @@ class Recorder {
  public:
   explicit Recorder(const WildStreetScan& scan) : scan_(scan), layout_(coloured_layout(kGrid)) {}
 
-  void add(WildPulse& pulse, const std::vector<WildEcho>& echoes, std::vector<std::byte>& records) const {
+  void add(StreetPulse& pulse, const std::vector<WildEcho>& echoes, std::vector<std::byte>& records) const {
     for (std::size_t i = 0; i < echoes.size(); ++i) {
       WildEcho echo = echoes[i];
       const double noise = scan_.scanner.beam.noise * gaussian(pulse.rng);
@@ -135,7 +135,7 @@ class Recorder {
     return !c.cut || p.z < scan_.street.profile_height(p.x) + *c.cut;
   }
 
-  ColouredPoint point_of(const WildEcho& echo, WildPulse& pulse, Vec3 surface) const {
+  ColouredPoint point_of(const WildEcho& echo, StreetPulse& pulse, Vec3 surface) const {
     const WildStreetScanner& c = scan_.scanner;
     ColouredPoint point;
     point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(echo.label.material));
@@ -236,7 +236,7 @@ void fit_wild_points(WildStreetScan& scan, std::uint64_t points, bool exactly) {
 
 void scan_wild_street(const WildStreetScan& scan, const std::function<void(std::span<const std::byte>)>& take) {
   const WildOptics optics(scan.model, scan.scanner.beam, motions_of(scan), anchor_of(scan), scan.seed);
-  const WildPulses pulses(scan);
+  const StreetPulses pulses(scan);
   const Recorder recorder(scan);
   for (std::size_t first = 0; first < pulses.grains(); first += kGrainsAtOnce) {
     if (stop_requested()) throw Error("interrupted: nothing was written", ExitCode::interrupted);
@@ -244,7 +244,7 @@ void scan_wild_street(const WildStreetScan& scan, const std::function<void(std::
     parallel_for(batch.size(), [&](std::size_t i) {
       WildTracer tracer(optics);
       std::vector<WildEcho> echoes;
-      pulses.visit(first + i, [&](WildPulse& pulse) {
+      pulses.visit(first + i, [&](StreetPulse& pulse) {
         tracer.trace(pulse, echoes);
         recorder.add(pulse, echoes, batch[i]);
       });

@@ -57,12 +57,12 @@ void fit_wild_points(WildStreetScan& scan, std::uint64_t points, bool exactly);
 std::vector<WildMotion> motions_of(const WildStreetScan& scan);
 
 // The pulses in grains of bounded size that can be made in any order.
-class WildPulses {
+class StreetPulses {
  public:
-  explicit WildPulses(const WildStreetScan& scan);
-  ~WildPulses();
+  explicit StreetPulses(const WildStreetScan& scan);
+  ~StreetPulses();
   std::size_t grains() const;
-  void visit(std::size_t grain, const std::function<void(WildPulse&)>& visit) const;
+  void visit(std::size_t grain, const std::function<void(StreetPulse&)>& visit) const;
 
  private:
   struct State;

@@ -97,7 +97,7 @@ bool WildTracer::is_lost(const Met& met, Vec3 place, double chance) const {
 }
 
 // Returns the echo of a solid; the pulse may pass up to four panes before it. `chance` is one number for the pulse.
-std::optional<WildTracer::Met> WildTracer::solid_echo(const Ray& ray, double chance, const WildPulse& pulse) const {
+std::optional<WildTracer::Met> WildTracer::solid_echo(const Ray& ray, double chance, const StreetPulse& pulse) const {
   double from = optics_.beam_.nearest;
   for (int pane = 0; pane < 4; ++pane) {
     const auto met = nearest(ray, from, pulse.time, pulse.visit);
@@ -145,7 +145,7 @@ double WildTracer::leaf_chance(const LeafBall& ball, Vec3 place) const {
   return 6 * ball.density * kLeafStep * std::max(0.0, clump) * std::min(1.0, 1.8 * (1 - out));
 }
 
-void WildTracer::add_leaves(WildPulse& pulse, double farthest, std::vector<WildEcho>& echoes) {
+void WildTracer::add_leaves(StreetPulse& pulse, double farthest, std::vector<WildEcho>& echoes) {
   optics_.leaves_.cast(pulse.ray, crossed_);
   std::sort(crossed_.crowns.begin(), crossed_.crowns.end(), [](const CrownHit& a, const CrownHit& b) {
     return a.chord.enter != b.chord.enter ? a.chord.enter < b.chord.enter : a.crown < b.crown;
@@ -166,7 +166,7 @@ void WildTracer::add_leaves(WildPulse& pulse, double farthest, std::vector<WildE
   }
 }
 
-void WildTracer::trace(WildPulse& pulse, std::vector<WildEcho>& echoes) {
+void WildTracer::trace(StreetPulse& pulse, std::vector<WildEcho>& echoes) {
   echoes.clear();
   const WildBeam& beam = optics_.beam_;
   optics_.parts_.candidates(pulse.ray, candidates_);

@@ -23,7 +23,7 @@ struct WildBeam {
   double bow = 0.01;             // metres, of walls
 };
 
-struct WildPulse {
+struct StreetPulse {
   Ray ray;                   // street coordinates
   Vec3 right, up;            // across the ray
   double time = 0;           // seconds
@@ -79,7 +79,7 @@ class WildTracer {
   explicit WildTracer(const WildOptics& optics) : optics_(optics) {}
 
   // Finds the echoes of a pulse, nearest first, at most five.
-  void trace(WildPulse& pulse, std::vector<WildEcho>& echoes);
+  void trace(StreetPulse& pulse, std::vector<WildEcho>& echoes);
 
   // Returns the element of the first solid that a ray meets within its range; 0 = none. Panes count as solid.
   std::uint32_t element_met(const Ray& ray, double time, std::uint16_t visit);
@@ -90,11 +90,11 @@ class WildTracer {
     SurfaceId surface = 0;
   };
   std::optional<Met> nearest(const Ray& ray, double from, double time, std::uint16_t visit) const;
-  std::optional<Met> solid_echo(const Ray& ray, double chance, const WildPulse& pulse) const;
+  std::optional<Met> solid_echo(const Ray& ray, double chance, const StreetPulse& pulse) const;
   bool is_lost(const Met& met, Vec3 place, double chance) const;
   double relief(const SurfaceLabel& label, Vec3 place, double cosine) const;
   double leaf_chance(const LeafBall& ball, Vec3 place) const;
-  void add_leaves(WildPulse& pulse, double farthest, std::vector<WildEcho>& echoes);
+  void add_leaves(StreetPulse& pulse, double farthest, std::vector<WildEcho>& echoes);
   WildEcho echo_of(const Met& met, const Ray& ray) const;
 
   const WildOptics& optics_;
