@@ -58,15 +58,18 @@ Transmission BeamTracer::way_of(Material material) const {
   return material == Material::glass ? beam_.glass : transmission(material);
 }
 
-void BeamTracer::follow_mirror(const Ray& ray, const PartHit& mirror, double weight, SurfaceId pane) {
-  const Vec3 place = point_at(ray, mirror.t);
-  const Ray way{place, unit(ray.direction - 2 * dot(ray.direction, mirror.normal) * mirror.normal)};
+// The scanner sees what a mirror shows as if it were behind the mirror, at the length of the whole way. Mirrors in a
+// mirror show nothing.
+void BeamTracer::follow_mirror(const Ray& ray, const PartHit& mirror, double weight, const MirrorImage& image) {
+  const Ray way{point_at(ray, mirror.t), unit(ray.direction - 2 * dot(ray.direction, mirror.normal) * mirror.normal)};
   scene_.candidates(way, mirrored_);
   const auto hit = scene_.nearest(way, mirrored_, kBehind);
   if (!hit || mirror.t + hit->t > beam_.farthest) return;
+  const Material material = model_.surfaces[hit->surface].material;
+  if (transmission(material).lost > 0.5) return;
   const double cosine = -dot(hit->normal, way.direction);
-  const double share = reflectance(model_.surfaces[hit->surface].material);
-  touches_.push_back({mirror.t + hit->t, weight * share * cosine, hit->surface, pane});
+  touches_.push_back({mirror.t + hit->t, weight * reflectance(material) * cosine, image.surface.value_or(hit->surface),
+                      cosine, image.pane});
 }
 
 // `chance` is one number in [0, 1) for the whole pulse, so a pane has the same effect on the whole footprint.
@@ -78,7 +81,10 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     if (!hit || hit->t > beam_.farthest) return;
     if (!first_) first_ = hit->surface;
     const Material material = model_.surfaces[hit->surface].material;
-    if (material == Material::mirror_glass) return touch_mirrored(ray, *hit, weight);
+    if (material == Material::mirror_glass) {
+      if (beam_.mirrored) follow_mirror(ray, *hit, weight, {beam_.mirrored, {}});
+      return;
+    }
     const Transmission way = way_of(material);
     if (chance < way.lost) return;
     if (chance >= way.lost + way.through + way.mirrored) {
@@ -88,25 +94,13 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     }
     if (!behind) behind = hit->surface;
     if (chance >= way.lost + way.through) {
-      follow_mirror(ray, *hit, weight, *behind);
+      follow_mirror(ray, *hit, weight, {{}, behind});
       return;
     }
     from = hit->t + kBehind;
     weight *= 0.7;
     chance = (chance - way.lost) / way.through;  // makes it uniform again
   }
-}
-
-// The scanner sees what a mirror shows as if it were behind the mirror, at the length of the whole way.
-void BeamTracer::touch_mirrored(const Ray& ray, const PartHit& mirror, double weight) {
-  if (!beam_.mirrored) return;
-  const Vec3 away = ray.direction - (2 * dot(ray.direction, mirror.normal)) * mirror.normal;
-  const auto hit = scene_.cast({point_at(ray, mirror.t), unit(away)}, kBehind);
-  if (!hit || mirror.t + hit->t > kMaxRange) return;
-  const Material material = model_.surfaces[hit->surface].material;
-  if (transmission(material).lost > 0.5) return;
-  const double cosine = -dot(hit->normal, unit(away));
-  touches_.push_back({mirror.t + hit->t, weight * reflectance(material) * cosine, *beam_.mirrored, cosine});
 }
 
 bool BeamTracer::one_plane(SurfaceId a, SurfaceId b) const {

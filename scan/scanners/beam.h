@@ -70,11 +70,14 @@ class BeamTracer {
     double cosine;
     std::optional<SurfaceId> pane;
   };
+  // What an echo by way of a mirror says: the surface it counts for, if not the one that it met, and the pane.
+  struct MirrorImage {
+    std::optional<SurfaceId> surface, pane;
+  };
   Transmission way_of(Material material) const;
-  void follow_mirror(const Ray& ray, const PartHit& mirror, double weight, SurfaceId pane);
+  void follow_mirror(const Ray& ray, const PartHit& mirror, double weight, const MirrorImage& image);
   bool one_plane(SurfaceId a, SurfaceId b) const;
   void touch(const Ray& ray, double weight, double chance);
-  void touch_mirrored(const Ray& ray, const PartHit& mirror, double weight);
   void gather(std::vector<Echo>& echoes) const;
 
   const SceneModel& model_;
