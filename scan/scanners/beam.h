@@ -30,6 +30,7 @@ struct BeamParams {
   double separation = 0.3;         // metres: closer echoes reach the receiver as one
   double farthest = kMaxRange;     // metres
   Transmission glass = transmission(Material::glass);
+  double room = 0;  // metres: mean depth of rooms behind panes that a model does not have; 0 = no rooms
 };
 
 // Radius of the footprint in metres.
@@ -38,11 +39,13 @@ inline double footprint_radius(const BeamParams& beam, double range) {
 }
 
 struct Echo {
-  double range = 0;               // metres, with mixing, without noise
-  double energy = 0;              // received: share of the light times reflectance times cosine of incidence
-  SurfaceId surface = 0;          // the surface that gave most of the energy; pieces of one plane count as one
-  double surface_range = 0;       // range of that surface; differs from range where the footprint mixes two surfaces
-  std::optional<SurfaceId> pane;  // the first surface that the pulse went through or that mirrored it
+  double range = 0;          // metres, with mixing, without noise
+  double energy = 0;         // received: share of the light times reflectance times cosine of incidence
+  SurfaceId surface = 0;     // the surface that gave most of the energy; pieces of one plane count as one
+  double surface_range = 0;  // range of that surface; differs from range where the footprint mixes two surfaces
+  // The first surface that the pulse went through or that mirrored it. An echo from the back of a room that is not in
+  // the model has this surface too.
+  std::optional<SurfaceId> pane;
 };
 
 // Follows pulses through one scene. It keeps its own memory, so each thread needs one.
@@ -67,6 +70,7 @@ class BeamTracer {
     std::optional<SurfaceId> pane;
   };
   Transmission way_of(Material material) const;
+  double room_depth(SurfaceId pane) const;
   void follow_mirror(const Ray& ray, const PartHit& mirror, double weight, SurfaceId pane);
   bool one_plane(SurfaceId a, SurfaceId b) const;
   void touch(const Ray& ray, double weight, double chance);
