@@ -126,17 +126,13 @@ class Source:
         return self.cloud(name, True, use, np.column_stack([table, np.ones((len(table), 2))]), None)
 
 
-def built(table):
-    return np.isin(table[:, 5], (2, 6))
-
-
-def below(height):
-    """Keeps what is at most `height` above the lowest hundredth of the points, as the real street is cut."""
-    return lambda table: table[:, 2] < np.quantile(table[:, 2], 0.01) + height
-
-
-def strip(metres):
-    return lambda table: (table[:, 0] < table[:, 0].min() + metres) & below(3.2)(table)
+def square(metres, height):
+    """Keeps a square around the middle of the points, cut at a height as the real street is."""
+    def keep(table):
+        off = np.abs(table[:, :2] - np.median(table[:, :2], axis=0)).max(1)
+        inside = off < metres / 2
+        return inside & (table[:, 2] < np.quantile(table[inside, 2], 0.01) + height)
+    return keep
 
 
 def clouds_of(group, source):
@@ -150,14 +146,14 @@ def clouds_of(group, source):
                 source.ours("model 4018215, flight", "learn", ["--model", lod3 / "4018215.city.json", "--flight"]),
                 source.ours("street-air seed 2", "judge", ["street-air", "--seed", 2, *air])]
     if group == "vehicle":
-        drive = ["--set", "scene.blocks=1", "--points", 1500000]
+        drive = ["--set", "scene.blocks=1", "--points", 1200000]
         half = lambda side: lambda table: (table[:, 0] < np.median(table[:, 0])) == side
         return [source.real("amsterdam sidewalk, west", "learn", "amsterdam/run2_sidewalk_2386_9702.laz", half(True)),
                 source.real("amsterdam sidewalk, east", "judge", "amsterdam/run2_sidewalk_2386_9702.laz", half(False)),
-                source.ours("street seed 1", "learn", ["street", "--seed", 1, *drive], strip(40)),
+                source.ours("street seed 1", "learn", ["street", "--seed", 1, *drive], square(30, 3)),
                 source.ours("model 4018215, vehicle", "learn", ["--model", lod3 / "4018215.city.json", "--vehicle", "--points", 800000],
-                            below(5)),
-                source.ours("street seed 2", "judge", ["street", "--seed", 2, *drive], strip(40))]
+                            square(60, 3)),
+                source.ours("street seed 2", "judge", ["street", "--seed", 2, *drive], square(30, 3))]
     if group == "tripod":
         tripod = ["--points", 120000]
         return [source.real("small source", "learn", "small/source.ply", origin=[0, 0, 0]),
