@@ -13,7 +13,7 @@
 namespace ilot::scan {
 namespace {
 
-constexpr auto kOptions = with_beam_options(std::array<SceneOption, 21>{{
+constexpr auto kOptions = with_beam_options(std::array<SceneOption, 23>{{
     {"scene.step", 0.04, "deg", 0.001, 1, "angular step of stations, horizontal and vertical; --points scales it"},
     {"scene.distance", 0, "m", 0, 200, "of automatic stations and paths from the building; 0 = by its height, 5 to 20"},
     {"scene.station_height", 1.8, "m", 0.2, 30, "of automatic stations above the ground"},
@@ -33,6 +33,8 @@ constexpr auto kOptions = with_beam_options(std::array<SceneOption, 21>{{
     {"scene.glass_nothing", 0.66, "share", 0, 1, "of the pulses on panes that give no echo"},
     {"scene.glass_through", 0.13, "share", 0, 1, "of the pulses on panes that go on to what is behind"},
     {"scene.glass_mirrored", 0, "share", 0, 1, "of the pulses on panes that give a mirror image behind the pane"},
+    {"scene.room", 4, "m", 0, 50, "mean depth of the rooms behind panes; 0 = pulses go on to the model's other walls"},
+    {"scene.intensity_noise", 0.15, "share", 0, 1, "standard deviation of the intensity of each echo"},
     {"scene.closures", 0, "0 or 1", 0, 1, "1 = closure surfaces of CityJSON are walls, 0 = nothing is built there"},
     {"scene.grid", 0.0001, "m", 0.00001, 0.01, "step of the coordinates"},
 }});
@@ -50,6 +52,7 @@ BeamParams beam_of(const SceneValues& values) {
   beam.farthest = values.get("scene.range");
   beam.glass = {values.get("scene.glass_nothing"), values.get("scene.glass_through"),
                 values.get("scene.glass_mirrored")};
+  beam.room = values.get("scene.room");
   if (beam.glass.lost + beam.glass.through + beam.glass.mirrored > 1 + 1e-12)
     throw Error("--set scene.glass_nothing, glass_through and glass_mirrored: their sum is above 1", ExitCode::usage);
   return beam;
@@ -166,6 +169,7 @@ ModelScan plan_model_scan(const ModelInput& input, const ModelScanners& scanners
   scan.seed = seed;
   scan.registration = values.get("scene.registration");
   scan.grid = values.get("scene.grid");
+  scan.intensity_noise = values.get("scene.intensity_noise");
   scan.station_beam = {beam_of(values), kStationRange, {}};
   scan.vehicle_beam = {beam_of(values), kVehicleRange, {}};
   scan.vehicle_beam.beam.range_noise = values.get("scene.vehicle_noise");

@@ -100,6 +100,7 @@ class ModelScanner {
     if (!echo.pane) return label;
     label.true_class = static_cast<std::uint8_t>(FaceClass::other);
     label.plane = 0;
+    if (echo.surface == *echo.pane) label.material = Material::interior;  // the back of a room
     label.element = scan_.stage.scene.surfaces[*echo.pane].element;
     return label;
   }
@@ -124,6 +125,8 @@ class ModelScanner {
     ColouredPoint point =
         echo_point(echoes, i, label, ray, beam.full_range, std::max(beam.beam.range_noise, scan_.grid));
     point.place = point_at(ray, echoes[i].range + beam.beam.range_noise * gaussian(pulse.rng)) + beam.shift;
+    const double noise = std::max(0.0, 1 + scan_.intensity_noise * gaussian(pulse.rng));
+    point.intensity = static_cast<std::uint16_t>(std::min(65535.0, noise * point.intensity));
     point.classification = las_class(static_cast<FaceClass>(label.true_class));
     point.source = pulse.source;
     point.gps_time = pulse.time;

@@ -33,8 +33,9 @@ struct ModelScan {
   std::optional<VehicleParams> vehicle;
   std::optional<FlightParams> flight;
   ScannerBeam station_beam, vehicle_beam, flight_beam;
-  double registration = 0;  // metres: standard deviation of each station's position, per axis
-  double grid = 0.0001;     // metres per coordinate unit
+  double registration = 0;     // metres: standard deviation of each station's position, per axis
+  double grid = 0.0001;        // metres per coordinate unit
+  double intensity_noise = 0;  // standard deviation, as a share of the intensity
   std::uint64_t seed = 0;
   std::vector<std::string> notes;  // what was assumed and where scanners stand, for people
 };

@@ -29,6 +29,11 @@ constexpr std::array<Spot, 7> kFootprint{{{0, 0, 0.25},
                                           {-kHalf, -kHeight, 0.125},
                                           {kHalf, -kHeight, 0.125}}};
 
+double cosine_of(const PartHit& hit, const Ray& ray) {
+  constexpr double kGrazing = 0.05;  // rays along a pane do not run through rooms for ever
+  return std::max(kGrazing, -dot(hit.normal, ray.direction));
+}
+
 Vec3 unit(Vec3 v) {
   return (1 / norm(v)) * v;
 }
@@ -54,6 +59,12 @@ Transmission transmission(Material material) {
   }
 }
 
+// Rooms are from half to one and a half times as deep as the mean, the same for all of a window's panes.
+double BeamTracer::room_depth(SurfaceId pane) const {
+  const std::uint64_t key = model_.surfaces[pane].element ? model_.surfaces[pane].element : pane;
+  return beam_.room * (0.5 + Rng(0x726f6f6dull, key).uniform());
+}
+
 Transmission BeamTracer::way_of(Material material) const {
   return material == Material::glass ? beam_.glass : transmission(material);
 }
@@ -76,8 +87,13 @@ void BeamTracer::follow_mirror(const Ray& ray, const PartHit& mirror, double wei
 void BeamTracer::touch(const Ray& ray, double weight, double chance) {
   double from = 0;
   std::optional<SurfaceId> behind;
+  double room_end = beam_.farthest;
   for (int pane = 0; pane < 4; ++pane) {
     const auto hit = scene_.nearest(ray, candidates_, from);
+    if (behind && room_end < beam_.farthest && (!hit || hit->t > room_end)) {
+      touches_.push_back({room_end, weight * reflectance(Material::interior), *behind, 1, behind});
+      return;
+    }
     if (!hit || hit->t > beam_.farthest) return;
     if (!first_) first_ = hit->surface;
     const Material material = model_.surfaces[hit->surface].material;
@@ -98,6 +114,7 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
       return;
     }
     from = hit->t + kBehind;
+    if (beam_.room > 0 && *behind == hit->surface) room_end = hit->t + room_depth(hit->surface) / cosine_of(*hit, ray);
     weight *= 0.7;
     chance = (chance - way.lost) / way.through;  // makes it uniform again
   }

@@ -30,6 +30,7 @@ struct BeamParams {
   double separation = 0.3;         // metres: closer echoes reach the receiver as one
   double farthest = kMaxRange;     // metres
   Transmission glass = transmission(Material::glass);
+  double room = 0;  // metres: mean depth of rooms behind panes that a model does not have; 0 = no rooms
   // The surface of echoes that came by way of a mirror. Without it, mirrors give no echo.
   std::optional<SurfaceId> mirrored = std::nullopt;
 };
@@ -40,12 +41,14 @@ inline double footprint_radius(const BeamParams& beam, double range) {
 }
 
 struct Echo {
-  double range = 0;               // metres, with mixing, without noise
-  double energy = 0;              // received: share of the light times reflectance times cosine of incidence
-  SurfaceId surface = 0;          // the surface that gave most of the energy; pieces of one plane count as one
-  double surface_range = 0;       // range of that surface; differs from range where the footprint mixes two surfaces
-  double cosine = 1;              // of the incidence on that surface
-  std::optional<SurfaceId> pane;  // the first surface that the pulse went through or that mirrored it
+  double range = 0;          // metres, with mixing, without noise
+  double energy = 0;         // received: share of the light times reflectance times cosine of incidence
+  SurfaceId surface = 0;     // the surface that gave most of the energy; pieces of one plane count as one
+  double surface_range = 0;  // range of that surface; differs from range where the footprint mixes two surfaces
+  double cosine = 1;         // of the incidence on that surface
+  // The first surface that the pulse went through or that mirrored it. An echo from the back of a room that is not in
+  // the model has this surface too.
+  std::optional<SurfaceId> pane;
 };
 
 // Follows pulses through one scene. It keeps its own memory, so each thread needs one.
@@ -75,6 +78,7 @@ class BeamTracer {
     std::optional<SurfaceId> surface, pane;
   };
   Transmission way_of(Material material) const;
+  double room_depth(SurfaceId pane) const;
   void follow_mirror(const Ray& ray, const PartHit& mirror, double weight, const MirrorImage& image);
   bool one_plane(SurfaceId a, SurfaceId b) const;
   void touch(const Ray& ray, double weight, double chance);

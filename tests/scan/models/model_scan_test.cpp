@@ -105,7 +105,7 @@ TEST(ModelScan, StationsStandBeforeTheWindowsByDefault) {
 TEST(ModelScan, PanesGiveWhatIsAsked) {
   const auto with = [](double nothing, double through, double mirrored) {
     return scanned({{fmt::format("glass_nothing={}", nothing), fmt::format("glass_through={}", through),
-                     fmt::format("glass_mirrored={}", mirrored), "diameter=0", "divergence=0"}},
+                     fmt::format("glass_mirrored={}", mirrored), "diameter=0", "divergence=0", "room=0"}},
                    40000);
   };
   const auto on_pane = [](const Scanned& s) {
@@ -138,7 +138,32 @@ TEST(ModelScan, PanesGiveWhatIsAsked) {
   };
   // Through the pane: inside of the walls, roof and floor. In the mirror: the ground before the wall, turned over it.
   behind(through, [](Vec3 p) { return p.y > 0.1 && p.y < 8.1 && p.x > -0.1 && p.x < 10.1 && p.z < 6.1; });
+  const Scanned room = scanned({{"glass_nothing=0", "glass_through=1", "room=4", "diameter=0", "divergence=0"}}, 40000);
+  std::set<long> depths;
+  behind(room, [&](Vec3 p) {
+    depths.insert(std::lround(100 * p.y));
+    return p.y > 0.1;
+  });
+  EXPECT_GE(*depths.rbegin(), 200);
+  EXPECT_LE(*depths.rbegin(), 612) << "half to one and a half times 4 m, behind the pane";
   behind(mirror, [](Vec3 p) { return p.y > 0.1 && std::abs(p.z) < 0.05; });
+}
+
+TEST(ModelScan, IntensitiesScatterByTheirShare) {
+  const Scanned without = scanned({{"intensity_noise=0"}}, 20000), with = scanned({{"intensity_noise=0.2"}}, 20000);
+  ASSERT_EQ(without.points(), with.points());
+  double sum = 0, squares = 0;
+  std::size_t n = 0;
+  for (std::size_t i = 0; i < with.points(); ++i) {
+    const double a = without.fields(i).intensity, b = with.fields(i).intensity;
+    if (a < 1000 || a > 30000) continue;  // neither rounded nor at the end of the scale
+    sum += b / a;
+    squares += (b / a - 1) * (b / a - 1);
+    ++n;
+  }
+  ASSERT_GT(n, 1000u);
+  EXPECT_NEAR(sum / static_cast<double>(n), 1, 0.02);
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(n)), 0.2, 0.02);
 }
 
 TEST(ModelScan, SharesOfPanesAboveOneAreRefused) {
