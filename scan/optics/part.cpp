@@ -158,12 +158,26 @@ SheetPlace in_the_joint(const Ray& ray, const Sheet& sheet, double rate, double 
   return sheet_place(ray, sheet, rate, reach, open);
 }
 
+// Returns false where the ray meets the panel's plane so far outside the ring that the form cannot bring it back.
+bool may_meet(const Ray& ray, const Sheet& sheet, double rate, double reach) {
+  const Vec3 offset = point_at(ray, reach / rate) - sheet.panel.origin;
+  const FlatPoint p{dot(sheet.panel.u, offset), dot(sheet.panel.v, offset)};
+  const double slack = (sheet.form.most() + sheet.relief.most()) / std::abs(rate) + kOverlap;
+  FlatPoint low = sheet.panel.ring[0], high = low;
+  for (FlatPoint q : sheet.panel.ring) {
+    low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+    high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+  }
+  return p.x > low.x - slack && p.x < high.x + slack && p.y > low.y - slack && p.y < high.y + slack;
+}
+
 std::optional<PartHit> meet_sheet(const Ray& ray, const Sheet& sheet, double from) {
   const Panel& panel = sheet.panel;
   const Vec3 normal = cross(panel.u, panel.v);
   const double rate = dot(normal, ray.direction);
   if (rate == 0) return std::nullopt;
   const double reach = dot(normal, panel.origin - ray.origin);
+  if (!may_meet(ray, sheet, rate, reach)) return std::nullopt;
   SheetPlace at = sheet_place(ray, sheet, rate, reach, 0);
   SurfaceId surface = panel.surface;
   if (in_joint(sheet.relief, sheet.x + at.p.x, sheet.z + at.p.y)) {

@@ -173,15 +173,16 @@ void add_fittings(FacadeBuilder& facade, Draws& draws, const WildFront& front) {
   add_scaffold(facade, draws, front);
 }
 
-void add_leaves(FacadeBuilder& facade, const Block& box, double per_m3, double size, const Finish& finish, Rng& rng) {
+void add_leaves(FacadeBuilder& facade, const Block& box, Tuft shape, const Leaves& of, const Finish& finish, Rng& rng) {
   const double volume = (box.x1 - box.x0) * (box.out1 - box.out0) * (box.z1 - box.z0);
-  const auto leaves = static_cast<std::uint64_t>(std::clamp(per_m3 * volume, 8.0, 1500.0));
+  const auto leaves = static_cast<std::uint64_t>(std::clamp(of.per_m3 * volume, 8.0, 1500.0));
   const SurfaceId surface = facade.surface(finish);
   for (std::uint64_t i = 0; i < leaves; ++i) {
-    // Leaves are dense near the faces of the box: its inside is dark and bare.
     const double x = rng.uniform(), out = rng.uniform(), z = rng.uniform();
+    const double dx = 2 * x - 1, dout = 2 * out - 1, dz = 2 * z - 1;
+    if (shape == Tuft::round && dx * dx + dout * dout + dz * dz > 1) continue;
     const SinCos turn = sin_cos_deg(360 * rng.uniform() - 180), tilt = sin_cos_deg(160 * rng.uniform() - 80);
-    const double s = size * (0.5 + rng.uniform());
+    const double s = of.size * (0.5 + rng.uniform());
     Panel leaf{facade.frame().place(box.x0 + (box.x1 - box.x0) * x, box.out0 + (box.out1 - box.out0) * out,
                                     box.z0 + (box.z1 - box.z0) * z),
                {turn.cos, turn.sin, 0},
@@ -210,10 +211,13 @@ void add_climbing_plants(FacadeBuilder& facade, Draws& draws, const WildFront& f
       const double z = high * (k + 0.5) / kTufts,
                    spread = wide * (0.25 + 0.75 * z / high) * (0.6 + 0.4 * rng.uniform());
       const double left = x + (wide - spread) * rng.uniform();
-      add_leaves(facade,
-                 {left, left + spread, 0.01, thick * (0.5 + 0.5 * rng.uniform()), z - 0.6 * high / kTufts,
-                  z + 0.6 * high / kTufts},
-                 450, 0.06, green, rng);
+      const Block tuft{left,
+                       left + spread,
+                       0.01,
+                       thick * (0.5 + 0.5 * rng.uniform()),
+                       z - 0.6 * high / kTufts,
+                       z + 0.6 * high / kTufts};
+      add_leaves(facade, tuft, Tuft::round, {700, 0.06}, green, rng);
     }
   }
 }

@@ -88,8 +88,12 @@ void add_fittings(FacadeBuilder& facade, Draws& draws, const WildFront& front);
 void add_climbing_plants(FacadeBuilder& facade, Draws& draws, const WildFront& front);
 void add_roof(FacadeBuilder& facade, Draws& draws, const WildFront& front);
 
-// Adds leaves within a box of the facade's coordinates.
-void add_leaves(FacadeBuilder& facade, const Block& box, double per_m3, double size, const Finish& finish, Rng& rng);
+// Adds leaves within a box of the facade's coordinates, or within the ellipsoid that fits into it.
+enum class Tuft : std::uint8_t { square, round };
+struct Leaves {
+  double per_m3 = 300, size = 0.06;  // of the box; metres
+};
+void add_leaves(FacadeBuilder& facade, const Block& box, Tuft shape, const Leaves& of, const Finish& finish, Rng& rng);
 
 // Returns the distance between the windows of neighbouring bays.
 double bay_of(const WildFront& front);

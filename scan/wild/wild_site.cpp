@@ -100,17 +100,16 @@ class Things {
       const Block box{at.x - radius, at.x + radius, at.out - radius, at.out + radius, z + trunk, z + trunk + high};
       const std::uint32_t id = add_thing(builder_, "tree", box);
       builder_.post(at.x, at.out, z - 0.2, z + trunk + 0.5 * high, 0.06 + 0.14 * rng.uniform(),
-                    wild_finish(WildClass::vegetation, Material::wood, id, 40));
-      constexpr int kTufts = 10;
+                    wild_finish(WildClass::vegetation, Material::wood, id, 0xd2));
+      constexpr int kTufts = 14;
       for (int k = 0; k < kTufts; ++k) {
-        const double r = radius * (0.35 + 0.2 * rng.uniform());
+        const double r = radius * (0.4 + 0.25 * rng.uniform());
         const double x = at.x + (radius - r) * (2 * rng.uniform() - 1),
                      o = at.out + (radius - r) * (2 * rng.uniform() - 1);
         const double up = z + trunk + (high - r) * rng.uniform();
-        add_leaves(
-            builder_, {x - r, x + r, std::max(0.1, o - r), std::max(0.3, o + r), up, up + 1.4 * r}, 220, 0.08,
-            wild_finish(WildClass::vegetation, Material::foliage, id, static_cast<std::uint8_t>(20 + rng.below(60))),
-            rng);
+        const auto tone = static_cast<std::uint8_t>(16 * (6 + rng.below(6)) + rng.below(10));
+        add_leaves(builder_, {x - r, x + r, std::max(0.1, o - r), std::max(0.3, o + r), up, up + 1.5 * r}, Tuft::round,
+                   {420, 0.08}, wild_finish(WildClass::vegetation, Material::foliage, id, tone), rng);
       }
     }
   }
@@ -125,8 +124,9 @@ class Things {
                    high = draws_.number("hedge_height", index);
       if (!free({x + long_ / 2, out}, long_ / 2)) continue;
       const Block box{x, std::min(x + long_, site_.length + 2), out, out + thick, z, z + high};
-      const Finish green = wild_finish(WildClass::vegetation, Material::foliage, add_thing(builder_, "hedge", box), 30);
-      add_leaves(builder_, box, 700, 0.05, green, rng);
+      const Finish green =
+          wild_finish(WildClass::vegetation, Material::foliage, add_thing(builder_, "hedge", box), 0x94);
+      add_leaves(builder_, box, Tuft::square, {700, 0.05}, green, rng);
     }
   }
 
