@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kSample = 0.01;  // metres between samples of a ring
 
-struct Pair {
+struct OpeningPair {
   double iou = 0, distance = 0;
   std::size_t truth = 0, found = 0;
 };
@@ -28,12 +28,6 @@ std::optional<FlatFrame> frame_of_ring(const Ring3& ring, Vec3& normal) {
   return plane_frame(normal, ring[0]);
 }
 
-std::vector<FlatPoint> flattened(const Ring3& ring, const FlatFrame& frame) {
-  std::vector<FlatPoint> flat;
-  for (const Vec3& p : ring) flat.push_back(frame.flat(p));
-  return flat;
-}
-
 bool boxes_meet(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b) {
   const auto [ax0, ax1] = std::minmax_element(a.begin(), a.end(), [](auto p, auto q) { return p.x < q.x; });
   const auto [bx0, bx1] = std::minmax_element(b.begin(), b.end(), [](auto p, auto q) { return p.x < q.x; });
@@ -43,7 +37,7 @@ bool boxes_meet(const std::vector<FlatPoint>& a, const std::vector<FlatPoint>& b
 }
 
 void compare(const TrueOpening& truth, std::size_t number, const std::vector<const FacadeElement*>& found,
-             const OpeningMatching& params, std::vector<Pair>& pairs) {
+             const OpeningMatching& params, std::vector<OpeningPair>& pairs) {
   Vec3 normal;
   const std::optional<FlatFrame> frame = frame_of_ring(truth.ring, normal);
   if (!frame) return;
@@ -69,14 +63,14 @@ OpeningResult evaluate_openings(std::span<const TrueOpening> truth, std::span<co
   for (const Facade& facade : facades)
     for (const FacadeElement& e : facade.elements)
       if (e.opening && e.status != DrawnStatus::occluded) found.push_back(&e);
-  std::vector<Pair> pairs;
+  std::vector<OpeningPair> pairs;
   for (std::size_t t = 0; t < truth.size(); ++t) compare(truth[t], t, found, params, pairs);
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+  std::sort(pairs.begin(), pairs.end(), [](const OpeningPair& a, const OpeningPair& b) {
     return std::tie(b.iou, a.truth, a.found) < std::tie(a.iou, b.truth, b.found);
   });
   std::vector<char> truth_taken(truth.size()), found_taken(found.size());
   OpeningResult result{truth.size(), found.size(), 0, 0, 0, 0};
-  for (const Pair& pair : pairs) {
+  for (const OpeningPair& pair : pairs) {
     if (truth_taken[pair.truth] || found_taken[pair.found]) continue;
     truth_taken[pair.truth] = found_taken[pair.found] = 1;
     ++result.matched;
