@@ -90,15 +90,16 @@ std::vector<std::size_t> roots_of(std::span<const RoleSample> candidates) {
   return root;
 }
 
-struct Slope {
+struct LikelihoodSlope {
   double value = 0;  // minus the log likelihood, plus the penalty for the distance of the weights from 1 and 0
   Weights gradient{};
 };
 
-Slope slope_at(std::span<const RoleSample> candidates, const std::vector<std::size_t>& roots, const Weights& w) {
+LikelihoodSlope slope_at(std::span<const RoleSample> candidates, const std::vector<std::size_t>& roots,
+                         const Weights& w) {
   const Cuts any(candidates, w, false), allowed(candidates, w, true);
   const auto of_any = any.probabilities(), of_allowed = allowed.probabilities();
-  Slope out;
+  LikelihoodSlope out;
   for (std::size_t k = 0; k < kWeights; ++k) {
     out.gradient[k] = w[k] - kPlain[k];
     out.value += (w[k] - kPlain[k]) * (w[k] - kPlain[k]) / 2;
@@ -152,12 +153,12 @@ class InverseHessian {
 RoleWeights learn_role_weights(std::span<const RoleSample> candidates) {
   const std::vector<std::size_t> roots = roots_of(candidates);
   Weights w = kPlain;
-  Slope at = slope_at(candidates, roots, w);
+  LikelihoodSlope at = slope_at(candidates, roots, w);
   InverseHessian inverse;
   double step = 1 / std::max(1.0, std::sqrt(dot(at.gradient, at.gradient)));  // the first step is at most 1 long
   for (int round = 0; round < 100; ++round) {
     Weights direction = inverse.times(at.gradient), next;
-    Slope there;
+    LikelihoodSlope there;
     for (; step > 1e-9; step /= 2) {
       for (std::size_t k = 0; k < kWeights; ++k) next[k] = w[k] - step * direction[k];
       there = slope_at(candidates, roots, next);

@@ -16,7 +16,6 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kPadding = 16;
-constexpr std::size_t kBatch = 4096;  // queries that one thread asks at once
 
 struct Extent {
   Vec3 min, max;

@@ -11,6 +11,8 @@
 
 namespace ilot {
 
+constexpr std::size_t kBatch = 4096;  // queries that one thread asks at once
+
 // Steps along the longest side: sums of squares of two coordinates' difference stay below kMaxSquaredReach, and
 // coordinates below what moments_of() takes.
 constexpr double kLatticeSteps = 0x1p22;

@@ -17,7 +17,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kBatch = 4096;  // queries that one thread asks at once
 static_assert(kNoPoint == kNoNeighbour);
 
 void check_count(const NeighbourOptions& options, int least) {

@@ -17,19 +17,19 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kMostPixels = 0x1p31, kMostHeight = 0x1p30;
 
-void check(bool good, const char* sentence) {
+void check_raster(bool good, const char* sentence) {
   if (!good) throw Error(std::string("raster: ") + sentence, ExitCode::usage);
 }
 
 void check_size(const Raster& raster) {
-  check(raster.values.size() == std::size_t{raster.width} * raster.height, "values are not width x height");
-  check(static_cast<double>(raster.values.size()) < kMostPixels, "2^31 pixels or more");
+  check_raster(raster.values.size() == std::size_t{raster.width} * raster.height, "values are not width x height");
+  check_raster(static_cast<double>(raster.values.size()) < kMostPixels, "2^31 pixels or more");
 }
 
 // `missing` stands where there is no value.
 Image to_image(const Raster& raster, double resolution, Height missing) {
   check_size(raster);
-  check(resolution > 0, "resolution must be above 0");
+  check_raster(resolution > 0, "resolution must be above 0");
   Image image{raster.width, raster.height, std::vector<Height>(raster.values.size())};
   for (std::size_t i = 0; i < image.values.size(); ++i) {
     const double v = raster.values[i];
@@ -38,7 +38,7 @@ Image to_image(const Raster& raster, double resolution, Height missing) {
       continue;
     }
     const double whole = std::round(v / resolution);
-    check(std::abs(whole) < kMostHeight, "a value is beyond 2^30 resolutions");
+    check_raster(std::abs(whole) < kMostHeight, "a value is beyond 2^30 resolutions");
     image.values[i] = static_cast<Height>(whole);
   }
   return image;
@@ -54,19 +54,19 @@ Raster to_raster(const Image& image, const Raster& like, double resolution) {
 }
 
 void check_same_size(const Raster& a, const Raster& b) {
-  check(a.width == b.width && a.height == b.height, "the two have different sizes");
+  check_raster(a.width == b.width && a.height == b.height, "the two have different sizes");
 }
 
 }  // namespace
 
 Raster raster_of_points(const PointArrays& points, double pixel, PixelValue value) {
   static_cast<void>(lattice_step(points));  // sizes and coordinates
-  check(pixel > 0, "pixel must be above 0");
+  check_raster(pixel > 0, "pixel must be above 0");
   const auto [x_min, x_max] = std::minmax_element(points.x.begin(), points.x.end());
   const auto [y_min, y_max] = std::minmax_element(points.y.begin(), points.y.end());
   const double column0 = std::floor(*x_min / pixel), row0 = std::floor(*y_min / pixel);
   const double columns = std::floor(*x_max / pixel) - column0 + 1, rows = std::floor(*y_max / pixel) - row0 + 1;
-  check(columns * rows < kMostPixels, "2^31 pixels or more");
+  check_raster(columns * rows < kMostPixels, "2^31 pixels or more");
   Raster raster{
       column0 * pixel, row0 * pixel, pixel, static_cast<std::uint32_t>(columns), static_cast<std::uint32_t>(rows), {}};
   const bool counts = value == PixelValue::count;
@@ -88,7 +88,7 @@ Raster raster_of_points(const PointArrays& points, double pixel, PixelValue valu
 Raster fill_short_gaps(const Raster& raster, std::uint32_t longest, double step, double resolution) {
   const Image image = to_image(raster, resolution, kNoHeight);
   const double most = std::round(step / resolution);
-  check(most >= 0 && most < kMostHeight, "step is out of range");
+  check_raster(most >= 0 && most < kMostHeight, "step is out of range");
   return to_raster(fill_short_gaps(image, {longest, static_cast<Height>(most)}), raster, resolution);
 }
 
@@ -109,7 +109,7 @@ Raster reconstruct_by_dilation(const Raster& marker, const Raster& mask, Adjacen
 std::vector<std::uint32_t> watershed(const Raster& relief, std::span<const std::uint32_t> markers, Adjacency adjacency,
                                      double resolution) {
   const Image image = to_image(relief, resolution, kNoHeight);
-  check(markers.size() == image.size(), "as many markers as pixels are needed");
+  check_raster(markers.size() == image.size(), "as many markers as pixels are needed");
   PixelLabels labels{relief.width, relief.height, 0, {markers.begin(), markers.end()}};
   for (const std::uint32_t label : markers) labels.count = std::max(labels.count, label);
   return watershed(image, labels, adjacency).of;

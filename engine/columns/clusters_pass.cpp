@@ -17,7 +17,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 112;
+constexpr std::uint64_t kClusterBytesPerPoint = 112;
 
 IndexBox column_around(const IndexBox& box, std::int64_t by) {
   return column_over(box.min.x - by, box.min.y - by, box.max.x + by, box.max.y + by);
@@ -132,7 +132,7 @@ std::vector<Pair> links_of_block(const Store& store, std::uint32_t block, const 
 template <class Body>
 void for_each_block(const Store& store, const PassContext& context, const Body& body) {
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kClusterBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) { body(static_cast<std::uint32_t>(i)); });
 }
 
@@ -152,7 +152,7 @@ std::vector<CloudCluster> clusters_pass(const Store& store, const ClusterParams&
   std::vector<PassTask> tasks(blocks);
   parallel_for(blocks, [&](std::size_t b) {
     const std::uint64_t around = plan_view(store, column_around(store.blocks()[b].box, params.radius), {}).size;
-    tasks[b] = {std::min(around, kMostLinked) * kBytesPerPoint, store.blocks()[b].points};
+    tasks[b] = {std::min(around, kMostLinked) * kClusterBytesPerPoint, store.blocks()[b].points};
   });
   run_pass(tasks, context.budget_bytes,
            [&](std::size_t b) { links[b] = links_of_block(store, static_cast<std::uint32_t>(b), params, first); });

@@ -16,11 +16,10 @@ namespace ilot {
 namespace {
 
 constexpr RasterUse kUse{"classes of points", ""};
-constexpr std::uint32_t kSide = 128;              // side of a tile, in pixels
-constexpr double kPixelMetres = 1.1;              // largest side of a pixel
-constexpr double kGroundWithin = 0.5, kHigh = 2;  // metres above the surface of the ground
-constexpr double kSmooth = 0.06;                  // greatest curvature of the points of a roof
-constexpr std::uint64_t kBytesPerPoint = 32, kBytesOfTile = 8u << 20;
+constexpr std::uint32_t kSide = 128;  // side of a tile, in pixels
+// Choice: a pixel of a metre gets a point even at one a square metre; narrower alleys are lost.
+constexpr double kPixelMetres = 1.1;  // largest side of a pixel
+constexpr std::uint64_t kRoleBytesPerPoint = 32, kBytesOfTile = 8u << 20;
 
 double unit_millimetres(const Store& store, const PassContext& context) {
   return store.unit() * context.metres_per_unit * 1000;
@@ -35,8 +34,9 @@ std::int64_t pixel_units(double unit_mm) {
 
 class RoleFinder {
  public:
-  RoleFinder(const Store& store, const PassContext& context)
+  RoleFinder(const Store& store, const FoundRolesParams& params, const PassContext& context)
       : store_(store),
+        params_(params),
         context_(context),
         unit_mm_(unit_millimetres(store, context)),
         tiles_(context, store.folder() / "ground", plan_raster(store, context, pixel_units(unit_mm_), kSide, kUse),
@@ -49,7 +49,7 @@ class RoleFinder {
     layers().drop("lowest");
     make_layer("buildings", [&](std::size_t tile) { return buildings(tile); });
     std::vector<PassTask> tasks;
-    for (const Block& b : store_.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+    for (const Block& b : store_.blocks()) tasks.push_back({b.points * kRoleBytesPerPoint, b.points});
     std::vector<RoleCounts> counts(tasks.size());
     run_pass(tasks, context_.budget_bytes, [&](std::size_t i) { counts[i] = rewrite(static_cast<std::uint32_t>(i)); });
     RoleCounts all{};
@@ -118,11 +118,12 @@ class RoleFinder {
     };
     for_points(tile, kMaskHalo, begin, [&](std::size_t i, Index3 p) {
       const std::size_t at = pixel_in(tile, kMaskHalo, p);
-      if (height(p.z) - ground.values[at] < kHigh * 1000) return;
+      if (height(p.z) - ground.values[at] < params_.least_height * 1000) return;
       const PackedNormal& n = normals[i];
       const bool has_normal = n.x != 0 || n.y != 0 || n.z != 0;
       ++pixels[at].high;
-      pixels[at].smooth += has_normal && n.curvature <= kSmooth * 3 * 65535 && (echoes[i] & kMultipleReturns) == 0;
+      pixels[at].smooth +=
+          has_normal && n.curvature <= params_.smoothness * 3 * 65535 && (echoes[i] & kMultipleReturns) == 0;
     });
     const std::vector<std::uint8_t> mask = building_mask(pixels, kAround, kAround);
     return without_halo({kAround, kAround, {mask.begin(), mask.end()}}, kMaskHalo);
@@ -156,11 +157,13 @@ class RoleFinder {
 
   PointRole role_of(const Found& found, std::size_t pixel, Index3 p) const {
     const double above = (height(p.z) - found.ground.values[pixel]) / 1000.0;
-    if (above <= kGroundWithin) return PointRole::ground;
-    return above >= kHigh && found.buildings.values[pixel] != 0 ? PointRole::building : PointRole::unclassified;
+    if (above <= params_.ground_within) return PointRole::ground;
+    return above >= params_.least_height && found.buildings.values[pixel] != 0 ? PointRole::building
+                                                                               : PointRole::unclassified;
   }
 
   const Store& store_;
+  const FoundRolesParams& params_;
   const PassContext& context_;
   double unit_mm_;
   RasterLayers tiles_;
@@ -169,8 +172,8 @@ class RoleFinder {
 
 }  // namespace
 
-RoleCounts find_roles(const Store& store, const PassContext& context) {
-  return RoleFinder(store, context).find();
+RoleCounts find_roles(const Store& store, const FoundRolesParams& params, const PassContext& context) {
+  return RoleFinder(store, params, context).find();
 }
 
 }  // namespace ilot

@@ -6,11 +6,17 @@
 
 namespace ilot {
 
+struct FoundRolesParams {
+  double ground_within = 0.5;  // metres from the surface of the ground
+  double least_height = 2;     // metres of a building above that surface
+  double smoothness = 0.06;    // greatest curvature of the points of a roof
+};
+
 // Finds ground and buildings where points are not classified: rewrites the column "role" of these points. A point
-// within 0.5 m of the surface of the ground (engine/columns/ground_surface.h) is ground. A point at least 2 m above the
-// ground where most points are smooth (building_mask.h) is a building. Needs "normals" and "echoes". The work is done
-// in tiles of 128 pixels of about a metre on the lattice, with the full halo that they need, so that there are no
-// seams.
-RoleCounts find_roles(const Store& store, const PassContext& context);
+// within ground_within of the surface of the ground (engine/columns/ground_surface.h) is ground. A point at least
+// least_height above the ground where most points are smooth (building_mask.h) is a building. Needs "normals" and
+// "echoes". The work is done in tiles of 128 pixels of about a metre on the lattice, with the full halo that they need,
+// so that there are no seams.
+RoleCounts find_roles(const Store& store, const FoundRolesParams& params, const PassContext& context);
 
 }  // namespace ilot

@@ -13,8 +13,8 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 112;    // per point of the block; twice as many points are read
-constexpr std::uint64_t kLeastPoints = 1 << 15;  // a small block may have more points around it
+constexpr std::uint64_t kNormalBytesPerPoint = 112;  // per point of the block; twice as many points are read
+constexpr std::uint64_t kLeastPoints = 1 << 15;      // a small block may have more points around it
 
 // Points of one block, ascending, that need a halo of this margin.
 struct Waiting {
@@ -209,7 +209,7 @@ void normals_pass(const Store& store, const NormalsSettings& settings, const Pas
   const NormalsParams params{settings.neighbours, radius * radius};
   std::vector<PassTask> tasks;
   for (const Block& b : store.blocks())
-    tasks.push_back({std::max<std::uint64_t>(kLeastPoints, b.points) * kBytesPerPoint, b.points});
+    tasks.push_back({std::max<std::uint64_t>(kLeastPoints, b.points) * kNormalBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, columns::kNormals)) {

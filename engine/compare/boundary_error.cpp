@@ -15,12 +15,6 @@ namespace {
 
 constexpr double kSnap = 0.001;  // metres within which corners of neighbouring polygons are one
 
-std::vector<FlatPoint> flattened(const Ring3& ring, const FlatFrame& frame) {
-  std::vector<FlatPoint> flat;
-  for (const Vec3& p : ring) flat.push_back(frame.flat(p));
-  return flat;
-}
-
 FlatFrame frame_of(const TruePlane& plane) {
   return plane_frame(plane.plane.n, plane.polygons[0].ring[0]);
 }

@@ -16,7 +16,7 @@ struct DrawnVertex {
   bool completed = false;
 };
 
-struct Pair {
+struct CornerPair {
   double distance = 0, dx = 0, dz = 0;
   std::size_t point = 0, vertex = 0;
 };
@@ -47,9 +47,9 @@ std::vector<DrawnVertex> vertices_of_kind(std::span<const Facade> facades, const
   return vertices;
 }
 
-std::vector<Pair> pairs_within_reach(const std::vector<Vec3>& points, const std::vector<DrawnVertex>& vertices,
-                                     const ControlPointParams& params) {
-  std::vector<Pair> pairs;
+std::vector<CornerPair> pairs_within_reach(const std::vector<Vec3>& points, const std::vector<DrawnVertex>& vertices,
+                                           const ControlPointParams& params) {
+  std::vector<CornerPair> pairs;
   for (std::size_t p = 0; p < points.size(); ++p) {
     for (std::size_t v = 0; v < vertices.size(); ++v) {
       const Vec3 gap = params.metres_per_unit * (vertices[v].place - points[p]);
@@ -59,7 +59,7 @@ std::vector<Pair> pairs_within_reach(const std::vector<Vec3>& points, const std:
         pairs.push_back({distance, dx, dz, p, v});
     }
   }
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+  std::sort(pairs.begin(), pairs.end(), [](const CornerPair& a, const CornerPair& b) {
     return std::tie(a.distance, a.point, a.vertex) < std::tie(b.distance, b.point, b.vertex);
   });
   return pairs;
@@ -71,7 +71,7 @@ ControlGroup evaluate_group(const std::string& name, const std::vector<Vec3>& po
       vertices_of_kind(facades, name.substr(0, name.find('_')), params.as_documents);
   std::vector<char> point_taken(points.size()), vertex_taken(vertices.size());
   std::vector<double> dx, dz, dd, completed;
-  for (const Pair& pair : pairs_within_reach(points, vertices, params)) {
+  for (const CornerPair& pair : pairs_within_reach(points, vertices, params)) {
     if (point_taken[pair.point] || vertex_taken[pair.vertex]) continue;
     point_taken[pair.point] = vertex_taken[pair.vertex] = 1;
     dx.push_back(pair.dx);

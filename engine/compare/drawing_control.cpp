@@ -40,19 +40,19 @@ std::vector<FlatPoint> vertices_of(const DxfDrawing& drawing, const std::set<std
   return places;
 }
 
-struct Pair {
+struct CorrectedPair {
   double distance = 0;
   std::size_t ours = 0, corrected = 0;
 };
 
-std::vector<Pair> pairs_within(const std::vector<FlatPoint>& ours, const std::vector<FlatPoint>& corrected,
-                               double limit) {
-  const auto before = [](const Pair& a, const Pair& b) {
+std::vector<CorrectedPair> pairs_within(const std::vector<FlatPoint>& ours, const std::vector<FlatPoint>& corrected,
+                                        double limit) {
+  const auto before = [](const CorrectedPair& a, const CorrectedPair& b) {
     return std::tie(a.distance, a.corrected, a.ours) < std::tie(b.distance, b.corrected, b.ours);
   };
-  std::vector<Pair> pairs;
+  std::vector<CorrectedPair> pairs;
   for (std::size_t c = 0; c < corrected.size(); ++c) {
-    std::vector<Pair> near;
+    std::vector<CorrectedPair> near;
     auto at = std::lower_bound(ours.begin(), ours.end(), corrected[c].x - limit,
                                [](const FlatPoint& p, double x) { return p.x < x; });
     for (; at != ours.end() && at->x <= corrected[c].x + limit; ++at) {
@@ -72,7 +72,7 @@ LayerControl evaluate_layer(const std::string& name, const std::vector<FlatPoint
   LayerControl control{name, corrected.size(), 0, 0, 0, 0, {}, {}, {}, {}, {}, 0, {}};
   std::vector<char> taken_ours(ours.size()), taken(corrected.size());
   std::vector<double> dx, dz, dd, signed_dx, signed_dz;
-  for (const Pair& pair : pairs_within(ours, corrected, limit)) {
+  for (const CorrectedPair& pair : pairs_within(ours, corrected, limit)) {
     if (taken_ours[pair.ours] || taken[pair.corrected]) continue;
     taken_ours[pair.ours] = taken[pair.corrected] = 1;
     signed_dx.push_back(ours[pair.ours].x - corrected[pair.corrected].x);

@@ -26,11 +26,11 @@ color:var(--ink);background:var(--ground);font:14px/1.45 system-ui,sans-serif;pa
 </style>
 )";
 
-std::string percent(std::optional<double> share) {
+std::string percent_html(std::optional<double> share) {
   return share ? fmt::format("{:.1f}&nbsp;%", 100 * *share) : "–";
 }
 
-std::string metres(double v) {
+std::string metres_html(double v) {
   return std::isfinite(v) ? fmt::format("{:.4f}", v) : "–";
 }
 
@@ -70,11 +70,11 @@ std::string confusion_html(const ConfusionMatrix& m, const std::string& title) {
     html += "<tr><td>" + escaped_markup(m.classes[c]) + "</td>";
     for (std::size_t found = 0; found < m.counts[c].size(); ++found)
       html += cell(m.counts[c][found], total, c == found);
-    html += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", total, percent(sensitivity(m, c)),
+    html += fmt::format("<td>{}</td><td>{}</td><td>{}</td></tr>\n", total, percent_html(sensitivity(m, c)),
                         bar(sensitivity(m, c).value_or(0)));
-    foot += "<td>" + percent(precision(m, c)) + "</td>";
+    foot += "<td>" + percent_html(precision(m, c)) + "</td>";
   }
-  return html + "<tr><td>precision</td>" + foot + "<td></td><td></td><td><b>" + percent(global_sensitivity(m)) +
+  return html + "<tr><td>precision</td>" + foot + "<td></td><td></td><td><b>" + percent_html(global_sensitivity(m)) +
          "</b></td><td>" + bar(global_sensitivity(m).value_or(0)) + "</td></tr>\n</table></div>\n";
 }
 
@@ -94,10 +94,13 @@ std::string text_of(std::uint64_t n) {
 
 std::string planes_html(const PlaneEvaluation& p) {
   const PlaneMatching& m = p.matching;
-  std::vector<std::pair<std::string, std::string>> figures{
-      {"true", text_of(m.true_planes)},    {"found", text_of(m.found_planes)}, {"matched", text_of(m.matches.size())},
-      {"missed", text_of(m.missed)},       {"over", text_of(m.over)},          {"under", text_of(m.under)},
-      {"points right", percent(m.share())}};
+  std::vector<std::pair<std::string, std::string>> figures{{"true", text_of(m.true_planes)},
+                                                           {"found", text_of(m.found_planes)},
+                                                           {"matched", text_of(m.matches.size())},
+                                                           {"missed", text_of(m.missed)},
+                                                           {"over", text_of(m.over)},
+                                                           {"under", text_of(m.under)},
+                                                           {"points right", percent_html(m.share())}};
   if (p.errors && p.errors->planes > 0) {
     figures.emplace_back("angle, mean / largest, deg",
                          fmt::format("{:.4f} / {:.4f}", p.errors->angle_deg.mean, p.errors->angle_deg.largest));
@@ -127,10 +130,10 @@ std::string roofs_html(const RoofEvaluation& r) {
   std::string html = figures_html("Roofs", {{"buildings", text_of(result.true_buildings)},
                                             {"models", text_of(r.models)},
                                             {"closed", text_of(r.closed)},
-                                            {"RMS, m", metres(result.rms_m)},
-                                            {"covered", percent(result.covered)},
-                                            {"largest distance, m", metres(result.hausdorff_m)},
-                                            {"outline p95, m", metres(result.outline_p95_m)}});
+                                            {"RMS, m", metres_html(result.rms_m)},
+                                            {"covered", percent_html(result.covered)},
+                                            {"largest distance, m", metres_html(result.hausdorff_m)},
+                                            {"outline p95, m", metres_html(result.outline_p95_m)}});
   html +=
       "<div class=\"scroll\"><table><tr><th>faces from, m²</th><th>true</th><th>matched</th><th></th>"
       "<th>right neighbours</th><th></th></tr>\n";
@@ -149,7 +152,7 @@ std::string openings_html(const OpeningResult& o) {
                                    {"matched", text_of(o.matched)},
                                    {"invented", text_of(o.invented)},
                                    {"IoU", fmt::format("{:.3f}", o.iou_mean)},
-                                   {"ring distance, m", metres(o.ring_distance_m)}});
+                                   {"ring distance, m", metres_html(o.ring_distance_m)}});
 }
 
 std::string objects_html(const ObjectResult& o) {

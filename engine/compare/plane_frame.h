@@ -24,4 +24,11 @@ inline FlatFrame plane_frame(Vec3 normal, Vec3 origin) {
   return {origin, u, cross(normal, u)};
 }
 
+// The corners of a ring in the plane.
+inline std::vector<FlatPoint> flattened(std::span<const Vec3> ring, const FlatFrame& frame) {
+  std::vector<FlatPoint> flat;
+  for (const Vec3& p : ring) flat.push_back(frame.flat(p));
+  return flat;
+}
+
 }  // namespace ilot

@@ -10,7 +10,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kUpright = 0.01;  // a face whose unit normal has a smaller z has no usable plan
+constexpr double kUprightFace = 0.01;  // a face whose unit normal has a smaller z has no usable plan
 
 // A face as a model of its own, so that true rings and faces of models are processed in the same way.
 struct FaceShape {
@@ -57,7 +57,7 @@ void append_face(const FaceShape& shape, Vec3 origin, std::vector<RoofFace>& fac
       face.plan.back().holes.push_back(plan_of(shape.model, polygon.rings[hole], origin));
     }
   }
-  if (!(face.normal.z > kUpright * norm(face.normal))) return;
+  if (!(face.normal.z > kUprightFace * norm(face.normal))) return;
   for (Triangle3& t : face.triangles) t = {t.a - origin, t.b - origin, t.c - origin};
   Vec3 centre;
   const std::vector<std::uint32_t>& ring = shape.model.faces[0].rings[0];

@@ -46,7 +46,7 @@ class FacesByPlace {
   double widest_ = 0;
 };
 
-struct Pair {
+struct FacePair {
   double iou = 0;
   std::uint32_t truth = 0, found = 0;
 };
@@ -58,7 +58,7 @@ bool lean_alike(const RoofFace& a, const RoofFace& b, double most_angle_deg) {
 // The index of the found partner of each true face, or kNoPartner.
 std::vector<std::uint32_t> match_faces(std::span<const RoofFace> truth, std::span<const RoofFace> found,
                                        const FacesByPlace& places, const RoofParams& params) {
-  std::vector<std::vector<Pair>> per_face(truth.size());
+  std::vector<std::vector<FacePair>> per_face(truth.size());
   parallel_for(truth.size(), [&](std::size_t t) {
     const FlatArea plan(truth[t].plan);
     places.meeting(truth[t].box, [&](std::uint32_t f) {
@@ -67,14 +67,14 @@ std::vector<std::uint32_t> match_faces(std::span<const RoofFace> truth, std::spa
       if (iou >= params.least_iou) per_face[t].push_back({iou, static_cast<std::uint32_t>(t), f});
     });
   });
-  std::vector<Pair> pairs;
+  std::vector<FacePair> pairs;
   for (const auto& part : per_face) pairs.insert(pairs.end(), part.begin(), part.end());
-  std::sort(pairs.begin(), pairs.end(), [](const Pair& a, const Pair& b) {
+  std::sort(pairs.begin(), pairs.end(), [](const FacePair& a, const FacePair& b) {
     return std::tie(b.iou, a.truth, a.found) < std::tie(a.iou, b.truth, b.found);
   });
   std::vector<std::uint32_t> partner(truth.size(), kNoPartner);
   std::vector<char> taken(found.size());
-  for (const Pair& pair : pairs) {
+  for (const FacePair& pair : pairs) {
     if (partner[pair.truth] != kNoPartner || taken[pair.found]) continue;
     partner[pair.truth] = pair.found;
     taken[pair.found] = 1;

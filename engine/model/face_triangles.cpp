@@ -58,20 +58,20 @@ std::vector<TriangleCorners> constrained_triangles(const std::vector<std::vector
                                                    const FaceRings& rings) {
   std::vector<Point2> points;
   std::vector<std::uint32_t> corners;
-  std::vector<Segment> segments;
+  std::vector<VertexPair> segments;
   const bool turned = doubled_area(flat[0]) < 0;
   for (std::size_t r = 0; r < flat.size(); ++r) {
     const auto first = static_cast<std::uint32_t>(points.size()), n = static_cast<std::uint32_t>(flat[r].size());
     for (std::uint32_t i = 0; i < n; ++i) {
       const std::uint32_t a = first + i, b = first + (i + 1) % n;
-      segments.push_back(turned ? Segment{b, a} : Segment{a, b});
+      segments.push_back(turned ? VertexPair{b, a} : VertexPair{a, b});
       points.push_back(flat[r][i]);
       corners.push_back(rings[r][i]);
     }
   }
   Triangulation t = delaunay(points);
   for (const auto& [twice, kept] : t.duplicates) {
-    for (Segment& s : segments) {
+    for (VertexPair& s : segments) {
       if (s.first == twice) s.first = kept;
       if (s.second == twice) s.second = kept;
     }

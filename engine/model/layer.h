@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A table of shapes in space with named values, independent of their meaning.
 #pragma once
+#include <cstdint>
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,6 +10,11 @@
 #include "kernels/core/types.h"
 
 namespace ilot {
+
+// A count as a value of a field.
+inline std::int64_t whole(std::uint64_t n) {
+  return static_cast<std::int64_t>(n);
+}
 
 enum class LayerShape { point, line, polygon };
 

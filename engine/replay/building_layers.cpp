@@ -11,10 +11,6 @@ namespace {
 
 constexpr double kDegrees = 57.29577951308232;
 
-std::int64_t whole(std::uint64_t n) {
-  return static_cast<std::int64_t>(n);
-}
-
 // Converts metres from the anchor to the CRS.
 class Places {
  public:

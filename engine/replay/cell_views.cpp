@@ -10,10 +10,6 @@
 namespace ilot {
 namespace {
 
-std::int64_t whole(std::uint64_t n) {
-  return static_cast<std::int64_t>(n);
-}
-
 Layer cell_layer(const CellReplay& r) {
   Layer layer{"cell",
               LayerShape::polygon,
@@ -62,7 +58,7 @@ Layer segment_layer(const CellReplay& r) {
   return layer;
 }
 
-using ColourOf = std::function<PictureColour(const CellPoint&)>;
+using ColourOfPoint = std::function<PictureColour(const CellPoint&)>;
 
 PictureColour colour_of_normal(const CellPoint& p) {
   if (norm(p.normal) == 0) return kInk;
@@ -72,7 +68,7 @@ PictureColour colour_of_normal(const CellPoint& p) {
 
 // In a view from the side and above the nearest points are drawn last; in a view from above, the highest ones.
 Picture picture_of(const CellReplay& r, const char* name, const std::string& title, bool oblique,
-                   const ColourOf& colour) {
+                   const ColourOfPoint& colour) {
   const Vec3 right = oblique ? Vec3{0.8660254037844387, -0.5, 0} : Vec3{1, 0, 0};
   const Vec3 up = oblique ? Vec3{0.25, 0.4330127018922193, 0.8660254037844387} : Vec3{0, 1, 0};
   const Vec3 towards = oblique ? Vec3{-0.4330127018922193, -0.75, 0.5} : Vec3{0, 0, 1};

@@ -6,10 +6,6 @@
 namespace ilot {
 namespace {
 
-std::int64_t whole(std::uint64_t n) {
-  return static_cast<std::int64_t>(n);
-}
-
 std::vector<std::vector<Vec3>> placed(std::span<const Place2> ring, double depth = 0) {
   std::vector<std::vector<Vec3>> rings(1);
   for (const Place2 p : ring) rings[0].push_back({p.u, p.v, depth});

@@ -77,13 +77,6 @@ std::uint64_t changed_labels(const KeptRun& run, const FacadesOfRun& facades, st
   return changed;
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::stringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
-
 }  // namespace
 
 FacadeReplay replay_facade(const KeptRun& run, const std::string& id, Progress& progress) {

@@ -151,4 +151,9 @@ bool KeptRun::made(const char* product) const {
   return std::find(options_.products.begin(), options_.products.end(), product) != options_.products.end();
 }
 
+std::string text_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
 }  // namespace ilot

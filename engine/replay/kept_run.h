@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "engine/pass/index.h"
 #include "engine/products/streets/make_streets.h"
@@ -62,5 +63,8 @@ class KeptRun {
   std::optional<ScratchStore> scratch_;
   std::optional<IndexResult> index_;
 };
+
+// The content of a file; empty when it cannot be read.
+std::string text_of(const std::filesystem::path& path);
 
 }  // namespace ilot

@@ -8,7 +8,7 @@
 namespace ilot {
 namespace {
 
-using ColourOf = std::function<PictureColour(Height)>;
+using ColourOfHeight = std::function<PictureColour(Height)>;
 
 // The ramp goes from dark blue over green and yellow to red.
 PictureColour ramp(double share) {
@@ -38,7 +38,7 @@ class TilePictures {
   explicit TilePictures(const TileReplay& replay) : replay_(replay), side_(replay.steps.raster->grid.side) {}
 
   // Calls `colour` for pixels that have a value other than `none`.
-  void add(const char* layer, const std::string& title, Height none, const ColourOf& colour,
+  void add(const char* layer, const std::string& title, Height none, const ColourOfHeight& colour,
            std::vector<PictureWord> legend = {}) {
     const auto found = replay_.images.find(layer);
     if (found == replay_.images.end()) return;

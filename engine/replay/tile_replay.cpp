@@ -49,11 +49,6 @@ std::size_t number_of(const TileRaster& raster, const std::string& id) {
               ExitCode::usage);
 }
 
-std::string text_of(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
 // Finds files of streets/ that differ from those of the run; compares its map of pages and tables too.
 void compare_files(const fs::path& run, const fs::path& now, std::vector<std::string>& differences) {
   std::vector<std::string> names = product_files(run);

@@ -19,7 +19,7 @@ using Json = nlohmann::json;
 constexpr std::uintmax_t kMaxAreaBytes = 64u << 20;
 constexpr int kMaxDepth = 16;  // nested collections
 
-Error fault(const std::string& where, const std::string& sentence) {
+Error area_error(const std::string& where, const std::string& sentence) {
   return Error(where + ": " + sentence, ExitCode::usage);
 }
 
@@ -35,12 +35,12 @@ std::optional<double> take_number(std::string_view& text) {
 
 void add_ring(Area& area, AreaRing ring, const std::string& name) {
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
-  if (ring.size() < 3) throw fault(name, "a ring has fewer than three different corners");
+  if (ring.size() < 3) throw area_error(name, "a ring has fewer than three different corners");
   area.rings.push_back(std::move(ring));
 }
 
 Area with_box(Area area, const std::string& name) {
-  if (area.rings.empty()) throw fault(name, "holds no polygon");
+  if (area.rings.empty()) throw area_error(name, "holds no polygon");
   const auto& first = area.rings.front().front();
   area.min_x = area.max_x = first[0];
   area.min_y = area.max_y = first[1];
@@ -61,7 +61,7 @@ void add_polygon(Area& area, const Json& rings, const std::string& name) {
     for (const Json& corner : corners) {
       ring.push_back({corner.at(0).get<double>(), corner.at(1).get<double>()});
       if (!std::isfinite(ring.back()[0]) || !std::isfinite(ring.back()[1])) {
-        throw fault(name, "a coordinate is not finite");
+        throw area_error(name, "a coordinate is not finite");
       }
     }
     add_ring(area, std::move(ring), name);
@@ -69,7 +69,7 @@ void add_polygon(Area& area, const Json& rings, const std::string& name) {
 }
 
 void add_geojson(Area& area, const Json& object, const std::string& name, int depth) {
-  if (depth > kMaxDepth) throw fault(name, "collections nest too deeply");
+  if (depth > kMaxDepth) throw area_error(name, "collections nest too deeply");
   const std::string type = object.at("type").get<std::string>();
   if (type == "FeatureCollection") {
     for (const Json& feature : object.at("features")) add_geojson(area, feature, name, depth + 1);
@@ -82,7 +82,7 @@ void add_geojson(Area& area, const Json& object, const std::string& name, int de
   } else if (type == "MultiPolygon") {
     for (const Json& polygon : object.at("coordinates")) add_polygon(area, polygon, name);
   } else {
-    throw fault(name, "'" + type + "' is not an area: Polygon or MultiPolygon is");
+    throw area_error(name, "'" + type + "' is not an area: Polygon or MultiPolygon is");
   }
 }
 
@@ -98,15 +98,15 @@ class WktParser {
       word = take_word();
     }
     if (word != "POLYGON" && word != "MULTIPOLYGON") {
-      throw fault(name_, "is neither GeoJSON nor a WKT POLYGON or MULTIPOLYGON");
+      throw area_error(name_, "is neither GeoJSON nor a WKT POLYGON or MULTIPOLYGON");
     }
     if (const std::string dimension = take_word(); !dimension.empty() && dimension != "Z") {
-      throw fault(name_, "WKT: '" + dimension + "' is not expected after " + word);
+      throw area_error(name_, "WKT: '" + dimension + "' is not expected after " + word);
     }
     const int depth = word == "POLYGON" ? 1 : 2;
     parse_level(depth);
     skip_space();
-    if (!text_.empty()) throw fault(name_, "WKT: text after the last parenthesis");
+    if (!text_.empty()) throw area_error(name_, "WKT: text after the last parenthesis");
     return std::move(area_);
   }
 
@@ -130,7 +130,7 @@ class WktParser {
     return true;
   }
   void parse_level(int depth) {
-    if (!take('(')) throw fault(name_, "WKT: '(' expected");
+    if (!take('(')) throw area_error(name_, "WKT: '(' expected");
     do {
       if (depth > 0) {
         parse_level(depth - 1);
@@ -139,14 +139,14 @@ class WktParser {
         break;
       }
     } while (take(','));
-    if (!take(')')) throw fault(name_, "WKT: ')' expected");
+    if (!take(')')) throw area_error(name_, "WKT: ')' expected");
   }
   void parse_ring() {
     AreaRing ring;
     do {
       const auto x = take_number(text_);
       const auto y = take_number(text_);
-      if (!x || !y) throw fault(name_, "WKT: two coordinates expected");
+      if (!x || !y) throw area_error(name_, "WKT: two coordinates expected");
       while (take_number(text_)) continue;
       ring.push_back({*x, *y});
     } while (take(','));
@@ -166,14 +166,14 @@ Area parse_bounds(std::string_view text) {
   std::string_view rest = text;
   for (int i = 0; i < 4; ++i) {
     const auto number = take_number(rest);
-    if (!number) throw fault(name, "four numbers X0,Y0,X1,Y1 expected, in the units of the CRS");
+    if (!number) throw area_error(name, "four numbers X0,Y0,X1,Y1 expected, in the units of the CRS");
     v[i] = *number;
-    if (i < 3 && (rest.empty() || rest.front() != ',')) throw fault(name, "four numbers X0,Y0,X1,Y1 expected");
+    if (i < 3 && (rest.empty() || rest.front() != ',')) throw area_error(name, "four numbers X0,Y0,X1,Y1 expected");
     if (i < 3) rest.remove_prefix(1);
   }
-  if (!rest.empty()) throw fault(name, "four numbers X0,Y0,X1,Y1 expected, and nothing after them");
+  if (!rest.empty()) throw area_error(name, "four numbers X0,Y0,X1,Y1 expected, and nothing after them");
   Area area{std::min(v[0], v[2]), std::min(v[1], v[3]), std::max(v[0], v[2]), std::max(v[1], v[3]), {}};
-  if (area.min_x == area.max_x || area.min_y == area.max_y) throw fault(name, "the box has no size");
+  if (area.min_x == area.max_x || area.min_y == area.max_y) throw area_error(name, "the box has no size");
   return area;
 }
 
@@ -187,19 +187,19 @@ Area parse_area(std::string_view text, const std::string& name) {
     add_geojson(area, Json::parse(text.substr(start)), name, 0);
     return with_box(std::move(area), name);
   } catch (const Json::exception& problem) {
-    throw fault(name, std::string("is not GeoJSON with polygons: ") + problem.what());
+    throw area_error(name, std::string("is not GeoJSON with polygons: ") + problem.what());
   }
 }
 
 Area read_area(const std::filesystem::path& path) {
   std::error_code code;
   const std::uintmax_t size = std::filesystem::file_size(path, code);
-  if (code) throw fault(path.string(), "cannot read the area: " + code.message());
-  if (size > kMaxAreaBytes) throw fault(path.string(), "larger than 64 MiB: simplify the area");
+  if (code) throw area_error(path.string(), "cannot read the area: " + code.message());
+  if (size > kMaxAreaBytes) throw area_error(path.string(), "larger than 64 MiB: simplify the area");
   std::string text(static_cast<std::size_t>(size), '\0');
   std::ifstream file(path, std::ios::binary);
   file.read(text.data(), static_cast<std::streamsize>(size));
-  if (!file) throw fault(path.string(), "cannot read the area");
+  if (!file) throw area_error(path.string(), "cannot read the area");
   return parse_area(text, path.string());
 }
 

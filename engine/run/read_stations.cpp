@@ -18,44 +18,44 @@ constexpr std::array<std::string_view, 10> kNames{
 constexpr std::size_t kName = 8, kSource = 9, kMostStations = 100000;
 constexpr double kRadians = 0.017453292519943295, kMostDegrees = 5;
 
-using Fields = std::vector<std::string_view>;
+using StationFields = std::vector<std::string_view>;
 
 // Gives for each column its index in kNames.
-using Order = std::vector<std::size_t>;
+using ColumnOrder = std::vector<std::size_t>;
 
-[[noreturn]] void fault(const std::string& where, const std::string& what) {
+[[noreturn]] void refuse_stations(const std::string& where, const std::string& what) {
   throw Error(where + ": " + what, ExitCode::usage);
 }
 
-bool is_header(const Fields& fields) {
+bool is_header(const StationFields& fields) {
   return std::find(kNames.begin(), kNames.end(), fields[0]) != kNames.end();
 }
 
-Order order_of(const Fields& header, const std::string& where) {
-  Order order;
+ColumnOrder order_of(const StationFields& header, const std::string& where) {
+  ColumnOrder order;
   for (const std::string_view field : header) {
     const auto at = std::find(kNames.begin(), kNames.end(), field);
-    if (at == kNames.end()) fault(where, "\"" + std::string(field) + "\" is no column of a stations file");
+    if (at == kNames.end()) refuse_stations(where, "\"" + std::string(field) + "\" is no column of a stations file");
     order.push_back(static_cast<std::size_t>(at - kNames.begin()));
     if (std::count(order.begin(), order.end(), order.back()) > 1)
-      fault(where, "the column \"" + std::string(field) + "\" comes twice");
+      refuse_stations(where, "the column \"" + std::string(field) + "\" comes twice");
   }
   const auto has = [&](std::size_t name) { return std::find(order.begin(), order.end(), name) != order.end(); };
-  if (!has(0) || !has(1) || !has(2)) fault(where, "the columns x, y and z are needed");
-  if (has(3) != has(4)) fault(where, "azimuth_step_deg and elevation_step_deg go together");
-  if (has(5) != has(6) || has(6) != has(7)) fault(where, "axis_x, axis_y and axis_z go together");
+  if (!has(0) || !has(1) || !has(2)) refuse_stations(where, "the columns x, y and z are needed");
+  if (has(3) != has(4)) refuse_stations(where, "azimuth_step_deg and elevation_step_deg go together");
+  if (has(5) != has(6) || has(6) != has(7)) refuse_stations(where, "axis_x, axis_y and axis_z go together");
   return order;
 }
 
 // Without a header: x y z, then both steps, then the axis; a name comes before them when the first field is not a
 // number.
-Order usual_order(const Fields& first, const std::string& where) {
+ColumnOrder usual_order(const StationFields& first, const std::string& where) {
   double number = 0;
   const bool named = !parse_number(first[0], number);
   const std::size_t columns = first.size() - (named ? 1 : 0);
   if (columns != 3 && columns != 5 && columns != 8)
-    fault(where, "has " + std::to_string(columns) + " columns; x y z, two steps and an axis are 3, 5 or 8");
-  Order order;
+    refuse_stations(where, "has " + std::to_string(columns) + " columns; x y z, two steps and an axis are 3, 5 or 8");
+  ColumnOrder order;
   if (named) order.push_back(kName);
   for (std::size_t i = 0; i < columns; ++i) order.push_back(i);
   return order;
@@ -69,9 +69,9 @@ std::uint16_t source_id(std::string_view text) {
   return static_cast<double>(whole) == number ? whole : std::uint16_t{0};
 }
 
-Station station_of(const Fields& fields, const Order& order, const std::string& where) {
+Station station_of(const StationFields& fields, const ColumnOrder& order, const std::string& where) {
   if (fields.size() != order.size())
-    fault(where, "has " + std::to_string(fields.size()) + " fields, not " + std::to_string(order.size()));
+    refuse_stations(where, "has " + std::to_string(fields.size()) + " fields, not " + std::to_string(order.size()));
   std::array<double, 8> v{0, 0, 0, 0, 0, 0, 0, 1};
   bool steps = false, numbered = false;
   Station station;
@@ -84,21 +84,22 @@ Station station_of(const Fields& fields, const Order& order, const std::string& 
       station.source_id = source_id(fields[i]);
       numbered = true;
       if (station.source_id == 0)
-        fault(where, "\"" + std::string(fields[i]) + "\" is no point_source_id, a whole number from 1 to 65535");
+        refuse_stations(where,
+                        "\"" + std::string(fields[i]) + "\" is no point_source_id, a whole number from 1 to 65535");
       continue;
     }
     if (!parse_number(fields[i], v[order[i]]) || !std::isfinite(v[order[i]]))
-      fault(where, "\"" + std::string(fields[i]) + "\" is not a number");
+      refuse_stations(where, "\"" + std::string(fields[i]) + "\" is not a number");
     steps |= order[i] == 3;
   }
   if (!numbered) station.source_id = source_id(station.name);
   if (steps && !(v[3] > 0 && v[3] <= kMostDegrees && v[4] > 0 && v[4] <= kMostDegrees))
-    fault(where, "angular steps must lie above 0 and be 5 degrees at most");
+    refuse_stations(where, "angular steps must lie above 0 and be 5 degrees at most");
   station.position = {v[0], v[1], v[2]};
   station.azimuth_step = v[3] * kRadians;
   station.elevation_step = v[4] * kRadians;
   const double length = norm(Vec3{v[5], v[6], v[7]});
-  if (!(length > 0)) fault(where, "the axis has no length");
+  if (!(length > 0)) refuse_stations(where, "the axis has no length");
   station.axis = (1 / length) * Vec3{v[5], v[6], v[7]};
   return station;
 }
@@ -110,8 +111,8 @@ std::vector<Station> read_stations(const std::filesystem::path& path) {
   LineReader lines(file, 0);
   std::vector<Station> stations;
   std::string_view line;
-  Fields fields;
-  Order order;
+  StationFields fields;
+  ColumnOrder order;
   for (std::size_t number = 1; lines.next(line); ++number) {
     const std::string where = path.string() + ":" + std::to_string(number);
     split_fields(line, kNames.size() + 1, fields);
@@ -123,9 +124,9 @@ std::vector<Station> read_stations(const std::filesystem::path& path) {
     if (order.empty()) order = usual_order(fields, where);
     stations.push_back(station_of(fields, order, where));
     if (stations.back().name.empty()) stations.back().name = "station " + std::to_string(stations.size());
-    if (stations.size() > kMostStations) fault(where, "more stations than 100000");
+    if (stations.size() > kMostStations) refuse_stations(where, "more stations than 100000");
   }
-  if (stations.empty()) fault(path.string(), "holds no station");
+  if (stations.empty()) refuse_stations(path.string(), "holds no station");
   return stations;
 }
 

@@ -196,11 +196,13 @@ std::string print_config(const Settings& settings) {
   out << "# Settings of ilot: meaning; range [default]. Lengths in metres, angles in degrees.\n"
       << "# Order: default, then this file, then --set.\n";
   const Settings standard;
-  std::string section;
+  std::string section, advanced;
   for (const Parameter& p : parameters()) {
     const std::size_t dot = p.key.find('.');
     const std::string group = dot == std::string::npos ? "" : p.key.substr(0, dot);
     if (group != section) out << "\n[" << group << "]\n";
+    if (p.advanced && group != advanced) out << "\n# Advanced: these defaults rarely need a change.\n";
+    if (p.advanced) advanced = group;
     section = group;
     out << "# " << comment_of(p, p.get(standard)) << "\n"
         << (dot == std::string::npos ? p.key : p.key.substr(dot + 1)) << " = " << to_text(p.get(settings)) << "\n";
@@ -209,18 +211,26 @@ std::string print_config(const Settings& settings) {
 }
 
 std::string parameters_markdown() {
+  static constexpr const char* kHead = "| key | default | range | meaning |\n|---|---|---|---|\n";
+  const std::string kAdvanced =
+      "\n## Advanced\n\nDefaults that rarely need a change. Where each is from: [constants.md](constants.md).\n\n" +
+      std::string(kHead);
   std::ostringstream out;
   out << "# Parameters\n\n"
-      << "Generated from the table in `engine/settings/parameters.cpp`. Each is a key of the configuration "
+      << "Generated from the table in `engine/settings/parameter_table.cpp`. Each is a key of the configuration "
          "file\n"
       << "(`--config`) and of `--set KEY=VALUE`. Lengths are metres and angles degrees, whatever the unit of "
          "the input.\n\n"
-      << "| key | default | range | meaning |\n|---|---|---|---|\n";
+      << kHead;
   const Settings standard;
-  for (const Parameter& p : parameters()) {
-    std::string range = p.kind == ParameterKind::boolean ? "true or false" : range_text(p);
-    if (p.optional) range += ", or `auto`";
-    out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help << " |\n";
+  for (const bool advanced : {false, true}) {
+    if (advanced) out << kAdvanced;
+    for (const Parameter& p : parameters()) {
+      if (p.advanced != advanced) continue;
+      std::string range = p.kind == ParameterKind::boolean ? "true or false" : range_text(p);
+      if (p.optional) range += ", or `auto`";
+      out << "| `" << p.key << "` | `" << to_text(p.get(standard)) << "` | " << range << " | " << p.help << " |\n";
+    }
   }
   return out.str();
 }

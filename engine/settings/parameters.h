@@ -4,11 +4,15 @@
 #pragma once
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/settings/settings.h"
 #include "ilot/parameters.h"
 
 namespace ilot {
+
+// Makes the list that parameters() keeps.
+std::vector<Parameter> parameter_table();
 
 // Returns the key with the smallest edit distance (insert, delete, replace, swap of neighbours); ties go to the earlier
 // one.

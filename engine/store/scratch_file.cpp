@@ -14,7 +14,7 @@
 namespace ilot {
 namespace {
 
-[[noreturn]] void fail(const std::filesystem::path& folder, const char* what) {
+[[noreturn]] void fail_scratch(const std::filesystem::path& folder, const char* what) {
   const int code = errno;
   const char* advice =
       code == ENOSPC || code == EDQUOT ? "; free some space or give --store DIR on another disk, then --resume" : "";
@@ -26,7 +26,7 @@ namespace {
 ScratchFile::ScratchFile(const std::filesystem::path& folder) : folder_(folder) {
   std::string name = (folder / kScratchFile).string() + "XXXXXX";
   file_ = ::mkostemp(name.data(), O_CLOEXEC);
-  if (file_ < 0) fail(folder_, "cannot create a temporary file");
+  if (file_ < 0) fail_scratch(folder_, "cannot create a temporary file");
   ::unlink(name.c_str());
 }
 
@@ -45,7 +45,7 @@ void ScratchFile::write(std::uint64_t offset, std::span<const std::byte> bytes) 
   while (!bytes.empty()) {
     const ssize_t n = ::pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) fail(folder_, "cannot write a temporary file");
+    if (n <= 0) fail_scratch(folder_, "cannot write a temporary file");
     bytes = bytes.subspan(static_cast<std::size_t>(n));
     offset += static_cast<std::uint64_t>(n);
   }
@@ -55,7 +55,7 @@ void ScratchFile::read(std::uint64_t offset, std::span<std::byte> bytes) const {
   while (!bytes.empty()) {
     const ssize_t n = ::pread(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
     if (n < 0 && errno == EINTR) continue;
-    if (n < 0) fail(folder_, "cannot read a temporary file");
+    if (n < 0) fail_scratch(folder_, "cannot read a temporary file");
     if (n == 0) throw Error(folder_.string() + ": a temporary file is shorter than what was written");
     bytes = bytes.subspan(static_cast<std::size_t>(n));
     offset += static_cast<std::uint64_t>(n);

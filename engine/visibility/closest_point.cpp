@@ -19,10 +19,6 @@ float above(double v) {
   return std::nextafter(static_cast<float>(v), std::numeric_limits<float>::infinity());
 }
 
-double largest(Vec3 v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 }  // namespace
 
 struct ClosestPoint::State {

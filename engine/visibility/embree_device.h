@@ -36,4 +36,8 @@ struct EmbreeCallbacks {
 };
 RTCScene embree_scene(std::size_t primitives, void* user, const EmbreeCallbacks& callbacks);
 
+inline double largest(Vec3 v) {
+  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 }  // namespace ilot

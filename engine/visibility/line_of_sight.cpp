@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kLeastArea = 1e-12;  // square CRS units, doubled
 
-double largest(Vec3 v) {
-  return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
-}
-
 // A face in its own plane.
 struct FlatFace {
   Vec3 origin, u, v, normal;

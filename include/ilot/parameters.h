@@ -48,9 +48,11 @@ struct Parameter {
   std::string help;                           // one line
   std::function<Value(const Settings&)> get;
   std::function<void(Settings&, const Value&)> set;  // expects a value that check_value() accepts
+  bool advanced = false;                             // its default rarely needs a change
 };
 
-// In the order in which they are printed: grouped by section, sections in the order of Settings.
+// In the order in which they are printed: grouped by section, sections in the order of Settings, advanced ones last in
+// each.
 const std::vector<Parameter>& parameters();
 
 // nullptr when there is none of that name.

@@ -10,6 +10,8 @@
 #include <optional>
 #include <vector>
 
+#include "ilot/advanced_settings.h"
+
 namespace ilot {
 
 struct IndexSettings {
@@ -95,6 +97,7 @@ struct RoofsSettings {
   std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
   bool superstructures = true;             // false: the main roof alone
   AttributeStyle attribute_style = AttributeStyle::plain;
+  AdvancedRoofs advanced;
 };
 
 // Where a street was scanned from: by a vehicle or on foot, or by an aircraft.
@@ -109,6 +112,7 @@ struct StreetsSettings {
   double least_height = 0.1;    // metres; lower things are part of the ground
   double least_area = 0.0125;   // m2; smaller things are dropped
   double rise = 0.05;           // metres; what stands so much above the pass to a higher thing is a thing of its own
+  AdvancedStreets advanced;
 };
 
 // Whose names the layers of drawings have.
@@ -127,6 +131,7 @@ struct FacadesSettings {
   std::vector<double> sections;              // heights, CRS units, that facades are also cut at
   std::vector<double> upright_sections;      // metres from the left end of each, upright cuts
   std::vector<double> section_lines;         // x0, y0, x1, y1 of each, CRS units, upright cuts
+  AdvancedFacades advanced;
 };
 
 struct ClassesSettings {

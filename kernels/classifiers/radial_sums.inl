@@ -14,6 +14,7 @@ inline D exp_of(D v) {
   const D round = splat_d(0x1.8p52);
   const D turns = (v * splat_d(1.4426950408889634) + round) - round;
   const D rest = (v - turns * high) - turns * low;
+  // Derived: the Taylor series of the exponential.
   constexpr double kTerms[] = {1.0 / 6227020800, 1.0 / 479001600, 1.0 / 39916800, 1.0 / 3628800, 1.0 / 362880,
                                1.0 / 40320,      1.0 / 5040,      1.0 / 720,      1.0 / 120,     1.0 / 24,
                                1.0 / 6,          0.5,             1,              1};

@@ -9,7 +9,9 @@
 namespace ilot {
 namespace {
 
+// Derived: pi / 180.
 constexpr double kRadian = 0.017453292519943295;
+// Derived: the natural logarithm of 2.
 constexpr double kLog2 = 0.69314718055994531;
 // The leading 32 bits of kLog2, whose product with a small integer is exact, and the rest.
 constexpr double kLog2High = 0x1.62e42feep-1, kLog2Low = 0x1.a39ef35793c76p-33;

@@ -10,6 +10,7 @@
 
 namespace ilot {
 
+// Derived: the circumradius of a sliver is many times its edges; four are those of an angle of 7 degrees.
 constexpr double kRadiusPerEdge = 4;
 
 // `reach` is per point, in lattice units, at least 0 [Lorraine thesis, 3.3]. The reach of a triangle is the largest of

@@ -18,7 +18,7 @@ class Inserter {
 
   // Returns false when the segment crosses a fixed edge. The triangulation then stays as it is.
   bool insert(std::uint32_t from, std::uint32_t to) {
-    std::vector<Segment> pieces;
+    std::vector<VertexPair> pieces;
     for (std::uint32_t at = from; at != to;) {
       const std::uint32_t next = next_corner_on(at, to);
       if (next == kNoEdge) return false;
@@ -70,7 +70,7 @@ class Inserter {
 
   // Returns the first corner on the way from a to b, which is b itself at the latest. Returns kNoEdge when a fixed edge
   // is in the way. `crossed` receives the edges in between, as pairs, with the end on the right of the way first.
-  std::uint32_t next_corner_on(std::uint32_t a, std::uint32_t b, std::deque<Segment>* crossed = nullptr) const {
+  std::uint32_t next_corner_on(std::uint32_t a, std::uint32_t b, std::deque<VertexPair>* crossed = nullptr) const {
     std::uint32_t found = kNoEdge, gate = kNoEdge;
     around(a, [&](std::uint32_t e) {
       for (const std::uint32_t v : {target(e), apex(e)})
@@ -90,9 +90,9 @@ class Inserter {
   }
 
   void insert_piece(std::uint32_t a, std::uint32_t b) {
-    std::deque<Segment> crossed;
+    std::deque<VertexPair> crossed;
     next_corner_on(a, b, &crossed);
-    std::vector<Segment> fresh;
+    std::vector<VertexPair> fresh;
     while (!crossed.empty()) {
       const auto [u, v] = crossed.front();
       crossed.pop_front();
@@ -143,7 +143,7 @@ class Inserter {
   }
 
   // Flips edges, and the edges around flipped ones, until none has a point in its circle.
-  void restore(std::vector<Segment> edges) {
+  void restore(std::vector<VertexPair> edges) {
     while (!edges.empty()) {
       const std::uint32_t e = edge_between(edges.back().first, edges.back().second);
       edges.pop_back();
@@ -151,7 +151,8 @@ class Inserter {
       const std::uint32_t a = t_.corner[e], b = target(e), p = apex(e), q = apex(t_.twin[e]);
       if (!in_circle(at(a), at(b), at(p), at(q))) continue;
       flip(e);
-      for (const Segment& s : {Segment{a, q}, Segment{q, b}, Segment{b, p}, Segment{p, a}}) edges.push_back(s);
+      for (const VertexPair& s : {VertexPair{a, q}, VertexPair{q, b}, VertexPair{b, p}, VertexPair{p, a}})
+        edges.push_back(s);
     }
   }
 
@@ -163,7 +164,7 @@ class Inserter {
 
 }  // namespace
 
-Constraints insert_segments(Triangulation& t, std::span<const Point2> points, std::span<const Segment> segments) {
+Constraints insert_segments(Triangulation& t, std::span<const Point2> points, std::span<const VertexPair> segments) {
   Constraints result;
   Inserter inserter(t, points);
   for (std::uint32_t i = 0; i < segments.size() && result.crossing == kNoEdge; ++i)
@@ -173,8 +174,8 @@ Constraints insert_segments(Triangulation& t, std::span<const Point2> points, st
 }
 
 std::vector<std::uint8_t> triangles_inside(const Triangulation& t, const Constraints& constraints,
-                                           std::span<const Segment> segments) {
-  std::vector<Segment> sides(segments.begin(), segments.end());
+                                           std::span<const VertexPair> segments) {
+  std::vector<VertexPair> sides(segments.begin(), segments.end());
   std::sort(sides.begin(), sides.end());
   std::vector<std::uint8_t> inside(t.triangles());
   std::vector<std::uint32_t> stack;
@@ -185,7 +186,7 @@ std::vector<std::uint8_t> triangles_inside(const Triangulation& t, const Constra
   };
   for (std::uint32_t e = 0; e < t.corner.size(); ++e)
     if (constraints.fixed[e] &&
-        std::binary_search(sides.begin(), sides.end(), Segment{t.corner[e], t.corner[next_edge(e)]}))
+        std::binary_search(sides.begin(), sides.end(), VertexPair{t.corner[e], t.corner[next_edge(e)]}))
       reach(e / 3);
   while (!stack.empty()) {
     const std::uint32_t triangle = stack.back();

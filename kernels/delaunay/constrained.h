@@ -9,7 +9,7 @@
 
 namespace ilot {
 
-using Segment = std::pair<std::uint32_t, std::uint32_t>;
+using VertexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 struct Constraints {
   std::vector<std::uint8_t> fixed;   // 1 for each edge of the triangulation that is part of a segment
@@ -22,12 +22,12 @@ struct Constraints {
 // one result, and the order of the segments matters. The result is exact. Edges that cross the segment are flipped
 // until none is left (Sloan 1993), and then the new edges until they are Delaunay. A segment across all n points takes
 // about the square root of n steps.
-Constraints insert_segments(Triangulation& t, std::span<const Point2> points, std::span<const Segment> segments);
+Constraints insert_segments(Triangulation& t, std::span<const Point2> points, std::span<const VertexPair> segments);
 
 // Returns for each triangle 1 when it is inside of closed lines made of segments, which have the inside on their left.
 // The triangulation must contain all segments. Triangles left of a segment are inside, and so are those that can be
 // reached from them without crossing a segment. O(n).
 std::vector<std::uint8_t> triangles_inside(const Triangulation& t, const Constraints& constraints,
-                                           std::span<const Segment> segments);
+                                           std::span<const VertexPair> segments);
 
 }  // namespace ilot

@@ -6,6 +6,7 @@
 namespace ilot {
 
 PlaneFrame frame_of(const Plane& plane, Vec3 anchor) {
+  // Derived: the comment on the line.
   constexpr double kLevel = 1e-4;  // squared sine of about half a degree
   PlaneFrame frame;
   frame.n = plane.n;

@@ -12,6 +12,7 @@ struct PlaneFrame {
   double step = 1;  // edge of the plane's lattice, in units of space
 };
 
+// Derived: a quarter of a step: rounding in the plane is below that of the points.
 constexpr double kPlaneSteps = 4;  // lattice steps of the plane per unit of space
 
 // Returns the frame of a plane near `anchor`, whose foot point is the origin. u is horizontal and v points up, so that

@@ -16,7 +16,7 @@ struct Entry {
   std::uint32_t index;
 };
 
-constexpr std::size_t kChunk = std::size_t{1} << 16;  // points a task
+constexpr std::size_t kOrderChunk = std::size_t{1} << 16;  // points a task
 constexpr int kTopBits = 11, kBits = 8;
 constexpr std::size_t kSmall = 24;
 
@@ -57,14 +57,14 @@ void sort_bucket(Entry* e, Entry* other, std::size_t n, int bits) {
 }
 
 std::size_t chunks_of(std::size_t n) {
-  return (n + kChunk - 1) / kChunk;
+  return (n + kOrderChunk - 1) / kOrderChunk;
 }
 
 Point2 smallest_coordinates(std::span<const Point2> points) {
   std::vector<Point2> lows(chunks_of(points.size()), {kMaxPlaneCoordinate, kMaxPlaneCoordinate});
   parallel_for(lows.size(), [&](std::size_t c) {
     Point2 low = lows[c];
-    for (const Point2 p : points.subspan(c * kChunk, std::min(kChunk, points.size() - c * kChunk)))
+    for (const Point2 p : points.subspan(c * kOrderChunk, std::min(kOrderChunk, points.size() - c * kOrderChunk)))
       low = {std::min(low.x, p.x), std::min(low.y, p.y)};
     lows[c] = low;
   });
@@ -82,7 +82,7 @@ std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   std::vector<std::uint64_t> ored(chunks);
   parallel_for(chunks, [&](std::size_t c) {
     std::uint64_t all = 0;  // of the chunk; frequent writes to neighbouring slots would slow the threads
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
+    for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i) {
       entries[i] = {spread2(static_cast<std::uint32_t>(points[i].x - low.x)) |
                         spread2(static_cast<std::uint32_t>(points[i].y - low.y)) << 1,
                     static_cast<std::uint32_t>(i)};
@@ -96,7 +96,7 @@ std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   constexpr std::size_t kDigits = std::size_t{1} << kTopBits;
   std::vector<std::uint32_t> next(chunks * kDigits), start(kDigits + 1);
   parallel_for(chunks, [&](std::size_t c) {
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i)
+    for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i)
       ++next[c * kDigits + (entries[i].code >> shift)];
   });
   std::uint32_t sum = 0;
@@ -106,7 +106,7 @@ std::unique_ptr<Entry[]> sorted_entries(std::span<const Point2> points) {
   }
   start[kDigits] = sum;
   parallel_for(chunks, [&](std::size_t c) {
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i)
+    for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i)
       sorted[next[c * kDigits + (entries[i].code >> shift)]++] = entries[i];
   });
   parallel_for(kDigits / 16, [&](std::size_t group) {
@@ -127,7 +127,7 @@ PlaneOrder plane_order(std::span<const Point2> points) {
   std::vector<std::size_t> first(chunks + 1);
   parallel_for(chunks, [&](std::size_t c) {
     std::size_t count = 0;
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) count += !repeated(i);
+    for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i) count += !repeated(i);
     first[c + 1] = count;
   });
   for (std::size_t c = 0; c < chunks; ++c) first[c + 1] += first[c];
@@ -136,7 +136,7 @@ PlaneOrder plane_order(std::span<const Point2> points) {
   out.index.resize(first[chunks]);
   parallel_for(chunks, [&](std::size_t c) {
     std::size_t to = first[c];
-    for (std::size_t i = c * kChunk; i < std::min(n, (c + 1) * kChunk); ++i) {
+    for (std::size_t i = c * kOrderChunk; i < std::min(n, (c + 1) * kOrderChunk); ++i) {
       if (repeated(i)) continue;
       out.points[to] = points[sorted[i].index];
       out.codes[to] = sorted[i].code;

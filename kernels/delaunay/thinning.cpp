@@ -271,7 +271,7 @@ std::vector<std::uint32_t> fill_polygons(const Polygons& polygons, std::span<con
   };
   std::vector<Point2> places;
   for (const std::uint32_t v : vertices) places.push_back(points[v]);
-  std::vector<Segment> segments;
+  std::vector<VertexPair> segments;
   for (const Ring& ring : polygons.rings)
     for (std::uint32_t i = 0; i < ring.count; ++i)
       segments.emplace_back(local(polygons.vertices[ring.first + i]),

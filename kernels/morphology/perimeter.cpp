@@ -19,9 +19,9 @@ constexpr std::uint32_t kDry = 0xffffffffu, kOutside = 0xfffffffeu, kWet = 0x800
 
 // Queue is RadixHeap or LevelQueue.
 template <class Queue>
-class Flood {
+class PerimeterFlood {
  public:
-  Flood(const Image& image, Adjacency adjacency, Queue queue)
+  PerimeterFlood(const Image& image, Adjacency adjacency, Queue queue)
       : frame_(image.width, image.height),
         perimeter_{image.width, image.height},
         adjacency_(adjacency),
@@ -154,9 +154,9 @@ BorderFlood flood_from_border(const Image& image, Adjacency adjacency) {
   }
   const ZoneRuns missing = missing_runs(image, adjacency);
   const std::uint32_t range = static_cast<std::uint32_t>(top) - static_cast<std::uint32_t>(low);
-  if (low <= top && range >= kMostLevels) return Flood(image, adjacency, RadixHeap()).run(missing);
+  if (low <= top && range >= kMostLevels) return PerimeterFlood(image, adjacency, RadixHeap()).run(missing);
   const std::size_t pixels = PaddedFrame(image.width, image.height).size();
-  return Flood(image, adjacency, LevelQueue(low, low <= top ? range + 1 : 0, pixels)).run(missing);
+  return PerimeterFlood(image, adjacency, LevelQueue(low, low <= top ? range + 1 : 0, pixels)).run(missing);
 }
 
 }  // namespace ilot

@@ -8,9 +8,9 @@ namespace ilot {
 namespace {
 
 // A pixel waits from the time when the first basin touches it until the water is as high as the pixel.
-class Flood {
+class WatershedFlood {
  public:
-  Flood(const Image& relief, const PixelLabels& markers, Adjacency adjacency)
+  WatershedFlood(const Image& relief, const PixelLabels& markers, Adjacency adjacency)
       : frame_(relief.width, relief.height),
         neighbours_(step_count(adjacency)),
         steps_(frame_.steps()),
@@ -84,7 +84,7 @@ class Flood {
 
 PixelLabels watershed(const Image& relief, const PixelLabels& markers, Adjacency adjacency) {
   assert(relief.size() == markers.of.size());
-  Flood flood(relief, markers, adjacency);
+  WatershedFlood flood(relief, markers, adjacency);
   flood.run();
   return {relief.width, relief.height, markers.count, flood.labels()};
 }

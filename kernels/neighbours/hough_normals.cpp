@@ -15,6 +15,7 @@ namespace ilot {
 namespace {
 
 // The frames of the accumulator, as quaternions. Any rotations work that are far from each other's symmetries.
+// Derived: see above: any rotations work that are no symmetries of each other.
 constexpr double kFrames[simd::kHoughRotations][4]{
     {1, 0, 0, 0}, {9, 2, 1, 1}, {8, -1, 3, 2}, {7, 1, -2, 3}, {8, 3, 2, -2}};
 
@@ -33,6 +34,7 @@ std::vector<float> rotations() {
 // Returns the number of triplets to draw. By Hoeffding's inequality the shares of all bins are then within
 // max_deviation with this confidence.
 double triplets_needed(const HoughNormalsParams& params) {
+  // Derived: three faces of a cube with 8 x 8 bins each.
   constexpr double kBins = 3 * 8 * 8;
   return natural_log(2 * kBins / (1 - params.confidence)) / (2 * params.max_deviation * params.max_deviation);
 }

@@ -12,7 +12,9 @@ constexpr std::uint32_t kRoundsBetweenLooks = 2;
 constexpr std::uint32_t kFaceCells = 8;        // per axis of a face of the cube
 constexpr std::uint32_t kBins = 3 * kFaceCells * kFaceCells;
 constexpr std::uint32_t kBinsAndNone = kBins + 32;  // votes of zero length go to bin kBins
+// Choice: 10 degrees, about a bin; a smaller cone has few votes, a larger one bends normals beside edges.
 constexpr float kCone = 0.96984631f;           // squared cosine of 10 degrees
+// Derived: the comment on the line.
 constexpr float kWarp = 0.27323954f;           // 4 / pi - 1: equal angles instead of equal tangents, nearly
 
 struct Ring {

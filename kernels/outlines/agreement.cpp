@@ -7,7 +7,7 @@
 namespace ilot {
 namespace {
 
-struct End {
+struct IntervalEnd {
   double at;
   int step;  // 1 where an interval begins, -1 where it ends
 };
@@ -15,13 +15,13 @@ struct End {
 }  // namespace
 
 Bounded agreement(std::span<const Bounded> measured) {
-  std::vector<End> ends;
+  std::vector<IntervalEnd> ends;
   for (const Bounded& m : measured) {
     ends.push_back({m.value - m.error, 1});
     ends.push_back({m.value + m.error, -1});
   }
   std::sort(ends.begin(), ends.end(),
-            [](const End& a, const End& b) { return a.at != b.at ? a.at < b.at : a.step > b.step; });
+            [](const IntervalEnd& a, const IntervalEnd& b) { return a.at != b.at ? a.at < b.at : a.step > b.step; });
   int depth = 0, deepest = 0;
   double low = 0, high = 0;
   for (std::size_t i = 0; i < ends.size(); ++i) {

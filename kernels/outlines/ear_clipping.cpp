@@ -9,9 +9,9 @@
 namespace ilot {
 namespace {
 
-using Loop = std::vector<std::uint32_t>;
+using IndexLoop = std::vector<std::uint32_t>;
 
-double doubled_area_of(std::span<const FlatPoint> points, const Loop& loop) {
+double doubled_area_of(std::span<const FlatPoint> points, const IndexLoop& loop) {
   return doubled_area<double>(loop.size(), [&](std::size_t i) { return points[loop[i]]; });
 }
 
@@ -26,7 +26,7 @@ bool in_triangle(FlatPoint p, FlatPoint a, FlatPoint b, FlatPoint c) {
 // Returns the place in `outer` of a corner that sees corner `from` of a hole. The ray to the right meets an edge, and
 // the right end of the edge is visible unless reflex corners are between. In that case the reflex corner at the least
 // angle to the ray is visible.
-std::size_t visible_corner(std::span<const FlatPoint> points, const Loop& outer, FlatPoint from) {
+std::size_t visible_corner(std::span<const FlatPoint> points, const IndexLoop& outer, FlatPoint from) {
   double nearest = std::numeric_limits<double>::infinity();
   std::size_t end = 0;
   for (std::size_t i = 0; i < outer.size(); ++i) {
@@ -60,7 +60,7 @@ std::size_t visible_corner(std::span<const FlatPoint> points, const Loop& outer,
   return best;
 }
 
-void link_hole(std::span<const FlatPoint> points, Loop& outer, Loop hole) {
+void link_hole(std::span<const FlatPoint> points, IndexLoop& outer, IndexLoop hole) {
   const auto rightmost = std::max_element(hole.begin(), hole.end(), [&](std::uint32_t a, std::uint32_t b) {
     return points[a].x < points[b].x || (points[a].x == points[b].x && points[a].y < points[b].y);
   });
@@ -71,7 +71,7 @@ void link_hole(std::span<const FlatPoint> points, Loop& outer, Loop hole) {
   outer.insert(outer.begin() + static_cast<std::ptrdiff_t>(at) + 1, hole.begin(), hole.end());
 }
 
-bool is_ear(std::span<const FlatPoint> points, const Loop& loop, std::size_t before, std::size_t at,
+bool is_ear(std::span<const FlatPoint> points, const IndexLoop& loop, std::size_t before, std::size_t at,
             std::size_t after) {
   const FlatPoint a = points[loop[before]], b = points[loop[at]], c = points[loop[after]];
   if (orient2d(a, b, c) <= 0) return false;
@@ -89,18 +89,19 @@ std::vector<std::array<std::uint32_t, 3>> triangulate(std::span<const FlatPoint>
                                                       std::span<const std::vector<std::uint32_t>> rings) {
   std::vector<std::array<std::uint32_t, 3>> triangles;
   if (rings.empty() || rings[0].size() < 3) return triangles;
-  Loop loop = rings[0];
+  IndexLoop loop = rings[0];
   if (doubled_area_of(points, loop) < 0) std::reverse(loop.begin(), loop.end());
-  std::vector<Loop> holes;
-  for (const Loop& ring : rings.subspan(1))
+  std::vector<IndexLoop> holes;
+  for (const IndexLoop& ring : rings.subspan(1))
     if (ring.size() >= 3) holes.push_back(ring);
-  const auto reach = [&](const Loop& hole) {
+  const auto reach = [&](const IndexLoop& hole) {
     double x = points[hole[0]].x;
     for (const std::uint32_t i : hole) x = std::max(x, points[i].x);
     return x;
   };
-  std::stable_sort(holes.begin(), holes.end(), [&](const Loop& a, const Loop& b) { return reach(a) > reach(b); });
-  for (Loop& hole : holes) {
+  std::stable_sort(holes.begin(), holes.end(),
+                   [&](const IndexLoop& a, const IndexLoop& b) { return reach(a) > reach(b); });
+  for (IndexLoop& hole : holes) {
     if (doubled_area_of(points, hole) > 0) std::reverse(hole.begin(), hole.end());
     link_hole(points, loop, std::move(hole));
   }

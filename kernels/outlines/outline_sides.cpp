@@ -12,10 +12,15 @@ namespace {
 using Loop = std::vector<Point2>;
 
 constexpr int kMostDirections = 3;
-constexpr double kAgreeing = 8;    // degrees between edges that vote for one main direction
-constexpr double kMostTurn = 20;   // degrees that an edge is turned at most
-constexpr double kSharpest = 15;   // degrees; lines that meet at less have no corner of their own
+// Choice: the error of edges of five steps; houses whose sides differ by less in direction become rectangular.
+constexpr double kAgreeing = 8;  // degrees between edges that vote for one main direction
+// Choice: an edge that would turn by more has a direction of its own.
+constexpr double kMostTurn = 20;  // degrees that an edge is turned at most
+// Derived: at 15 degrees the corner is 4 tolerances away, the bound of regularise.cpp.
+constexpr double kSharpest = 15;  // degrees; lines that meet at less have no corner of their own
+// Derived: a cut across a right corner by one tolerance on either side is 1.4 long; the rest allows for noise.
 constexpr double kShortCut = 2.5;  // tolerances; a shorter edge between two others may be a cut across their corner
+// Derived: an edge of 4 tolerances has a direction to 14 degrees, below kMostTurn.
 constexpr double kLongEnough = 4;  // tolerances; edges that can call for a direction of their own
 
 // Multiplies as complex numbers, so angles add.

@@ -38,7 +38,7 @@ bool keep_between(double from, double to, FlatEdge& e) {
 }
 
 // An end of a segment: its place and its number.
-struct End {
+struct SegmentEnd {
   FlatPoint place;
   std::size_t stretch = 0;
   bool second = false;
@@ -46,13 +46,13 @@ struct End {
 
 // Returns for each end (2 x segment + second) the end to which it is joined, or itself.
 std::vector<std::size_t> partners(const std::vector<FlatEdge>& edges, double touch) {
-  std::vector<End> ends;
+  std::vector<SegmentEnd> ends;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     ends.push_back({edges[i].a, i, false});
     ends.push_back({edges[i].b, i, true});
   }
-  const auto number = [](const End& end) { return 2 * end.stretch + end.second; };
-  std::sort(ends.begin(), ends.end(), [&](const End& a, const End& b) {
+  const auto number = [](const SegmentEnd& end) { return 2 * end.stretch + end.second; };
+  std::sort(ends.begin(), ends.end(), [&](const SegmentEnd& a, const SegmentEnd& b) {
     return a.place.x < b.place.x || (a.place.x == b.place.x && number(a) < number(b));
   });
   struct Link {

@@ -13,6 +13,7 @@ namespace {
 
 using Loop = std::vector<Point2>;
 
+// Choice: farther corners are spikes of nearly parallel edges.
 constexpr double kFarCorner = 4;  // tolerances; a corner farther from where the edges part is not one
 
 FlatPoint foot(const OutlineSide& s, FlatPoint p) {

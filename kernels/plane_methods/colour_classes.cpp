@@ -35,6 +35,7 @@ double linear_light(int code) {
 
 // The function f of CIELAB.
 double compressed(double t) {
+  // Derived: the definition of CIE L*.
   constexpr double kLinearBelow = 216.0 / 24389;
   return t > kLinearBelow ? root_of(t, 3) : (24389.0 / 27 * t + 16) / 116;
 }

@@ -12,8 +12,10 @@ namespace {
 
 constexpr std::size_t kBins = 180;
 constexpr std::size_t kWindow = 5;
+// Choice: normals within 20 degrees of level are of walls.
 constexpr double kUprightSine = 0.3420201433256687;  // 20 degrees
-constexpr double kNearCos2 = 0.9924038765061041;     // cosine squared of 5 degrees
+// Choice: 5 degrees, the width of the peak of directions.
+constexpr double kNearCos2 = 0.9924038765061041;  // cosine squared of 5 degrees
 
 // Returns the directions of the azimuths 0, 1, ... 180 degrees.
 std::array<Vec3, kBins + 1> bin_edges() {

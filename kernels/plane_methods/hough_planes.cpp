@@ -16,7 +16,9 @@ namespace {
 
 using Indices = std::vector<std::uint32_t>;
 
+// Derived: 180 / pi.
 constexpr double kDegreesPerRadian = 57.29577951308232;
+// Derived: a bound of memory.
 constexpr double kMaxBins = 4096;
 constexpr int kRounds = 30;  // a peak is only near the middle of a plane, and each round reaches farther
 
@@ -214,6 +216,7 @@ std::vector<Vec3> equal_angle_directions(double degrees) {
   std::size_t total = 0;
   for (std::size_t b = 0; b < bands; ++b) {
     const double middle = 90 * (static_cast<double>(b) + 0.5) / static_cast<double>(bands);
+    // Derived: 2 pi.
     constexpr double kTurn = 6.283185307179586;
     cells[b] = std::max<std::size_t>(1, static_cast<std::size_t>(std::nearbyint(kTurn * cos_degrees(middle) / edge)));
     total += cells[b];

@@ -77,6 +77,7 @@ class Search {
       q = {p.x[i], p.y[i], p.z[i]};
     }
     const Vec3 a = v[1] - v[0], b = v[2] - v[0], n = cross(a, b);
+    // Derived: 6 degrees; at less, noise turns the plane of three points freely.
     constexpr double kThinnest = 0.1;  // sine of the angle at the first point
     const double length = norm(n);
     if (!(length > kThinnest * norm(a) * norm(b))) return std::nullopt;

@@ -10,6 +10,7 @@
 namespace ilot {
 namespace {
 
+// Derived: below every share.
 constexpr double kNothing = -1;  // no consensus
 
 double mse_of(const OrientedPoints& points, std::span<const std::uint32_t> candidates, const Plane& start,

@@ -15,14 +15,16 @@
 namespace ilot {
 namespace {
 
-constexpr int kFirstWindow = 16;             // points; doubled for each of the levels
-constexpr int kLevels = 7;                   // windows of 16 to 1,024 points
+constexpr int kFirstWindow = 16;  // points; doubled for each of the levels
+constexpr int kLevels = 7;        // windows of 16 to 1,024 points
+// Derived: the comment on the line.
 constexpr double kLocality = 4;              // half of a window around a point of a plane is that plane's: (1/2)^2
 constexpr std::size_t kBatch = 64;           // hypotheses scored together
 constexpr std::uint64_t kBatchDraws = 2048;  // draws after which a batch is scored even if not full
 constexpr std::size_t kPool = 512;           // candidates kept between planes
 constexpr std::size_t kSample = 1 << 14;     // points on which candidates are scored while more remain
 constexpr int kRefinements = 10;
+// Derived: a majority.
 constexpr double kExplained = 0.5;  // share of a set within epsilon of an earlier plane that makes it a fringe
 
 // Hypotheses and the number of points of the sample that each has now. Ties go to the earlier draw.
@@ -181,6 +183,7 @@ class Search {
     const Vec3 b = remaining_.position(k) - remaining_.position(i);
     Vec3 normal = cross(a, b);
     const double length = norm(normal);
+    // Derived: 6 degrees; at less, noise turns the plane of three points freely.
     constexpr double kThinnest = 0.1;  // sine of the angle at the first point
     if (!(length > kThinnest * norm(a) * norm(b)) || length == 0) return std::nullopt;
     normal = (1 / length) * normal;

@@ -51,6 +51,7 @@ struct PointExtent {
   }
   // Returns false only where all points of the box are farther than `distance` from the plane.
   bool may_reach(const Plane& plane, double distance) const {
+    // Derived: above the rounding of float32 in a cell.
     constexpr double kRounding = 1e-3;
     const double n[3]{plane.n.x, plane.n.y, plane.n.z};
     double centre = plane.d, half = 0;

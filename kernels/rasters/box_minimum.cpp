@@ -30,10 +30,6 @@ void lower_to_windows(std::vector<Height>& values, std::vector<Height>& scratch,
   if (reached < window) reach_on(window - reached);
 }
 
-Height or_highest(Height v) {
-  return v == kNoHeight ? kAboveAll : v;
-}
-
 Height or_missing(Height v) {
   return v == kAboveAll ? kNoHeight : v;
 }

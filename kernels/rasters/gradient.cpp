@@ -6,11 +6,6 @@
 namespace ilot {
 namespace {
 
-// Returns the value of a missing neighbour when the lowest is sought: kNoHeight becomes the highest value.
-Height or_highest(Height v) {
-  return v == kNoHeight ? kAboveAll : v;
-}
-
 template <Adjacency kAdjacency>
 void gradient_row(const Height* row, std::size_t stride, std::size_t width, Height* __restrict out) {
   const Height *above = row - stride, *below = row + stride;

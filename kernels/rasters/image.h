@@ -16,6 +16,11 @@ using Height = std::int32_t;
 constexpr Height kNoHeight = std::numeric_limits<Height>::min();
 constexpr Height kAboveAll = std::numeric_limits<Height>::max();
 
+// The value of a pixel where the lowest is sought: kNoHeight becomes the highest value.
+constexpr Height or_highest(Height v) {
+  return v == kNoHeight ? kAboveAll : v;
+}
+
 // There are fewer than 2^31 pixels. Both sides are at least 1, or the whole image is empty.
 struct Image {
   std::uint32_t width = 0, height = 0;

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t kMost = 6;  // parameters of a cone
 constexpr int kMaxSteps = 30;
+// Derived: far below the noise, far above the rounding of doubles.
 constexpr double kConverged = 1e-9;  // relative gain of a step that ends the fit
 
 using Row = std::array<double, kMost>;

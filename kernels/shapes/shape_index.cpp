@@ -16,7 +16,8 @@ namespace {
 
 constexpr float kHole = std::numeric_limits<float>::quiet_NaN();
 constexpr std::size_t kFewestInCell = 16;  // points of an average cell of the smallest level
-constexpr double kMargin = 1 + 1e-6;       // more than the rounding of a ball to float32
+// Derived: the comment on the line.
+constexpr double kMargin = 1 + 1e-6;  // more than the rounding of a ball to float32
 
 void add_balls(ShapeIndex& s, const std::vector<Box3<Vec3>>& boxes) {
   std::vector<float> level((boxes.size() + 7) / 8 * 32, kHole);
@@ -52,6 +53,7 @@ void build_balls(ShapeIndex& s) {
 }
 
 ShapeIndex::Cone cone_of(const ShapeIndex& s, std::size_t begin, std::size_t end) {
+  // Derived: above the rounding of packed normals, 1 / 32767.
   constexpr double kUnit2 = 1 + 1e-3, kRounding = 1e-3;
   Vec3 sum;
   double longest2 = 0;

@@ -23,11 +23,16 @@ using Indices = std::vector<std::uint32_t>;
 constexpr std::uint64_t kBatchDraws = 1024;
 constexpr std::size_t kPool = 4096;  // candidates of a kind that are kept
 constexpr std::size_t kSample = std::size_t{1} << 17;
+// Derived: the comment on the line.
 constexpr double kLocality = 4;  // half of a cell around a point of a shape is that shape's: (1/2)^2
 constexpr int kRefinements = 10;
-constexpr double kFirstReach = 3;       // in epsilons; a start from normals is rough
-constexpr double kSimpler = 0.97;       // share of the points for which a simpler kind is preferred
+// Choice: a start from normals is rough; starts that are off by more are lost.
+constexpr double kFirstReach = 3;  // in epsilons; a start from normals is rough
+// Choice: a plane with 3 % fewer points is preferred to a sphere; very flat shapes become planes.
+constexpr double kSimpler = 0.97;  // share of the points for which a simpler kind is preferred
+// Choice: more than for planes, since shapes touch along curves.
 constexpr double kExplained = 2.0 / 3;  // share on earlier shapes that makes a fringe
+// Choice: saves time; a better shape that begins with fewer points is found later or not at all.
 constexpr double kWorthRefining = 0.5;  // share of the best count
 
 // A shape and the positions of its points among the remaining points.

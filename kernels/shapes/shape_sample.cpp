@@ -4,6 +4,7 @@
 namespace ilot {
 namespace {
 
+// Derived: 6 degrees; at less, noise turns the axis freely.
 constexpr double kThinnest = 0.1;  // sine of the smallest angle between directions that count as different
 
 std::optional<Vec3> unit(Vec3 v) {

@@ -23,6 +23,7 @@ struct Request {
 // Removes the leaves that have no normal within the angle of the plane's normal. For these the angle between it and the
 // axis of the leaf is at least the sum of both angles.
 void keep_agreeing(Request& r, const ShapeIndex& index, Vec3 normal, double min_cos) {
+  // Derived: above the rounding of packed normals, 1 / 32767.
   constexpr double kRounding = 1e-3;  // of cosines, and of the lengths of normals
   const double cosine = std::max(0.0, min_cos - kRounding), sine = std::sqrt(1 - cosine * cosine);
   std::uint32_t left = 0;
@@ -79,6 +80,7 @@ bool may_hold(const Box3<Vec3>& box, const ShapeIndex& index, std::uint32_t leaf
 template <class Wanted>
 std::vector<std::uint32_t> found_points(Request& r, const ShapeIndex& index, const Shape& shape,
                                         const ShapeScoreParams& params, const Wanted& wanted) {
+  // Derived: above the rounding of float32 in a cosine.
   constexpr float kCosineRounding = 1e-4f;
   r.args.max_distance += r.args.slack;
   r.args.min_cos -= kCosineRounding;

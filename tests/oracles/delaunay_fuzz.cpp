@@ -51,9 +51,9 @@ std::vector<std::vector<Point2>> circles_of(const std::vector<PlacedTriangle>& t
 const char* fault_with_segments(Triangulation t, const test::PlaneSet& set, std::uint64_t key) {
   if (t.corner.empty()) return nullptr;
   Rng rng(key, 1);
-  std::vector<Segment> segments;
+  std::vector<VertexPair> segments;
   for (int i = 0; i < 3; ++i) {
-    const Segment s{t.corner[rng.below(t.corner.size())], t.corner[rng.below(t.corner.size())]};
+    const VertexPair s{t.corner[rng.below(t.corner.size())], t.corner[rng.below(t.corner.size())]};
     if (s.first != s.second) segments.push_back(s);
   }
   insert_segments(t, set.points, segments);

@@ -10,6 +10,8 @@
 
 namespace ilot {
 
+constexpr double kThinnestPen = 0.05;  // mm; thinner pens are drawn with this width
+
 enum class LinePattern : std::uint8_t { continuous, dashed, dotted };
 
 struct DrawingLayer {

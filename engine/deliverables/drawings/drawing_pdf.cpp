@@ -14,9 +14,8 @@ namespace ilot {
 namespace {
 
 constexpr double kPointsPerMm = 72 / 25.4;
-constexpr double kCapitalHeight = 0.718;  // of Helvetica, in font sizes
-constexpr double kThinnest = 0.05;        // mm
-constexpr double kWidestCurve = 0.2;      // greatest bulge that one curve draws: 45 degrees, within 1e-5 of the radius
+constexpr double kCapitalOfHelvetica = 0.718;  // of Helvetica, in font sizes
+constexpr double kWidestCurve = 0.2;  // greatest bulge that one curve draws: 45 degrees, within 1e-5 of the radius
 
 // Widths of the letters from the blank to the tilde, in thousandths of the font size (Adobe's metrics of Helvetica).
 constexpr std::array<int, 95> kWidths{278,  278, 355, 556, 556, 889, 667, 191, 333, 333, 389, 584, 278, 333, 278, 278,
@@ -46,7 +45,7 @@ unsigned char western(char32_t code) {
 }
 
 // Converts metres of the drawing to millimetres from the lower left corner of the paper.
-struct PaperPlace {
+struct PdfPlace {
   FlatBox box;
   double mm;
   std::string operator()(FlatPoint p) const {
@@ -55,7 +54,7 @@ struct PaperPlace {
 };
 
 // Adds the stretch from p to q: a line, or curves of at most 45 degrees.
-void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PaperPlace& at, std::string& path) {
+void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PdfPlace& at, std::string& path) {
   if (bulge == 0) {
     path += at(q) + " l\n";
     return;
@@ -73,7 +72,7 @@ void add_stretch(FlatPoint p, FlatPoint q, double bulge, const PaperPlace& at, s
           at({q.x - along * d.x + across * d.y, q.y - along * d.y - across * d.x}) + " " + at(q) + " c\n";
 }
 
-std::string path_of(const DrawingLine& line, const PaperPlace& at) {
+std::string path_of(const DrawingLine& line, const PdfPlace& at) {
   const auto place = [&](std::size_t i) { return FlatPoint{line.corners[i].x, line.corners[i].y}; };
   const std::size_t n = line.corners.size();
   std::string path = at(place(0)) + " m\n";
@@ -83,7 +82,7 @@ std::string path_of(const DrawingLine& line, const PaperPlace& at) {
 }
 
 // The arc is drawn in eight pieces of at most 45 degrees.
-std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
+std::string path_of(const DrawingArc& arc, const PdfPlace& at) {
   constexpr int kPieces = 8;
   double span = arc.to_deg - arc.from_deg;
   while (span <= 0) span += 360;
@@ -97,7 +96,7 @@ std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
   return path_of(line, at);
 }
 
-std::string text_of(const DrawingText& text, const PaperPlace& at) {
+std::string text_of(const DrawingText& text, const PdfPlace& at) {
   std::string letters;
   int width = 0;
   for (const char32_t code : code_points(clean_text(text.text))) {
@@ -106,9 +105,9 @@ std::string text_of(const DrawingText& text, const PaperPlace& at) {
     if (letter == '(' || letter == ')' || letter == '\\') letters += '\\';
     letters += letter < 127 ? std::string(1, static_cast<char>(letter)) : fmt::format("\\{:03o}", letter);
   }
-  const double size = text.height / at.mm / kCapitalHeight;
+  const double size = text.height / at.mm / kCapitalOfHelvetica;
   const double share = text.anchor == TextAnchor::left ? 0 : text.anchor == TextAnchor::middle ? 0.5 : 1;
-  const double back = share * width * text.height / kCapitalHeight / 1000;
+  const double back = share * width * text.height / kCapitalOfHelvetica / 1000;
   const double c = cos_degrees(text.rotation_deg), s = cos_degrees(text.rotation_deg - 90);
   return fmt::format("BT /F1 {} Tf {} {} {} {} {} Tm ({}) Tj ET\n", decimal(size, 3), decimal(c, 5), decimal(s, 5),
                      decimal(-s, 5), decimal(c, 5), at({text.x - back * c, text.y - back * s}), letters);
@@ -120,11 +119,12 @@ std::string pen_of(const DrawingLayer& layer) {
   const char* dashes = layer.pattern == LinePattern::dashed   ? "[3 1.5] 0 d"
                        : layer.pattern == LinePattern::dotted ? "[0.5 1] 0 d"
                                                               : "[] 0 d";
-  return fmt::format("{0} RG {0} rg {1} w {2}\n", colour, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
+  return fmt::format("{0} RG {0} rg {1} w {2}\n", colour, decimal(std::max(layer.lineweight_mm, kThinnestPen), 2),
+                     dashes);
 }
 
 // Returns everything on one layer; empty when there is nothing.
-std::string strokes_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
+std::string strokes_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PdfPlace& at) {
   std::string strokes;
   for (const DrawingLine& line : drawing.lines)
     if (line.role == role && !line.is_sample && line.corners.size() > 1) strokes += path_of(line, at);
@@ -169,7 +169,7 @@ std::string file_of(const std::vector<std::string>& objects) {
 
 std::string drawing_pdf(const Drawing& drawing, const DrawingLayers& layers) {
   constexpr std::size_t kFirstLayer = 7;  // number of the object of the first layer
-  const PaperPlace at{drawing.sheet, drawing.paper_mm(1)};
+  const PdfPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string content = decimal(kPointsPerMm, 6) + " 0 0 " + decimal(kPointsPerMm, 6) + " 0 0 cm 1 J 1 j\n";
   std::string all, hidden, properties;
   std::vector<std::string> groups;

@@ -13,12 +13,11 @@
 namespace ilot {
 namespace {
 
-constexpr double kCapitalHeight = 0.716;  // of Arial and Helvetica, in font sizes
-constexpr double kThinnest = 0.05;        // mm; thinner pens are drawn with this width
-constexpr double kAroundPlan = 3;         // mm
+constexpr double kCapitalOfArial = 0.716;  // of Arial and Helvetica, in font sizes
+constexpr double kAroundPlan = 3;          // mm
 
 // Converts metres of the drawing to millimetres of the paper, y down.
-struct PaperPlace {
+struct SvgPlace {
   FlatBox box;
   double mm;  // metres of the drawing for a millimetre of paper
   std::string x(double v) const { return decimal((v - box.min.x) / mm, 3); }
@@ -30,7 +29,7 @@ double length_of(const DrawingCorner& a, const DrawingCorner& b) {
   return std::sqrt((b.x - a.x) * (b.x - a.x) + (b.y - a.y) * (b.y - a.y));
 }
 
-std::string path_of(const DrawingLine& line, const PaperPlace& at) {
+std::string path_of(const DrawingLine& line, const SvgPlace& at) {
   std::string path = "M" + at.x(line.corners[0].x) + " " + at.y(line.corners[0].y);
   const std::size_t n = line.corners.size();
   for (std::size_t i = 0; i + 1 < n + line.closed; ++i) {
@@ -46,7 +45,7 @@ std::string path_of(const DrawingLine& line, const PaperPlace& at) {
   return path + (line.closed ? "Z" : "");
 }
 
-std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
+std::string path_of(const DrawingArc& arc, const SvgPlace& at) {
   const auto on = [&](double degrees) {
     return at.x(arc.x + arc.radius * cos_degrees(degrees)) + " " + at.y(arc.y + arc.radius * cos_degrees(degrees - 90));
   };
@@ -58,7 +57,7 @@ std::string path_of(const DrawingArc& arc, const PaperPlace& at) {
                      on(arc.from_deg + span));
 }
 
-std::string text_of(const DrawingText& text, const PaperPlace& at) {
+std::string text_of(const DrawingText& text, const SvgPlace& at) {
   const char* anchor = text.anchor == TextAnchor::left     ? ""
                        : text.anchor == TextAnchor::middle ? " text-anchor=\"middle\""
                                                            : " text-anchor=\"end\"";
@@ -67,7 +66,7 @@ std::string text_of(const DrawingText& text, const PaperPlace& at) {
                                ? ""
                                : fmt::format(" transform=\"rotate({} {} {})\"", decimal(-text.rotation_deg, 3), x, y);
   return fmt::format("<text x=\"{}\" y=\"{}\" font-size=\"{}\"{}{}>{}</text>\n", x, y,
-                     at.length(text.height / kCapitalHeight), anchor, turn, escaped_markup(clean_text(text.text)));
+                     at.length(text.height / kCapitalOfArial), anchor, turn, escaped_markup(clean_text(text.text)));
 }
 
 std::string stroke_of(const DrawingLayer& layer) {
@@ -76,18 +75,18 @@ std::string stroke_of(const DrawingLayer& layer) {
                        : layer.pattern == LinePattern::dotted ? " stroke-dasharray=\"0.5 1\""
                                                               : "";
   return fmt::format("fill=\"none\" stroke=\"#{:02x}{:02x}{:02x}\" stroke-width=\"{}\" stroke-linecap=\"round\"{}", red,
-                     green, blue, decimal(std::max(layer.lineweight_mm, kThinnest), 2), dashes);
+                     green, blue, decimal(std::max(layer.lineweight_mm, kThinnestPen), 2), dashes);
 }
 
 // Returns samples of all pens, on the layer of titles.
-std::string samples_of(const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
+std::string samples_of(const Drawing& drawing, const DrawingLayers& layers, const SvgPlace& at) {
   std::string paths;
   for (const DrawingLine& line : drawing.lines)
     if (line.is_sample) paths += fmt::format("<path {} d=\"{}\"/>\n", stroke_of(layers[line.role]), path_of(line, at));
   return paths;
 }
 
-std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const PaperPlace& at) {
+std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLayers& layers, const SvgPlace& at) {
   std::string paths, texts;
   for (const DrawingLine& line : drawing.lines)
     if (line.role == role && !line.is_sample && line.corners.size() > 1)
@@ -109,7 +108,7 @@ std::string group_of(DrawingRole role, const Drawing& drawing, const DrawingLaye
   return group + samples + "</g>\n";
 }
 
-std::string notes_of(std::span<const SvgNote> notes, const PaperPlace& at) {
+std::string notes_of(std::span<const SvgNote> notes, const SvgPlace& at) {
   if (notes.empty()) return "";
   std::string group = "<g class=\"notes\" fill=\"none\" stroke=\"#000\" stroke-opacity=\"0\" stroke-width=\"1.2\">\n";
   for (const SvgNote& note : notes)
@@ -139,7 +138,7 @@ Drawing plan_of(const Drawing& drawing) {
 std::string drawing_svg(const Drawing& whole, const DrawingLayers& layers, SvgPart part,
                         const std::optional<SvgUnderlay>& underlay, std::span<const SvgNote> notes) {
   const Drawing drawing = part == SvgPart::plan ? plan_of(whole) : whole;
-  const PaperPlace at{drawing.sheet, drawing.paper_mm(1)};
+  const SvgPlace at{drawing.sheet, drawing.paper_mm(1)};
   std::string svg = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"Arial, Helvetica, 'Liberation Sans', sans-serif\">\n<title>{2}</title>\n"

@@ -142,7 +142,7 @@ const char* pattern_of(const DrawingLayer& layer) {
                                                 : "Continuous";
 }
 
-int pen_of(const DrawingLayer& layer) {
+int lineweight_of(const DrawingLayer& layer) {
   return static_cast<int>(std::lround(layer.lineweight_mm * 100));
 }
 
@@ -165,7 +165,7 @@ void write_layers(DxfTags& tags, const DrawingLayers& layers, unsigned& handle) 
   };
   record(0x10, "0", true, 7, "Continuous", -3);
   for (const auto& [name, layer] : by_name)
-    record(handle++, name, layer->shown, layer->colour, pattern_of(*layer), pen_of(*layer));
+    record(handle++, name, layer->shown, layer->colour, pattern_of(*layer), lineweight_of(*layer));
   tags.words({{0, "ENDTAB"}});
 }
 
@@ -288,7 +288,7 @@ class Entities {
     if (is_sample) {
       tags_.add(6, pattern_of(layers_[role]));
       tags_.add(62, layers_[role].colour);
-      tags_.add(370, pen_of(layers_[role]));
+      tags_.add(370, lineweight_of(layers_[role]));
     }
     tags_.add(100, kind);
   }

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kMostListed = 200, kMostEvidence = 1000;
 constexpr std::array<const char*, 3> kStatus{"seen", "completed", "occluded"};
 
-constexpr const char* kHead = R"(<!doctype html>
+constexpr const char* kFacadesHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Facades</title><style>
 body{font:14px/1.45 system-ui,sans-serif;color:#1d2433;background:#fff;margin:1.5rem auto;max-width:80rem;padding:0 1rem}
 h1{font-size:1.4rem;margin:0 0 .3rem}h2{font-size:1.1rem;margin:2rem 0 .3rem}p{margin:.2rem 0;color:#5c667a}
@@ -169,7 +169,7 @@ void FacadesPage::add(const Facade& facade, const Drawing& drawing, const std::o
 }
 
 void FacadesPage::finish() {
-  std::string html = kHead;
+  std::string html = kFacadesHead;
   html += fmt::format("<h1>Facades: {}</h1>\n<p>{} elements, {} edges, of them {} completed and {} occluded.{}</p>\n",
                       facades_, elements_, edges_, completed_edges_, occluded_edges_,
                       drawn_ < facades_ ? fmt::format(" {} of {} facades are shown.", drawn_, facades_) : "");

@@ -19,7 +19,7 @@ constexpr std::uint64_t kMostFacesDrawn = 30000;
 constexpr std::size_t kSamples = 12, kMostFallen = 200;
 constexpr int kWidth = 300, kHeight = 230;  // pixels of a drawing
 
-constexpr const char* kHead = R"(<!doctype html>
+constexpr const char* kRoofsHead = R"(<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>Roofs</title><style>
 body{font:14px/1.45 system-ui,sans-serif;color:#1d2433;background:#fff;margin:1.5rem auto;max-width:64rem;padding:0 1rem}
 h1{font-size:1.4rem;margin:0 0 .3rem}h2{font-size:1.1rem;margin:1.6rem 0 .4rem}p{margin:.2rem 0;color:#5c667a}
@@ -97,7 +97,7 @@ void RoofsPage::keep(Choice& choice, double rank, const Sample& sample) {
 }
 
 void RoofsPage::finish() {
-  std::string html = kHead;
+  std::string html = kRoofsHead;
   html += fmt::format("<h1>Roofs: {} buildings</h1>\n<p>", buildings_);
   for (const auto& [status, count] : by_status_) html += fmt::format("{} {} &nbsp; ", count, escaped_markup(status));
   html += "</p>\n";

@@ -13,7 +13,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarthest = 0x1p53;  // steps; beyond it JSON readers round whole numbers
+constexpr double kFarthestStep = 0x1p53;  // steps; beyond it JSON readers round whole numbers
 
 const char* name_of(SurfaceKind kind) {
   switch (kind) {
@@ -132,7 +132,7 @@ std::vector<std::uint32_t> CityJsonWriter::number_vertices(const Building& build
     Steps steps;
     for (std::size_t axis = 0; axis < 3; ++axis) {
       const double value = (axis == 0 ? offset.x : axis == 1 ? offset.y : offset.z) / params_.step;
-      if (!(std::abs(value) < kFarthest))
+      if (!(std::abs(value) < kFarthestStep))
         throw Error(file_.path().string() + ": building " + building.id + " lies too far from the model's origin");
       steps[axis] = std::llround(value);
     }

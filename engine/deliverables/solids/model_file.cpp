@@ -1,32 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/deliverables/solids/model_file.h"
 
-#include <algorithm>
-#include <cctype>
-#include <fstream>
-#include <iterator>
-
+#include "engine/deliverables/solids/solid_file.h"
 #include "engine/error.h"
 
 namespace ilot {
-namespace {
-
-std::string read_text(const std::filesystem::path& path) {
-  if (!std::filesystem::is_regular_file(path)) throw Error(path.string() + ": no such file", ExitCode::usage);
-  std::ifstream file(path, std::ios::binary);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad() || !file.is_open()) throw Error(path.string() + ": cannot be read");
-  return text;
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
-}  // namespace
-
 bool is_model_file(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   return extension == ".obj" || extension == ".jsonl" ||

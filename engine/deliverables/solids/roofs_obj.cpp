@@ -38,7 +38,7 @@ std::string one_word(std::string text) {
   return text.empty() ? "_" : text;
 }
 
-using Steps = std::array<std::int64_t, 3>;
+using VertexSteps = std::array<std::int64_t, 3>;
 
 struct NumberedVertices {
   std::string lines;
@@ -56,13 +56,13 @@ int decimals_of(double step) {
 
 NumberedVertices number_vertices(const Building& building, const RoofsObjParams& params, std::uint64_t before) {
   NumberedVertices out;
-  std::map<Steps, std::uint64_t> known;
+  std::map<VertexSteps, std::uint64_t> known;
   const int decimals = decimals_of(params.step);
   out.places.step = params.step;
   for (const Vec3& v : building.vertices) {
     const Vec3 d = v - params.origin;
-    const Steps steps{std::llround(d.x / params.step), std::llround(d.y / params.step),
-                      std::llround(d.z / params.step)};
+    const VertexSteps steps{std::llround(d.x / params.step), std::llround(d.y / params.step),
+                            std::llround(d.z / params.step)};
     const auto [entry, fresh] = known.try_emplace(steps, before + out.fresh + 1);
     out.numbers.push_back(entry->second);
     out.places.points.push_back({steps[0], steps[1], steps[2]});

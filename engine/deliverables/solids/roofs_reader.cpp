@@ -12,12 +12,12 @@ namespace {
 
 using Json = nlohmann::json;
 
-struct Steps {
+struct VertexTransform {
   double step = 1;
   Vec3 origin;
 };
 
-Steps steps_of(const Json& head) {
+VertexTransform steps_of(const Json& head) {
   const Json& transform = head.at("transform");
   const Json& scale = transform.at("scale");
   const Json& shift = transform.at("translate");
@@ -56,7 +56,7 @@ std::vector<BuildingSurface> surfaces_of(const Json& geometry, std::size_t verti
   return surfaces;
 }
 
-BuildingModel model_of(const Json& feature, const Steps& steps, const std::string& place) {
+BuildingModel model_of(const Json& feature, const VertexTransform& steps, const std::string& place) {
   BuildingModel model;
   model.id = feature.at("id");
   const Json& object = feature.at("CityObjects").at(model.id);
@@ -82,7 +82,7 @@ std::vector<BuildingModel> read_roofs_sequence(const std::filesystem::path& path
   std::ifstream file(path);
   std::string text;
   std::vector<BuildingModel> models;
-  Steps steps;
+  VertexTransform steps;
   for (std::size_t line = 1; std::getline(file, text); ++line) {
     const std::string place = path.string() + ":" + std::to_string(line);
     try {

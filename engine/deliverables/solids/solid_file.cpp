@@ -21,19 +21,6 @@ std::ifstream opened(const std::filesystem::path& path) {
   return file;
 }
 
-std::string read_text(const std::filesystem::path& path) {
-  std::ifstream file = opened(path);
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (file.bad()) throw Error(path.string() + ": cannot be read");
-  return text;
-}
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return extension;
-}
-
 CityObject solid_of(PolygonModel&& model) {
   CityObject object{std::move(model.name), "", std::move(model.vertices), {}};
   SolidShell shell;
@@ -53,6 +40,19 @@ void read_sequence(const std::filesystem::path& path, const SolidFileSink& sink)
 }
 
 }  // namespace
+
+std::string lower_extension(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension;
+}
+
+std::string read_text(const std::filesystem::path& path) {
+  std::ifstream file = opened(path);
+  std::string text{std::istreambuf_iterator<char>(file), {}};
+  if (file.bad()) throw Error(path.string() + ": cannot be read");
+  return text;
+}
 
 bool is_solid_file(const std::filesystem::path& path) {
   constexpr const char* kExtensions[] = {".obj", ".off", ".poly", ".json", ".jsonl"};

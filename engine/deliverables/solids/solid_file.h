@@ -31,6 +31,12 @@ bool is_solid_file(const std::filesystem::path& path);
 // file that cannot be read. Throws a usage Error when there is no file or its name gives no format.
 void read_solids(const std::filesystem::path& path, const SolidFileSink& sink);
 
+// The extension of a file name in lower case, with its point.
+std::string lower_extension(const std::filesystem::path& path);
+
+// Reads a whole file. Throws Error when it cannot be read, a usage Error when there is none.
+std::string read_text(const std::filesystem::path& path);
+
 CityObject parse_off(std::string_view text, const std::string& name);
 CityObject parse_poly(std::string_view text, const std::string& name);
 

@@ -7,12 +7,12 @@
 #include <set>
 #include <string_view>
 
+#include "engine/formats/copc/copc_octree.h"
 #include "engine/formats/file.h"
 
 namespace ilot {
 namespace {
 
-constexpr std::size_t kInfoSize = 160, kEntrySize = 32;
 constexpr int kDeepest = 30;
 
 // The values of the octree in the info record.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Assigns points to the nodes of a COPC file. It works in memory only.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -8,6 +9,7 @@
 
 namespace ilot {
 
+constexpr std::size_t kInfoSize = 160, kEntrySize = 32;  // bytes of the info record and of an entry of the hierarchy
 constexpr int kCopcGridBits = 7;               // a node that has children keeps one point for each cell of 128^3
 constexpr std::uint64_t kCopcLeaf = 1u << 16;  // nodes with at most this number of points below them are not split
 

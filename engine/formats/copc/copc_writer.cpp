@@ -17,7 +17,6 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kInfoPlace = las::header_size(4) + las::kVlrHeader;  // of the payload of the info record
-constexpr std::size_t kInfoSize = 160, kEntrySize = 32;
 constexpr std::size_t kBlockBytes = std::size_t{4} << 20;
 constexpr std::uint16_t kInfoId = 1, kHierarchyId = 1000, kWaveformBits = 6;
 

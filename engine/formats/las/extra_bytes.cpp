@@ -10,15 +10,6 @@ namespace {
 
 constexpr std::size_t kLargestOpaque = 255;
 
-std::string text_at(const std::byte* p, std::size_t length) {
-  const char* begin = reinterpret_cast<const char*>(p);
-  return {begin, std::find(begin, begin + length, '\0')};
-}
-
-void put_text(std::byte* p, const std::string& text, std::size_t length) {
-  std::memcpy(p, text.data(), std::min(text.size(), length));
-}
-
 // A size of 0 means that the descriptor cannot be used.
 ExtraField parse_descriptor(const std::byte* p) {
   const auto type = load<std::uint8_t>(p + 2), options = load<std::uint8_t>(p + 3);
@@ -61,6 +52,16 @@ ExtraBytes malformed(const std::string& reason) {
 }
 
 }  // namespace
+
+std::string text_at(const std::byte* p, std::size_t length) {
+  const char* begin = reinterpret_cast<const char*>(p);
+  return {begin, std::find(begin, begin + length, '\0')};
+}
+
+void put_text(std::byte* p, const std::string& text, std::size_t length) {
+  std::memset(p, 0, length);
+  std::memcpy(p, text.data(), std::min(text.size(), length));
+}
 
 bool is_extra_bytes(const Vlr& vlr) {
   return vlr.record_id == 4 && vlr.user_id == "LASF_Spec";

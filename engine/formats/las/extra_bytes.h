@@ -32,4 +32,8 @@ std::vector<std::byte> describe(std::span<const ExtraField> fields);
 // Returns the number of bytes of a field type; 0 for opaque.
 std::size_t type_size(FieldType type);
 
+// Reads and writes a text in a field of `length` bytes, padded with zeros; a longer text is cut.
+std::string text_at(const std::byte* p, std::size_t length);
+void put_text(std::byte* p, const std::string& text, std::size_t length);
+
 }  // namespace ilot

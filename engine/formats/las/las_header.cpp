@@ -29,11 +29,6 @@ struct HeaderView {
   bool has_bytes(std::size_t end) const { return bytes.size() >= end; }
 };
 
-std::string text_at(const std::byte* p, std::size_t length) {
-  const char* begin = reinterpret_cast<const char*>(p);
-  return {begin, std::find(begin, begin + length, '\0')};
-}
-
 [[noreturn]] void refuse(const InputFile& file, const std::string& why) {
   throw Error(file.path().string() + ": " + why);
 }

@@ -15,11 +15,6 @@ namespace {
 
 constexpr std::size_t kDescriptorsPerVlr = las::kLargestVlr / kDescriptorSize;
 
-void put_text(std::byte* p, const std::string& text, std::size_t length) {
-  std::memset(p, 0, length);
-  std::memcpy(p, text.data(), std::min(text.size(), length));
-}
-
 bool describes_compression(const Vlr& vlr) {
   return (vlr.user_id == "laszip encoded" && vlr.record_id == 22204) || vlr.user_id == "copc";
 }

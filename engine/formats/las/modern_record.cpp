@@ -17,7 +17,7 @@ bool describes_waveforms(const Vlr& vlr) {
   return vlr.user_id == "LASF_Spec" && ((vlr.record_id >= 100 && vlr.record_id < 355) || vlr.record_id == 65535);
 }
 
-bool is_wkt(const Vlr& vlr) {
+bool is_wkt_of_any_kind(const Vlr& vlr) {
   return is_crs_record(vlr) && (vlr.record_id == 2112 || vlr.record_id == 4224);
 }
 
@@ -47,7 +47,7 @@ CloudSpec modern_spec(const CloudSpec& spec) {
   for (ExtraField& field : layout.extra) field.offset = static_cast<std::uint16_t>(field.offset - before + after);
   std::vector<Vlr>& vlrs = modern.like.vlrs;
   std::erase_if(vlrs, describes_waveforms);
-  if (!modern.like.crs.wkt.empty() && std::none_of(vlrs.begin(), vlrs.end(), is_wkt))
+  if (!modern.like.crs.wkt.empty() && std::none_of(vlrs.begin(), vlrs.end(), is_wkt_of_any_kind))
     replace_crs(modern.like, Crs(modern.like.crs));
   return modern;
 }

@@ -12,6 +12,10 @@
 
 namespace ilot::laz {
 
+inline void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
+  out.insert(out.end(), bytes.begin(), bytes.end());
+}
+
 struct ChunkLayout {
   std::uint8_t point_format = 0;     // 0-5: one stream for all; 6-10: one stream for each attribute
   std::uint16_t record_length = 20;  // bytes, at least the standard size of the format; the rest are extra bytes

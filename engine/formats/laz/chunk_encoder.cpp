@@ -19,11 +19,7 @@ class ChunkEncoder::Implementation {
 
 namespace {
 
-void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
-  out.insert(out.end(), bytes.begin(), bytes.end());
-}
-
-void append(std::vector<std::byte>& out, std::uint32_t v) {
+void append_number(std::vector<std::byte>& out, std::uint32_t v) {
   std::byte bytes[4];
   store(bytes, v);
   append(out, bytes);
@@ -68,7 +64,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
     }
     codec_.streams()[kLayerXy].active = codec_.streams()[kLayerZ].active = true;
     append(out, records.first(record_length_));
-    append(out, static_cast<std::uint32_t>(records.size() / record_length_));
+    append_number(out, static_cast<std::uint32_t>(records.size() / record_length_));
     append_streams(out);
   }
 
@@ -97,7 +93,7 @@ class LayeredEncoder final : public ChunkEncoder::Implementation {
     streams_.clear();
     for (Stream<Encoder>& s : codec_.streams()) {
       streams_.push_back(s.active ? s.coder.finish() : std::span<const std::byte>());
-      append(out, static_cast<std::uint32_t>(streams_.back().size()));
+      append_number(out, static_cast<std::uint32_t>(streams_.back().size()));
     }
     for (const auto& s : streams_) append(out, s);
   }

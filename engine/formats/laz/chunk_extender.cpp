@@ -6,6 +6,7 @@
 
 #include "engine/cloud/record.h"
 #include "engine/formats/laz/channel_sets.h"
+#include "engine/formats/laz/chunk.h"
 #include "engine/formats/laz/encoder.h"
 #include "engine/formats/laz/layered_plan.h"
 #include "engine/formats/laz/point14_record.h"
@@ -51,10 +52,6 @@ bool code_byte(const std::byte* first, std::size_t stride, std::span<const RowCo
   for (std::size_t row = 1; row < rows.size(); ++row)
     coder.symbol(models[rows[row].models], (value(row) - value(rows[row].before)) & 255u);
   return true;
-}
-
-void append(std::vector<std::byte>& out, std::span<const std::byte> bytes) {
-  out.insert(out.end(), bytes.begin(), bytes.end());
 }
 
 }  // namespace

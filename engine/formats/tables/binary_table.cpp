@@ -9,7 +9,6 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kGrain = 1u << 16;  // rows between two boundaries
-constexpr std::size_t kSample = 1000;
 
 // Returns the number of rows that are read at a time, as they are in the file and as numbers.
 std::size_t batch_of(const BinaryBody& body, const std::vector<TableColumn>& columns) {

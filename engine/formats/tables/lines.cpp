@@ -11,9 +11,6 @@ namespace {
 constexpr std::size_t kBuffer = std::size_t{1} << 20;
 constexpr std::size_t kLongestLine = std::size_t{1} << 16;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
 bool is_comma(char c) {
   return c == ',' || c == ';';
 }

@@ -34,6 +34,11 @@ class LineReader {
   std::size_t begin_ = 0, end_ = 0;
 };
 
+// True for the characters between fields of a line, except commas and semicolons.
+inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
+
 // Splits at blanks, tabs, commas and semicolons. Two consecutive commas (or semicolons) enclose an empty field. Quotes
 // around a field are removed. Stops after `most` fields.
 void split_fields(std::string_view line, std::size_t most, std::vector<std::string_view>& fields);

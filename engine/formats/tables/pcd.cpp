@@ -13,11 +13,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostColumns = 1000;
 constexpr std::uint64_t kMostInMemory = std::uint64_t{1} << 30;
-constexpr int kMostHeaderLines = 100;
+constexpr int kMostPcdLines = 100;
 
-struct Header {
+struct PcdHeader {
   std::vector<std::string> fields, types, data;
   std::vector<std::uint64_t> sizes, counts, width, height, points;
   std::uint64_t offset = 0, lines = 0;
@@ -46,7 +45,7 @@ std::vector<std::uint64_t> numbers(const InputFile& file, std::span<const std::s
   return values;
 }
 
-void take_line(const InputFile& file, const std::vector<std::string_view>& words, Header& header) {
+void take_line(const InputFile& file, const std::vector<std::string_view>& words, PcdHeader& header) {
   const std::span rest = std::span(words).subspan(1);
   const std::vector<std::string> texts(rest.begin(), rest.end());
   if (words[0] == "FIELDS" || words[0] == "COLUMNS") header.fields = texts;
@@ -59,12 +58,12 @@ void take_line(const InputFile& file, const std::vector<std::string_view>& words
   if (words[0] == "POINTS") header.points = numbers(file, rest);
 }
 
-Header read_header(const InputFile& file) {
+PcdHeader read_pcd_header(const InputFile& file) {
   LineReader lines(file, 0);
-  Header header;
+  PcdHeader header;
   std::string_view line;
   std::vector<std::string_view> words;
-  for (int i = 0; i < kMostHeaderLines && lines.next(line); ++i) {
+  for (int i = 0; i < kMostPcdLines && lines.next(line); ++i) {
     ++header.lines;
     split_fields(line, kMostColumns + 1, words);
     if (words.empty() || words[0].front() == '#') continue;
@@ -91,7 +90,7 @@ FieldType type_of(const InputFile& file, const std::string& kind, std::uint64_t 
   refuse(file, "has the unknown type " + kind + " of " + std::to_string(size) + " bytes");
 }
 
-std::vector<Group> groups_of(const InputFile& file, const Header& header) {
+std::vector<Group> groups_of(const InputFile& file, const PcdHeader& header) {
   const std::size_t n = header.fields.size();
   if (n == 0 || header.sizes.size() != n || header.types.size() != n ||
       (!header.counts.empty() && header.counts.size() != n))
@@ -108,7 +107,7 @@ std::vector<Group> groups_of(const InputFile& file, const Header& header) {
   return groups;
 }
 
-std::uint64_t declared_points(const InputFile& file, const Header& header) {
+std::uint64_t declared_points(const InputFile& file, const PcdHeader& header) {
   if (header.points.size() == 1) return header.points[0];
   if (header.width.size() != 1) refuse(file, "has neither POINTS nor WIDTH");
   const std::uint64_t height = header.height.size() == 1 ? header.height[0] : 1;
@@ -134,7 +133,7 @@ std::vector<TableColumn> columns_of(const std::vector<Group>& groups, BinaryBody
 }
 
 // The compressed block has one field after the other; this puts the rows together again.
-std::vector<std::byte> expand_rows(const InputFile& file, const Header& header, const std::vector<Group>& groups,
+std::vector<std::byte> expand_rows(const InputFile& file, const PcdHeader& header, const std::vector<Group>& groups,
                                    std::size_t stride, std::uint64_t rows) {
   std::byte head[8];
   if (file.read_at(header.offset, head) < sizeof head) refuse(file, "is not followed by the compressed block");
@@ -154,7 +153,7 @@ std::vector<std::byte> expand_rows(const InputFile& file, const Header& header, 
   return out;
 }
 
-std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info, const Header& header,
+std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info, const PcdHeader& header,
                                          const std::vector<Group>& groups) {
   BinaryBody body;
   std::vector<TableColumn> columns = columns_of(groups, body);
@@ -177,7 +176,7 @@ std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudI
   return open_binary_table(std::move(info), std::move(columns), std::move(body));
 }
 
-std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info, const Header& header,
+std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info, const PcdHeader& header,
                                         const std::vector<Group>& groups) {
   std::vector<TableColumn> columns;
   for (const Group& group : groups)
@@ -224,7 +223,7 @@ bool expand_lzf(std::span<const std::byte> in, std::span<std::byte> out) {
 }
 
 std::unique_ptr<PointReader> open_pcd(std::unique_ptr<InputFile> file) {
-  const Header header = read_header(*file);
+  const PcdHeader header = read_pcd_header(*file);
   const std::vector<Group> groups = groups_of(*file, header);
   CloudInfo info;
   info.path = file->path();

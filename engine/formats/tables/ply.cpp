@@ -15,7 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostProperties = 1000, kMostElements = 100, kMostHeaderLines = 10000;
+constexpr std::size_t kMostProperties = 1000, kMostElements = 100, kMostPlyLines = 10000;
 
 enum class Coding { unknown, ascii, little, big };
 
@@ -40,7 +40,7 @@ struct Element {
   }
 };
 
-struct Header {
+struct PlyHeader {
   Coding coding = Coding::unknown;
   std::vector<Element> elements;
   std::uint64_t data = 0, lines = 0;  // bytes and lines of the header
@@ -61,7 +61,7 @@ FieldType type_named(const InputFile& file, std::uint64_t line, std::string_view
   return found->second;
 }
 
-void take_element(const InputFile& file, const std::vector<std::string_view>& words, Header& header) {
+void take_element(const InputFile& file, const std::vector<std::string_view>& words, PlyHeader& header) {
   Element element;
   const bool number =
       words.size() == 3 && std::from_chars(words[2].data(), words[2].data() + words[2].size(), element.count).ptr ==
@@ -71,7 +71,7 @@ void take_element(const InputFile& file, const std::vector<std::string_view>& wo
   header.elements.push_back(std::move(element));
 }
 
-void take_property(const InputFile& file, const std::vector<std::string_view>& words, Header& header) {
+void take_property(const InputFile& file, const std::vector<std::string_view>& words, PlyHeader& header) {
   const bool list = words.size() == 5 && words[1] == "list";
   if (header.elements.empty() || !(list || words.size() == 3)) refuse(file, header.lines, "is not a property");
   Element& element = header.elements.back();
@@ -84,19 +84,19 @@ void take_property(const InputFile& file, const std::vector<std::string_view>& w
   element.properties.push_back(std::move(property));
 }
 
-void take_format(const InputFile& file, const std::vector<std::string_view>& words, Header& header) {
+void take_format(const InputFile& file, const std::vector<std::string_view>& words, PlyHeader& header) {
   if (words.size() >= 2 && words[1] == "ascii") header.coding = Coding::ascii;
   if (words.size() >= 2 && words[1] == "binary_little_endian") header.coding = Coding::little;
   if (words.size() >= 2 && words[1] == "binary_big_endian") header.coding = Coding::big;
   if (header.coding == Coding::unknown) refuse(file, header.lines, "names an unknown format");
 }
 
-Header read_header(const InputFile& file) {
+PlyHeader read_ply_header(const InputFile& file) {
   LineReader lines(file, 0);
-  Header header;
+  PlyHeader header;
   std::string_view line;
   std::vector<std::string_view> words;
-  while (header.lines < kMostHeaderLines && lines.next(line)) {
+  while (header.lines < kMostPlyLines && lines.next(line)) {
     ++header.lines;
     split_fields(line, 6, words);
     if (header.lines == 1 || words.empty() || words[0] == "comment" || words[0] == "obj_info") continue;
@@ -173,7 +173,7 @@ class Walker {
   std::uint64_t begin_ = 0;
 };
 
-std::size_t vertex_index(const InputFile& file, const Header& header) {
+std::size_t vertex_index(const InputFile& file, const PlyHeader& header) {
   for (std::size_t i = 0; i < header.elements.size(); ++i) {
     if (header.elements[i].name != "vertex") continue;
     if (header.elements[i].has_list())
@@ -184,7 +184,7 @@ std::size_t vertex_index(const InputFile& file, const Header& header) {
 }
 
 std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudInfo info,
-                                        std::vector<TableColumn> columns, const Header& header, std::size_t vertex) {
+                                        std::vector<TableColumn> columns, const PlyHeader& header, std::size_t vertex) {
   LineReader lines(*file, header.data);
   TextBody body;
   body.first_line = header.lines + 1;
@@ -197,7 +197,8 @@ std::unique_ptr<PointReader> open_ascii(std::unique_ptr<InputFile> file, CloudIn
 }
 
 std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudInfo info,
-                                         std::vector<TableColumn> columns, const Header& header, std::size_t vertex) {
+                                         std::vector<TableColumn> columns, const PlyHeader& header,
+                                         std::size_t vertex) {
   Walker walker(*file, header.data, header.coding == Coding::big);
   for (std::size_t i = 0; i < vertex; ++i) walker.skip(header.elements[i]);
   BinaryBody body;
@@ -219,7 +220,7 @@ std::unique_ptr<PointReader> open_binary(std::unique_ptr<InputFile> file, CloudI
 }  // namespace
 
 std::unique_ptr<PointReader> open_ply(std::unique_ptr<InputFile> file) {
-  const Header header = read_header(*file);
+  const PlyHeader header = read_ply_header(*file);
   const std::size_t vertex = vertex_index(*file, header);
   std::vector<TableColumn> columns;
   for (const Property& property : header.elements[vertex].properties) columns.push_back({property.name, property.type});

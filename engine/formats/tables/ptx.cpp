@@ -15,7 +15,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kHeadLines = 10, kSample = 1000, kMostNumbers = 8, kMostBlocks = 10000;
+constexpr std::size_t kHeadLines = 10, kMostNumbers = 8, kMostBlocks = 10000;
 constexpr std::uint64_t kMostCells = std::uint64_t{1} << 44;
 constexpr std::uint64_t kProbes = 8;          // places of a scan where its angular steps are measured
 constexpr std::uint64_t kProbeCells = 40000;  // greatest number at each of them
@@ -43,7 +43,7 @@ std::size_t parse_line(std::string_view line, const TextDialect& dialect, std::v
   return fields.size();
 }
 
-bool is_blank_line(std::string_view line) {
+bool is_empty_line(std::string_view line) {
   return line.find_first_not_of(" \t") == std::string_view::npos;
 }
 
@@ -73,7 +73,7 @@ Head read_head(LineReader& lines, const TextDialect& dialect, std::uint64_t& num
   do {
     if (!lines.next(line)) return Head::end_of_file;
     ++number;
-  } while (is_blank_line(line));
+  } while (is_empty_line(line));
   for (std::size_t i = 0; i < kHeadLines; ++i) {
     if (i > 0 && !lines.next(line)) return Head::malformed;
     if (parse_line(line, dialect, fields, n[i]) != kExpected[i]) return Head::malformed;
@@ -115,7 +115,7 @@ Walk walk_blocks(const InputFile& file, const TextDialect& dialect) {
     for (std::uint64_t offset = lines.offset(); block.points < block.declared && lines.next(line);
          offset = lines.offset()) {
       ++number;
-      if (is_blank_line(line)) continue;
+      if (is_empty_line(line)) continue;
       if (block.points % (block.rows * block.probe_columns) == 0) block.probes.push_back(offset);
       ++block.points;
     }
@@ -133,7 +133,7 @@ std::vector<GridPoint> probe_grid(const InputFile& file, const TextDialect& dial
     LineReader lines(file, block.probes[probe]);
     const std::uint64_t first = probe * block.rows * block.probe_columns;
     for (std::uint64_t i = first; i < std::min(first + kProbeCells, block.points) && lines.next(line);) {
-      if (is_blank_line(line)) continue;
+      if (is_empty_line(line)) continue;
       const auto row = static_cast<std::int64_t>(i % block.rows), column = static_cast<std::int64_t>(i / block.rows);
       ++i;
       if (parse_line(line, dialect, fields, n) < 3 || (n[0] == 0 && n[1] == 0 && n[2] == 0)) continue;
@@ -235,7 +235,7 @@ class PtxReader final : public PointReader {
     }
     while (block_ < blocks_.size() && lines_.next(line)) {
       ++line_;
-      if (is_blank_line(line)) continue;
+      if (is_empty_line(line)) continue;
       ++in_block_;
       ++row_;
       return true;

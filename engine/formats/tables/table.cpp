@@ -40,8 +40,6 @@ enum Role : int {
   kPackedRgb
 };
 
-constexpr std::size_t kMostColumns = 1000;
-
 const std::map<std::string, Role>& names() {
   static const std::map<std::string, Role> kNames{{"x", kX},
                                                   {"easting", kX},

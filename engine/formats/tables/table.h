@@ -20,6 +20,8 @@
 
 namespace ilot {
 
+constexpr std::size_t kMostColumns = 1000;  // a file with more is refused
+
 // A column as it is in the file. Values are passed as double, so integers above 2^53 lose their last bits.
 struct TableColumn {
   std::string name;

@@ -9,7 +9,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kSample = 1000;
 constexpr double kReach = 2147.483647;  // 2^31 - 1 steps of the finest scale
 constexpr double kNear = 2e5;           // of the usual scale, 1e-4
 constexpr double kFarthest = 1e12;      // beyond it the doubles themselves are coarser than the usual scale

@@ -10,6 +10,8 @@
 
 namespace ilot {
 
+constexpr std::size_t kSample = 1000;  // rows from which columns, lattices and dialects are found
+
 struct TableLattice {
   static constexpr int kUnknown = -1;
   std::array<double, 3> scale{1e-4, 1e-4, 1e-4}, offset{0, 0, 0};

@@ -14,7 +14,7 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kMostFields = 1001;
-constexpr int kMostHeaderLines = 200;
+constexpr int kMostPreambleLines = 200;
 constexpr std::size_t kBeginning = 1000;  // rows from which the dialect is found
 
 // The content before the points.
@@ -53,7 +53,7 @@ Preamble read_preamble(const InputFile& file) {
   Preamble preamble;
   std::vector<std::string_view> fields;
   std::string_view line;
-  for (int i = 0; i < kMostHeaderLines; ++i) {
+  for (int i = 0; i < kMostPreambleLines; ++i) {
     preamble.offset = lines.offset();
     preamble.first_line = static_cast<std::uint64_t>(i) + 1;
     preamble.ended = !lines.next(line);

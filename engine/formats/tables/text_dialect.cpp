@@ -31,9 +31,6 @@ constexpr std::array<Word, 4> kThousands{{{"thousands-comma", "commas between th
 
 constexpr std::size_t kLongestNumber = 64;  // characters; doubles need 25
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
-}
 bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }

@@ -11,7 +11,6 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kSample = 1000;
 constexpr std::uint64_t kMostDeclared = 1'000'000'000'000'000;
 
 bool is_blank_line(std::string_view line) {

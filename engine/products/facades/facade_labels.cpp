@@ -14,7 +14,9 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 24;
-constexpr double kBin = 0.5;     // metres
+// Choice: a bin has some tens of entries; time alone depends on it.
+constexpr double kBin = 0.5;  // metres
+// Choice: cornices and bays reach so far beyond the ends of a wall; farther ones give no labels there.
 constexpr double kBeside = 0.5;  // metres around the wall that elements may cover
 constexpr std::uint32_t kNoStation = UINT32_MAX;
 
@@ -69,6 +71,7 @@ class LabelledFacade {
   }
 
   static std::uint64_t bytes_of(const WallGroup& wall, const Facade& facade) {
+    // Derived: sizes of the structures, rounded up; a bound of memory.
     constexpr double kBinBytes = 40, kPartBytes = 400;  // each part with its entries in bins
     const double bins = ((wall.width + 2 * kBeside) / kBin + 1) * ((wall.height + 2 * kBeside) / kBin + 1);
     return static_cast<std::uint64_t>(kBinBytes * bins + kPartBytes * static_cast<double>(facade.elements.size()));
@@ -148,7 +151,9 @@ class LabelledFacade {
     return inside ? FacadeLabel{outline_, static_cast<std::uint16_t>(id_), PointLabel::facade} : FacadeLabel{};
   }
 
-  static constexpr double kJoint = 0.04;       // metres behind the wall, where joints of stone end
+  // Choice: twice the depth of joints of 2 cm; the backs of deeper joints get no stone.
+  static constexpr double kJoint = 0.04;  // metres behind the wall, where joints of stone end
+  // Choice: the error of a drawn edge; wider margins would take points of the wall.
   static constexpr double kMostMargin = 0.02;  // metres
   LatticeAxes axes_;
   std::uint32_t id_, outline_ = 0;

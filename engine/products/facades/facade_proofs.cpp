@@ -14,10 +14,13 @@
 namespace ilot {
 namespace {
 
+// Choice: about 100,000 points a task; time and memory alone depend on it.
 constexpr double kStrip = 4;                    // metres along a wall that one task reads
 constexpr std::uint64_t kStripBytes = 4 << 20;  // memory of one task
-constexpr double kReach = 0.03;                 // metres, at least: smaller relief cannot be separated from the wall
-constexpr double kEdgeSteps = 2;                // steps of the scan around an edge, at least
+// Choice: the width of kForemostSheet: nearer surfaces cannot be separated.
+constexpr double kReach = 0.03;  // metres, at least: smaller relief cannot be separated from the wall
+// Derived: an edge is known to one step; two contain the nearest points on either side of it.
+constexpr double kEdgeSteps = 2;  // steps of the scan around an edge, at least
 
 struct Strip {
   std::size_t facade = 0;

@@ -52,14 +52,27 @@ WallParams wall_params(const FacadesSettings& s, double metres_per_unit) {
   p.bias = s.bias;
   p.gap = s.gap;
   p.relief_front = s.relief;
+  p.lean_deg = s.advanced.lean;
+  p.relief_behind = s.advanced.relief_behind;
+  p.large_part = s.advanced.large_part;
   p.metres_per_unit = metres_per_unit;
   return p;
 }
 
 FacadeParams facade_params(const FacadesSettings& s) {
+  const AdvancedFacades& a = s.advanced;
   FacadeParams p;
-  p.openings.least_size = s.least_opening;
-  p.regular.alike = s.alike;
+  p.openings = {s.least_opening,     a.least_reveal, a.shadow,     a.room_depth,
+                a.room_depth_square, a.hidden_above, a.arch_misfit};
+  p.relief.least_size = a.least_relief_size;
+  p.relief.least_depth = a.least_relief;
+  const auto [from, to] = std::minmax(a.joint_depth_from, a.joint_depth_to);
+  p.stones = {from, to, a.joint_width};
+  p.kinds = {a.door_height, a.door_sill, a.balcony_depth, a.balcony_width, a.balcony_height};
+  p.large.most_depth = a.most_relief;
+  p.irregular.psi = a.bulge;
+  p.irregular.least_area = a.bulge_area;
+  p.regular = {s.alike, a.line_up};
   p.regularise = s.regularise;
   return p;
 }
@@ -75,10 +88,20 @@ DormerParams dormer_params(const FacadesSettings& s) {
   return {facade.openings, facade.regular, facade.outline, facade.regularise};
 }
 
+DormerFrontParams front_params(const AdvancedFacades& a) {
+  DormerFrontParams p;
+  p.least_width = a.dormer_width;
+  p.least_height = a.dormer_height;
+  p.most_width = a.dormer_most_width;
+  p.behind = a.dormer_behind;
+  p.reach = a.dormer_reach;
+  return p;
+}
+
 // Finds the fronts in the roof of each wall. Records in each wall how high its fronts reach.
 std::vector<std::vector<WallGroup>> dormers_of(std::vector<WallGroup>& walls, std::span<const Segment> segments,
-                                               const WallParams& params) {
-  DormerFronts fronts(walls, segments, params);
+                                               const WallParams& params, const AdvancedFacades& advanced) {
+  DormerFronts fronts(walls, segments, params, front_params(advanced));
   std::vector<std::vector<WallGroup>> dormers;
   for (WallGroup& wall : walls) {
     dormers.push_back(fronts.of(wall));
@@ -158,11 +181,15 @@ bool colours_of_points(const Store& store, const RunInputs& inputs, const PassCo
 }
 
 // Finds the relations of facades to each other, and to walls that are no facades, once all are known.
-void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> small, double metres_per_unit) {
+void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> small, const AdvancedFacades& advanced,
+                  double metres_per_unit) {
   std::vector<Facade> facades;
   for (FoundFacade& f : found) facades.push_back(std::move(f.facade));
   for (const WallGroup& wall : small) facades.push_back(bare_facade(wall, metres_per_unit));
   JointParams joints;
+  joints.reach = advanced.corner_reach;
+  joints.least_turn_deg = advanced.corner_angle;
+  joints.most_step = advanced.storey_step;
   joints.metres_per_unit = metres_per_unit;
   close_corners(facades, joints);
   add_storey_steps(facades, joints);
@@ -172,6 +199,7 @@ void join_facades(std::vector<FoundFacade>& found, std::span<const WallGroup> sm
 // Elements may reach beyond the top of a wall. The walls are extended, so that the points of these elements are read
 // too.
 void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& walls, double metres_per_unit) {
+  // Choice: more than the 0.3 m around a picture; memory alone depends on it.
   constexpr double kAbove = 0.5;  // metres: a little more than pictures reach
   for (std::size_t i = 0; i < found.size(); ++i)
     for (const FacadeElement& e : found[i].facade.elements)
@@ -250,7 +278,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   run->walls = find_walls(planes.segments, run->stations, middle, params);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
-  const std::vector<std::vector<WallGroup>> dormers = dormers_of(run->walls, planes.segments, params);
+  const std::vector<std::vector<WallGroup>> dormers =
+      dormers_of(run->walls, planes.segments, params, settings.facades.advanced);
   const std::size_t concurrency = concurrency_of(context.budget_bytes);
   std::vector<PassTask> tasks;
   std::uint64_t points = 0;
@@ -263,7 +292,7 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
   join_facades(run->found, small_walls(run->walls, planes.segments, run->stations, middle, params),
-               context.metres_per_unit);
+               settings.facades.advanced, context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));

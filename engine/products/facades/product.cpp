@@ -9,6 +9,7 @@
 namespace ilot {
 namespace {
 
+// Derived: ten points across a window with a width of one metre.
 constexpr double kMostStep = 0.1;  // metres: ten points across a window with a width of one metre
 constexpr const char* kNoFacade = "no upright plane is as large as a facade; see facades.least_width";
 

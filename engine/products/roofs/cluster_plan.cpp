@@ -17,8 +17,10 @@ namespace ilot {
 namespace {
 
 constexpr double kLeastDistance = 0.5;  // metres [Boltcheva et al. 2019, 3.1]
+// Derived: neighbours on an even roof are within the square root of 2 steps; two bridge rows that are spread unevenly.
 constexpr double kStepsOfDistance = 2;  // sampling steps
-constexpr double kCountingCell = 2.1;   // metres, at most
+// Choice: the cells of the median of density; time alone beyond 1 m.
+constexpr double kCountingCell = 2.1;  // metres, at most
 constexpr std::uint64_t kBytesToCount = 16, kBytesToOutline = 256;
 constexpr std::int64_t kMillimetresPerMetre = 1000;
 
@@ -90,7 +92,9 @@ double choose_distance(const Store& store, const RoofsSettings& settings, const 
 // computed from the distance, so that a part of a cloud and the whole cloud give the same value.
 std::uint64_t choose_points(double distance, const RoofsSettings& settings, RunRecord& record) {
   if (settings.cluster_points) return static_cast<std::uint64_t>(*settings.cluster_points);
+  // Choice: garages have 15 m2; smaller sheds are left out.
   constexpr double kSmallBuilding = 10;  // m2
+  // Derived: 20 points fix a plane and its noise; more than 100 prove nothing more.
   constexpr double kFewest = 20, kMost = 100;
   const double step = distance / kStepsOfDistance;
   const double points = std::floor(std::clamp(kSmallBuilding / (step * step), kFewest, kMost));

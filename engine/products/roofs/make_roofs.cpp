@@ -16,6 +16,7 @@
 namespace ilot {
 namespace {
 
+// Derived: the grid of outlines is 1 mm.
 constexpr double kGridMetres = 0.001;
 constexpr std::size_t kFewestTogether = 64, kMostTogether = 512;  // sites between two deliveries
 constexpr std::uint64_t kBytesOfResult = 40u << 10;               // of a site: its model and the points to show
@@ -81,6 +82,7 @@ struct RoofBudget {
 void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sites, std::span<const PassTask> costs,
                           const RoofBudget& budget, Progress& progress, FootprintsRecord& record) {
   constexpr std::size_t kMost = 64;
+  // Choice: 2 % of the points; smaller moves are within the noise of the outline.
   constexpr double kWorthMoving = 0.02;  // least share of the points that a move would bring inside
   std::vector<std::size_t> sample;
   std::vector<PassTask> tasks;

@@ -14,6 +14,7 @@
 namespace ilot {
 namespace {
 
+// Derived: a hundred last returns on a small house.
 constexpr double kLeastDensity = 1;                        // last returns per square metre: a hundred on a small house
 constexpr std::size_t kBuilding = 6, kBuildingParts = 67;  // class codes of the LAS standard
 
@@ -40,7 +41,9 @@ void make_roles(ProductRun& run) {
   run.progress.begin_stage("normals", run.store.points());
   normals_pass(run.store, run.settings.normals, run.context);
   run.progress.begin_stage("classes", run.store.points());
-  const RoleCounts found = find_roles(run.store, run.context);
+  const AdvancedRoofs& advanced = run.settings.roofs.advanced;
+  const RoleCounts found =
+      find_roles(run.store, {advanced.ground_within, advanced.least_height, advanced.smoothness}, run.context);
   run.progress.end_stage();
   run.record.chosen.push_back(
       {"roofs.trust_classes", std::string("false"),

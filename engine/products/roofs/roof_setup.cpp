@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/products/roofs/roof_setup.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ilot {
@@ -20,6 +21,16 @@ RoofModelParams model_params(const RoofsSettings& s) {
   params.min_points = s.min_points.value_or(0);
   params.least_face_area = s.least_face_area.value_or(0);
   params.superstructures = s.superstructures;
+  params.normal_angle = s.advanced.normal_angle;
+  params.same_angle = s.advanced.same_angle;
+  params.least_epsilon = s.advanced.least_epsilon;
+  params.most_epsilon = std::max(s.advanced.least_epsilon, s.advanced.most_epsilon);
+  params.main_roof_area = s.advanced.main_roof_area;
+  params.main_roof_share = s.advanced.main_roof_share;
+  params.border_cost = s.advanced.border_cost;
+  params.wall_cost = s.advanced.wall_cost;
+  params.overshoot = s.advanced.overshoot;
+  params.block_height = s.advanced.block_height;
   return params;
 }
 

@@ -9,6 +9,7 @@
 namespace ilot {
 namespace {
 
+// Derived: the grid of outlines is 1 mm.
 constexpr double kGridMetres = 0.001;
 
 double lattice_step(const SiteWork& work) {
@@ -49,6 +50,7 @@ SiteFilter filter_of(const SiteWork& work, std::size_t number) {
 }  // namespace
 
 SiteReader::Axis::Axis(std::int64_t anchor_mm, double unit_metres) : step(unit_metres) {
+  // Derived: above the rounding of doubles at 1e7 m, far below a step.
   constexpr double kRounding = 1e-7;
   const double anchor = static_cast<double>(anchor_mm) * kGridMetres;
   from = std::llround(anchor / step);

@@ -20,12 +20,14 @@
 namespace ilot {
 namespace {
 
+// Choice: lost scan lines leave two or three empty rows; wider ones are shadows.
 constexpr double kStepsOfGap = 5;          // pixels; least limit for the width of a gap between scan lines
 constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an object [Hernandez and Marcotegui 2008, 5.3]
-constexpr double kCandidatePixels = 4;     // least number of pixels of a candidate
+// Derived: a square of two pixels, the smallest that is no line.
+constexpr double kCandidatePixels = 4;  // least number of pixels of a candidate
 
 GroundParams ground_params(const StreetsSettings& s, const RasterScale& scale) {
-  return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), 0.2, s.longest_link};
+  return {s.flat, std::max(s.longest_gap, kStepsOfGap * scale.pixel), s.advanced.gap_step, s.longest_link};
 }
 
 ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterScale& scale, double mean_accumulation) {
@@ -33,6 +35,15 @@ ObjectCandidateParams candidate_params(const StreetsSettings& s, const RasterSca
   params.separation.least_area = std::max(s.least_area, kCandidatePixels * scale.pixel * scale.pixel);
   params.separation.rise = s.rise;
   params.mean_accumulation = mean_accumulation;
+  return params;
+}
+
+CityBlocksParams blocks_params(const AdvancedStreets& s) {
+  CityBlocksParams params;
+  params.least_facade = s.facade_height;
+  params.least_length = s.facade_length;
+  params.depth = s.cross_street_depth;
+  params.least_gap = s.cross_street_width;
   return params;
 }
 
@@ -134,13 +145,15 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   const RasterScale& scale = tiles.raster().scale;
   ArtefactParams artefacts;
   artefacts.least_height = settings.least_height;
+  artefacts.highest_kerb = settings.advanced.highest_kerb;
+  artefacts.least_plateau = settings.advanced.least_pavement;
   street.ground = find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
   tiles.spread_level(artefacts.ring_reach);
   const ObjectCandidateParams params = candidate_params(settings, scale, tiles.mean_accumulation());
   tiles.count_above(settings.least_height, params.low_height, street.view);
   street.candidates = find_object_candidates(tiles.layers(), scale, params);
-  street.stretches = find_city_blocks(tiles.layers(), scale);
+  street.stretches = find_city_blocks(tiles.layers(), scale, blocks_params(settings.advanced));
   return street;
 }
 
@@ -159,7 +172,7 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
   StreetPlan plan;
   std::vector<std::uint32_t> object_of_candidate(street.candidates.size() + 1, 0);
-  const StretchIndex blocks(street.stretches, street.tiles->raster().scale);
+  const StretchIndex blocks(street.stretches, street.tiles->raster().scale, settings.streets.advanced.block_distance);
   const double unit = store.unit();
   for (std::size_t i = 0; i < street.candidates.size(); ++i) {
     if (taken[i] == 0 || !is_street_object(classes[i].label) || street.candidates[i].points < kLeastPoints) continue;

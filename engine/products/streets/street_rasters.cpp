@@ -14,6 +14,7 @@
 namespace ilot {
 namespace {
 
+// Derived: the value for no data that readers of rasters expect.
 constexpr float kNone = -9999;  // pixels without a height
 constexpr std::int64_t kMostPixels = (std::int64_t{1} << 31) - 1;
 

@@ -16,7 +16,9 @@ namespace ilot {
 namespace {
 
 constexpr std::string_view kOldModel = "ilot things 2";  // the first words of a model of version 2
-constexpr double kNear = 0.5;                            // metres; greatest distance from a place to its candidate
+// Choice: the accuracy of maps of posts; candidates farther from a place are another object.
+constexpr double kNear = 0.5;  // metres; greatest distance from a place to its candidate
+// Choice: a house front; what is nearer to each other looks alike and must not be in two folds.
 constexpr double kGroupMetres = 25;  // side of a square in metres; candidates in one square are always in the same fold
 
 std::string name_of(PointLabel label) {

@@ -7,15 +7,16 @@
 namespace ilot {
 namespace {
 
-constexpr double kFarFromStreet = 30;  // metres from a line of facades; objects farther away belong to no block
-constexpr double kCell = 64;           // metres
-constexpr double kStep = 16;           // metres along a line between the places whose surrounding cells are examined
+// Choice: a cell has a few lines; time alone depends on it.
+constexpr double kCell = 64;  // metres
+// Derived: a quarter of a cell, so that no cell along a line is missed.
+constexpr double kStep = 16;  // metres along a line between the places whose surrounding cells are examined
 
 }  // namespace
 
-StretchIndex::StretchIndex(const std::vector<StreetStretch>& stretches, const RasterScale& scale)
-    : stretches_(stretches), pixel_(scale.pixel) {
-  const double reach = (kFarFromStreet + kStep) / pixel_;
+StretchIndex::StretchIndex(const std::vector<StreetStretch>& stretches, const RasterScale& scale, double farthest)
+    : stretches_(stretches), pixel_(scale.pixel), farthest_(farthest) {
+  const double reach = (farthest_ + kStep) / pixel_;
   for (std::uint32_t s = 0; s < stretches.size(); ++s) {
     const StreetStretch& stretch = stretches[s];
     const auto steps = static_cast<std::int64_t>(std::ceil(stretch.length / kStep));
@@ -41,7 +42,7 @@ BlockAddress StretchIndex::address(double x, double y) const {
   BlockAddress found;
   const auto near = near_.find(cell_of(x, y));
   if (near == near_.end()) return found;
-  double nearest = kFarFromStreet;
+  double nearest = farthest_;
   for (const std::uint32_t s : near->second) {
     const StreetStretch& stretch = stretches_[s];
     const double px = (x - stretch.x) * pixel_, py = (y - stretch.y) * pixel_;

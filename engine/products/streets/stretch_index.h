@@ -18,10 +18,11 @@ struct BlockAddress {
 // An index of the lines of facades by position, so that a query examines only the lines near it.
 class StretchIndex {
  public:
-  StretchIndex(const std::vector<StreetStretch>& stretches, const RasterScale& scale);
+  // Metres from a line of facades beyond which objects belong to no block: `farthest`.
+  StretchIndex(const std::vector<StreetStretch>& stretches, const RasterScale& scale, double farthest);
 
-  // The address of a place in pixels of the whole image: the nearest line of facades within 30 m (ties: the first), and
-  // the nearest of its blocks along that line. O(log cells + lines near by).
+  // The address of a place in pixels of the whole image: the nearest line of facades within reach (ties: the first),
+  // and the nearest of its blocks along that line. O(log cells + lines near by).
   BlockAddress address(double x, double y) const;
 
  private:
@@ -29,7 +30,7 @@ class StretchIndex {
   Cell cell_of(double x, double y) const;
 
   const std::vector<StreetStretch>& stretches_;
-  double pixel_;                                     // metres
+  double pixel_, farthest_;                          // metres
   std::map<Cell, std::vector<std::uint32_t>> near_;  // for each cell the lines within reach of it, ascending
 };
 

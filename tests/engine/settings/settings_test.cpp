@@ -214,6 +214,24 @@ TEST(Parameters, DefaultsAreInRangeAndDescribed) {
   }
 }
 
+TEST(Parameters, AdvancedOnesAreTheLastOfTheirSection) {
+  std::string section;
+  bool advanced = false;
+  std::size_t count = 0;
+  for (const Parameter& p : parameters()) {
+    const std::string own = p.key.substr(0, p.key.find('.'));
+    EXPECT_TRUE(p.advanced || own != section || !advanced) << p.key;
+    section = own;
+    advanced = p.advanced;
+    count += advanced;
+  }
+  EXPECT_GT(count, 0u);
+  Settings settings;
+  apply_assignment(settings, "facades.door_height=2.1");
+  EXPECT_EQ(settings.facades.advanced.door_height, 2.1);
+  EXPECT_NE(print_config(settings).find("\n# Advanced: "), std::string::npos);
+}
+
 TEST(Parameters, DocumentationIsUpToDate) {
   const std::string path = std::string(ILOT_SOURCE_DIR) + "/docs/parameters.md";
   if (std::getenv("ILOT_UPDATE_GOLDEN") != nullptr) std::ofstream(path) << parameters_markdown();

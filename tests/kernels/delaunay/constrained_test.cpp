@@ -18,7 +18,7 @@ bool is_fixed_edge(const Triangulation& t, const Constraints& c, std::uint32_t a
 
 // Sound, each segment made of fixed edges, fixed on both sides, and Delaunay everywhere else.
 void expect_constrained(const Triangulation& t, const Constraints& c, const std::vector<Point2>& points,
-                        const std::vector<Segment>& segments) {
+                        const std::vector<VertexPair>& segments) {
   ASSERT_EQ(check_topology(t, points), TopologyFault::kNone);
   for (std::uint32_t e = 0; e < t.corner.size(); ++e) {
     if (t.twin[e] == kNoEdge) continue;
@@ -44,12 +44,12 @@ void expect_constrained(const Triangulation& t, const Constraints& c, const std:
 TEST(Constrained, ASegmentAcrossASquare) {
   const std::vector<Point2> points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   Triangulation t = delaunay(points);
-  const std::vector<Segment> segments{{0, 2}};
+  const std::vector<VertexPair> segments{{0, 2}};
   const Constraints c = insert_segments(t, points, segments);
   EXPECT_EQ(c.crossing, kNoEdge);
   EXPECT_TRUE(is_fixed_edge(t, c, 0, 2));
   expect_constrained(t, c, points, segments);
-  const std::vector<Segment> both{{0, 2}, {1, 3}};
+  const std::vector<VertexPair> both{{0, 2}, {1, 3}};
   t = delaunay(points);
   EXPECT_EQ(insert_segments(t, points, both).crossing, 1u);
 }
@@ -62,9 +62,9 @@ TEST(Constrained, RandomSegmentsOverAnyPoints) {
       Rng rng(key);
       Triangulation t = delaunay(set.points);
       if (t.corner.empty()) continue;
-      std::vector<Segment> segments;
+      std::vector<VertexPair> segments;
       for (int i = 0; i < 4; ++i) {
-        const Segment s{t.corner[rng.below(t.corner.size())], t.corner[rng.below(t.corner.size())]};
+        const VertexPair s{t.corner[rng.below(t.corner.size())], t.corner[rng.below(t.corner.size())]};
         if (s.first != s.second) segments.push_back(s);
       }
       const Triangulation before = t;
@@ -80,7 +80,7 @@ TEST(Constrained, RandomSegmentsOverAnyPoints) {
 TEST(Constrained, TheInsideOfAPolygonWithAHole) {
   const std::vector<Point2> points{{0, 0}, {90, 0}, {90, 90}, {45, 20}, {0, 90}, {40, 5}, {40, 12}, {50, 12}, {50, 5}};
   Triangulation t = delaunay(points);
-  const std::vector<Segment> segments{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {5, 6}, {6, 7}, {7, 8}, {8, 5}};
+  const std::vector<VertexPair> segments{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {5, 6}, {6, 7}, {7, 8}, {8, 5}};
   const Constraints c = insert_segments(t, points, segments);
   expect_constrained(t, c, points, segments);
   const auto inside = triangles_inside(t, c, segments);

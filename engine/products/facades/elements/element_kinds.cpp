@@ -7,19 +7,23 @@
 namespace ilot {
 namespace {
 
-constexpr double kDoorSill = 0.4, kDoorHeight = 1.8;  // metres: greatest height of the bottom of a door above the foot
-                                                      // of the wall; least height of a door
-constexpr double kDoorLine = 0.25;                    // metres between the tops of doors in one row
-constexpr double kBesideOpening = 0.3;                // metres between an opening and its sill or lintel
-constexpr double kUnder = 0.7;                      // share of the width of the opening that a sill or a lintel covers
-constexpr double kLongerThanHigh = 2.5;             // width over height of sills and lintels, at least
-constexpr double kBandShare = 0.4, kBalcony = 0.3;  // metres: balconies are lower; a thinner element is a rail
-constexpr double kParapet = 1.5, kRail = 0.05;      // metres: balconies are lower; a thinner element is a rail
-constexpr double kStandsOn = 0.5;                   // metres: nobody stands on a narrower element, it carries something
+// Choice: a step in front of one of two doors; doors in one row whose lintels differ by more are not recognised from
+// each other.
+constexpr double kDoorLine = 0.25;  // metres between the tops of doors in one row
+// Choice: a course of stone between an opening and its sill; a sill lower than that becomes a bulge.
+constexpr double kBesideOpening = 0.3;  // metres between an opening and its sill or lintel
+// Choice: sills between deep reveals are shorter than the opening; a sill broken by a pipe becomes a bulge.
+constexpr double kUnder = 0.7;  // share of the width of the opening that a sill or a lintel covers
+// Choice: a keystone as high as a third of its width is no lintel and becomes a bulge.
+constexpr double kLongerThanHigh = 2.5;  // width over height of sills and lintels, at least
+// Choice: a band broken at every window may be shorter and becomes bulges.
+constexpr double kBandShare = 0.4;  // share of the width of the wall that a band covers, at least
+// Choice: handrails are 4 to 5 cm thick; a parapet of thin metal looks like a rail too.
+constexpr double kRail = 0.05;  // metres; a thinner element is a rail
 
-bool is_door(const FoundRectangle& r) {
+bool is_door(const FoundRectangle& r, const ElementKindParams& params) {
   const Box2 box = r.box();
-  return box.v0 < kDoorSill && box.height() > kDoorHeight;
+  return box.v0 < params.door_sill && box.height() > params.door_height;
 }
 
 // Whether both are beside one opening: one is above the other, with little between them.
@@ -31,30 +35,35 @@ bool are_of_one_opening(const Box2& a, const Box2& b) {
 
 }  // namespace
 
-ElementKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings) {
-  if (is_door(r)) return ElementKind::door;
-  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < kDoorHeight) return ElementKind::window;
+ElementKind kind_of_opening(const FoundRectangle& r, const std::vector<FoundRectangle>& openings,
+                            const ElementKindParams& params) {
+  if (is_door(r, params)) return ElementKind::door;
+  if (r.side(Side::bottom).status == DrawnStatus::seen || r.at(Side::top) < params.door_height)
+    return ElementKind::window;
   const bool in_line = std::any_of(openings.begin(), openings.end(), [&](const FoundRectangle& o) {
-    return is_door(o) && std::abs(o.at(Side::top) - r.at(Side::top)) < kDoorLine;
+    return is_door(o, params) && std::abs(o.at(Side::top) - r.at(Side::top)) < kDoorLine;
   });
-  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < kDoorSill ? ElementKind::door : ElementKind::window;
+  return in_line && r.at(Side::bottom) - r.error(Side::bottom) < params.door_sill ? ElementKind::door
+                                                                                  : ElementKind::window;
 }
 
-ElementKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width) {
+ElementKind kind_of_relief(const FoundRectangle& r, const std::vector<FoundRectangle>& openings, double wall_width,
+                           const ElementKindParams& params) {
   const Box2 box = r.box();
   const bool flat = box.width() > kLongerThanHigh * box.height();
   if (flat && box.width() > kBandShare * wall_width)
-    return r.depth > kBalcony ? ElementKind::balcony : ElementKind::band;
+    return r.depth > params.balcony_depth ? ElementKind::balcony : ElementKind::band;
   for (const FoundRectangle& o : openings) {
     const Box2 hole = o.box();
     const double common = std::min(hole.u1, box.u1) - std::max(hole.u0, box.u0);
-    if (!flat || r.depth > kBalcony || common < kUnder * hole.width() || box.width() > 2 * hole.width()) continue;
+    if (!flat || r.depth > params.balcony_depth || common < kUnder * hole.width() || box.width() > 2 * hole.width())
+      continue;
     if (std::abs(box.v1 - hole.v0) < kBesideOpening && box.v0 < hole.v0) return ElementKind::sill;
     if (std::abs(box.v0 - hole.v1) < kBesideOpening && box.v1 > hole.v1) return ElementKind::lintel;
   }
-  if (r.depth <= kBalcony) return ElementKind::bulge;
-  if (box.width() < kStandsOn) return ElementKind::bracket;
-  return box.height() < kParapet ? ElementKind::balcony : ElementKind::protrusion;
+  if (r.depth <= params.balcony_depth) return ElementKind::bulge;
+  if (box.width() < params.balcony_width) return ElementKind::bracket;
+  return box.height() < params.balcony_height ? ElementKind::balcony : ElementKind::protrusion;
 }
 
 void keep_nearest_sills(std::vector<ElementCandidate>& candidates) {
@@ -74,12 +83,12 @@ void keep_nearest_sills(std::vector<ElementCandidate>& candidates) {
   for (const std::size_t i : farther) candidates[i].kind = ElementKind::bulge;
 }
 
-ElementKind kind_of_large(const FoundRectangle& r, double wall_height) {
+ElementKind kind_of_large(const FoundRectangle& r, double wall_height, const ElementKindParams& params) {
   const Box2 box = r.box();
   if (r.depth < 0) return ElementKind::recess;
   if ((box.v0 + box.v1) / 2 > wall_height) return ElementKind::eaves;
-  const bool flat = box.width() > kLongerThanHigh * box.height() && box.height() < kParapet;
-  return flat && r.depth > kBalcony ? ElementKind::balcony : ElementKind::protrusion;
+  const bool flat = box.width() > kLongerThanHigh * box.height() && box.height() < params.balcony_height;
+  return flat && r.depth > params.balcony_depth ? ElementKind::balcony : ElementKind::protrusion;
 }
 
 bool is_rail(const ElementCandidate& t) {

@@ -46,6 +46,8 @@ struct ArchedRing {
 };
 
 ArchedRing arched_ring(const FacadeSite& site, const FoundRectangle& r) {
+  // Derived: the sagitta of a chord of 5 degrees is 1e-3 of the radius, 0.5 mm of an arch with a radius of half a
+  // metre.
   constexpr double kLongestChord = 5;  // degrees
   const Box2 box = r.box();
   const double u = r.arc->centre.u, v = box.v1 - r.arc->radius, radius = r.arc->radius;

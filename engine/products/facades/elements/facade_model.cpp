@@ -17,9 +17,14 @@
 namespace ilot {
 namespace {
 
+// Choice: two findings of one element differ by their edges; elements that are nested in each other so closely become
+// one.
 constexpr double kSameElement = 0.8;  // share of an area that two findings of one element have in common
-constexpr double kStraight = 0.02;    // metres between the front end and the back end of a side that does not lean
-constexpr double kMostOf = 0.5;     // share of an element: a smaller relief is only a part of it and gives it no sides
+// Choice: the error of an edge from two ends of 1 cm each; flatter splays are drawn straight.
+constexpr double kStraight = 0.02;  // metres between the front end and the back end of a side that does not lean
+// Derived: more than half, so that one relief gives its sides to one element only.
+constexpr double kMostOf = 0.5;  // share of an element: a smaller relief is only a part of it and gives it no sides
+// Derived: more than half, so that a patch belongs to one irregularity only.
 constexpr double kSamePatch = 0.5;  // share of a patch that is within an irregularity
 
 double common_area(const Box2& a, const Box2& b) {
@@ -97,7 +102,7 @@ void take_better_sides(FoundRectangle& known, const FoundRectangle& found) {
 // Adds large relief that was not found before. It replaces a candidate that is only a part of it, such as the front of
 // a bay.
 void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vector<FoundRectangle>& large,
-                      double wall_height) {
+                      double wall_height, const ElementKindParams& kinds) {
   for (const FoundRectangle& r : large) {
     const Box2 box = r.box();
     const auto same_side = [&](const ElementCandidate& t) {
@@ -116,7 +121,7 @@ void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vect
       const Box2 own = t.shape.box();
       return r.depth > 0 && same_side(t) && common_area(box, own) >= kSameElement * own.width() * own.height();
     });
-    candidates.push_back({r, kind_of_large(r, wall_height), 0, 0, 0, {}});
+    candidates.push_back({r, kind_of_large(r, wall_height, kinds), 0, 0, 0, {}});
   }
 }
 
@@ -124,7 +129,7 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
   std::vector<FoundRectangle> openings, relief, stones, large;
   const std::array<std::function<void()>, 4> searches{
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
-      [&] { stones = find_stones(samples); },
+      [&] { stones = find_stones(samples, params.stones); },
       [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells); }};
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   if (steps != nullptr) {
@@ -135,14 +140,15 @@ std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const Fac
   }
   drop_pierced_stones(openings, stones);
   std::vector<ElementCandidate> candidates;
-  for (const FoundRectangle& o : openings) candidates.push_back({o, kind_of_opening(o, openings), 0, 0, 0, {}});
+  for (const FoundRectangle& o : openings)
+    candidates.push_back({o, kind_of_opening(o, openings, params.kinds), 0, 0, 0, {}});
   for (const FoundRectangle& r : relief)
-    candidates.push_back({r, kind_of_relief(r, openings, samples.site().width), 0, 0, 0, {}});
+    candidates.push_back({r, kind_of_relief(r, openings, samples.site().width, params.kinds), 0, 0, 0, {}});
   for (const FoundRectangle& s : stones) candidates.push_back({s, ElementKind::stone, 0, 0, 0, {}});
   keep_nearest_sills(candidates);
   merge_bulges(candidates);
   std::erase_if(candidates, is_rail);
-  add_large_relief(candidates, large, samples.site().height);
+  add_large_relief(candidates, large, samples.site().height, params.kinds);
   return candidates;
 }
 
@@ -155,6 +161,7 @@ Box2 straightened(const Box2& end, const Box2& measured, const Box2& drawn) {
 
 // Finds the rectangle of an element at its depth [Lorraine thesis, 4.2.1], where its sides are seen to lean.
 void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samples, std::size_t concurrency) {
+  // Choice: the error of an edge beside a deep reveal; an end that is hidden farther out is not drawn.
   constexpr double kMargin = 0.05;  // metres around its outline in which its end may be
   parallel_for_limited(concurrency, candidates.size(), [&](std::size_t i) {
     FoundRectangle& r = candidates[i].shape;
@@ -174,6 +181,8 @@ void find_ends(std::vector<ElementCandidate>& candidates, const RaySamples& samp
 }  // namespace
 
 std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::size_t concurrency) {
+  // Derived: the bytes of the images of depths, counts and labels of a cell, added up; a bound of memory, no result
+  // depends on it.
   constexpr double kCells = 30, kLeastCell = 0.02;  // bytes per cell of all images together; metres
   constexpr std::uint64_t kBands = 8 << 20;         // while the bands are counted
   constexpr std::uint64_t kSorting = 5 << 20, kPerWorker = 12 << 20,

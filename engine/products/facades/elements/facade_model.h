@@ -2,6 +2,7 @@
 // Makes the plan of a facade from its points.
 #pragma once
 #include "engine/model/facade.h"
+#include "engine/products/facades/elements/element_kinds.h"
 #include "engine/products/facades/elements/irregularities.h"
 #include "engine/products/facades/elements/large_relief.h"
 #include "engine/products/facades/elements/regular_facade.h"
@@ -17,6 +18,8 @@ struct FacadeParams {
   ReliefParams relief;
   LargeReliefParams large;
   IrregularityParams irregular;
+  StoneParams stones;
+  ElementKindParams kinds;
   RegularParams regular;
   WallOutlineParams outline;
   bool regularise = true;

@@ -14,15 +14,27 @@
 namespace ilot {
 namespace {
 
+// Choice: nine points a cell, so that its mean height has a third of the noise; details below three steps are lost.
 constexpr double kCellSteps = 3, kLeastCell = 0.02, kMostCell = 0.1;  // metres
-constexpr double kBeside = 1.5;                                       // cells around an element that belong to it
-constexpr double kFlatWidths = 4;               // times the noise: the points of a sheet lie within this width
-constexpr double kSteepest = 3;                 // times the noise of a mean height: an even wall stays below
-constexpr double kAround = 1;                   // metres around a region in which the density of the wall is measured
-constexpr double kLattice = 1e-4;               // metres
-constexpr double kLeastRise = 0.14;             // share of delta: a smaller mean height counts as zero
-constexpr double kEnclosed = 0.6;               // share of the cells around a region in which the wall is even
-constexpr double kReachCells = 2;               // cells; circumradius of the triangles of the shape
+// Choice: one cell of rounding and half of one for the error of the edge; wider mouldings show as bulges.
+constexpr double kBeside = 1.5;  // cells around an element that belong to it
+// Derived: 4 standard deviations, plus and minus two: 95 % of normal noise.
+constexpr double kFlatWidths = 4;  // times the noise: the points of a sheet lie within this width
+// Derived: 3 standard errors of a mean; an even wall exceeds it in 0.3 % of its cells.
+constexpr double kSteepest = 3;  // times the noise of a mean height: an even wall stays below
+// Choice: about a square metre around, more than one window bay; a wall that changes its density within it gives a
+// wrong share.
+constexpr double kAround = 1;  // metres around a region in which the density of the wall is measured
+// Derived: a tenth of the finest step of usual files, 1 mm, so that rounding moves nothing that was measured.
+constexpr double kLattice = 1e-4;  // metres
+// Choice: the share of delta below which the mean of a cell is rounding and drift of the plane; flatter bulges of
+// render are missed.
+constexpr double kLeastRise = 0.14;  // share of delta: a smaller mean height counts as zero
+// Choice: more than half, so that the end of a wall is no bulge; a bulge in the corner of a wall is missed.
+constexpr double kEnclosed = 0.6;  // share of the cells around a region in which the wall is even
+// Derived: the circumradius of neighbouring cells is 0.7 of a cell; two allow one missing cell between them.
+constexpr double kReachCells = 2;  // cells; circumradius of the triangles of the shape
+// Choice: one vertex in 200 may be an outlier; of fewer than 200 vertices the highest one counts.
 constexpr double kHighest = 0.005;              // share of the vertices that lie above the rise
 constexpr std::uint64_t kMostPoints = 1 << 17;  // an irregularity with more points is drawn coarser; 64 bytes each
 

@@ -14,14 +14,23 @@
 namespace ilot {
 namespace {
 
-constexpr double kBounded = 0.5;    // share of the rows or columns of a region beyond which the wall continues
+// Derived: more than half of the rows or columns, a majority.
+constexpr double kBounded = 0.5;  // share of the rows or columns of a region beyond which the wall continues
+// Choice: a triangle fills half of its box; an oriel with a gap larger than that is left out.
 constexpr double kLeastFill = 0.4;  // share of its box that it covers, at least
-constexpr double kInWall = 0.5;     // share of its box that is within the box of the wall
+// Derived: more than half, so that a part belongs to one wall only.
+constexpr double kInWall = 0.5;  // share of its box that is within the box of the wall
+// Choice: leaves the noise at the wall out and takes the nearer part of the side faces, which more rays reach; a bay
+// that is seen from one side alone may be lost.
 constexpr double kConnectionFrom = 0.05, kConnectionTo = 0.4;  // shares of its depth: its side faces have points there
-constexpr double kConnectedShare = 0.25;                       // share of the cells on its rim
-constexpr double kFlatEnd = 0.2;                               // share of its points that lie on its end
-constexpr double kReaches = 0.9;     // share of the way to the end of the wall; the rest is noise of its deepest points
-constexpr double kBehindAll = 0.02;  // share of its points that may lie deeper
+// Choice: one of four sides of a box is seen from the street at least; a car or a tree has none.
+constexpr double kConnectedShare = 0.25;  // share of the cells on its rim
+// Choice: a front full of glass keeps a fifth of its points; a round oriel has none.
+constexpr double kFlatEnd = 0.2;  // share of its points that lie on its end
+// Choice: the deepest tenth of a recess is noise and furniture.
+constexpr double kReaches = 0.9;  // share of the way to the end of the wall; the rest is noise of its deepest points
+// Choice: as many points may come through a window in its back.
+constexpr double kBehindAll = 0.02;              // share of its points that may lie deeper
 constexpr std::uint64_t kMostSamples = 1 << 17;  // points beside one side; more do not improve the result
 
 bool is_recess(const DepthImage& image, const DepthRegion& region) {

@@ -17,10 +17,16 @@ namespace {
 
 constexpr std::size_t kFewestStones = 4;
 constexpr std::uint64_t kFewestPoints = 3;  // points of a piece, at least
-constexpr double kTail = 0.005;             // share of points beyond the box of a piece on each side
-constexpr double kSamePlane = 0.01;         // metres between the planes of two pieces of one element
-constexpr double kSameLine = 0.05;          // metres between the sides of the two
-constexpr double kAcrossShadow = 1;         // metres between the two along the wall
+// Choice: one point in 200 on each side may be an outlier.
+constexpr double kTailOfPiece = 0.005;  // share of points beyond the box of a piece on each side
+// Choice: twice the noise of a scanner of 5 mm; boards one before the other by less are joined.
+constexpr double kSamePlane = 0.01;  // metres between the planes of two pieces of one element
+// Choice: the error of both sides where steps are 2 cm; bands that jump by less are joined.
+constexpr double kSameLine = 0.05;  // metres between the sides of the two
+// Choice: the shadow of a pipe or a lamp; two sills nearer to each other than a metre can become one where nothing was
+// seen between them.
+constexpr double kAcrossShadow = 1;  // metres between the two along the wall
+// Derived: facades.least_relief: what is nearer cannot be told from the wall or the front.
 constexpr double kLeastFace = 0.01;  // metres from the wall and from the front between which side faces are searched
 
 struct Piece {
@@ -53,8 +59,8 @@ void measure(const RaySamples& samples, Piece& piece) {
     };
     return nth_value(places, piece.points, static_cast<std::uint64_t>(share * (count - 1)));
   };
-  piece.box = {place(&Place2::u, kTail), place(&Place2::u, 1 - kTail), place(&Place2::v, kTail),
-               place(&Place2::v, 1 - kTail)};
+  piece.box = {place(&Place2::u, kTailOfPiece), place(&Place2::u, 1 - kTailOfPiece), place(&Place2::v, kTailOfPiece),
+               place(&Place2::v, 1 - kTailOfPiece)};
 }
 
 bool in_line(const Piece& a, const Piece& b) {
@@ -90,6 +96,7 @@ struct Joint {
 
 // The widest strip across the piece, along u or along v, that has few points; no result if there is none.
 std::optional<Joint> empty_strip(const ValueStream& places, double low, double high, double step) {
+  // Choice: a joint contains points of the rims of both stones; a joint filled by more than a fifth is missed.
   constexpr double kFew = 0.2;  // share of the points in the median strip
   const auto bins = static_cast<std::size_t>((high - low) / step);
   if (bins < 4) return std::nullopt;
@@ -123,6 +130,7 @@ bool seen_behind(const RaySamples& samples, const Box2& strip) {
 
 // The points of a piece on one side of the joint.
 Piece part_beside(const RaySamples& samples, const Piece& piece, const Joint& joint, bool level, bool before) {
+  // Choice: the rim is known to one bin of five across a joint.
   constexpr double kInJoint = 0.8;  // share of the joint: its rim is known to one bin
   RayColumn points(samples.folder());
   for (const Ray& ray : rays_of(samples, piece)) {
@@ -141,8 +149,8 @@ Piece part_beside(const RaySamples& samples, const Piece& piece, const Joint& jo
 
 // Cuts a segment that continues over joints into the stones between them: first into rows, then each row. `take` gets
 // one piece after the other. Therefore at most two pieces of each cut are in memory at once.
-void split_at_joints(const RaySamples& samples, Piece piece, const std::function<void(const Piece&)>& take) {
-  constexpr double kWidest = 0.06;  // metres; the greatest width of a joint
+void split_at_joints(const RaySamples& samples, Piece piece, double widest,
+                     const std::function<void(const Piece&)>& take) {
   const Place2 steps = samples.step_at({(piece.box.u0 + piece.box.u1) / 2, (piece.box.v0 + piece.box.v1) / 2});
   for (const bool level : {true, false}) {
     const ValueStream places = [&](const std::function<void(double)>& visit) {
@@ -153,7 +161,7 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
     };
     const auto joint = level ? empty_strip(places, piece.box.v0, piece.box.v1, steps.v)
                              : empty_strip(places, piece.box.u0, piece.box.u1, steps.u);
-    if (!joint || joint->to - joint->from > kWidest) continue;
+    if (!joint || joint->to - joint->from > widest) continue;
     Box2 strip = piece.box;
     (level ? strip.v0 : strip.u0) = joint->from;
     (level ? strip.v1 : strip.u1) = joint->to;
@@ -164,7 +172,7 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
     for (Piece* part : {&low, &high}) {
       if (part->points < kFewestPoints) continue;
       measure(samples, *part);
-      split_at_joints(samples, std::move(*part), take);
+      split_at_joints(samples, std::move(*part), widest, take);
     }
     return;
   }
@@ -173,6 +181,7 @@ void split_at_joints(const RaySamples& samples, Piece piece, const std::function
 
 // Whether rays go through between two pieces that lie in line: then these are two elements.
 bool are_separated(const RaySamples& samples, const Piece& a, const Piece& b) {
+  // Choice: one ray in five between two pieces shows that they are two elements; a grating between them joins them.
   constexpr double kSeenThrough = 0.2;  // share of the rays that cross there
   const bool across = a.box.u1 < b.box.u0 || b.box.u1 < a.box.u0;
   Box2 gap{std::min(a.box.u1, b.box.u1), std::max(a.box.u0, b.box.u0), std::min(a.box.v1, b.box.v1),
@@ -268,16 +277,16 @@ std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefP
   return found;
 }
 
-std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
+std::vector<FoundRectangle> find_stones(const RaySamples& samples, const StoneParams& params) {
+  // Choice: a stone fills its rectangle but for chipped corners; polygonal masonry is not found.
   constexpr double kLeastFill = 0.85, kLeastSize = 0.1;
-  constexpr double kJointFrom = -0.014, kJointTo = -0.004;  // metres: joints are two centimetres deep
   std::vector<FoundRectangle> found;
   for (Piece& piece : pieces_of(samples, samples.site().wall))
-    split_at_joints(samples, std::move(piece), [&](const Piece& stone) {
+    split_at_joints(samples, std::move(piece), params.joint_width, [&](const Piece& stone) {
       if (!is_large(stone.box, kLeastSize)) return;
       const double fill = fill_of(samples, stone);
       if (fill < kLeastFill) return;
-      found.push_back(rectangle_of(samples, stone, kJointFrom, kJointTo));
+      found.push_back(rectangle_of(samples, stone, -params.joint_to, -params.joint_from));
       found.back().fill = fill;
     });
   if (found.size() < kFewestStones) found.clear();
@@ -285,6 +294,7 @@ std::vector<FoundRectangle> find_stones(const RaySamples& samples) {
 }
 
 void drop_pierced_stones(const std::vector<FoundRectangle>& openings, std::vector<FoundRectangle>& stones) {
+  // Choice: the error of the edges of both; a course that ends 5 cm inside of a window is no stone.
   constexpr double kReach = 0.05;  // metres into an opening, in both directions
   std::erase_if(stones, [&](const FoundRectangle& stone) {
     const Box2 inner = stone.box().grown(-kReach);

@@ -18,10 +18,15 @@ struct ReliefParams {
 // by the id of the first piece. O(n log n).
 std::vector<FoundRectangle> find_relief(const RaySamples& samples, const ReliefParams& params = {});
 
+struct StoneParams {
+  double joint_from = 0.004, joint_to = 0.014;  // metres; depths in a joint at which the side faces of stones are seen
+  double joint_width = 0.06;                    // metres; wider gaps are no joints
+};
+
 // Finds the stones of a wall, which joints separate from each other. The segments of the wall are cut at the joints
 // that go through them. The pieces that fill their rectangle are stones, if there are at least four. The order is that
 // of find_relief().
-std::vector<FoundRectangle> find_stones(const RaySamples& samples);
+std::vector<FoundRectangle> find_stones(const RaySamples& samples, const StoneParams& params = {});
 
 // Leaves out stones that reach into an opening: such a piece is a course between two bands, and windows interrupt it.
 // Leaves out all stones where fewer than four remain. O(stones x openings).

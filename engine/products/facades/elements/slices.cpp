@@ -14,9 +14,12 @@
 namespace ilot {
 namespace {
 
-constexpr double kLattice = 1e-4;  // metres; lattice for the triangulation of a cut
-constexpr double kTail = 0.005;    // share of the points of a cut beyond its extent on each side
-constexpr double kEnough = 0.5;    // share of the largest ratio, and of the number of points there
+// Derived: a tenth of the finest step of usual files, 1 mm.
+constexpr double kCutLattice = 1e-4;  // metres; lattice for the triangulation of a cut
+// Choice: one point in 200 on each side may be an outlier.
+constexpr double kTailOfCut = 0.005;  // share of the points of a cut beyond its extent on each side
+// Choice: half of the largest values; a front that is thinner than half of the densest one is not preferred.
+constexpr double kEnough = 0.5;  // share of the largest ratio, and of the number of points there
 
 std::size_t boundary_points(std::span<const Point2> points, double reach) {
   const Triangulation t = delaunay(points);
@@ -92,11 +95,11 @@ FacadeSlice slice_of(double w, const Cut& cut, double reach) {
   for (const auto& [at_u, at_v] : cut.kept) {
     u.push_back(at_u);
     v.push_back(at_v);
-    places.push_back(lattice_point({u.back() / kLattice, v.back() / kLattice}, 1));
+    places.push_back(lattice_point({u.back() / kCutLattice, v.back() / kCutLattice}, 1));
   }
-  slice.boundary = boundary_points(places, reach / kLattice);
-  slice.extent = {lower_quantile(u, kTail), lower_quantile(u, 1 - kTail), lower_quantile(v, kTail),
-                  lower_quantile(v, 1 - kTail)};
+  slice.boundary = boundary_points(places, reach / kCutLattice);
+  slice.extent = {lower_quantile(u, kTailOfCut), lower_quantile(u, 1 - kTailOfCut), lower_quantile(v, kTailOfCut),
+                  lower_quantile(v, 1 - kTailOfCut)};
   return slice;
 }
 
@@ -138,8 +141,8 @@ Box2 whole_extent(const RaySamples& samples, const SliceRange& range, const Faca
     };
     return nth_value(places, slice.points, static_cast<std::uint64_t>(share * static_cast<double>(slice.points - 1)));
   };
-  return {place(&FacadePoint::u, kTail), place(&FacadePoint::u, 1 - kTail), place(&FacadePoint::v, kTail),
-          place(&FacadePoint::v, 1 - kTail)};
+  return {place(&FacadePoint::u, kTailOfCut), place(&FacadePoint::u, 1 - kTailOfCut),
+          place(&FacadePoint::v, kTailOfCut), place(&FacadePoint::v, 1 - kTailOfCut)};
 }
 
 std::optional<FacadeSlice> end_slice(std::span<const FacadeSlice> slices) {

@@ -14,17 +14,25 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kSlices = 24, kLeastSlices = 8;
-constexpr double kJamb = 0.04;       // share of the width that is left out at each jamb
-constexpr double kHighest = 0.65;    // times the width: no arch is higher
-constexpr double kAbove = 0.2;       // metres above the known top that are searched
-constexpr double kOffCentre = 0.2;   // share of the width: an arch may be so far from the middle of its opening
+// Choice: mixed pixels at the jambs; of narrow openings a step or less.
+constexpr double kJamb = 0.04;  // share of the width that is left out at each jamb
+// Derived: a semicircle is 0.5 times its width high; the rest allows for stilted arches. Pointed arches are higher and
+// become straight.
+constexpr double kHighest = 0.65;  // times the width: no arch is higher
+// Choice: the crown was found as the quantile of a flat top, which is lower by up to this.
+constexpr double kAbove = 0.2;  // metres above the known top that are searched
+// Choice: the error of the first circle; rampant arches are not found.
+constexpr double kOffCentre = 0.2;  // share of the width: an arch may be so far from the middle of its opening
+// Choice: three errors of an edge of 1 cm and some; flatter segments are drawn straight.
 constexpr double kLeastRise = 0.04;  // metres; flatter tops are straight
-constexpr double kMostGap = 0.06;    // metres; slices whose top is less exact are left out
-constexpr double kRounder = 0.35;    // the residuals of a circle must be less than this share of those of a level line
-constexpr double kSurround = 0.15;   // metres before the wall at which surrounds end
+// Choice: three steps of 2 cm; coarser scans keep few slices and no arch.
+constexpr double kMostArchGap = 0.06;  // metres; slices whose top is less exact are left out
+// Choice: mouldings around openings stand out less; deeper canopies hide the arch.
+constexpr double kSurround = 0.15;  // metres before the wall at which surrounds end
+// Choice: three errors of an edge of 1 cm.
 constexpr double kBesideArc = 0.03;  // metres beside the first arc in which points of the soffit lie
 constexpr std::size_t kLeastSoffit = 60;
-constexpr std::uint64_t kMostSamples = 1 << 17, kMostSoffit = 1 << 16;  // more points do not improve the result
+constexpr std::uint64_t kMostArchSamples = 1 << 17, kMostSoffit = 1 << 16;  // more points do not improve the result
 
 struct Slice {
   std::vector<double> below, above;
@@ -52,6 +60,7 @@ double height_at(const CircleFit& fit, double u) {
 // Whether two circles are near each other over the opening. Their radii are not compared: the radius of a flat arch
 // changes by a sixth for one centimetre at the crown.
 bool together(const CircleFit& a, const CircleFit& b, const Box2& opening) {
+  // Choice: near the jambs, where the first arc is least known.
   constexpr double kEnd = 0.1;  // share of the width
   const auto near = [&](double share) {
     const double u = opening.u0 + share * opening.width();
@@ -65,7 +74,7 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
   std::vector<Slice> slices(kSlices);
   const double margin = kJamb * search.width(), width = (search.width() - 2 * margin) / kSlices;
   Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  const int level = thinning_level(near, kMostArchSamples, [](const Ray&) { return true; });
   for (const Ray& ray : near) {
     if (!is_kept(ray, level)) continue;
     const Place2 p = samples.crossing(ray, 0);
@@ -78,7 +87,7 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
   for (std::size_t s = 0; s < kSlices; ++s) {
     const EdgeSplit split = split_edge(slices[s].below, slices[s].above);
     const double v = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
-    if (split.found && (!samples.oblique() || split.half_gap < kMostGap))
+    if (split.found && (!samples.oblique() || split.half_gap < kMostArchGap))
       tops.push_back({opening.at(Side::left) + margin + (static_cast<double>(s) + 0.5) * width, v});
   }
   return tops;
@@ -86,13 +95,14 @@ std::vector<PlanePoint> tops_of_slices(const RaySamples& samples, const FoundRec
 
 // The tops across the arc, sector by sector: slices are inclined to the arc near the jambs.
 std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& search, const CircleFit& first) {
+  // Choice: the first arc may be off by two gaps of 4 cm.
   constexpr double kBeside = 0.08;  // metres
   const FacadeSite& site = samples.site();
   const double half = std::min(search.width() / 2 / first.radius, 1.0);
   const double from = degrees_of_cosine(half) + 4, width = (180 - 2 * from) / kSlices;
   std::vector<Slice> sectors(kSlices);
   Rays near = samples.near(search);
-  const int level = thinning_level(near, kMostSamples, [](const Ray&) { return true; });
+  const int level = thinning_level(near, kMostArchSamples, [](const Ray&) { return true; });
   for (const Ray& ray : near) {
     const Place2 p = samples.crossing(ray, 0);
     const double x = p.u - first.centre.x, y = p.v - first.centre.y, r = std::sqrt(x * x + y * y);
@@ -105,7 +115,7 @@ std::vector<PlanePoint> tops_of_sectors(const RaySamples& samples, const Box2& s
   std::vector<PlanePoint> tops;
   for (std::size_t s = 0; s < kSlices; ++s) {
     const EdgeSplit split = split_edge(sectors[s].below, sectors[s].above);
-    if (!split.found || (samples.oblique() && split.half_gap > kMostGap)) continue;
+    if (!split.found || (samples.oblique() && split.half_gap > kMostArchGap)) continue;
     const double r = samples.oblique() ? split.at : split.at + split.half_gap - site.step / 2;
     const double angle = from + width * (static_cast<double>(s) + 0.5);
     tops.push_back({first.centre.x + r * cos_degrees(angle), first.centre.y + r * cos_degrees(angle - 90)});
@@ -154,7 +164,7 @@ CircleFit refined(const RaySamples& samples, const FoundRectangle& opening, cons
 
 }  // namespace
 
-std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRectangle& opening) {
+std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRectangle& opening, double most_misfit) {
   const double width = opening.at(Side::right) - opening.at(Side::left);
   const Box2 search{opening.at(Side::left), opening.at(Side::right),
                     std::max(opening.at(Side::bottom) + 0.1, opening.at(Side::top) - kHighest * width),
@@ -169,7 +179,7 @@ std::optional<TopArc> find_arched_top(const RaySamples& samples, const FoundRect
   for (const PlanePoint& p : tops) level += (p.y - mean) * (p.y - mean) / static_cast<double>(tops.size());
   if (high - low < kLeastRise) return std::nullopt;
   CircleFit fit = fit_circle(tops);
-  if (!fit.found || fit.rms > kRounder * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
+  if (!fit.found || fit.rms > most_misfit * std::sqrt(level) || fit.centre.y > high || fit.radius < width / 2 - 0.05)
     return std::nullopt;
   if (std::abs(fit.centre.x - (opening.at(Side::left) + width / 2)) > kOffCentre * width) return std::nullopt;
   for (int round = 0; round < 2; ++round) {

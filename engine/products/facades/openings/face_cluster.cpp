@@ -11,9 +11,12 @@ namespace {
 
 constexpr std::size_t kLeastFacePoints = 12;
 constexpr std::size_t kLeastTouches = 4;  // points of a face with too few points for a line
-constexpr double kMostTouches = 0.7;      // share of all points in the gap that must then lie on it
-constexpr double kLeastSpread = 0.35;     // share of the depth of the face, and of the side, that points cover
-constexpr double kSteepest = 0.1;         // slope of a side face against the normal of the wall, at most
+// Choice: the points of a reveal lie on it but for mixed pixels; rough masonry has fewer and gets an edge from the gap.
+constexpr double kMostTouches = 0.7;  // share of all points in the gap that must then lie on it
+// Choice: a third of the face must be seen; a strip of it could be a frame.
+constexpr double kLeastSpread = 0.35;  // share of the depth of the face, and of the side, that points cover
+// Derived: 0.1 is 6 degrees; splayed reveals beyond it are leaning sides.
+constexpr double kSteepest = 0.1;  // slope of a side face against the normal of the wall, at most
 
 double spread(const std::vector<FacePoint>& points, std::size_t first, std::size_t last, double FacePoint::*field) {
   std::vector<double> values;

@@ -11,13 +11,19 @@ namespace ilot {
 namespace {
 
 constexpr std::size_t kStretches = 24, kLeastStretches = 10;
-constexpr double kCorner = 0.04;      // share of the side that is left out at each end
-constexpr double kMostReach = 0.35;   // share of the size of the opening that is searched on either side
-constexpr double kMostGap = 0.06;     // metres; intervals whose place is less exact are left out
+// Choice: the share that arched_top.cpp leaves out at jambs.
+constexpr double kCorner = 0.04;  // share of the side that is left out at each end
+// Choice: a side that leans by more than a third of the opening is a triangle and is not found.
+constexpr double kMostReach = 0.35;  // share of the size of the opening that is searched on either side
+// Choice: three steps of 2 cm, as for arches.
+constexpr double kMostLeaningGap = 0.06;  // metres; intervals whose place is less exact are left out
+// Choice: as facades.arch_misfit; of a straight jamb a line by chance has 0.8 and more.
 constexpr double kStraighter = 0.35;  // greatest residuals of the line, as a share of those of the straight side
-constexpr double kLeastLean = 0.03;   // metres from end to end
-constexpr double kMostLean = 0.9;     // tangent of the angle
-constexpr std::uint64_t kMostSamples = 1 << 17;  // points of a side; more do not improve the result
+// Choice: three errors of an edge of 1 cm.
+constexpr double kLeastLean = 0.03;  // metres from end to end
+// Derived: tan 42 degrees; roofs of 45 degrees are no jambs.
+constexpr double kMostLean = 0.9;                       // tangent of the angle
+constexpr std::uint64_t kMostLeaningSamples = 1 << 17;  // points of a side; more do not improve the result
 
 struct Stretch {
   std::vector<double> inside, outside;
@@ -52,7 +58,7 @@ std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle&
     return p.s >= 0 && p.s < kStretches && std::abs(p.t - at) <= reach;
   };
   Rays near = samples.near(box.grown(reach));
-  const int level = thinning_level(near, kMostSamples, is_beside);
+  const int level = thinning_level(near, kMostLeaningSamples, is_beside);
   for (const Ray& ray : near) {
     if (!is_beside(ray) || !is_kept(ray, level)) continue;
     const Place p = place_of(ray);
@@ -63,7 +69,7 @@ std::vector<Place> places_along(const RaySamples& samples, const FoundRectangle&
   std::vector<Place> places;
   for (std::size_t k = 0; k < kStretches; ++k) {
     const EdgeSplit split = split_edge(stretches[k].inside, stretches[k].outside);
-    if (!split.found || (samples.oblique() && split.half_gap > kMostGap)) continue;
+    if (!split.found || (samples.oblique() && split.half_gap > kMostLeaningGap)) continue;
     const double t = samples.oblique() ? split.at : split.at + split.half_gap - samples.site().step / 2;
     places.push_back({(static_cast<double>(k) + 0.5) * width + margin - length / 2, outwards * t});
   }

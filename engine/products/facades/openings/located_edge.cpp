@@ -12,17 +12,29 @@
 namespace ilot {
 namespace {
 
+// Choice: rounded corners and mixed pixels; of an opening of 0.3 m 4 cm are left out.
 constexpr double kCornerShare = 0.12, kCornerMost = 0.15;  // share of a side, and metres, left out at its ends
-constexpr double kStepsOfShadow = 3;                       // a gap wider than so many steps is a laser shadow
-constexpr double kBeam = 0.002;   // metres: echoes from the rim of a beam lie behind the edge that they came from
+// Derived: even steps leave gaps of one, a lost ray of two; wider gaps have a cause.
+constexpr double kStepsOfShadow = 3;  // a gap wider than so many steps is a laser shadow
+// Choice: half of a beam of 4 mm, as terrestrial scanners have at 10 m; wider beams blur edges more.
+constexpr double kBeam = 0.002;  // metres: echoes from the rim of a beam lie behind the edge that they came from
+// Choice: rays of two stations at one wall seldom differ by more than 30 degrees; half of the depth is their offset
+// then.
 constexpr double kGuessed = 0.5;  // share of the depth: possible error of a ray whose station was chosen among several
-constexpr double kNothingKnown = 3;    // metres: possible error of a hidden side
-constexpr double kBesideGap = 0.02;    // metres beside the gap in which points of the face may lie
-constexpr double kCornerDeep = 0.1;    // metres before an element in which points of the face at which it ends may lie
+// Choice: a storey: the side may be anywhere within it.
+constexpr double kNothingKnown = 3;  // metres: possible error of a hidden side
+// Choice: two steps of 1 cm.
+constexpr double kBesideGap = 0.02;  // metres beside the gap in which points of the face may lie
+// Choice: the depth of usual sills; of deeper ones the part next to them counts.
+constexpr double kCornerDeep = 0.1;  // metres before an element in which points of the face at which it ends may lie
+// Choice: two steps of 1 cm.
 constexpr double kCornerReach = 0.02;  // metres beside its last points
-constexpr double kSlotSteps = 2;       // steps along a side in which one scan line ends, at least
-constexpr double kTailOfEnds = 0.05;   // share of the scan lines that end at one place or another by chance
-constexpr double kFaceWidths = 4;      // times the noise: width of the interval that contains the points of a face
+// Derived: two neighbouring scan lines are one step apart; two steps contain one line always.
+constexpr double kSlotSteps = 2;  // steps along a side in which one scan line ends, at least
+// Derived: the two-sided 5 % of a test.
+constexpr double kTailOfEnds = 0.05;  // share of the scan lines that end at one place or another by chance
+// Derived: 4 standard deviations, plus and minus two: 95 % of normal noise.
+constexpr double kFaceWidths = 4;  // times the noise: width of the interval that contains the points of a face
 constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side; more do not improve the result; 70 bytes each
 
 bool along_u(Side side) {
@@ -226,6 +238,8 @@ void set_end(const SideSamples& around, const SideSpan& span, double step, doubl
 }  // namespace
 
 LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side side) {
+  // Choice: where no point of the far side was found, the search grows once by this factor; an edge hidden over a wider
+  // strip stays unknown.
   constexpr double kWider = 2.4;
   const SideSpan span = span_of(q.box, side);
   const double sign = outwards(side);

@@ -12,19 +12,27 @@
 namespace ilot {
 namespace {
 
+// Choice: four points a cell; openings below three cells are lost.
 constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-constexpr double kWidestBar = 0.15;   // metres; bars and frames that are nearly as far out as the wall
-constexpr double kBoundReach = 0.5;   // metres beyond an opening in which the wall must continue
-constexpr double kTopReach = 1.5;     // metres above it, where signs and blinds hide the wall
-constexpr double kBoundShare = 0.5;   // share of its height or width
-constexpr double kLeastKnown = 0.2;   // share of it about which something must be known
-constexpr double kLeastFill = 0.5;    // share of its box that its cells cover
-constexpr double kTail = 0.15;        // share of its rows and columns that may end farther out
-constexpr double kMostBehind = 4;     // metres; rooms behind panes
-constexpr double kMostSquare = 2.5;   // metres, for rays taken to be perpendicular; the back of the house is beyond
-constexpr double kDepthBin = 0.01;    // metres
+// Choice: posts between windows are narrower; wider ones part an opening in two.
+constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
+// Choice: the mouldings around an opening are narrower; windows closer than that to the end of the wall are found by
+// what is between.
+constexpr double kBoundReach = 0.5;  // metres beyond an opening in which the wall must continue
+// Derived: a majority.
+constexpr double kBoundShare = 0.5;  // share of its height or width
+// Choice: less than a fifth seen is a shadow; windows behind trees are lost.
+constexpr double kLeastKnown = 0.2;  // share of it about which something must be known
+// Choice: a triangle fills half of its box.
+constexpr double kLeastFill = 0.5;  // share of its box that its cells cover
+// Choice: an arch takes the corners of its box; a gable window ends too far in.
+constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
+// Choice: twice the noise of 5 mm; noisier scans spread a pane over several bins.
+constexpr double kDepthBin = 0.01;  // metres
+// Choice: a window bar covers a tenth of an opening, a pane seen through a tree a quarter.
 constexpr double kCoverShare = 0.25;  // share of the widest spread
-constexpr double kSheetDepth = 1;     // metres; the surface that fills an opening is not deeper
+// Choice: reveals of thick walls are 0.6 m deep; a pane that is deeper than a metre is taken for the room.
+constexpr double kSheetDepth = 1;               // metres; the surface that fills an opening is not deeper
 constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of the surface that fills it; more do not improve the result
 
 using enum WallCells::What;
@@ -41,15 +49,22 @@ struct CellCounts {
   }
 };
 
+double depth_through(const FacadeSite& site, const OpeningParams& params) {
+  return std::max(params.least_depth, 3 * site.epsilon);
+}
+
 // Counts the rays that cross the rows of cells [r0, r1).
-void count_rows(const RaySamples& samples, double least_depth, std::int64_t r0, std::int64_t r1, WallCells& cells) {
+void count_rows(const RaySamples& samples, const OpeningParams& params, std::int64_t r0, std::int64_t r1,
+                WallCells& cells) {
   const FacadeSite& site = samples.site();
+  const double least_depth = depth_through(site, params);
+  const double farthest = samples.oblique() ? params.room_depth : params.room_depth_square;
   std::vector<CellCounts> counts(static_cast<std::size_t>((r1 - r0) * cells.columns));
   const Box2 rows{0, static_cast<double>(cells.columns) * cells.cell, static_cast<double>(r0) * cells.cell,
                   static_cast<double>(r1) * cells.cell};
   for (const Ray& ray : samples.near(rows.grown(cells.cell))) {
     const double w = ray.at.w;
-    if (w < (samples.oblique() ? -kMostBehind : -kMostSquare)) continue;
+    if (w < -farthest) continue;
     const Place2 p = samples.crossing(ray, 0);
     if (p.u < 0 || p.v < 0) continue;
     const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
@@ -64,7 +79,7 @@ void count_rows(const RaySamples& samples, double least_depth, std::int64_t r0, 
     cells.what[static_cast<std::size_t>(r0 * cells.columns) + i] = counts[i].what();
 }
 
-WallCells cells_of(const RaySamples& samples, double least_depth) {
+WallCells cells_of(const RaySamples& samples, const OpeningParams& params) {
   const FacadeSite& site = samples.site();
   WallCells cells;
   cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
@@ -72,7 +87,7 @@ WallCells cells_of(const RaySamples& samples, double least_depth) {
   cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
   cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);
   for (const RowBand& band : bands_of(cells.columns, cells.rows))
-    count_rows(samples, least_depth, band.first, band.end, cells);
+    count_rows(samples, params, band.first, band.end, cells);
   return cells;
 }
 
@@ -156,9 +171,10 @@ CellBox box_of(const Region& region, std::int64_t columns) {
 
 // The share of the lines across a side, among those of which something is known beyond the opening, on which the wall
 // continues. It is 0 where little is known.
-double bounded(const WallCells& cells, const CellBox& box, Side side) {
+double bounded(const WallCells& cells, const CellBox& box, Side side, const OpeningParams& params) {
   const bool u = side == Side::left || side == Side::right;
-  const auto reach = static_cast<std::int64_t>((side == Side::top ? kTopReach : kBoundReach) / cells.cell) + 1;
+  const auto reach =
+      static_cast<std::int64_t>((side == Side::top ? params.hidden_above : kBoundReach) / cells.cell) + 1;
   const std::int64_t from = u ? box.r0 : box.c0, to = u ? box.r1 : box.c1;
   std::int64_t found = 0, known = 0;
   for (std::int64_t i = from; i <= to; ++i) {
@@ -269,10 +285,6 @@ void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
   }
 }
 
-double depth_through(const FacadeSite& site, const OpeningParams& params) {
-  return std::max(params.least_depth, 3 * site.epsilon);
-}
-
 // The opening in a region of cells; no result if it is none.
 std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const Region& region,
                                          const OpeningParams& params) {
@@ -282,8 +294,8 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
   const auto edge = [&](std::int64_t i) { return static_cast<double>(i) * cells.cell; };
   Box2 around{edge(box.c0), edge(box.c1 + 1), edge(box.r0), edge(box.r1 + 1)};
   if (around.width() < params.least_size || around.height() < params.least_size) return std::nullopt;
-  if (bounded(cells, box, Side::left) < kBoundShare || bounded(cells, box, Side::right) < kBoundShare ||
-      bounded(cells, box, Side::top) < kBoundShare)
+  if (bounded(cells, box, Side::left, params) < kBoundShare || bounded(cells, box, Side::right, params) < kBoundShare ||
+      bounded(cells, box, Side::top, params) < kBoundShare)
     return std::nullopt;
   FoundRectangle opening;
   opening.fill =
@@ -302,7 +314,7 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
       opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
     return std::nullopt;
   set_leaning_sides(samples, opening);
-  if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening);
+  if (opening.lean_of(Side::top) == 0) opening.arc = find_arched_top(samples, opening, params.arch_misfit);
   if (opening.arc) {
     LocatedEdge& crown = opening.side(Side::top);
     crown = {opening.arc->centre.v + opening.arc->radius, opening.arc->error};
@@ -316,7 +328,7 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
 }  // namespace
 
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps) {
-  const WallCells seen = cells_of(samples, depth_through(samples.site(), params)), cells = filled(seen, params.shadow);
+  const WallCells seen = cells_of(samples, params), cells = filled(seen, params.shadow);
   if (steps != nullptr) *steps = {seen, cells};
   std::vector<FoundRectangle> found;
   for_each_region(cells, [&](const Region& region) {

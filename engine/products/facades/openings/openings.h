@@ -13,9 +13,13 @@
 namespace ilot {
 
 struct OpeningParams {
-  double least_size = 0.3;    // metres; a narrower or lower hole is no opening
-  double least_depth = 0.04;  // metres; a hole whose end is less far behind the wall is no opening
-  double shadow = 0.5;        // metres; parts of an opening are joined across shadows up to this width
+  double least_size = 0.3;         // metres; a narrower or lower hole is no opening
+  double least_depth = 0.04;       // metres; a hole whose end is less far behind the wall is no opening
+  double shadow = 0.5;             // metres; parts of an opening are joined across shadows up to this width
+  double room_depth = 4;           // metres; rays that end farther behind the wall are not used: rooms behind panes
+  double room_depth_square = 2.5;  // metres; the same for rays that are taken to be perpendicular to the wall
+  double hidden_above = 1.5;       // metres above an opening in which the wall must continue
+  double arch_misfit = 0.35;       // residuals of a circle over those of a level line, at most
 };
 
 // A circle that is the upper end of an opening.

@@ -11,6 +11,7 @@ namespace ilot {
 // The edge of a cell: at least `least`, and so large that an image of this size has at most 2^21 cells. With cells of 3
 // cm that is a wall of 1,887 m2.
 inline double cell_for(double width, double height, double least) {
+  // Derived: 2 million cells of some bytes: a bound of memory, no result depends on it.
   constexpr double kMostCells = 1 << 21;
   return std::max(least, std::sqrt(width * height / kMostCells));
 }

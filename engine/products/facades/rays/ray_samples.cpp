@@ -11,12 +11,17 @@
 namespace ilot {
 namespace {
 
-constexpr double kBin = 0.25;                       // metres
+// Choice: a bin has some hundreds of points; time alone depends on it.
+constexpr double kBin = 0.25;  // metres
+// Derived: a bound of memory.
 constexpr double kMostBins = 1 << 17;               // the bins of a larger wall are larger
 constexpr std::uint64_t kSortedTogether = 1 << 16;  // rays in memory at once
-constexpr double kAround = 1;                       // metres around the wall that bins cover
-constexpr double kLowRelief = 0.15;                 // metres before the wall at which surrounds of openings end
-constexpr double kJoint = 0.04;                     // metres behind the wall at which joints of stone end
+// Choice: elements reach beyond a wall by less; farther ones are not completed.
+constexpr double kAround = 1;  // metres around the wall that bins cover
+// Choice: the value of kSurround in arched_top.cpp.
+constexpr double kLowRelief = 0.15;  // metres before the wall at which surrounds of openings end
+// Choice: the value of kJoint in facade_labels.cpp.
+constexpr double kJoint = 0.04;  // metres behind the wall at which joints of stone end
 
 Place2 crossing_from(const Vec3& eye, const FacadePoint& p, double depth) {
   const double along = (eye.z - depth) / (eye.z - static_cast<double>(p.w));

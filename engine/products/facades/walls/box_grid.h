@@ -27,7 +27,9 @@ class BoxGrid {
   struct Cells {
     std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;
   };
+  // Derived: a bound of memory and time for one box.
   static constexpr double kMostCells = 1024;
+  // Derived: below 2^53, so that numbers of cells are exact.
   static constexpr double kFarthest = 1e15;               // cells
   bool cells_of(const FlatBox& box, Cells& cells) const;  // false: too many cells
 

@@ -9,8 +9,11 @@
 namespace ilot {
 namespace {
 
-constexpr double kBelow = 0.3;      // metres below a front in which the roof would be seen
-constexpr double kRoofDepth = 1;    // metres before and behind a front in which the roof may be
+// Choice: three rows of tiles; a dormer whose cheek hides them keeps no proof of a roof.
+constexpr double kBelowFront = 0.3;  // metres below a front in which the roof would be seen
+// Choice: at 45 degrees, the roof is within the height of a low front.
+constexpr double kRoofDepth = 1;  // metres before and behind a front in which the roof may be
+// Choice: oblique tiles get a fifth of the points of a wall; sparser roofs are not seen.
 constexpr double kSeenBelow = 0.2;  // share of the points that a wall would have there
 
 void shift(FoundRectangle& r, double du, double dv) {
@@ -32,12 +35,12 @@ Vec3 place_in(const Facade& facade, const FacadeSite& front) {
 bool foot_is_hidden(const RaySamples& samples) {
   const FacadeSite& front = samples.site();
   std::uint64_t seen = 0;
-  for (const Ray& ray : samples.at_places({0, front.width, -kBelow, -front.step})) {
+  for (const Ray& ray : samples.at_places({0, front.width, -kBelowFront, -front.step})) {
     const FacadePoint& p = ray.at;
-    seen += p.u >= 0 && p.u <= front.width && p.v < -front.step && p.v >= -kBelow &&
+    seen += p.u >= 0 && p.u <= front.width && p.v < -front.step && p.v >= -kBelowFront &&
             std::abs(static_cast<double>(p.w)) < kRoofDepth;
   }
-  return static_cast<double>(seen) < kSeenBelow * front.width * kBelow / (front.step * front.step);
+  return static_cast<double>(seen) < kSeenBelow * front.width * kBelowFront / (front.step * front.step);
 }
 
 FacadeElement outline_of(const RaySamples& samples, const DormerParams& params) {

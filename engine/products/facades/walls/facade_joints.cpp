@@ -12,8 +12,11 @@
 namespace ilot {
 namespace {
 
-constexpr double kParallelDeg = 5;
-constexpr double kOver = 0.5;        // share of the narrower wall that is above or below the other one
+// Choice: walls out of line by more form a corner.
+constexpr double kParallelWallsDeg = 5;
+// Derived: a majority.
+constexpr double kOver = 0.5;  // share of the narrower wall that is above or below the other one
+// Derived: a majority.
 constexpr double kSameHeight = 0.5;  // share of the lower wall that is beside the other one at a corner
 
 FacadeElement* outline_of(Facade& facade) {
@@ -59,7 +62,8 @@ double rise_at(const Facade& f, const FacadeElement& outline, bool left) {
   return outline.edges.empty() || across == 0 ? 0 : dot(along, f.up) / across;
 }
 
-constexpr double kCell = 16, kRounding = 0.001;  // metres
+// Choice: a cell has a few walls; time alone depends on it. The rounding is that of coordinates in millimetres.
+constexpr double kOutlineCell = 16, kRounding = 0.001;  // metres
 
 // The box of an outline on the ground, in CRS units. It is grown by `reach` (metres) and by the sideways extent of a
 // leaning wall.
@@ -74,7 +78,7 @@ FlatBox ground_of(const Facade& f, const FacadeElement& outline, double reach, d
 // Finds outlines by place; it is updated while they move.
 class OutlineGrid {
  public:
-  OutlineGrid(std::vector<Facade>& facades, double metres) : metres_(metres), grid_(kCell / metres) {
+  OutlineGrid(std::vector<Facade>& facades, double metres) : metres_(metres), grid_(kOutlineCell / metres) {
     for (std::size_t i = 0; i < facades.size(); ++i) add(facades, i);
   }
   void add(std::vector<Facade>& facades, std::size_t i) {
@@ -162,6 +166,7 @@ class CornerGrid {
 
 // Joins corners of two outlines on one line whose only difference is in height, at most `reach`.
 void join_heights(std::vector<Facade>& facades, double reach, double metres) {
+  // Choice: twice the error of a corner of 1 cm.
   constexpr double kOnLine = 0.02;  // metres; lines in which walls meet are vertical within this distance
   std::vector<Vec3*> corners;
   for (Facade& f : facades)
@@ -218,7 +223,7 @@ FacadeElement step_of(const Facade& wall, const FacadeElement& outline, double d
 double step_between(const Facade& wall, const Box2& own, const Facade& part, const FacadeElement& outline,
                     const JointParams& params) {
   const double m = params.metres_per_unit;
-  if (dot(wall.out, part.out) < cos_degrees(kParallelDeg)) return 0;
+  if (dot(wall.out, part.out) < cos_degrees(kParallelWallsDeg)) return 0;
   const Box2 box = box_of(wall, outline, m);
   const double depth = local(wall, 0.5 * (outline.ring[0] + outline.ring[2]), m).z;
   if (std::abs(depth) < params.least_step || std::abs(depth) > params.most_step) return 0;
@@ -264,8 +269,9 @@ void add_storey_steps(std::vector<Facade>& facades, const JointParams& params) {
   const double m = params.metres_per_unit;
   // The directions of two facades of one front differ by a slope of less than a tenth. Therefore one of them may come
   // nearer by a tenth of its length.
+  // Derived: see above: walls of one front differ by a slope of less than a tenth.
   constexpr double kApart = 0.1;
-  BoxGrid grid(kCell / m);
+  BoxGrid grid(kOutlineCell / m);
   const auto ground = [&](std::size_t i, const FacadeElement& outline) {
     const Box2 box = box_of(facades[i], outline, m);
     return ground_of(facades[i], outline, kApart * (box.width() + box.height()), m);

@@ -8,17 +8,26 @@
 namespace ilot {
 namespace {
 
+// Choice: leaves an eighth of the depth to the noise of the wall and of the front.
 constexpr double kFrom = 0.12, kTo = 0.88;  // shares of the depth between which the points belong to the face alone
-constexpr double kCorner = 0.1;             // share of a side that is left out at its ends
-constexpr double kBeside = 0.02;            // metres beside a face in which its points are searched
-constexpr double kLeans = 0.03;             // metres; a face whose ends differ by less does not lean
-constexpr double kLeastSpread = 0.35;       // share of the depth
-constexpr double kDense = 3;                // times the number of points that an even spread would give
-constexpr double kUpright = 0.05;           // a smaller slope counts as zero
+// Choice: a tenth of a side, as much as corners are rounded.
+constexpr double kCorner = 0.1;  // share of a side that is left out at its ends
+// Choice: two steps of 1 cm.
+constexpr double kBeside = 0.02;  // metres beside a face in which its points are searched
+// Choice: three errors of an edge of 1 cm, as for openings.
+constexpr double kLeans = 0.03;  // metres; a face whose ends differ by less does not lean
+// Choice: a third of the face must be seen, as for openings.
+constexpr double kLeastSpread = 0.35;  // share of the depth
+// Choice: points at random exceed three times their mean in few of the bins.
+constexpr double kDense = 3;  // times the number of points that an even spread would give
+// Derived: 0.05 is 3 degrees, below what a face of 10 cm shows.
+constexpr double kUpright = 0.05;                             // a smaller slope counts as zero
 constexpr std::size_t kLeastPoints = 12, kLeastLeaning = 48;  // a few points of another surface lie on any line
+// Derived: the usual step of files, 1 mm.
 constexpr double kExact = 0.001;                 // metres; even clouds without noise have rounded coordinates
 constexpr std::uint64_t kMostSamples = 1 << 16;  // points of a face; more do not improve the result
-constexpr double kEdge = 0.01;                   // metres; a narrower end becomes an edge
+// Choice: the error of an edge.
+constexpr double kEdge = 0.01;  // metres; a narrower end becomes an edge
 
 struct FacePoint {
   double t, w;  // across the side, positive outwards; out of the wall

@@ -50,6 +50,7 @@ double stretch_of(const TopLine& line) {
 }
 
 double least_columns(const TopLineParams& params, double cell) {
+  // Choice: a line over fewer columns can be chance.
   constexpr double kLeast = 6;
   return std::max(kLeast, params.least_length * cos_degrees(params.most_lean_deg) / cell);
 }

@@ -12,11 +12,14 @@
 namespace ilot {
 namespace {
 
+// Choice: relief that is twisted by more is a wall of its own.
 constexpr double kParallelDeg = 5;  // greatest angle between a plane of the relief and its wall
+// Choice: over 2 m, 2 degrees are 7 cm, more than facades.bias; walls that bend by less become one.
 constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
-constexpr double kLargePart = 1;    // m2; a smaller piece beside the plane of the wall is relief
-constexpr double kBelow = 0.5;      // metres above and below a wall in which its relief may be
-constexpr double kInside = 0.5;     // share of the width of a plane that must be along the wall so that it is relief
+// Choice: cornices and plinths reach beyond a wall by less.
+constexpr double kBelow = 0.5;  // metres above and below a wall in which its relief may be
+// Derived: a majority.
+constexpr double kInside = 0.5;  // share of the width of a plane that must be along the wall so that it is relief
 
 struct Extent {
   double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
@@ -84,6 +87,7 @@ class SegmentGrid {
       : segments_(segments), list_(std::move(list)), metres_(metres), grid_(kCell / metres) {
     // A box along the axes of the CRS meets the box of a wall only if its middle is near enough to it: within half of
     // its own diagonal along each of the three axes of the wall.
+    // Derived: above the square root of 3, the ratio of a diagonal in space to a side.
     constexpr double kDiagonals = 1.8;
     for (std::size_t k = 0; k < list_.size(); ++k) {
       const Segment& s = segments_[list_[k]];
@@ -95,7 +99,8 @@ class SegmentGrid {
   }
   // Positions in the list, ascending, of segments that may reach into a box in the axes (metres).
   std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
-    constexpr double kRounding = 0.001;  // metres
+    // Derived: the rounding of coordinates in millimetres.
+    constexpr double kCornerRounding = 0.001;  // metres
     FlatBox box = FlatBox::none();
     for (const double u : {e.u0, e.u1})
       for (const double v : {e.v0, e.v1})
@@ -103,7 +108,7 @@ class SegmentGrid {
           const Vec3 p = axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out);
           box.add({p.x, p.y});
         }
-    return grid_.near(box.grown(kRounding / metres_));
+    return grid_.near(box.grown(kCornerRounding / metres_));
   }
   const Segment& segment(std::size_t k) const { return segments_[list_[k]]; }
   std::size_t index(std::size_t k) const { return list_[k]; }
@@ -111,6 +116,7 @@ class SegmentGrid {
   double metres() const { return metres_; }
 
  private:
+  // Choice: a cell has a few walls; time alone depends on it.
   static constexpr double kCell = 16;  // metres
   std::span<const Segment> segments_;
   std::vector<std::size_t> list_;
@@ -121,7 +127,7 @@ class SegmentGrid {
 // Whether a segment is on the plane of the wall.
 bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& params) {
   if (std::abs(dot(s.plane.n, group.axes.out)) < cos_degrees(kCoplanarDeg)) return false;
-  const double off = s.area_m2 < kLargePart ? std::min(params.bias, s.epsilon_m) : params.bias;
+  const double off = s.area_m2 < params.large_part ? std::min(params.bias, s.epsilon_m) : params.bias;
   return std::abs(extent_of(s, group.axes, params.metres_per_unit).w0) <= off;
 }
 
@@ -262,6 +268,7 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
 
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
                                    std::span<const Vec3> stations, Vec3 middle, WallParams params) {
+  // Choice: a storey that is set back is about half as high; lower walls form no corners.
   constexpr double kLeast = 0.5;  // share of the width and height of a facade
   std::vector<std::uint8_t> known(segments.size() + 1, 0);
   for (const WallGroup& wall : walls) {
@@ -286,6 +293,7 @@ struct DormerFronts::State {
 
 DormerFronts::DormerFronts(std::span<const WallGroup> walls, std::span<const Segment> segments, WallParams params,
                            const DormerFrontParams& dormers) {
+  // Derived: the sine of 30 degrees, far beyond facades.lean.
   constexpr double kMostTilt = 0.5;  // sine of an angle: walls and the planes parallel to them lean much less
   std::vector<std::size_t> list;
   for (std::size_t i = 0; i < segments.size(); ++i)
@@ -302,6 +310,7 @@ DormerFronts::~DormerFronts() = default;
 
 // The segments that may be part of a front, the largest first.
 std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
+  // Choice: the overhang of a roof; a dormer that begins lower is a part of the wall.
   constexpr double kOverlap = 0.3;  // metres that they may reach below the top of the wall and beyond its ends
   const State& in = *state_;
   const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,

@@ -18,6 +18,7 @@ struct WallParams {
   double bias = 0.03;                            // metres; walls whose planes differ by at most this are one wall
   double gap = 3;                                // metres between two parts of a wall
   double relief_front = 1.5, relief_behind = 1;  // metres; a segment along a wall within this is a part of it
+  double large_part = 1;                         // m2; a smaller piece beside the plane of the wall is relief
   double metres_per_unit = 1;
 };
 

@@ -11,12 +11,19 @@
 namespace ilot {
 namespace {
 
+// Choice: a bound of time; walls of more than 40 m get wider columns.
 constexpr double kMostColumns = 400;  // columns of the profile in which lines are searched
-constexpr double kSteps = 2;          // steps between boundaries and their lines, at most
-constexpr double kFree = 0.2;         // share of the place above an edge in which other parts may stand
-constexpr double kCell = 0.1;         // metres; cell of that place
-constexpr double kLeastSide = 0.3;    // metres; least height of the ends of the wall
+// Derived: a boundary is known to one step on either side.
+constexpr double kSteps = 2;  // steps between boundaries and their lines, at most
+// Choice: a tree may cover a fifth of the sky above an edge; under more of it the edge is not drawn as seen.
+constexpr double kFree = 0.2;  // share of the place above an edge in which other parts may stand
+// Choice: five steps of 2 cm; time and detail of what is above an edge.
+constexpr double kCell = 0.1;  // metres; cell of that place
+// Choice: lower ends are gables whose eaves are at the foot; they are drawn as a triangle.
+constexpr double kLeastSide = 0.3;  // metres; least height of the ends of the wall
+// Choice: as long as the shadow of a lamp; shorter ones are chance.
 constexpr double kLeastShadow = 0.3;  // metres of an edge without rings; shorter parts are chance
+// Derived: even steps leave gaps of one, a lost ray of two.
 constexpr double kStepsOfShadow = 3;
 
 // An edge of the top from u0 to u1.
@@ -218,6 +225,7 @@ double side_between(const Wall& wall, const TopEdge& a, const TopEdge& b, double
   const bool rises = vb > va;  // the wall is on its right
   const double low = std::min(va, vb) + wall.tolerance, high = std::max(va, vb) - wall.tolerance;
   const auto count = static_cast<std::size_t>(std::max(0.0, (high - low) / wall.fine_cell));
+  // Choice: cornices end within it; broader ones hide the end of the rows.
   constexpr double kReach = 0.5;  // metres beside the place in which the rows may end
   const auto ends = ring_profile(wall.site.rings, ProfileOf::rows, rises ? -1 : 1, low, wall.fine_cell, count);
   std::vector<double> at;
@@ -277,6 +285,7 @@ WallOutline polygon_of(const Wall& wall, std::vector<TopEdge>& edges) {
   add_corner(outline, {0, 0}, plain);
   add_corner(outline, {wall.site.width, 0}, plain);
   std::vector<double> errors(edges.size(), 0);
+  // Derived: above the rounding of doubles at 1 km, far below a step.
   constexpr double kSame = 1e-6;
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
     const double u = edges[i].u1;

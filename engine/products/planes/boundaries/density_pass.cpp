@@ -15,9 +15,10 @@ namespace {
 
 constexpr std::size_t kTogether = 8;        // maps that are made at a time
 constexpr std::uint32_t kMostPixels = 512;  // along one side of a map
+// Derived: a count of 100 has a standard error of 10 %.
 constexpr double kPointsPerPixel = 100;
-constexpr int kPlaces = 4;                    // along a side of a pixel; at these places the inside is measured
-constexpr std::uint64_t kBytesPerPoint = 24;  // code, plane, pixel
+constexpr int kPlaces = 4;                           // along a side of a pixel; at these places the inside is measured
+constexpr std::uint64_t kDensityBytesPerPoint = 24;  // code, plane, pixel
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
 // The smallest of 1, 2, 5, 10, 20 ... (times a power of ten) that is not below the value.
@@ -161,7 +162,7 @@ void count_points(const Store& store, const DensityParams& params, const PassCon
     for (std::uint32_t m = 0; m < drafts.size(); ++m)
       if (params.final_id[j] == drafts[m].map.plane_id) map_of[j] = m + 1;
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kDensityBytesPerPoint, b.points});
   std::mutex adding;
   run_pass(tasks, context.budget_bytes, [&](std::size_t b) {
     const std::vector<Hit> hits = hits_of(store, static_cast<std::uint32_t>(b), map_of, drafts);

@@ -76,8 +76,12 @@ SeenFrom seen_from(std::span<const PackedNormal> normals) {
 
 PlaneParams choose_plane_params(const PlanesSettings& settings, const Sampling& sampling, SeenFrom from,
                                 double unit_metres, std::int64_t reach) {
+  // Derived: 3.5 standard deviations contain 99.95 % of normal noise; then the rounding of the lattice, and a quarter
+  // of the step. Choice: half a metre at most.
   constexpr double kNoiseFactor = 3.5, kLeastUnits = 3, kLeastSteps = 0.25, kMostMetres = 0.5;
+  // Choice: noise bends normals of terrestrial scans by less; finely curved walls are split by it.
   constexpr double kMostAngle = 25, kLeastAngle = 10, kNoisy = 0.3;
+  // Derived: the range of the kernel.
   constexpr double kLeastReach = 4, kMostReach = 0x1p20;  // the range that euclidean_clusters accepts for a cell
   const Rule& rule = from == SeenFrom::air ? kFromTheAir : kFromTheGround;
   PlaneParams p;

@@ -9,14 +9,15 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kNeighbours = 16;
+constexpr std::uint32_t kCleaningNeighbours = 16;
 
 Kept by_neighbours(const NeighbourIndex& index, Cleaning cleaning) {
-  std::vector<std::uint32_t> all(index.points.size), lists(index.points.size * kNeighbours);
+  std::vector<std::uint32_t> all(index.points.size), lists(index.points.size * kCleaningNeighbours);
   std::vector<std::int64_t> reach2(index.points.size);
   std::iota(all.begin(), all.end(), 0u);
-  knn(index, all, {static_cast<int>(kNeighbours), kMaxSquaredReach}, lists, reach2);
-  return cleaning == Cleaning::density ? density_filter(reach2) : isolation_filter({lists, kNeighbours}, reach2);
+  knn(index, all, {static_cast<int>(kCleaningNeighbours), kMaxSquaredReach}, lists, reach2);
+  return cleaning == Cleaning::density ? density_filter(reach2)
+                                       : isolation_filter({lists, kCleaningNeighbours}, reach2);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Cell {
   std::vector<CellSlice> slices;  // its points, in global order
 };
 
+// Choice: a cell of usual density fits into memory and contains whole walls; planes are joined over cells.
 constexpr double kCellMetres = 64;  // greatest edge: the largest power of two of units that does not exceed it
 constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 

@@ -29,9 +29,12 @@ constexpr std::uint32_t kFewNeighbours = 8;  // for relabelling from the air, wh
 // The share of epsilon within which points count for a plane where noise is large. 2.3 of 3.5 standard deviations
 // contain 98% of the points of a plane. They contain far fewer points of its neighbours, which would pull the plane
 // towards them.
+// Derived: see above: 2.3 of 3.5 standard deviations.
 constexpr double kCore = 0.65;
 constexpr int kRelabelRounds = 4;
+// Choice: a fifth of epsilon; small planes lose a strip of that width to large ones.
 constexpr double kLean = 0.2;  // epsilons by which borders move towards the larger plane, seen from the ground
+// Choice: thresholds of the methods that grow and vote (docs/methods.md); rough surfaces need larger ones.
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
 
 PlaneSegments by_ransac(const PlaneSearch& s) {
@@ -130,6 +133,7 @@ ShapeRansacParams shape_params(const PlaneSearch& s, std::uint32_t min_points, u
 // around a plane. Along such edges, normals are mixtures and turn evenly from one plane to the other, as those of a
 // thin cylinder or a steep cone do.
 bool is_flat(Points points, std::span<const std::uint32_t> members, double epsilon) {
+  // Derived: see above: half of the four epsilons of an edge strip.
   constexpr double kEdgeStrip = 2;  // root mean square distance, in epsilons
   const Moments m = moments_of(points, members);
   const PlaneFit fit = fit_plane(m);
@@ -140,6 +144,7 @@ bool is_flat(Points points, std::span<const std::uint32_t> members, double epsil
 // of its band. Then the two largest planes contain nearly all points. A surface that continues to bend leaves the
 // planes.
 bool is_edge(const OrientedPoints& points, std::span<const std::uint32_t> members, ShapeRansacParams params) {
+  // Choice: nine of ten points; a surface that bends little is taken for an edge and keeps planes.
   constexpr double kShare = 0.9;
   std::array<std::vector<float>, 6> column;
   const std::array<const float*, 6> from{points.points.x, points.points.y, points.points.z,
@@ -248,6 +253,7 @@ ShapeSegments find_curved(const PlaneSearch& search, std::uint32_t min_points) {
 }
 
 bool wants_curved(const PlanesSettings& settings, double step_m) {
+  // Choice: planes.curved_points points cover this area at most; sparser cells show no curvature that noise does not.
   constexpr double kMostSquareMetres = 1;
   const bool dense = step_m > 0 && settings.curved_points * step_m * step_m <= kMostSquareMetres;
   return settings.curved.value_or(!settings.method && dense);

@@ -22,9 +22,11 @@ struct StoredShapeTally {
 
 namespace {
 
+// Derived: as in join_pass.cpp.
 constexpr double kAgreement = 0.5;  // root mean square distance of each part from the common shape, in epsilons
+// Derived: above the rounding of float32.
 constexpr double kStrictly = 1 - 1e-6;
-constexpr std::uint64_t kBytesPerPoint = 24;
+constexpr std::uint64_t kShapeBytesPerPoint = 24;
 
 // Shapes of different cells that are one shape.
 struct Group {
@@ -205,7 +207,7 @@ std::vector<ShapeTally> shapes_pass(const Store& store, const std::vector<Cell>&
                                     const PassContext& context) {
   const auto pieces = pieces_of_blocks(store, cells);
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * kBytesPerPoint, b.points});
+  for (const Block& b : store.blocks()) tasks.push_back({b.points * kShapeBytesPerPoint, b.points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, columns::kShape)) label_block(store, block, cells, pieces[block], joined, context);

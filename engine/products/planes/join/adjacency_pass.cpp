@@ -15,8 +15,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 40;
+constexpr std::uint64_t kTouchBytesPerPoint = 40;
+// Derived: three places fix a line and one residual.
 constexpr double kLeastPlaces = 3;
+// Choice: planes that meet at less have no certain line.
 constexpr double kParallel = 0.9961946980917455;  // cosine of 5 degrees
 
 // A cube of space and a plane that has points in it.
@@ -144,7 +146,7 @@ void adjacency_pass(const Store& store, const std::vector<Cell>& cells, const Ce
   for (std::uint32_t c = 0; c < cells.size(); ++c) {
     const std::uint32_t block = cells[c].slices.front().block;
     cells_of[block].push_back(c);
-    tasks[block].bytes += cells[c].points * kBytesPerPoint;
+    tasks[block].bytes += cells[c].points * kTouchBytesPerPoint;
     tasks[block].points += cells[c].points;
   }
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {

@@ -21,6 +21,8 @@ namespace {
 constexpr std::uint64_t kBytesPerPoint = 60;
 constexpr int kNearest = 24;
 constexpr std::uint32_t kLeastContacts = 2;
+// Derived: epsilon is 3.5 standard deviations, so half of it is 1.75 of them: a plane that is off by its noise still
+// joins.
 constexpr double kAgreement = 0.5;  // root mean square distance of each part from the common plane, in epsilons
 
 // The labelled points near the border of their cell: all points in reach of a point that may itself reach another cell.

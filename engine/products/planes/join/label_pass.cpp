@@ -24,10 +24,12 @@ struct StoredPlaneTally {
 
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 72;
-constexpr int kVoters = 13;                        // the point itself and its 12 nearest neighbours
-constexpr int kLeastVotes = 2;                     // votes that make a plane a candidate
+constexpr std::uint64_t kLabelBytesPerPoint = 72;
+constexpr int kVoters = 13;     // the point itself and its 12 nearest neighbours
+constexpr int kLeastVotes = 2;  // votes that make a plane a candidate
+// Choice: planes.normal_angle at its most.
 constexpr double kAgreeing2 = 0.8213938048432696;  // squared cosine of 25 degrees
+// Derived: above the rounding of float32.
 constexpr double kStrictly = 1 - 1e-6;  // so that rounding of coordinates and to float32 stays within epsilon
 
 struct Vote {
@@ -238,7 +240,7 @@ void label_pass(const Store& store, const std::vector<Cell>& cells, const CellPl
   const std::vector<BlockCells> block_cells = cells_of_blocks(store, cells, cell_planes);
   std::vector<PassTask> tasks;
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b)
-    tasks.push_back({points_around(store, b, block_cells[b]) * kBytesPerPoint, store.blocks()[b].points});
+    tasks.push_back({points_around(store, b, block_cells[b]) * kLabelBytesPerPoint, store.blocks()[b].points});
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);
     if (!store.has(block, columns::kPlane)) {

@@ -11,7 +11,9 @@
 namespace ilot {
 namespace {
 
+// Derived: a border is known to one step.
 constexpr double kCreaseSteps = 1;  // steps; greatest distance of a border from the line of its planes
+// Choice: gaps of wet tiles; wider gaps lose the ridge between their sides.
 constexpr double kLongestSteps = 8, kLongestMetres = 3;  // longest edges that show a border
 
 class BorderFinder {

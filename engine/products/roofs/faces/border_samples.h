@@ -10,6 +10,7 @@
 namespace ilot {
 
 // The least difference of slope of two planes whose intersection is a line.
+// Derived: 3 degrees; flatter creases are within the noise of planes.
 constexpr double kLeastSlopeChange = 0.05;
 
 // A place on the border of two planes.

@@ -12,17 +12,24 @@ namespace ilot {
 namespace {
 
 using Cost = std::int64_t;
+// Derived: whole numbers of square centimetres.
 constexpr double kCostPerM2 = 1e4;
-constexpr double kNearPlane = 3;    // metres around a plane's points where it is a candidate
+// Choice: gaps in a face by wet tiles or snow guards are narrower; time grows with it.
+constexpr double kNearPlane = 3;  // metres around a plane's points where it is a candidate
+// Choice: higher walls cost no more, so that towers stay.
 constexpr double kTallestWall = 1;  // metres
 constexpr Cost kForbidden = Cost{1} << 40;
-constexpr double kForeign = 0.3;     // share of a point's area; cost of a point on another plane within epsilon
-constexpr double kFar = 1;           // further shares that a point costs per metre off the plane, up to one metre
+// Choice: points within epsilon of two planes decide little.
+constexpr double kForeign = 0.3;  // share of a point's area; cost of a point on another plane within epsilon
+// Choice: outliers beyond a metre cost no more.
+constexpr double kFar = 1;  // further shares that a point costs per metre off the plane, up to one metre
+// Choice: half: such a point is vegetation as often as roof.
 constexpr double kUnlabelled = 0.5;  // share of a point's area that a point without a plane can cost
+// Derived: the comment on the line.
 constexpr double kBareTipSteps = 3;  // a tip of this length and width would contain nine points or more, so one is seen
 constexpr int kRounds = 8;
 constexpr std::size_t kMostCandidates = 1u << 18;  // of all cells together; 64 bytes each with all that belongs to them
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCellLabel = 0xffffffffu;
 
 // Returns true where the boxes are at most `by` apart along each axis.
 bool near(const FlatBox& a, const FlatBox& b, double by) {
@@ -82,7 +89,7 @@ class Labelling {
     for (std::uint32_t r = 0; r < cells_.regions; ++r) label_[r] = cheapest(r);
     find_reaches();
     changed_at_.assign(cells_.regions, 1);
-    node_.assign(cells_.regions, kNone);
+    node_.assign(cells_.regions, kNoCellLabel);
     bool changed = true;
     for (int round = 0; round < kRounds && changed; ++round) {
       changed = false;
@@ -221,7 +228,7 @@ class Labelling {
         movable.push_back(r);
       }
     const std::vector<std::uint8_t> taken = cells_to_take(alpha, movable, reach.borders);
-    for (const std::uint32_t r : movable) node_[r] = kNone;
+    for (const std::uint32_t r : movable) node_[r] = kNoCellLabel;
     bool changed = false;
     ++clock_;
     for (std::size_t i = 0; i < taken.size(); ++i)
@@ -244,12 +251,12 @@ class Labelling {
     for (const std::uint32_t at : borders) {
       const Border& border = borders_[at];
       const std::uint32_t a = node_[border.a], b = node_[border.b];
-      if (a == kNone && b == kNone) continue;
+      if (a == kNoCellLabel && b == kNoCellLabel) continue;
       const Cost stay = between(border, label_[border.a], label_[border.b]);
       const Cost only_b = between(border, label_[border.a], alpha), only_a = between(border, alpha, label_[border.b]);
-      if (b == kNone) {
+      if (b == kNoCellLabel) {
         gain[a] += only_a - stay;
-      } else if (a == kNone) {
+      } else if (a == kNoCellLabel) {
         gain[b] += only_b - stay;
       } else {
         gain[a] += only_a - stay;
@@ -270,7 +277,7 @@ class Labelling {
   std::vector<std::vector<Candidate>> candidates_;  // per cell, ascending by plane
   std::vector<Reach> reaches_;                      // per plane
   std::vector<std::uint32_t> label_;                // per cell, from 0
-  std::vector<std::uint32_t> node_;                 // per cell: its index among the movable ones, or kNone
+  std::vector<std::uint32_t> node_;                 // per cell: its index among the movable ones, or kNoCellLabel
   std::vector<std::uint32_t> changed_at_;           // per cell: the expansion that changed it last
   std::uint32_t clock_ = 1;                         // counts expansions
 };

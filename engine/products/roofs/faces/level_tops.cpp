@@ -17,15 +17,19 @@
 namespace ilot {
 namespace {
 
-constexpr std::array kReachSteps{2.0, 1.5, 1.1};  // steps between neighbours; less where tops would be joined
+constexpr std::array kTopReachSteps{2.0, 1.5, 1.1};  // steps between neighbours; less where tops would be joined
 constexpr std::size_t kFewest = 5;
 constexpr std::size_t kMembersPerOther = 5;  // points of the top per other point within the hull
-constexpr double kLeastCover = 0.25;         // area of the hull divided by the area that its points stand for
-constexpr double kLargestTop = 10;           // m2 that its points stand for; a larger one would be a plane by itself
-constexpr double kSmallPlane = 4;            // m2 that the points of a plane stand for; below, a top may take them ...
-constexpr std::int32_t kRowHeight = 1000;    // millimetres; height of the rows in which points are searched
+// Choice: chimneys and lift shafts are compact; a ring of points is no top.
+constexpr double kLeastCover = 0.25;  // area of the hull divided by the area that its points stand for
+// Choice: larger tops are found as planes.
+constexpr double kLargestTop = 10;  // m2 that its points stand for; a larger one would be a plane by itself
+// Choice: a terrace below it can lose its plane to a top.
+constexpr double kSmallPlane = 4;          // m2 that the points of a plane stand for; below, a top may take them ...
+constexpr std::int32_t kRowHeight = 1000;  // millimetres; height of the rows in which points are searched
 constexpr std::size_t kMostPairs =
-    1u << 21;                    // stored pairs of near points: 8 MiB; further ones are searched again each time
+    1u << 21;  // stored pairs of near points: 8 MiB; further ones are searched again each time
+// Derived: more than half, a majority with a margin for borders.
 constexpr double kMostOf = 0.6;  // ... when it takes this share of them, or when the plane is no surface
 
 using Indices = std::vector<std::uint32_t>;
@@ -110,7 +114,7 @@ class TopFinder {
     for (const auto& [around, seed] : seeds) {
       if (free_[seed] == 0 || tried_[seed] != 0) continue;
       Indices top;
-      for (const double steps : kReachSteps) {
+      for (const double steps : kTopReachSteps) {
         reach_ = steps * planes_.step;
         top = grown_from(seed, mean_height(grown_from(seed, site_.points[seed].z)));
         if (top.size() < kFewest || is_large(top) || !is_surface(top) || !takes_majority(top)) continue;
@@ -316,7 +320,7 @@ class TopFinder {
   std::vector<std::uint8_t> tried_ = std::vector<std::uint8_t>(site_.points.size(), 0);
   std::vector<std::uint32_t> grown_ = std::vector<std::uint32_t>(site_.points.size(), 0);  // last growth with the point
   std::uint32_t growth_ = 0;
-  double reach_ = kReachSteps.front() * planes_.step;
+  double reach_ = kTopReachSteps.front() * planes_.step;
   std::vector<Point2> places_;
   Rows all_;
   std::set<std::uint32_t> no_surface_;  // planes

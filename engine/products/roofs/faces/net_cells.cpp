@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffffu;
+constexpr std::uint32_t kNoCell = 0xffffffffu;
 
 // Edge e of the net has two halves: 2 e from its lesser vertex to the greater one, and 2 e + 1 back. Each half has a
 // face on its left.
@@ -68,9 +68,9 @@ class Faces {
 
   // Traces the cycles of halves. A cycle that turns left goes around a face, any other around a component.
   void trace() {
-    face_.assign(spokes_.size(), kNone);
+    face_.assign(spokes_.size(), kNoCell);
     for (std::uint32_t h = 0; h < face_.size(); ++h) {
-      if (face_[h] != kNone) continue;
+      if (face_[h] != kNoCell) continue;
       const auto cycle = static_cast<std::uint32_t>(around_component_.size());
       const Point2 o = net_.vertices[start(h)];
       __int128 area = 0;
@@ -96,7 +96,7 @@ class Faces {
     for (std::uint32_t v = 0; v < net_.vertices.size(); ++v) {
       if (components.find(v) != v || first_[v] == first_[v + 1]) continue;
       const std::uint32_t below = edge_below(v, components);
-      const std::uint32_t around = below == kNone ? outside_ : stands_for[face_[2 * below]];
+      const std::uint32_t around = below == kNoCell ? outside_ : stands_for[face_[2 * below]];
       stands_for[cycle_around(v)] = around;
     }
     for (std::uint32_t& face : face_) face = stands_for[face];
@@ -112,7 +112,7 @@ class Faces {
   // Returns the nearest edge of another component straight below a vertex.
   std::uint32_t edge_below(std::uint32_t v, UnionFind& components) const {
     const Point2 p = net_.vertices[v];
-    std::uint32_t nearest = kNone;
+    std::uint32_t nearest = kNoCell;
     double height = -INFINITY, slope = 0;
     for (std::uint32_t e = 0; e < net_.edges.size(); ++e) {
       const Point2 a = net_.vertices[net_.edges[e].from], b = net_.vertices[net_.edges[e].to];

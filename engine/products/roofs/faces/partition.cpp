@@ -72,6 +72,7 @@ class Straightener {
   // Simplifies by Douglas and Peucker with the tolerance to which snap rounding can bend straight lines.
   void straighten(const std::vector<std::uint32_t>& chain, std::size_t from, std::size_t to, std::uint32_t left,
                   std::uint32_t right) {
+    // Derived: above the square root of 2 steps of the grid of 1 mm.
     constexpr double kTolerance = 1.5;  // millimetres
     const Point2 a = p_.vertices[chain[from]], b = p_.vertices[chain[to]];
     const double length = std::sqrt(static_cast<double>(squared_distance(a, b)));
@@ -164,6 +165,7 @@ void pass_through_near_vertices(Partition& p, double reach) {
 
 Point2 millimetres(FlatPoint metres) {
   const auto rounded = [](double v) {
+    // Derived: the range of exact coordinates.
     constexpr double kMost = kMaxPlaneCoordinate;
     return static_cast<std::int32_t>(std::clamp(std::round(v * 1000), -kMost, kMost));
   };

@@ -15,12 +15,18 @@
 namespace ilot {
 namespace {
 
+// Choice: lines end a step or two too early at hips; beyond 1.5 m they would cut faces that they do not reach.
 constexpr double kExtendSteps = 4, kExtendMetres = 1.5;  // extension of a line beyond its seen part
-constexpr double kFarthest = 15;                         // metres; greatest extension of a line to meet another one
+// Choice: the width of a house; longer gaps stay open.
+constexpr double kFarthest = 15;  // metres; greatest extension of a line to meet another one
 constexpr std::uint32_t kFewestOnCrease = 2, kFewestOnStep = 3;
+// Derived: one step.
 constexpr double kLeastRunSteps = 1;
-constexpr double kAligned = 0.1;           // metres between a step and the line onto which it is moved
-constexpr double kGapSteps = 4;            // steps; a line ends where nothing of it is seen over this length
+// Choice: the value of face_rectangles.cpp.
+constexpr double kAligned = 0.1;  // metres between a step and the line onto which it is moved
+// Choice: three lost points in a row happen on wet tiles; a gap of four splits a line.
+constexpr double kLineGapSteps = 4;  // steps; a line ends where nothing of it is seen over this length
+// Choice: 3 degrees, the error of a line of ten steps.
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 16;
 
@@ -217,7 +223,7 @@ class StepFinder {
     const std::vector<Place>& places = places_in(window);
     std::size_t best_first = 0, best_last = 0, first = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
-      if (i > first && places[i].along - places[i - 1].along > kGapSteps * step_) first = i;
+      if (i > first && places[i].along - places[i - 1].along > kLineGapSteps * step_) first = i;
       if (i + 1 - first > best_last - best_first && places[i].along - places[first].along >= kLeastRunSteps * step_) {
         best_first = first;
         best_last = i + 1;
@@ -297,6 +303,7 @@ std::optional<double> distance_along(FlatPoint from, FlatPoint direction, const 
 
 // Extends both ends of every line to the next line or to the outline, where one is near enough.
 std::vector<FlatEdge> reaching_the_next(const std::vector<FlatEdge>& lines, const std::vector<FlatEdge>& outline) {
+  // Derived: ten steps of the grid of 1 mm.
   constexpr double kBeyond = 0.01;  // metres past what is met, so that rounding leaves no gap
   std::vector<FlatEdge> longer = lines;
   for (std::size_t i = 0; i < lines.size(); ++i) {

@@ -26,15 +26,18 @@ constexpr double kUnit = 0.001;  // metres per unit of the kernels' points
 constexpr std::uint32_t kNeighbours = kSamplingNeighbours;
 constexpr int kVoters = 20;
 constexpr double kPi = 3.141592653589793;
+// Measured: the comment on the line.
 constexpr double kVoteDeviation = 0.12;  // gives fewer votes than the default: half the time, the same roofs
-constexpr double kLeastEpsilon = 0.08, kMostEpsilon = 0.3, kNoiseFactor = 3.5;
+// Derived: 3.5 standard deviations contain 99.95 % of normal noise.
+constexpr double kNoiseFactor = 3.5;
+// Choice: a chimney; smaller faces are tops (level_tops.h).
 constexpr double kLeastFaceArea = 0.5;  // m2 that the points of the smallest face cover
 constexpr int kFewestPoints = 6;
-constexpr double kGapSteps = 3, kLeastGap = 0.6;     // metres
-constexpr int kFirstRounds = 1, kRelabelRounds = 3;  // rounds before and after similar planes are joined
-constexpr double kSteepest = 0.25881904510252074;    // cosine of 75 degrees
-constexpr double kSameAngle = 3.5;                   // degrees
-constexpr double kNormalAngle = 25;                  // degrees
+// Choice: two lost points in a row; 0.6 m at least, so that a snow guard does not split a face of a dense cloud.
+constexpr double kPlaneGapSteps = 3, kLeastGap = 0.6;  // metres
+constexpr int kFirstRounds = 1, kRelabelRounds = 3;    // rounds before and after similar planes are joined
+// Choice: mansards have 70 degrees; steeper ones are taken for walls.
+constexpr double kSteepest = 0.25881904510252074;  // cosine of 75 degrees
 
 // A site's points in the form that the kernels need: whole millimetres from their lowest corner, padded.
 struct Cloud : PaddedOrientedPoints {
@@ -111,6 +114,7 @@ void give_normals(const NeighbourIndex& index, const NeighbourLists& neighbours,
   std::vector<std::int64_t> sharp_reach2(at_edges.size());
   hough_normals(index, at_edges, {kVoters, kMaxSquaredReach, 0.95, kVoteDeviation}, sharp, sharp_reach2);
   for (std::size_t e = 0; e < at_edges.size(); ++e) given[at_edges[e]] = sharp[e];
+  // Derived: the unit of packed normals.
   constexpr float kScale = 1.0f / 32767;
   for (std::size_t i = 0; i < c.size; ++i) {
     c.nx[i] = static_cast<float>(given[i].x) * kScale;
@@ -146,11 +150,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> contacts(const NeighbourLis
 }
 
 // Joins planes that touch, have similar normals and stay within half of epsilon of their common plane.
-void join_alike(const Cloud& c, const NeighbourLists& neighbours, double epsilon, PlaneSegments& s) {
+void join_alike(const Cloud& c, const NeighbourLists& neighbours, double epsilon, double same_angle, PlaneSegments& s) {
   std::vector<Moments> moments = moments_of_planes(c, s);
   std::vector<std::uint32_t> parents(s.planes.size());
   UnionFind groups(parents);
-  const double min_cos = cos_degrees(kSameAngle);
+  const double min_cos = cos_degrees(same_angle);
   std::vector<Plane> planes = s.planes;
   for (const auto& [a, b] : contacts(neighbours, s)) {
     const std::uint32_t g = groups.find(a), h = groups.find(b);
@@ -212,15 +216,16 @@ void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, Roof
 }
 
 // Without superstructures, only planes stay that cover a good part of the area of the largest one.
-void drop_superstructures(double area_per_point, const Cloud& c, PlaneSegments& s) {
-  constexpr double kLargest = 12, kShare = 0.15;  // m2; of the largest plane
+void drop_superstructures(const RoofModelParams& params, double area_per_point, const Cloud& c, PlaneSegments& s) {
   std::vector<std::uint32_t> size(s.planes.size() + 1, 0);
   for (std::size_t i = 0; i < c.size; ++i) ++size[s.label[i]];
   std::uint32_t largest = 0;
   for (std::size_t p = 1; p < size.size(); ++p)
     if (s.planes[p - 1].n.z >= kSteepest) largest = std::max(largest, size[p]);
   for (std::uint32_t& label : s.label)
-    if (label != 0 && size[label] * area_per_point < kLargest && size[label] < kShare * largest) label = 0;
+    if (label != 0 && size[label] * area_per_point < params.main_roof_area &&
+        size[label] < params.main_roof_share * largest)
+      label = 0;
 }
 
 }  // namespace
@@ -237,21 +242,22 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   const NeighbourLists neighbours{lists, kNeighbours};
   const Sampling sampling = measure_sampling(c.points(), lists, reach2);
   r.step = sampling.step * kUnit;
-  r.epsilon = params.epsilon > 0 ? params.epsilon
-                                 : std::clamp(kNoiseFactor * sampling.noise * kUnit, kLeastEpsilon, kMostEpsilon);
+  r.epsilon = params.epsilon > 0
+                  ? params.epsilon
+                  : std::clamp(kNoiseFactor * sampling.noise * kUnit, params.least_epsilon, params.most_epsilon);
   give_normals(index, neighbours, reach2, sampling.step, r.epsilon / kUnit, c);
   const double by_area = kLeastFaceArea / std::max(r.step * r.step, 1e-6);
   const auto min_points = static_cast<std::uint32_t>(
       params.min_points > 0 ? params.min_points : std::max<double>(kFewestPoints, std::min(by_area, 1e6)));
   const double epsilon = r.epsilon / kUnit;
-  const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kGapSteps * r.step, kLeastGap) / kUnit));
+  const auto gap = static_cast<std::int64_t>(std::ceil(std::max(kPlaneGapSteps * r.step, kLeastGap) / kUnit));
   PlaneSegments s =
-      ransac_planes(c.oriented(), {epsilon, cos_degrees(kNormalAngle), gap, min_points, 0.99, content_key(c)});
+      ransac_planes(c.oriented(), {epsilon, cos_degrees(params.normal_angle), gap, min_points, 0.99, content_key(c)});
   const RelabelParams relabel{epsilon, gap, 2, kRelabelRounds};
   relabel_until_stable(c.points(), neighbours, {epsilon, gap, 2, kFirstRounds}, min_points, s);
-  join_alike(c, neighbours, epsilon, s);
+  join_alike(c, neighbours, epsilon, params.same_angle, s);
   relabel_until_stable(c.points(), neighbours, relabel, min_points, s);
-  if (!params.superstructures) drop_superstructures(r.step * r.step, c, s);
+  if (!params.superstructures) drop_superstructures(params, r.step * r.step, c, s);
   sort_out(site, c, s, r);
   if (params.superstructures) add_level_tops(site, r);
   return r;

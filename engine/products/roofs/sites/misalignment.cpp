@@ -64,6 +64,7 @@ void count_shifts(std::span<const Vec3> points, std::span<const SitePolygon> out
   const auto& ring = outlines[0][0];
   const auto [x0, x1] = std::minmax_element(ring.begin(), ring.end(), [](Point2 a, Point2 b) { return a.x < b.x; });
   const auto [y0, y1] = std::minmax_element(ring.begin(), ring.end(), [](Point2 a, Point2 b) { return a.y < b.y; });
+  // Derived: the farthest shift that is tried.
   constexpr double kReach = kShiftReach * kShiftStep;
   const double min_x = x0->x * kMillimetre - kReach, max_x = x1->x * kMillimetre + kReach;
   const double min_y = y0->y * kMillimetre - kReach, max_y = y1->y * kMillimetre + kReach;

@@ -9,7 +9,8 @@
 
 namespace ilot {
 
-constexpr int kShiftReach = 8;       // raster steps to each side
+constexpr int kShiftReach = 8;  // raster steps to each side
+// Choice: half of the step of airborne scans of 4 points a square metre.
 constexpr double kShiftStep = 0.25;  // metres
 constexpr int kShifts = 2 * kShiftReach + 1;
 

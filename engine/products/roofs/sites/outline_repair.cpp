@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kLeastEdge = 2;  // millimetres: validators regard the ends of a shorter edge as one vertex
 
-using Ring = std::vector<Point2>;
+using GridRing = std::vector<Point2>;
 
 struct Geos {
   Geos() : handle(GEOS_init_r()) {}
@@ -30,15 +30,15 @@ struct GeometryDelete {
 };
 using Geometry = std::unique_ptr<GEOSGeometry, GeometryDelete>;
 
-std::int64_t twice_area(const Ring& ring) {
+std::int64_t twice_area(const GridRing& ring) {
   return static_cast<std::int64_t>(doubled_area(ring));
 }
 
 // Removes the greater of any two consecutive vertices that lie nearer than kLeastEdge. The same one is removed wherever
 // the ring starts and whichever way it runs, so that neighbours lose the same vertices.
-Ring without_repeats(const Ring& ring) {
+GridRing without_repeats(const GridRing& ring) {
   const auto near = [](Point2 p, Point2 q) { return squared_distance(p, q) < kLeastEdge * kLeastEdge; };
-  Ring result;
+  GridRing result;
   const auto add = [&](Point2 p) {
     while (!result.empty() && near(result.back(), p) && p <= result.back()) result.pop_back();
     if (result.empty() || !near(result.back(), p)) result.push_back(p);
@@ -50,7 +50,7 @@ Ring without_repeats(const Ring& ring) {
 }
 
 // Returns the ring from its smallest vertex, in the orientation asked for.
-Ring oriented(Ring ring, bool counter_clockwise) {
+GridRing oriented(GridRing ring, bool counter_clockwise) {
   if ((twice_area(ring) > 0) != counter_clockwise) std::reverse(ring.begin(), ring.end());
   std::rotate(ring.begin(), std::min_element(ring.begin(), ring.end()), ring.end());
   return ring;
@@ -58,12 +58,12 @@ Ring oriented(Ring ring, bool counter_clockwise) {
 
 SitePolygon oriented(const SitePolygon& rings) {
   SitePolygon polygon;
-  for (const Ring& ring : rings) polygon.push_back(oriented(ring, polygon.empty()));
+  for (const GridRing& ring : rings) polygon.push_back(oriented(ring, polygon.empty()));
   std::sort(polygon.begin() + 1, polygon.end());
   return polygon;
 }
 
-GEOSGeometry* ring_geometry(const Geos& geos, const Ring& ring) {
+GEOSGeometry* ring_geometry(const Geos& geos, const GridRing& ring) {
   const auto n = static_cast<unsigned>(ring.size());
   GEOSCoordSequence* sequence = GEOSCoordSeq_create_r(geos.handle, n + 1, 2);
   for (unsigned i = 0; i <= n; ++i) GEOSCoordSeq_setXY_r(geos.handle, sequence, i, ring[i % n].x, ring[i % n].y);
@@ -78,11 +78,11 @@ Geometry polygon_geometry(const Geos& geos, const SitePolygon& rings) {
   return {polygon, {geos.handle}};
 }
 
-Ring ring_of(const Geos& geos, const GEOSGeometry* ring) {
+GridRing ring_of(const Geos& geos, const GEOSGeometry* ring) {
   const GEOSCoordSequence* sequence = GEOSGeom_getCoordSeq_r(geos.handle, ring);
   unsigned n = 0;
   GEOSCoordSeq_getSize_r(geos.handle, sequence, &n);
-  Ring result;
+  GridRing result;
   for (unsigned i = 0; i < n; ++i) {
     FlatPoint p;
     GEOSCoordSeq_getXY_r(geos.handle, sequence, i, &p.x, &p.y);
@@ -103,7 +103,7 @@ void collect_polygons(const Geos& geos, const GEOSGeometry* g, std::vector<SiteP
   for (int i = 0; i < GEOSGetNumInteriorRings_r(geos.handle, g); ++i)
     polygon.push_back(ring_of(geos, GEOSGetInteriorRingN_r(geos.handle, g, i)));
   if (polygon[0].size() < 3) return;
-  std::erase_if(polygon, [](const Ring& ring) { return ring.size() < 3; });
+  std::erase_if(polygon, [](const GridRing& ring) { return ring.size() < 3; });
   polygons.push_back(oriented(polygon));
 }
 
@@ -119,7 +119,7 @@ std::vector<SitePolygon> rebuilt(const Geos& geos, const GEOSGeometry* broken) {
 // Removes short edges. Returns the same polygon where it would not be valid without them.
 SitePolygon without_short_edges(const Geos& geos, const SitePolygon& polygon) {
   SitePolygon shorter;
-  for (const Ring& ring : polygon) {
+  for (const GridRing& ring : polygon) {
     shorter.push_back(without_repeats(ring));
     if (shorter.back().size() < 3) return polygon;
   }
@@ -136,7 +136,7 @@ bool larger(const SitePolygon& a, const SitePolygon& b) {
 
 double area_of(const SitePolygon& polygon) {
   std::int64_t twice = 0;
-  for (const Ring& ring : polygon) twice += twice_area(ring);
+  for (const GridRing& ring : polygon) twice += twice_area(ring);
   return static_cast<double>(twice) * 0.5e-6;
 }
 
@@ -152,8 +152,8 @@ double shared_area(const SitePolygon& a, const SitePolygon& b) {
 RepairedOutline repair_outline(const SitePolygon& rings, double least_area) {
   SitePolygon given;
   bool dropped = false;
-  for (const Ring& ring : rings) {
-    Ring whole = without_repeats(ring);
+  for (const GridRing& ring : rings) {
+    GridRing whole = without_repeats(ring);
     if (whole.size() >= 3) {
       given.push_back(std::move(whole));
     } else if (given.empty()) {

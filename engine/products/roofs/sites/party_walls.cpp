@@ -16,12 +16,17 @@
 namespace ilot {
 namespace {
 
+// Derived: three steps of the grid of 1 mm.
 constexpr double kShortestEdge = 0.003;  // metres: a cut that ends this near to a corner ends in the corner
+// Derived: 1.6 squared is 2.6: two or three points a cell.
 constexpr double kCellSteps = 1.6;  // steps; side of the cells in which heights are compared: two or three points each
+// Choice: 3 degrees, the error of a line of ten steps.
 constexpr double kSameDirection = 0.9986;  // cosine of 3 degrees
 constexpr std::size_t kMostDirections = 4;
+// Choice: more than half, with a margin for chimneys on the wall.
 constexpr double kSeenRows = 0.6;  // least share of a wall's length where both sides have points
 constexpr std::size_t kMostTried = 16;
+// Choice: the error of a drawn outline; no result beyond it depends on it.
 constexpr double kBeyond = 0.05;  // metres that a cut continues past the outline
 constexpr double kEmpty = -std::numeric_limits<double>::infinity();
 
@@ -241,8 +246,11 @@ class HeightRows {
     return step_offset(gaps, step * step / (static_cast<double>(gaps.size()) * cell_));
   }
 
+  // Derived: tan 50 degrees; steeper roofs look like steps.
   static constexpr double kSteepest = 1.2;  // steeper slopes are steps of their own
+  // Derived: a step is known to a cell on either side.
   static constexpr double kNearCells = 2;
+  // Choice: notches of an outline are shorter; party walls that end farther inside are not found.
   static constexpr double kLongerCells = 6;  // cells at either end of a wall where the outline leaves no room to see it
 
   FlatPoint along_;

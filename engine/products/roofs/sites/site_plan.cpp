@@ -11,6 +11,7 @@
 namespace ilot {
 namespace {
 
+// Derived: ten centimetres squared, a mistake of drawing.
 constexpr double kLeastArea = 0.01;             // m2: a smaller outline is no building
 constexpr std::int64_t kLargest = 100'000'000;  // millimetres: a larger outline is a mistake
 constexpr double kMillimetresPerMetre = 1000;

@@ -9,7 +9,7 @@
 namespace ilot {
 namespace {
 
-constexpr double kMillimetre = 0.001;
+constexpr double kMetresPerStep = 0.001;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -19,7 +19,7 @@ SiteFilter::EdgeSet::EdgeSet(const SitePolygon& polygon) {
     for (std::size_t i = 0; i < ring.size(); ++i) {
       Point2 a = ring[i], b = ring[(i + 1) % ring.size()];
       if (a.y > b.y || (a.y == b.y && a.x > b.x)) std::swap(a, b);
-      edges.push_back({{a.x * kMillimetre, a.y * kMillimetre}, {b.x * kMillimetre, b.y * kMillimetre}});
+      edges.push_back({{a.x * kMetresPerStep, a.y * kMetresPerStep}, {b.x * kMetresPerStep, b.y * kMetresPerStep}});
       box.add(edges.back().a);
       box.add(edges.back().b);
     }

@@ -11,6 +11,7 @@ namespace ilot {
 namespace {
 
 constexpr double kMillimetre = 0.001;
+// Choice: 5 degrees; flat roofs fall by 2 to 3 degrees.
 constexpr double kLevel = 0.996;  // cosine of 5 degrees: flatter faces are level
 
 Vec3 from_anchor(Vec3 p, const RoofSite& site, double metres_per_unit) {

@@ -8,7 +8,9 @@
 namespace ilot {
 namespace {
 
+// Choice: roofs.most_epsilon; points beyond it are on no face.
 constexpr double kReach = 0.3;  // metres
+// Derived: a bound of memory.
 constexpr double kMostCells = 1 << 16;
 
 bool stands_at(double x, double y, double dx, double dy, Vec3 p) {

@@ -19,11 +19,13 @@
 namespace ilot {
 namespace {
 
+// Choice: half a metre squared, below what a model of LoD2.2 shows.
 constexpr double kLeastFaceArea = 0.25;  // m2
-constexpr double kBlockHeight = 0.7;     // quantile of the points' heights; top of a block of LoD1.2
-constexpr double kLeastOutline = 0.01;   // m2
+// Derived: ten centimetres squared, a mistake of drawing.
+constexpr double kLeastOutline = 0.01;  // m2
 constexpr std::size_t kFewestPoints = 3;
-constexpr int kAttempts = 4;       // attempts to raise a roof, each time with larger faces only ...
+constexpr int kAttempts = 4;  // attempts to raise a roof, each time with larger faces only ...
+// Choice: the step by which faces are given up until a solid is valid; smaller steps cost time.
 constexpr double kFewerFaces = 4;  // ... larger by this factor in area
 
 Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, double metres_per_unit) {
@@ -35,14 +37,14 @@ Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, dou
   return b;
 }
 
-RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes) {
+RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes, double block_height) {
   std::vector<double> z;
   for (std::size_t i = 0; i < site.points.size(); ++i)
     if (!planes.on_wall[i]) z.push_back(site.points[i].z);
   if (z.empty())
     for (const Vec3& p : site.points) z.push_back(p.z);
   RoofPlane plane;
-  plane.c = lower_quantile(z, kBlockHeight);
+  plane.c = lower_quantile(z, block_height);
   return plane;
 }
 
@@ -53,14 +55,14 @@ struct LabelledCells {
   std::vector<std::uint32_t> of_point, label;
 };
 
-LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes) {
+LabelledCells labelled_cells(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params) {
   LabelledCells c;
   c.lines = roof_lines(site, planes);
   c.cells = part(site.outline, c.lines);
   std::vector<FlatPoint> flat;
   for (const Vec3& p : site.points) flat.push_back({p.x * 1000, p.y * 1000});
   c.of_point = regions_of(c.cells, flat);
-  c.label = label_cells(site, planes, c.cells, c.of_point);
+  c.label = label_cells(site, planes, c.cells, c.of_point, {params.border_cost, params.wall_cost, params.overshoot});
   return c;
 }
 
@@ -96,15 +98,15 @@ std::optional<Building> raised(const RoofSite& site, const Partition& faces, std
 }
 
 // Raises the block. Returns false, with the reason, when there is none.
-bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per_unit, const SolidCheck& check,
-               RoofModel& model) {
+bool add_block(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
+               const SolidCheck& check, RoofModel& model) {
   const Partition whole = part(site.outline, {});
   if (whole.regions != 1) {
     model.reason = "the outline is not one polygon on a grid of 1 mm";
     return false;
   }
-  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes)}, "1.2", metres_per_unit, check,
-                      model.reason);
+  auto block = raised(site, whole, std::vector<RoofPlane>{level_roof(site, planes, params.block_height)}, "1.2",
+                      metres_per_unit, check, model.reason);
   if (!block) return false;
   model.lod12 = std::move(*block);
   model.status = RoofStatus::lod12;
@@ -115,7 +117,7 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, double metres_per
 // neighbours.
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
                const SolidCheck& check, RoofModel& model, RoofSteps* steps) {
-  const LabelledCells c = labelled_cells(site, planes);
+  const LabelledCells c = labelled_cells(site, planes, params);
   if (steps != nullptr) {
     steps->lines = c.lines;
     steps->cells = c.cells;
@@ -177,7 +179,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
   }
   const RoofPlanes planes = find_roof_planes(site, params);
   if (steps != nullptr) steps->planes = planes;
-  if (!add_block(site, planes, metres_per_unit, check, model)) return model;
+  if (!add_block(site, planes, params, metres_per_unit, check, model)) return model;
   if (planes.planes.empty()) {
     model.reason = "no plane has enough points";
     return model;

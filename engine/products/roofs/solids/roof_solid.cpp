@@ -12,10 +12,14 @@
 namespace ilot {
 namespace {
 
+// Choice: keeps walls above the tolerance of validators, 1 mm, by far.
 constexpr double kLeastHeight = 0.1;  // metres; least height of the lowest eave over the floor
-constexpr double kCorner = 20;        // millimetres; size of the corners that separate pinched faces
+// Derived: 20 times the tolerance of validators, 1 mm.
+constexpr double kCorner = 20;  // millimetres; size of the corners that separate pinched faces
+// Derived: the comment on the line.
 constexpr double kLeastStep = 0.002;  // metres between vertices at one place: two steps on any grid of millimetres
-constexpr double kHeightGrid = 1e4;   // steps a metre
+// Derived: a tenth of the step of outlines.
+constexpr double kHeightGrid = 1e4;  // steps a metre
 
 // A spoke of a vertex: an edge seen from it, with the region on the left of the outward direction.
 struct Spoke {

@@ -10,6 +10,7 @@
 
 namespace ilot {
 
+// Choice: below the noise of airborne heights; lower steps are drawn flat.
 constexpr double kSameHeight = 0.01;  // metres
 
 struct RoofSolid {

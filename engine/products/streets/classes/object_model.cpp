@@ -17,6 +17,7 @@ namespace ilot {
 namespace {
 
 constexpr const char* kFirstLine = "ilot objects 3";
+// Choice: no class is excluded by one answer; smaller bounds let one tree decide.
 constexpr double kLeastShare = 1e-4;  // lower bound of a probability
 
 }  // namespace

@@ -10,6 +10,7 @@
 namespace ilot {
 namespace {
 
+// Derived: keeps the odds of two classes finite; far beyond what samples can show.
 constexpr double kSurest = 1e-7;
 
 // The rows of a system of equations. The last value of a row is its right side.

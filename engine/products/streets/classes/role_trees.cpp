@@ -11,8 +11,10 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kGrain = 512;   // candidates
-constexpr double kLeastShare = 1e-6;  // lower bound of a probability
+constexpr std::size_t kTreesGrain = 512;  // candidates
+// Derived: keeps logarithms finite; below one sample in those that models are trained on.
+constexpr double kLeastTreeShare = 1e-6;  // lower bound of a probability
+// Derived: below every logarithm of a share of 1e-6.
 constexpr double kNoRelation = -1e6;  // value for a missing relative; below all logarithms of shares
 constexpr const char* kKindNames[] = {"nothing", "vegetation", "part", "merged", "object"};
 constexpr const char* kRelations[] = {"itself", "joined", "beside", "larger part", "lesser part"};
@@ -63,7 +65,7 @@ std::vector<double> role_rows(std::span<const std::size_t> columns, const RoleIn
       const std::uint32_t whom = about.relations[i][asked / kCandidateKinds];
       rows.push_back(whom == 0
                          ? kNoRelation
-                         : natural_log(std::max(kLeastShare, about.predicted[whom - 1][asked % kCandidateKinds])));
+                         : natural_log(std::max(kLeastTreeShare, about.predicted[whom - 1][asked % kCandidateKinds])));
     }
   return rows;
 }
@@ -72,8 +74,8 @@ std::vector<KindShares> stage_shares(const RoleStage& stage, std::span<const Can
                                      std::span<const CandidateParts> parts, std::span<const KindShares> predicted) {
   const std::vector<CandidateRelations> relations = candidate_relations(candidates, parts);
   std::vector<KindShares> out(candidates.size());
-  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t chunk) {
-    const std::size_t first = chunk * kGrain, count = std::min(kGrain, candidates.size() - first);
+  parallel_for((candidates.size() + kTreesGrain - 1) / kTreesGrain, [&](std::size_t chunk) {
+    const std::size_t first = chunk * kTreesGrain, count = std::min(kTreesGrain, candidates.size() - first);
     std::vector<std::int32_t> scores(count * kCandidateKinds);
     tree_scores(stage.trees, role_rows(stage.columns, {candidates, relations, predicted}, first, count), scores);
     for (std::size_t i = 0; i < count; ++i)

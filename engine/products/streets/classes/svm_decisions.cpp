@@ -11,7 +11,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kGrain = 256;  // candidates
+constexpr std::size_t kDecisionsGrain = 256;  // candidates
 
 // The support vectors of one class in one array. All pairs share the kernels: each kernel is computed once, and its
 // weights against the other classes are applied to it.
@@ -60,8 +60,8 @@ PairDecisions pair_decisions(const ObjectModel& model, std::span<const Candidate
   const std::size_t pairs = model.rho.size();
   PairDecisions out{pairs, std::vector<double>(candidates.size() * pairs),
                     std::vector<double>(candidates.size() * classes.size(), 0)};
-  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
-    const std::size_t first = part * kGrain, count = std::min(kGrain, candidates.size() - first);
+  parallel_for((candidates.size() + kDecisionsGrain - 1) / kDecisionsGrain, [&](std::size_t part) {
+    const std::size_t first = part * kDecisionsGrain, count = std::min(kDecisionsGrain, candidates.size() - first);
     decide(model, classes, candidates.subspan(first, count), std::span(out.of).subspan(first * pairs, count * pairs),
            std::span(out.nearest).subspan(first * classes.size(), count * classes.size()));
   });
@@ -72,9 +72,9 @@ std::vector<ClassShares> class_shares(const ObjectModel& model, std::span<const 
   if (model.classes.size() == 1) return std::vector<ClassShares>(candidates.size(), ClassShares{{1}, {1}});
   const PairDecisions decided = pair_decisions(model, candidates);
   std::vector<ClassShares> out(candidates.size());
-  parallel_for((candidates.size() + kGrain - 1) / kGrain, [&](std::size_t part) {
+  parallel_for((candidates.size() + kDecisionsGrain - 1) / kDecisionsGrain, [&](std::size_t part) {
     std::vector<double> first(decided.pairs);
-    for (std::size_t i = part * kGrain; i < std::min(candidates.size(), (part + 1) * kGrain); ++i) {
+    for (std::size_t i = part * kDecisionsGrain; i < std::min(candidates.size(), (part + 1) * kDecisionsGrain); ++i) {
       for (std::size_t p = 0; p < decided.pairs; ++p)
         first[p] = sigmoid(model.slope[p] * decided.of[i * decided.pairs + p] + model.offset[p]);
       const std::size_t k = model.classes.size();

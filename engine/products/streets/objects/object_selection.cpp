@@ -10,6 +10,7 @@ namespace ilot {
 
 namespace {
 
+// Derived: keeps logarithms finite.
 constexpr double kLeast = 1e-30;  // lower bound of a weight
 
 double weight_of(double probability) {

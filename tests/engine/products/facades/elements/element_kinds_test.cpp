@@ -27,6 +27,18 @@ TEST(ElementKinds, ADoorGoesDownToTheFootOfTheWall) {
   EXPECT_EQ(kind_of_opening(hatch, all), ElementKind::window) << "too low for a door";
 }
 
+TEST(ElementKinds, SizesAreParameters) {
+  const FoundRectangle gate = rectangle_of({1, 2, 0.1, 1.5}, -0.2), canopy = rectangle_of({3, 4, 3, 3.3}, 0.25);
+  ElementKindParams params;
+  params.door_height = 1.2;
+  params.balcony_depth = 0.2;
+  params.balcony_width = 1.5;
+  EXPECT_EQ(kind_of_opening(gate, {gate}), ElementKind::window);
+  EXPECT_EQ(kind_of_opening(gate, {gate}, params), ElementKind::door);
+  EXPECT_EQ(kind_of_relief(canopy, {}, 20), ElementKind::bulge);
+  EXPECT_EQ(kind_of_relief(canopy, {}, 20, params), ElementKind::bracket);
+}
+
 TEST(ElementKinds, ADoorWithAHiddenFootIsKnownByItsTop) {
   const FoundRectangle door = rectangle_of({1, 2, 0.1, 2.3}, -0.2);
   FoundRectangle hidden = rectangle_of({3, 4, 1.2, 2.35}, -0.2);
