@@ -269,14 +269,16 @@ def learnt_auc(clouds, columns):
 
 def report_classifier(group, clouds):
     print(f"\n### {group}: can a classifier tell them apart?\n")
+    bright = all(c.intensity.max() > c.intensity.min() for c in clouds)
+    groups = [g for g in FEATURES if bright or g != "intensity"]  # what a cloud does not have tells nothing
     columns = lambda names: [NAMES.index(n) for g in names for n in FEATURES[g]]
     print("| features | AUC |\n|---|---|")
-    for names in (list(FEATURES), ["shape", "pattern", "noise", "intensity", "returns"], *([g] for g in FEATURES)):
+    for names in (groups, [g for g in groups if g != "density"], *([g] for g in groups)):
         print(f"| {', '.join(names)} | {learnt_auc(clouds, columns(names)):.3f} |", flush=True)
     judged = [c for c in clouds if c.use == "judge"]
     x = np.vstack([c.features for c in judged])
     y = np.concatenate([np.full(len(c.sample), not c.real) for c in judged])
-    single = sorted(((abs(roc_auc_score(y, x[:, k]) - 0.5) + 0.5, n) for k, n in enumerate(NAMES)), reverse=True)
+    single = sorted(((abs(roc_auc_score(y, x[:, k]) - 0.5) + 0.5, NAMES[k]) for k in columns(groups)), reverse=True)
     print("\nSingle features that differ most on the judged clouds: " + ", ".join(f"{n} {a:.2f}" for a, n in single[:5]))
 
 
