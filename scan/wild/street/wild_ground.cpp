@@ -42,6 +42,7 @@ void add_slab(WildStreetModel& model, const WildStreet& street, const GroundPatc
   for (const Vec3& p : ring) slab.bounds.add(p);
   slab.bounds.min = slab.bounds.min - Vec3{kOverlap, kOverlap, kGroundDepth};
   slab.bounds.max = slab.bounds.max + Vec3{kOverlap, kOverlap, kOverlap};
+  slab.planes[slab.plane_count++] = {{0, 0, -1}, slab.bounds.min.z};
   model.street.scene.parts.push_back(slab);
 }
 

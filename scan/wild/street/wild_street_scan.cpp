@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kGrid = 0.001;  // metres per coordinate unit
 constexpr std::size_t kGrainsAtOnce = 48;
+constexpr double kBorder = 1.5;   // metres along the end of the ground that are not in the cloud: its upright side
 constexpr double kAirArea = 110;  // metres across that are seen from the air
 constexpr double kPilotPoints = 60000;
 constexpr double kKeptBeyond = 5;      // metres beyond both ends that stay in the cloud of a scanner on the ground
@@ -45,10 +46,11 @@ void place_stations(WildStreetScan& scan, Draws& draws) {
   const WildStreet& street = scan.street;
   for (int i = 0; i < count; ++i) {
     Rng rng = draws.random("street.station", static_cast<std::uint64_t>(i));
+    const bool in_yard = draws.happens("street.yard_stations", static_cast<std::uint64_t>(i));
     for (int attempt = 0; attempt < 40; ++attempt) {
       const double s = street.length * ((i + rng.uniform()) / count), reach = street.half_street() - 0.8;
       double t = between(rng, -reach, reach);
-      if (i > 0 && rng.uniform() < 0.2) t = (t < 0 ? -1 : 1) * (street.half_street() + between(rng, 1, 25));  // a yard
+      if (i > 0 && in_yard) t = (t < 0 ? -1 : 1) * (street.half_street() + between(rng, 1, 25));  // a yard
       const GroundPatch* patch = street.patch_at(s, t);
       if (!patch || patch->kind == GroundPatch::Kind::passage || !is_free(scan.objects, s, t)) continue;
       scan.scanner.stations.push_back({s, t, street.ground_height(s, t) + between(rng, 1.4, 2.1)});
@@ -193,7 +195,7 @@ WildStreetScan plan_wild_street_scan(Draws& draws, std::uint64_t seed, std::uint
   const bool air = c.platform == Platform::air;
   c.s0 = air ? 0 : -kKeptBeyond;
   c.s1 = scan.street.length + (air ? 0 : kKeptBeyond);
-  c.half_width = air ? std::min(kAirArea / 2, scan.street.half_street() + kPlotEnd) : c.beam.range;
+  c.half_width = air ? std::min(kAirArea / 2, scan.street.half_street() + kPlotEnd - kBorder) : c.beam.range;
   scan.objects = place_wild_objects(scan.street, draws, c.lane);
   scan.model = build_wild_street(scan.street, scan.objects, draws);
   if (c.platform == Platform::tripod) place_stations(scan, draws);

@@ -24,7 +24,7 @@ struct WildTestScan {
 };
 
 WildStreetScan plan_wild(std::initializer_list<std::string> settings, std::uint64_t seed, std::string_view without = "",
-                         std::uint64_t points = 60000) {
+                         std::uint64_t points = 20000) {
   SceneValues values(wild_street_options());
   for (const std::string& setting : settings) values.set(setting);
   values.leave_out(without, families_of(kWildStreetGroups));
@@ -48,7 +48,7 @@ TEST(StreetWild, SameBytesForAnyNumberOfThreads) {
   for (const std::string& platform : kPlatforms) {
     const WildStreetScan scan = plan_wild({"scene.street.platform=" + platform}, 11);
     const std::vector<std::byte> one = wild_records(scan, 1);
-    EXPECT_GT(one.size() / kWildRecord, 20000u) << platform;
+    EXPECT_GT(one.size() / kWildRecord, 12000u) << platform;
     EXPECT_TRUE(wild_records(scan, 3) == one) << platform;
     EXPECT_TRUE(wild_records(plan_wild({"scene.street.platform=" + platform}, 11), 2) == one) << platform;
   }
@@ -56,8 +56,8 @@ TEST(StreetWild, SameBytesForAnyNumberOfThreads) {
 
 TEST(StreetWild, AboutAsManyPointsAsAskedFor) {
   for (const std::string& platform : kPlatforms) {
-    const WildStreetScan scan = plan_wild({"scene.street.platform=" + platform}, 4, "", 90000);
-    EXPECT_NEAR(static_cast<double>(wild_records(scan, 2).size() / kWildRecord), 90000, 0.08 * 90000) << platform;
+    const WildStreetScan scan = plan_wild({"scene.street.platform=" + platform}, 4, "", 40000);
+    EXPECT_NEAR(static_cast<double>(wild_records(scan, 2).size() / kWildRecord), 40000, 0.08 * 40000) << platform;
   }
 }
 
@@ -90,6 +90,7 @@ TEST(StreetWild, PointsLieOnWhatTheTruthSays) {
     for (std::size_t at = 0; at < records.size(); at += kWildRecord) {
       const RecordTruth truth = truth_of(&records[at]);
       const Vec3 p = scan.street.to_street(place_of(&records[at], layout));
+      ASSERT_GT(p.z, scan.street.ground_height(p.x, p.y) - 5);  // the sides of terraces end below the ground
       if (truth.true_plane > 0) {
         const TruePlane& plane = scan.model.street.planes[truth.true_plane - 1];
         ASSERT_LT(std::abs(signed_distance(plane.plane, p)), 0.06 + off_axis) << plane.surface_class;
@@ -102,7 +103,7 @@ TEST(StreetWild, PointsLieOnWhatTheTruthSays) {
         ASSERT_LT(distance_to_box(object, p), 0.08 + off_axis) << object.kind->name;
       }
     }
-    EXPECT_GT(on_planes, 10000u);
+    EXPECT_GT(on_planes, 5000u);
     EXPECT_GT(per_object.size(), 5u) << platform;
   }
 }
