@@ -211,6 +211,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   progress.begin_stage("planes", store.points());
   const ColourPalette palette = make_palette(store, inputs, settings, context, record);
   const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  record.cells = {store.unit(), largest_cell(store.unit() * context.metres_per_unit), kCellPoints};
   const CellPlanes found = planes_pass(store, cells, settings, context, palette);
   record_choices(found, settings, store.unit() * context.metres_per_unit, record);
 
