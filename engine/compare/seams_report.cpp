@@ -45,7 +45,7 @@ LabelledRows read_rows(const fs::path& result, double unit) {
   LabelledRows rows;
   for (const fs::path& cloud : files.clouds) {
     const std::unique_ptr<PointReader> reader = open_cloud(cloud);
-    reader->limit_to(kFieldExtra);
+    reader->limit_to(kFieldZ | kFieldExtra);
     const RecordLayout& layout = reader->info().layout;
     const ExtraField plane = require_field(reader->info(), "plane_id", FieldType::u32);
     rows.metres_per_unit = reader->info().crs.metres_per_unit;

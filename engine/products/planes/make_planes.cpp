@@ -12,6 +12,7 @@
 #include "engine/products/planes/cells/planes_pass.h"
 #include "engine/products/planes/cells/shapes_pass.h"
 #include "engine/products/planes/join/adjacency_pass.h"
+#include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/join/join_pass.h"
 #include "engine/products/planes/join/label_pass.h"
 #include "kernels/core/portable_math.h"
@@ -219,6 +220,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   std::vector<Contact> contacts = contact_pass(store, cells, found, context);
   JoinedPlanes joined =
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle)});
+  extend_pass(store, cells, found, joined, context);
   label_pass(store, cells, found, joined, context, palette);
   PlanesResult result = number_planes(store, joined, context.wanted != nullptr, context.metres_per_unit);
   joined = {};
