@@ -134,6 +134,9 @@ std::string run_json(const RunRecord& record) {
     json["clusters"] = {{"clusters", record.clusters->clusters},
                         {"too_small", record.clusters->too_small},
                         {"points_of_too_small", record.clusters->points_of_too_small}};
+  if (record.cells)
+    json["cells"] = {
+        {"unit", record.cells->unit}, {"edge_steps", record.cells->edge}, {"most_points", record.cells->most_points}};
   json["rejected"] = record.points.rejected;
   json["skipped"] = skipped_json(record);
   json["warnings"] = record.warnings;

@@ -76,6 +76,13 @@ struct ClustersRecord {
   std::uint64_t clusters = 0, too_small = 0, points_of_too_small = 0;
 };
 
+// The cells in which planes are searched: cubes aligned with the origin of the coordinates.
+struct CellsRecord {
+  double unit = 0;                // step of the lattice, CRS units
+  std::int64_t edge = 0;          // steps
+  std::uint64_t most_points = 0;  // a cell with more is cut into eight
+};
+
 struct RunRecord {
   ExitCode exit = ExitCode::ok;
   Settings settings;
@@ -90,6 +97,7 @@ struct RunRecord {
   PointCounts points;
   std::optional<std::uint64_t> planes;  // products that did not run have no counts
   std::optional<std::uint64_t> shapes;  // spheres, cylinders and cones, if they were asked for
+  std::optional<CellsRecord> cells;     // where planes were searched
   std::optional<RoofCounts> roofs;
   std::optional<StreetCounts> streets;
   std::optional<FacadeCounts> facades;

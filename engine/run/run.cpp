@@ -12,6 +12,7 @@
 #include "engine/pass/input_lattice.h"
 #include "engine/pass/resident.h"
 #include "engine/products/planes/cells/cells.h"
+#include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/make_boundaries.h"
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
@@ -39,11 +40,12 @@ bool makes(const RunOptions& options, const char* product) {
   return std::find(options.products.begin(), options.products.end(), product) != options.products.end();
 }
 
-// Returns the box that an area needs for the same result as a run over everything: its own cells and a ring of cells
-// around them.
+// Returns the box that an area needs for the same result as a run over everything: its own cells and those around them
+// on which its planes depend.
 std::optional<IndexBox> area_with_halo(const std::optional<Area>& area, double unit, double metres_per_unit) {
   if (!area) return std::nullopt;
-  const double halo = 2 * kCellMetres / metres_per_unit;
+  const double cell = static_cast<double>(largest_cell(unit * metres_per_unit)) * unit;
+  const double halo = std::max(kCellsAround * cell, 2 * kCellMetres / metres_per_unit);
   const auto low = [&](double v) { return static_cast<std::int64_t>(std::floor((v - halo) / unit)); };
   const auto high = [&](double v) { return static_cast<std::int64_t>(std::ceil((v + halo) / unit)); };
   return column_over(low(area->min_x), low(area->min_y), high(area->max_x), high(area->max_y));

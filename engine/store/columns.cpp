@@ -3,17 +3,19 @@
 
 #include <array>
 
+#include "engine/store/extended_columns.h"
+
 namespace ilot {
 
 std::span<const ColumnInfo* const> all_columns() {
   using namespace columns;
   static constexpr const ColumnInfo* kAll[]{
-      &kCodes.info,     &kOrder.info,    &kClass.info,      &kEchoes.info,      &kChunks.info,     &kRole.info,
-      &kNormals.info,   &kColour.info,   &kStation.info,    &kSegment.info,     &kContacts.info,   &kTally.info,
-      &kPlane.info,     &kTouches.info,  &kShapeTally.info, &kShape.info,       &kCoincident.info, &kSeamRuns.info,
-      &kSeamEdges.info, &kBoundary.info, &kFacade.info,     &kClusterPart.info, &kCluster.info,    &kRoof.info,
-      &kStreet.info,    &kSorted.info,   &kRowOrder.info,   &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info,
-      &kRoofRows.info};
+      &kCodes.info,       &kOrder.info,      &kClass.info,      &kEchoes.info,    &kChunks.info,   &kRole.info,
+      &kNormals.info,     &kColour.info,     &kStation.info,    &kSegment.info,   &kContacts.info, &kExtended1.info,
+      &kExtended2.info,   &kExtended3.info,  &kTally.info,      &kPlane.info,     &kTouches.info,  &kShapeTally.info,
+      &kShape.info,       &kCoincident.info, &kSeamRuns.info,   &kSeamEdges.info, &kBoundary.info, &kFacade.info,
+      &kClusterPart.info, &kCluster.info,    &kRoof.info,       &kStreet.info,    &kSorted.info,   &kRowOrder.info,
+      &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info, &kRoofRows.info};
   return kAll;
 }
 
@@ -26,7 +28,7 @@ const PassInfo& info_of(Pass pass) {
        {"stations", "sources", "gathers the stations of the inputs"},
        {"planes", "cells", "finds planes and curved shapes cell by cell"},
        {"contacts", "", "counts which planes of cells touch each other"},
-       {"labels", "", "decides the plane of each point"},
+       {"labels", "extension", "extends planes over the borders of cells and decides the plane of each point"},
        {"adjacency", "", "finds which planes touch each other, where and how"},
        {"shapes", "", "decides the curved shape of each point"},
        {"boundaries", "", "triangulates planes and keeps the edges of their boundaries"},

@@ -2,6 +2,7 @@
 // A store that has run through the passes up to the joined planes.
 #pragma once
 #include "engine/columns/normals_pass.h"
+#include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/join/join_pass.h"
 #include "kernels/core/portable_math.h"
 #include "tests/support/cloud_store.h"
@@ -19,6 +20,7 @@ struct PlaneStore {
     found = planes_pass(s, cells, settings, {});
     contacts = contact_pass(s, cells, found, {});
     joined = join_planes(s, cells, found, contacts, {cos_degrees(settings.planes.join_angle)});
+    extend_pass(s, cells, found, joined, {});
   }
   CloudStore cloud;
   std::vector<Cell> cells;

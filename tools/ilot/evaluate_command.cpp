@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -6,6 +7,7 @@
 
 #include "engine/compare/drawing_control.h"
 #include "engine/compare/evaluation_report.h"
+#include "engine/compare/seams.h"
 #include "engine/deliverables/solids/model_file.h"
 #include "engine/error.h"
 #include "engine/proof/model_report.h"
@@ -17,11 +19,11 @@ namespace ilot {
 namespace {
 
 struct EvaluateArguments {
-  std::string input, truth, html, models, cloud, drawing, corrected, layers = "ilot";
+  std::string input, truth, html, models, cloud, drawing, corrected, layers = "ilot", against;
   EvaluateParams params;
   ModelPointsParams points;
   ModelResidualParams residuals;
-  bool truth_fields = false, json = false;
+  bool truth_fields = false, seams = false, json = false;
 };
 
 int evaluate_models(const EvaluateArguments& given) {
@@ -58,6 +60,17 @@ int evaluate_drawing(const EvaluateArguments& given) {
   return static_cast<int>(ExitCode::ok);
 }
 
+int evaluate_seams_of_run(const EvaluateArguments& given) {
+  if (given.input.empty()) throw Error("evaluate: --seams needs OUT, the output folder of a run", ExitCode::usage);
+  if (given.truth_fields || !given.truth.empty() || !given.html.empty())
+    throw Error("evaluate: --seams measures a result alone: no --truth, --truth-fields or --html", ExitCode::usage);
+  std::optional<std::filesystem::path> other;
+  if (!given.against.empty()) other = given.against;
+  const Seams seams = evaluate_seams(given.input, other);
+  print(given.json ? seams_json(seams) : seams_text(seams));
+  return static_cast<int>(ExitCode::ok);
+}
+
 Truth truth_for(const EvaluateArguments& given) {
   if (given.truth_fields) return {};
   return is_model_file(given.truth) ? truth_of_models(read_models(given.truth).models) : read_truth(given.truth);
@@ -66,6 +79,8 @@ Truth truth_for(const EvaluateArguments& given) {
 int evaluate_command(const EvaluateArguments& given) {
   if (!given.drawing.empty() || !given.corrected.empty()) return evaluate_drawing(given);
   if (!given.models.empty() || !given.cloud.empty()) return evaluate_models(given);
+  if (given.seams) return evaluate_seams_of_run(given);
+  if (!given.against.empty()) throw Error("evaluate: --against belongs to --seams", ExitCode::usage);
   if (given.input.empty()) throw Error("evaluate: OUT is needed (ilot evaluate --help)", ExitCode::usage);
   if (given.truth.empty() == !given.truth_fields)
     throw Error("evaluate: where is the truth? --truth FILE names it, --truth-fields takes the cloud's own extra bytes",
@@ -147,6 +162,12 @@ void add_evaluate_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.0, 100.0));
   command->add_flag("--as-documents", given->params.as_documents,
                     "vertices on occluded edges count as drawn, as in the tables of the documents [off]");
+  command->add_flag("--seams", given->seams,
+                    "measure how often planes end at the borders of the cells in which they were searched [off]");
+  command
+      ->add_option("--against", given->against,
+                   "with --seams: output folder of a run over the same rows, to compare pairs of neighbours [none]")
+      ->option_text("OUT");
   add_model_options(*command, *given);
   add_drawing_options(*command, *given);
   command->add_option("--html", given->html, "also write a fragment for a page [none]")->option_text("FILE");

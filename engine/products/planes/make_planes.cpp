@@ -12,6 +12,7 @@
 #include "engine/products/planes/cells/planes_pass.h"
 #include "engine/products/planes/cells/shapes_pass.h"
 #include "engine/products/planes/join/adjacency_pass.h"
+#include "engine/products/planes/join/extend_pass.h"
 #include "engine/products/planes/join/join_pass.h"
 #include "engine/products/planes/join/label_pass.h"
 #include "kernels/core/portable_math.h"
@@ -211,6 +212,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   progress.begin_stage("planes", store.points());
   const ColourPalette palette = make_palette(store, inputs, settings, context, record);
   const std::vector<Cell> cells = canonical_cells(store, context.metres_per_unit);
+  record.cells = {store.unit(), largest_cell(store.unit() * context.metres_per_unit), kCellPoints};
   const CellPlanes found = planes_pass(store, cells, settings, context, palette);
   record_choices(found, settings, store.unit() * context.metres_per_unit, record);
 
@@ -218,6 +220,7 @@ PlanesResult make_planes(const Store& store, const std::vector<std::unique_ptr<P
   std::vector<Contact> contacts = contact_pass(store, cells, found, context);
   JoinedPlanes joined =
       join_planes(store, cells, found, std::move(contacts), {cos_degrees(settings.planes.join_angle)});
+  extend_pass(store, cells, found, joined, context);
   label_pass(store, cells, found, joined, context, palette);
   PlanesResult result = number_planes(store, joined, context.wanted != nullptr, context.metres_per_unit);
   joined = {};

@@ -110,6 +110,10 @@ std::vector<Cell> roots(const Store& store, int level) {
 
 }  // namespace
 
+std::int64_t largest_cell(double unit_metres) {
+  return std::int64_t{1} << (kTileBits - cell_level(unit_metres));
+}
+
 std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit) {
   const int level = cell_level(store.unit() * metres_per_unit);
   const std::vector<Cell> from = roots(store, level);

@@ -29,6 +29,9 @@ struct Cell {
 constexpr double kCellMetres = 64;  // greatest edge: the largest power of two of units that does not exceed it
 constexpr std::uint32_t kCellPoints = std::uint32_t{1} << 18;
 
+// The edge of the largest cells, in units.
+std::int64_t largest_cell(double unit_metres);
+
 // All cells that contain points, in global order.
 std::vector<Cell> canonical_cells(const Store& store, double metres_per_unit);
 

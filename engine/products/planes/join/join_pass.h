@@ -28,6 +28,7 @@ struct JoinedPlane {
   double epsilon = 0;
   std::uint32_t min_points = 3;  // smallest number of points that any of its cells asks for
   std::uint64_t points = 0;
+  bool too_small = false;  // after the extension of planes: it has fewer than min_points points
 };
 
 struct JoinedPlanes {

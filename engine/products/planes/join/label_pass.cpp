@@ -8,6 +8,7 @@
 
 #include "engine/pass/pass.h"
 #include "engine/products/planes/cells/block_cells.h"
+#include "engine/store/extended_columns.h"
 #include "engine/store/flushed.h"
 #include "engine/store/sorted_columns.h"
 #include "kernels/core/rng.h"
@@ -65,8 +66,9 @@ class BlockLabels {
         palette_(palette) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
-    before_ = load_column(store, view_, columns::kSegment);
-    for (std::uint32_t& s : before_) s = s == 0 ? 0 : joined.of_segment[s - 1];
+    before_ = load_column(store, view_, columns::kExtended3);
+    for (std::uint32_t& plane : before_)
+      if (plane != 0 && joined.planes[plane - 1].too_small) plane = 0;
     own_ = range_of_block(view_, block);
     plane_.resize(b.points);
   }
