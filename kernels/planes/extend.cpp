@@ -10,7 +10,9 @@
 namespace ilot {
 namespace {
 
-constexpr int kBits = 21;                    // of a coordinate of a voxel
+constexpr int kBits = 21;  // of a coordinate of a voxel
+// Choice: two planes of one bent surface that differ by more where they touch are two surfaces; a bend sharper than
+// that ends at the border of the cell.
 constexpr double kAgreement = 0.5;           // root mean square distance of a plane from another one, in epsilons
 constexpr std::int64_t kContactPart = 1;     // planes touch in neighbouring voxels with an edge of the reach,
 constexpr std::int64_t kSurfacePart = 3;     // and the surface is averaged over cubes with an edge of the reach

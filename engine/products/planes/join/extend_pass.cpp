@@ -20,8 +20,10 @@ namespace ilot {
 namespace {
 
 constexpr std::uint64_t kBytesPerPoint = 72;  // measured: 66 where all points have labels
-constexpr double kShare = 0.8;  // of epsilon: 2.8 of 3.5 standard deviations, so that noise leaves few points out
-constexpr double kStrictly = 1 - 1e-6;  // so that rounding to float32 stays within epsilon
+// Derived: 2.8 of the 3.5 standard deviations of epsilon, so that noise leaves few points of a kept surface out.
+constexpr double kShare = 0.8;  // of epsilon
+// Derived: the rounding of coordinates to float32, so that points stay within epsilon.
+constexpr double kStrictly = 1 - 1e-6;
 
 const std::array<Column<std::uint32_t>, kExtendRounds> kRounds{columns::kExtended1, columns::kExtended2,
                                                                columns::kExtended3};
