@@ -59,6 +59,11 @@ double scale_of(const ModelInput& input, const ModelFile& file, const Box3<Vec3>
                             "projected coordinate system first (cjio reproject, ogr2ogr), or give --crs and --unit",
                             where, shown(box.min), crs.geographic ? " (" + text + ")" : ""),
                 ExitCode::usage);
+  constexpr double kSameUnit = 1e-4;  // international and US survey foot differ less
+  if (std::abs(crs.metres_per_unit_z / crs.metres_per_unit - 1) > kSameUnit)
+    throw Error(fmt::format("{}: heights of {} are in another unit than x and y; bring the model into one unit first",
+                            where, text),
+                ExitCode::usage);
   const double scale = !input.unit.empty() ? metres_of(input.unit) : crs.metres_per_unit;
   if (std::abs(scale - 1) > 1e-9) {
     model.notes.push_back(

@@ -137,6 +137,9 @@ TEST(ModelStage, ModelsInOtherUnitsAreScaledOrRefused) {
   EXPECT_NE(fault_of("a.obj", "v 1e12 0 0\nv 1e12 1 0\nv 1e12 0 1\nf 1 2 3").find("1e+12"), std::string::npos);
   EXPECT_NE(fault_of("a.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3").find("area"), std::string::npos);
   EXPECT_NE(fault_of("a.obj", "v 0 0 0\n").find("no face"), std::string::npos);
+  ModelInput mixed;
+  mixed.crs = "EPSG:32632+6360";  // metres, and heights in US survey feet
+  EXPECT_NE(fault_of("a.obj", obj, mixed).find("another unit"), std::string::npos);
   EXPECT_NE(fault_of("a.city.json", block(false, R"("metadata":{"referenceSystem":"urn:ogc:def:crs:EPSG::4326"},)"))
                 .find("degrees"),
             std::string::npos);
