@@ -29,6 +29,20 @@ constexpr std::array<Spot, 7> kFootprint{{{0, 0, 0.25},
                                           {-kHalf, -kHeight, 0.125},
                                           {kHalf, -kHeight, 0.125}}};
 
+// Dust lies in patches of half a metre. Returns a smooth value in [0, 1] for a place.
+double dust_at(Vec3 place) {
+  WallRelief patches;
+  patches.roughness = 0.5;
+  patches.grain = 0.5;
+  return std::clamp(0.5 + relief_at(patches, place.x + 0.7 * place.y, place.z), 0.0, 1.0);
+}
+
+// The flatter the light falls on a dusty pane, the more of it is mirrored away.
+Transmission through_dust(const PartHit& pane, const Ray& ray) {
+  const double cosine = -dot(pane.normal, ray.direction);
+  return {std::clamp(1.1 - 1.2 * cosine, 0.05, 0.95), 0};
+}
+
 Vec3 unit(Vec3 v) {
   return (1 / norm(v)) * v;
 }
@@ -62,7 +76,9 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
     if (!hit || hit->t > kMaxRange) return;
     const Material material = model_.surfaces[hit->surface].material;
     if (material == Material::mirror_glass) return touch_mirrored(ray, *hit, weight);
-    const Transmission way = transmission(material);
+    const bool dusty = material == Material::dusty_glass;
+    const Transmission way = dusty ? through_dust(*hit, ray) : transmission(material);
+    if (dusty) chance = dust_at(point_at(ray, hit->t));
     if (chance < way.lost) return;
     if (chance >= way.lost + way.through) {
       const double cosine = -dot(hit->normal, ray.direction);
