@@ -26,7 +26,7 @@ CALM = dict(
     crop_behind=3, crop_beside=0, pavement_width=2, road_width=8, kerb=0.1, street_slope=0, house_width=10, storeys=3,
     ground_storey=3.2, storey_height=3, bay=2.4, window_width=1.1, window_change=1, window_height=0.5, window_sill=0.3,
     scatter=0, own_bays=0, blank_bays=0, reveal=0.2, wall_lean=0, bow_across=0, bow_up=0, roughness=0.0003,
-    ground_floor="windows", panes_without_echo=0, panes_clear=0, frames_missing=0, frame_width=0.06, curtains=0.3,
+    ground_floor="windows", panes_without_echo=0, panes_clear=0, panes_dusty=0, frames_missing=0, frame_width=0.06, curtains=0.3,
     eaves=0.3, density=500)
 ROW = dict(houses=4, setbacks=0, row_bend=0, opposite="none", house_width=8)
 SHUT = dict(shutters=1, shutter_state="closed", shutter_depth=0.05, shutter_thickness=0.04)

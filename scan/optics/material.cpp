@@ -38,6 +38,7 @@ Recipe recipe_of(Material material) {
     case Material::dark_glass:
     case Material::clear_glass:
     case Material::mirror_glass:
+    case Material::dusty_glass:
       return {0.12, {92, 108, 118}, 0.25, 0.7, 0.02, 0.06};
     case Material::wood:
       return {0.45, {192, 188, 178}, 0.08, 0.4, 0.05, 0.03};
@@ -73,9 +74,9 @@ bool is_bed_joint(double z) {
 
 const char* name_of(Material material) {
   constexpr std::array<const char*, kMaterials> kNames{
-      "limestone", "render",    "brick",    "mortar",       "slate",      "zinc",        "tile",
-      "glass",     "wood",      "iron",     "asphalt",      "paving",     "grass",       "foliage",
-      "cloth",     "car paint", "interior", "white target", "dark glass", "clear glass", "mirror glass"};
+      "limestone", "render",       "brick",      "mortar",      "slate",        "zinc",       "tile",  "glass",
+      "wood",      "iron",         "asphalt",    "paving",      "grass",        "foliage",    "cloth", "car paint",
+      "interior",  "white target", "dark glass", "clear glass", "mirror glass", "dusty glass"};
   return kNames[static_cast<std::size_t>(material)];
 }
 

@@ -31,10 +31,11 @@ enum class Material : std::uint8_t {
   white_target,  // uniform; reflects half of the light
   dark_glass,    // no echo at all
   clear_glass,   // most of the light goes through
-  mirror_glass   // shows what it mirrors, behind itself
+  mirror_glass,  // shows what it mirrors, behind itself
+  dusty_glass    // dim echoes in patches, fewer the flatter the light falls
 };
 
-constexpr std::size_t kMaterials = 21;
+constexpr std::size_t kMaterials = 22;
 
 // Returns a name such as "limestone", as in the truth.
 const char* name_of(Material material);

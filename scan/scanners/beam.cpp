@@ -34,6 +34,20 @@ double cosine_of(const PartHit& hit, const Ray& ray) {
   return std::max(kGrazing, -dot(hit.normal, ray.direction));
 }
 
+// Dust lies in patches of half a metre. Returns a smooth value in [0, 1] for a place.
+double dust_at(Vec3 place) {
+  WallRelief patches;
+  patches.roughness = 0.5;
+  patches.grain = 0.5;
+  return std::clamp(0.5 + relief_at(patches, place.x + 0.7 * place.y, place.z), 0.0, 1.0);
+}
+
+// The flatter the light falls on a dusty pane, the more of it is mirrored away.
+Transmission through_dust(const PartHit& pane, const Ray& ray) {
+  const double cosine = -dot(pane.normal, ray.direction);
+  return {std::clamp(1.1 - 1.2 * cosine, 0.05, 0.95), 0};
+}
+
 Vec3 unit(Vec3 v) {
   return (1 / norm(v)) * v;
 }
@@ -101,7 +115,9 @@ void BeamTracer::touch(const Ray& ray, double weight, double chance) {
       if (beam_.mirrored) follow_mirror(ray, *hit, weight, {beam_.mirrored, {}});
       return;
     }
-    const Transmission way = way_of(material);
+    const bool dusty = material == Material::dusty_glass;
+    const Transmission way = dusty ? through_dust(*hit, ray) : way_of(material);
+    if (dusty) chance = dust_at(point_at(ray, hit->t));
     if (chance < way.lost) return;
     if (chance >= way.lost + way.through + way.mirrored) {
       const double cosine = -dot(hit->normal, ray.direction);

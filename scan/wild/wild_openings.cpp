@@ -15,6 +15,7 @@ constexpr double kNarrowLeaf = 0.12;  // metres: leaves are not narrower
 Material draw_glass(Draws& draws, std::uint64_t element, std::uint64_t house) {
   if (draws.happens("panes_without_echo", element, house)) return Material::dark_glass;
   if (draws.happens("panes_mirrored", element, house)) return Material::mirror_glass;
+  if (draws.happens("panes_dusty", element, house)) return Material::dusty_glass;
   return draws.happens("panes_clear", element, house) ? Material::clear_glass : Material::glass;
 }
 

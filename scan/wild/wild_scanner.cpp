@@ -119,8 +119,7 @@ class WildScanner {
                                                           : scan_.scene.model.surfaces[echo.surface];
     point.material = static_cast<std::uint8_t>(1 + static_cast<std::uint8_t>(label.material));
     point.rgb = rgb_of(label, pulse.origin + echo.surface_range * pulse.aim.axis);
-    const double share = echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
-    if (faults.intensity) point.intensity = static_cast<std::uint16_t>(65535 * std::min(1.0, share));
+    point.intensity = intensity_of(echo, rng);
     if (faults.returns != WildReturns::unnumbered) {
       point.return_number = static_cast<std::uint8_t>(i + 1);
       point.return_count = static_cast<std::uint8_t>(faults.returns == WildReturns::first ? 1 : echoes.size());
@@ -133,6 +132,16 @@ class WildScanner {
       point.true_element = label.element;
     }
     append_record(records, point, layout_);
+  }
+
+  std::uint16_t intensity_of(const Echo& echo, Rng& rng) const {
+    const WildFaults& faults = scan_.faults;
+    if (faults.intensity == WildIntensity::missing) return 0;
+    const bool corrected = faults.intensity == WildIntensity::corrected;
+    const double share = corrected ? echo.energy / std::max(0.05, echo.cosine)
+                                   : echo.energy * kIntensityRange * kIntensityRange / (echo.range * echo.range);
+    const double speckled = share * std::max(0.0, 1 + faults.intensity_noise * gaussian(rng));
+    return static_cast<std::uint16_t>(65535 * std::min(1.0, speckled));
   }
 
   // A tone makes the colour lighter or darker and moves it between red and blue.
@@ -218,7 +227,8 @@ WildScan draw_scanner(Draws& draws, std::uint64_t seed) {
   scan.faults.strays = draws.number("stray_points");
   scan.faults.dropouts = draws.number("dropouts");
   scan.faults.returns = static_cast<WildReturns>(draws.whole("returns"));
-  scan.faults.intensity = draws.is("intensity", "present");
+  scan.faults.intensity = static_cast<WildIntensity>(draws.whole("intensity"));
+  scan.faults.intensity_noise = draws.number("intensity_noise");
   scan.faults.gps_time = draws.is("gps_time", "present");
   scan.faults.source_id = draws.is("source_id", "present");
   scan.faults.colour = static_cast<WildColour>(draws.whole("colour"));

@@ -18,6 +18,7 @@
 namespace ilot::scan {
 
 enum class WildColour : std::uint8_t { sixteen_bit, eight_bit, missing };
+enum class WildIntensity : std::uint8_t { received, corrected, missing };
 enum class WildReturns : std::uint8_t { all, first, unnumbered };
 enum class StationKnowledge : std::uint8_t { known, near, unknown };
 
@@ -30,7 +31,9 @@ struct WildFaults {
   double strays = 0;          // share of pulses with one echo from the air in front of what they would meet
   double dropouts = 0;        // share of pulses that are lost
   WildReturns returns = WildReturns::all;
-  bool intensity = true, gps_time = true, source_id = true;
+  WildIntensity intensity = WildIntensity::received;
+  double intensity_noise = 0;  // standard deviation in shares of the intensity
+  bool gps_time = true, source_id = true;
   WildColour colour = WildColour::sixteen_bit;
 };
 
