@@ -16,8 +16,8 @@ using test::PlaneStore;
 // Lengths in millimetres.
 constexpr std::int64_t kRidge = 16000, kRidgeStep = 60;
 
-struct Adjacency {
-  explicit Adjacency(const PlaneStore& s) : planes(s.joined.planes) {
+struct AdjacentPlanes {
+  explicit AdjacentPlanes(const PlaneStore& s) : planes(s.joined.planes) {
     const PassContext context;
     label_pass(s.cloud.store(), s.cells, s.found, s.joined, context);
     std::vector<std::uint32_t> id(planes.size() + 1);
@@ -40,7 +40,7 @@ std::vector<Index3> gable() {
 }
 
 TEST(AdjacencyPass, TheFacesOfAGableMeetInTheRidge) {
-  const Adjacency found{PlaneStore(gable())};
+  const AdjacentPlanes found{PlaneStore(gable())};
   ASSERT_EQ(found.planes.size(), 2u);
   ASSERT_EQ(found.touches.size(), 1u);
   const PlaneNeighbours n = found.first();
@@ -60,7 +60,7 @@ TEST(AdjacencyPass, AStepHasAHeight) {
   std::vector<Index3> points;
   test::add_surface(points, {4000, 4000, 5000}, {6000, 6000, 0}, kRidgeStep, 4,
                     [](double x, double) { return x < 7000 ? 0 : 130; });
-  const Adjacency found{PlaneStore(points)};
+  const AdjacentPlanes found{PlaneStore(points)};
   ASSERT_EQ(found.planes.size(), 2u);
   ASSERT_EQ(found.touches.size(), 1u);
   const PlaneNeighbours n = found.first();
@@ -75,13 +75,13 @@ TEST(AdjacencyPass, PlanesApartDoNotTouch) {
   std::vector<Index3> points;
   test::add_surface(points, {4000, 4000, 5000}, {3000, 6000, 0}, kRidgeStep, 4, [](double, double) { return 0; });
   test::add_surface(points, {9000, 4000, 5400}, {3000, 6000, 0}, kRidgeStep, 4, [](double, double) { return 0; });
-  const Adjacency found{PlaneStore(points)};
+  const AdjacentPlanes found{PlaneStore(points)};
   EXPECT_EQ(found.planes.size(), 2u);
   EXPECT_TRUE(found.touches.empty());
 }
 
 TEST(AdjacencyPass, DoesNotKnowTheBlocks) {
-  const Adjacency whole{PlaneStore(gable())}, cut{PlaneStore(gable(), {500, 2000, 1})};
+  const AdjacentPlanes whole{PlaneStore(gable())}, cut{PlaneStore(gable(), {500, 2000, 1})};
   ASSERT_EQ(whole.touches.size(), cut.touches.size());
   for (std::size_t i = 0; i < whole.touches.size(); ++i) {
     EXPECT_EQ(whole.touches[i].length, cut.touches[i].length);
