@@ -189,12 +189,12 @@ double pulses_of(const WildScan& scan) {
   return pulses;
 }
 
-// Returns the median over the area of the walls of their points per square metre.
+// Returns the median over the area of the walls that are seen of their points per square metre.
 double median_density(const WildScan& scan, const PointTally& tally) {
   std::vector<std::pair<double, double>> walls;  // density, area
   double area = 0;
   for (const TruePlane& plane : scan.scene.planes) {
-    if (plane.surface_class != "facade" || !(plane.area > 0)) continue;
+    if (plane.surface_class != "facade" || !(plane.area > 0) || PointTally::of(tally.planes, plane.id) == 0) continue;
     walls.emplace_back(static_cast<double>(PointTally::of(tally.planes, plane.id)) / plane.area, plane.area);
     area += plane.area;
   }

@@ -70,9 +70,10 @@ void scan_wild(const WildScan& scan, const std::function<void(std::span<const st
 
 RecordLayout wild_layout(const WildScan& scan);
 
-// Scales the angular steps (and the profiles of a vehicle) so that the median density over the walls (planes of the
-// class `facade` with an area) is scan.density, but at most `most` points are expected, or about `points` points where
-// this is given. Returns the density that the scan will have. A sparse scan of the same scene is counted to do so.
+// Scales the angular steps (and the profiles of a vehicle) so that the median density over the walls that are seen
+// (planes of the class `facade` with an area) is scan.density, but at most `most` points are expected, or about
+// `points` points where this is given. Returns the density that the scan will have. A sparse scan of the same scene is
+// counted to do so.
 double fit_density(WildScan& scan, std::uint64_t most, std::optional<std::uint64_t> points);
 
 }  // namespace ilot::scan

@@ -259,6 +259,12 @@ TEST(WildScenes, FilesSayWhatAnOfficeKnows) {
   EXPECT_EQ(write_files({"scene.station_knowledge=unknown"}).stations, "");
 }
 
+// Of this row the only station sees less than half of the walls.
+TEST(WildScenes, WallsThatNobodySeesDoNotCount) {
+  WildScan scan = wild_scan(kWildCases[1], 11);
+  EXPECT_GT(fit_density(scan, 5000, 5000), 0);
+}
+
 TEST(WildScenes, MissingFieldsAreMissing) {
   std::vector<const char*> settings{"scene.intensity=missing", "scene.source_id=missing", "scene.colour=missing"};
   WildScan scan = wild_scan(kWildCases[0], 2, settings);
