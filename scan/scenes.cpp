@@ -18,9 +18,9 @@
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
 #include "scan/wild/distributions.h"
+#include "scan/wild/facade/wild_scenes.h"
 #include "scan/wild/roofs/wild_roofs_scan.h"
 #include "scan/wild/street/wild_street_scan.h"
-#include "scan/wild/wild_scenes.h"
 
 namespace ilot::scan {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What the wild scenes of facades promise: the same bytes for any number of threads, truth that agrees with the points,
 // forms that can be left out, and files that say what an office knows.
-#include "scan/wild/wild_scenes.h"
+#include "scan/wild/facade/wild_scenes.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 #include <sstream>
 
 #include "kernels/core/parallel.h"
-#include "scan/wild/wild_front.h"
+#include "scan/wild/facade/wild_front.h"
 
 namespace ilot::scan {
 namespace {

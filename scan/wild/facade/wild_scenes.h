@@ -5,8 +5,8 @@
 #include <string_view>
 
 #include "scan/scenes.h"
-#include "scan/wild/wild_file.h"
-#include "scan/wild/wild_scanner.h"
+#include "scan/wild/facade/wild_file.h"
+#include "scan/wild/facade/wild_scanner.h"
 
 namespace ilot::scan {
 

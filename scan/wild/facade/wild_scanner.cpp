@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scan/wild/wild_scanner.h"
+#include "scan/wild/facade/wild_scanner.h"
 
 #include <algorithm>
 #include <array>

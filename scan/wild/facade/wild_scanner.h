@@ -13,7 +13,7 @@
 #include "scan/scanners/scan_record.h"
 #include "scan/scanners/terrestrial.h"
 #include "scan/wild/draws.h"
-#include "scan/wild/wild_pulses.h"
+#include "scan/wild/facade/wild_pulses.h"
 
 namespace ilot::scan {
 

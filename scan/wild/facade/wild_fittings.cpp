@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "scan/optics/exact_math.h"
-#include "scan/wild/wild_front.h"
+#include "scan/wild/facade/wild_front.h"
 
 namespace ilot::scan {
 namespace {

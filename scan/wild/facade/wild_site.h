@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lies around wild fronts: ground, vehicles, people, plants, poles and cables, and where the scanner stands.
 #pragma once
-#include "scan/wild/wild_front.h"
-#include "scan/wild/wild_scanner.h"
+#include "scan/wild/facade/wild_front.h"
+#include "scan/wild/facade/wild_scanner.h"
 
 namespace ilot::scan {
 

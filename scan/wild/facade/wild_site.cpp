@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scan/wild/wild_site.h"
+#include "scan/wild/facade/wild_site.h"
 
 #include <algorithm>
 #include <array>

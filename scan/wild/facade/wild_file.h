@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
-#include "scan/wild/wild_scanner.h"
+#include "scan/wild/facade/wild_scanner.h"
 
 namespace ilot::scan {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "scan/wild/wild_front.h"
+#include "scan/wild/facade/wild_front.h"
 
 namespace ilot::scan {
 namespace {

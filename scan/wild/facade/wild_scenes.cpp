@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scan/wild/wild_scenes.h"
+#include "scan/wild/facade/wild_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "scan/optics/exact_math.h"
-#include "scan/wild/wild_front.h"
-#include "scan/wild/wild_site.h"
+#include "scan/wild/facade/wild_front.h"
+#include "scan/wild/facade/wild_site.h"
 
 namespace ilot::scan {
 namespace {
