@@ -19,11 +19,11 @@
 namespace ilot {
 namespace {
 
-constexpr std::uint64_t kBytesPerPoint = 72;  // measured: 66 where all points have labels
+constexpr std::uint64_t kExtendBytesPerPoint = 72;  // measured: 66 where all points have labels
 // Derived: 2.8 of the 3.5 standard deviations of epsilon, so that noise leaves few points of a kept surface out.
-constexpr double kShare = 0.8;  // of epsilon
+constexpr double kExtendShare = 0.8;  // of epsilon
 // Derived: the rounding of coordinates to float32, so that points stay within epsilon.
-constexpr double kStrictly = 1 - 1e-6;
+constexpr double kStrictlyInside = 1 - 1e-6;
 
 const std::array<Column<std::uint32_t>, kExtendRounds> kRounds{columns::kExtended1, columns::kExtended2,
                                                                columns::kExtended3};
@@ -136,10 +136,10 @@ Changes changes_in(const Store& store, const Cell& cell, const CellSummary& summ
     const Vec3 from_anchor{static_cast<double>(corner.x - j.anchor.x), static_cast<double>(corner.y - j.anchor.y),
                            static_cast<double>(corner.z - j.anchor.z)};
     planes.push_back({{j.plane.n, j.plane.d + dot(j.plane.n, from_anchor)},
-                      std::min(j.epsilon, summary.epsilon) * kStrictly - rounding});
+                      std::min(j.epsilon, summary.epsilon) * kStrictlyInside - rounding});
   }
   Changes changes;
-  const ExtendParams params{cell.node.edge(), summary.connectivity, cos_degrees(summary.normal_angle), kShare};
+  const ExtendParams params{cell.node.edge(), summary.connectivity, cos_degrees(summary.normal_angle), kExtendShare};
   if (extend_planes(patch.points(), patch.core, planes, params, patch.plane) == 0) return changes;
   std::size_t own = 0;
   for (std::size_t i = 0; i < patch.size; ++i) {
@@ -222,7 +222,7 @@ void run_round(const Store& store, const std::vector<Cell>& cells, const CellPla
   parallel_for(work.size(), [&](std::size_t i) {
     const Cell& cell = cells[work[i]];
     const View plan = plan_view(store, surroundings(cell, found.cells[work[i]]), cell.node.min_corner());
-    tasks[i] = {plan.size * kBytesPerPoint, cell.points};
+    tasks[i] = {plan.size * kExtendBytesPerPoint, cell.points};
   });
   const Before before(store, joined, round);
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
