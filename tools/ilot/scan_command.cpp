@@ -34,11 +34,11 @@ struct ScanArguments {
 };
 
 scan::ScanRequest make_request(const ScanArguments& given, std::string_view scene,
-                               std::span<const scan::SceneOption> options) {
+                               std::span<const scan::SceneOption> options, std::span<const std::string_view> groups) {
   if (given.output.empty()) throw Error("scan: -o FILE is needed (ilot scan --help)", ExitCode::usage);
   scan::ScanRequest request{scene, scan::SceneValues(options), given.seed, given.points, given.output};
   for (const std::string& setting : given.settings) request.values.set(setting);
-  const std::vector<std::string_view> families = scan::families_of(scene.groups);
+  const std::vector<std::string_view> families = scan::families_of(groups);
   for (const std::string& names : given.without) request.values.leave_out(names, families);
   return request;
 }
@@ -95,8 +95,8 @@ int scan_command(const ScanArguments& given) {
   if (!model && given.scene.empty())
     throw Error("scan: SCENE (ilot scan --list) or --model FILE is needed", ExitCode::usage);
   const scan::Scene* scene = model ? nullptr : &scan::find_scene(given.scene);
-  scan::ScanRequest request =
-      model ? make_request(given, "", scan::model_options()) : make_request(given, scene->name, scene->options);
+  scan::ScanRequest request = model ? make_request(given, "", scan::model_options(), {})
+                                    : make_request(given, scene->name, scene->options, scene->groups);
   check_output(given);
   ConsoleProgress console(given.quiet ? Verbosity::quiet : Verbosity::normal, "");
   Progress& progress = console.get();
@@ -107,7 +107,8 @@ int scan_command(const ScanArguments& given) {
                [&] { counts = model ? scan_model_file(given, request, progress) : scene->scan(request); });
   progress.end_stage();
   progress.note(summary_text(given.output, counts));
-  if (!scene.groups.empty()) progress.note("drawn from distributions.csv, sha256 " + scan::distributions_hash());
+  if (scene && !scene->groups.empty())
+    progress.note("drawn from distributions.csv, sha256 " + scan::distributions_hash());
   return static_cast<int>(ExitCode::ok);
 }
 

@@ -92,7 +92,7 @@ class WildScanner {
   static void stray(Rng& luck, std::vector<Echo>& echoes) {
     const double most = echoes.empty() ? kStrayRange : echoes[0].range;
     if (!(most > kLeastRange)) return;
-    Echo echo{kLeastRange + (most - kLeastRange) * luck.uniform(), 0.02, kNoSurface, 0, 1};
+    Echo echo{kLeastRange + (most - kLeastRange) * luck.uniform(), 0.02, kNoSurface, 0, 1, {}};
     echo.surface_range = echo.range;
     echoes.assign(1, echo);
   }
