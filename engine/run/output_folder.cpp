@@ -56,8 +56,8 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const std::string name : {"runs", "blocks", "cells", "colours", "sources", "ground", "roofs", "streets", "index",
-                                 "rejected", "corner", "lattice", "flushed"}) {
+  for (const std::string name : {"runs", "blocks", "cells", "extension", "colours", "sources", "ground", "roofs",
+                                 "streets", "index", "rejected", "corner", "lattice", "flushed"}) {
     fs::remove_all(store / name);
     remove_starting_with(store, name + ".");  // the remains of an interrupted write
   }

@@ -32,8 +32,8 @@ TEST(Objects, CountsAHandMadeStreet) {
   // Of the detected: the car is right, the pedestrian is not, the lamppost has no label. Of all: half of the cars.
   EXPECT_NEAR(r.right_class.value(), 1.0 / 3, 1e-12);
   EXPECT_NEAR(r.detected_and_right.value(), 0.5 / 3, 1e-12);
-  EXPECT_EQ(r.right_of_found,
-            (std::map<std::uint32_t, bool>{{50, true}, {51, false}, {52, false}, {53, false}, {70, false}}));
+  EXPECT_EQ(r.right_of_found, (std::map<std::uint32_t, bool>{
+                                  {50, true}, {51, false}, {52, false}, {53, false}, {54, false}, {70, false}}));
 }
 
 TEST(Objects, OtherIsRightForClassesThatTheProductDoesNotKnow) {
