@@ -301,8 +301,10 @@ TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
 TEST(FacadesProduct, WithoutStationsItWarns) {
   const FacadesOutcome out = run_wall(wall_points(0), 0, false);
   ASSERT_EQ(out.facades.size(), 1u);
-  EXPECT_EQ(windows_of(out.facades[0]).size(), 2u);
-  for (const FacadeEdge& e : windows_of(out.facades[0])[0].edges) EXPECT_FALSE(e.occluded_share);
+  const std::vector<FacadeElement> windows = windows_of(out.facades[0]);
+  ASSERT_EQ(windows.size(), 2u);
+  EXPECT_FALSE(windows[0].edges.empty());
+  for (const FacadeEdge& e : windows[0].edges) EXPECT_FALSE(e.occluded_share);
   ASSERT_FALSE(out.record["warnings"].empty());
   EXPECT_NE(out.record["warnings"].dump().find("station"), std::string::npos);
 }
