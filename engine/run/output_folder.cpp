@@ -16,6 +16,7 @@
 #include "engine/run/finished_result.h"
 #include "engine/run/result_swap.h"
 #include "engine/run/run_request.h"
+#include "engine/store/columns.h"
 #include "engine/store/flushed.h"
 #include "engine/store/scratch_file.h"
 #include "engine/whole_file.h"
@@ -51,13 +52,22 @@ void remove_starting_with(const fs::path& folder, std::string_view beginning) {
   for (const fs::path& path : found) fs::remove(path);
 }
 
+// Returns all that runs write in a store: what every store has, and the folders of the passes.
+std::vector<std::string> store_folders() {
+  std::vector<std::string> names{"blocks", "index", "rejected", "corner", "lattice", "flushed"};
+  for (int pass = 0; pass < kPasses; ++pass) {
+    std::istringstream folders(info_of(static_cast<Pass>(pass)).folders);
+    for (std::string name; folders >> name;) names.push_back(name);
+  }
+  return names;
+}
+
 // Removes only what runs wrote there. A store that is partly removed must not look complete to --resume. So the
 // manifest is renamed first and removed last.
 void clear_store(const fs::path& store) {
   if (!fs::is_directory(store)) return;
   if (fs::exists(store / kManifest)) fs::rename(store / kManifest, store / (std::string(kManifest) + ".removed"));
-  for (const std::string name : {"runs", "blocks", "cells", "extension", "colours", "sources", "ground", "roofs",
-                                 "streets", "index", "rejected", "corner", "lattice", "flushed"}) {
+  for (const std::string& name : store_folders()) {
     fs::remove_all(store / name);
     remove_starting_with(store, name + ".");  // the remains of an interrupted write
   }

@@ -27,20 +27,6 @@ std::vector<RoofKind> deal_kinds(Rng& rng, std::uint64_t buildings) {
   return kinds;
 }
 
-// Returns the horizontal distance from a position to the nearest wing.
-double distance_to(const RoofBuilding& building, double x, double y) {
-  const Vec3 p = building.frame.to_local({x, y, 0});
-  double nearest = 1e9;
-  for (const Wing& wing : building.wings) {
-    const double du = std::max(
-        {kMetres * static_cast<double>(wing.rect.u0) - p.x, 0.0, p.x - kMetres * static_cast<double>(wing.rect.u1)});
-    const double dv = std::max(
-        {kMetres * static_cast<double>(wing.rect.v0) - p.y, 0.0, p.y - kMetres * static_cast<double>(wing.rect.v1)});
-    nearest = std::min(nearest, std::sqrt(du * du + dv * dv));
-  }
-  return nearest;
-}
-
 void add_trees(RoofTown& town, double per_hectare, Rng& rng) {
   const double width = town.area.x1 - town.area.x0, height = town.area.y1 - town.area.y0;
   const auto wanted = static_cast<std::size_t>(per_hectare * width * height / 1e4);
@@ -50,8 +36,9 @@ void add_trees(RoofTown& town, double per_hectare, Rng& rng) {
     const double x = town.area.x0 + radius + (width - 2 * radius) * rng.uniform();
     const double y = town.area.y0 + radius + (height - 2 * radius) * rng.uniform();
     if (ground_cover(town, x, y) == Material::asphalt) continue;
-    const bool near_house = std::any_of(town.buildings.begin(), town.buildings.end(),
-                                        [&](const RoofBuilding& b) { return distance_to(b, x, y) < radius + 0.3; });
+    const bool near_house = std::any_of(town.buildings.begin(), town.buildings.end(), [&](const RoofBuilding& b) {
+      return distance_to_building(b, x, y) < radius + 0.3;
+    });
     const bool in_tree = std::any_of(town.crowns.begin(), town.crowns.end(), [&](const Crown& c) {
       const double dx = x - c.centre.x, dy = y - c.centre.y, apart = 0.8 * (radius + c.radii.x);
       return dx * dx + dy * dy < apart * apart;
@@ -77,6 +64,19 @@ std::optional<std::vector<RoofBuilding>> fill(const RoofTownParams& params, cons
 }
 
 }  // namespace
+
+double distance_to_building(const RoofBuilding& building, double x, double y) {
+  const Vec3 p = building.frame.to_local({x, y, 0});
+  double nearest = 1e9;
+  for (const Wing& wing : building.wings) {
+    const double du = std::max(
+        {kMetres * static_cast<double>(wing.rect.u0) - p.x, 0.0, p.x - kMetres * static_cast<double>(wing.rect.u1)});
+    const double dv = std::max(
+        {kMetres * static_cast<double>(wing.rect.v0) - p.y, 0.0, p.y - kMetres * static_cast<double>(wing.rect.v1)});
+    nearest = std::min(nearest, std::sqrt(du * du + dv * dv));
+  }
+  return nearest;
+}
 
 Vec3 RoofFrame::direction_to_town(Vec3 d) const {
   return {d.x * heading.cos - d.y * heading.sin, d.x * heading.sin + d.y * heading.cos, d.z};

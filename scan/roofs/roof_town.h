@@ -64,4 +64,7 @@ RoofTown build_roof_town(const RoofTownParams& params);
 // Returns what covers the ground at a position: asphalt on streets, paving beside them, grass elsewhere.
 Material ground_cover(const RoofTown& town, double x, double y);
 
+// Returns the horizontal distance in metres from a position to the nearest wing of a building; 0 inside.
+double distance_to_building(const RoofBuilding& building, double x, double y);
+
 }  // namespace ilot::scan

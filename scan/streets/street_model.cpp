@@ -90,6 +90,20 @@ const char* name_of(StreetClass street_class) {
   return kNames[static_cast<std::size_t>(street_class)];
 }
 
+std::uint8_t las_class(StreetClass street_class) {
+  switch (street_class) {
+    case StreetClass::ground:
+      return 2;
+    case StreetClass::facade:
+    case StreetClass::roof:
+      return 6;
+    case StreetClass::vegetation:
+      return 5;
+    default:
+      return 1;
+  }
+}
+
 StreetModel build_street_model(const Street& street, const std::vector<StreetObject>& objects) {
   StreetModel model;
   add_road(model, street);

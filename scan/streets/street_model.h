@@ -23,6 +23,9 @@ enum class StreetClass : std::uint8_t {
 StreetClass class_of(ArtefactClass artefact_class);
 const char* name_of(StreetClass street_class);
 
+// Returns the ASPRS class of points: 2 ground, 5 vegetation, 6 building, 1 for all else.
+std::uint8_t las_class(StreetClass street_class);
+
 // The street as the objects that rays meet, in street coordinates. true_plane numbers the planes, true_element the
 // objects.
 struct StreetModel {

@@ -44,20 +44,6 @@ Rays make_rays(const StreetStage& stage) {
           RayScene({}, stage.model.crowns, {middle, 0, stage.street.road_height(middle)})};
 }
 
-std::uint8_t las_class(StreetClass street_class) {
-  switch (street_class) {
-    case StreetClass::ground:
-      return 2;
-    case StreetClass::facade:
-    case StreetClass::roof:
-      return 6;
-    case StreetClass::vegetation:
-      return 5;
-    default:
-      return 1;
-  }
-}
-
 ColouredPoint point_of(const MobileEcho& echo) {
   ColouredPoint point = labelled_point(echo.label, echo.surface_place);
   point.place = street_to_scene(echo.place);

@@ -198,19 +198,6 @@ bool WildRoofTown::holds(double x, double y, double beyond) const {
   return std::abs(dx * h.cos + dy * h.sin) < half && std::abs(dy * h.cos - dx * h.sin) < half;
 }
 
-double distance_to_building(const RoofBuilding& building, double x, double y) {
-  const Vec3 p = building.frame.to_local({x, y, 0});
-  double nearest = 1e9;
-  for (const Wing& wing : building.wings) {
-    const double du = std::max(
-        {kMetres * static_cast<double>(wing.rect.u0) - p.x, 0.0, p.x - kMetres * static_cast<double>(wing.rect.u1)});
-    const double dv = std::max(
-        {kMetres * static_cast<double>(wing.rect.v0) - p.y, 0.0, p.y - kMetres * static_cast<double>(wing.rect.v1)});
-    nearest = std::min(nearest, std::sqrt(du * du + dv * dv));
-  }
-  return nearest;
-}
-
 WildRoofTown build_wild_town(Draws& draws, std::uint64_t seed, double width) {
   WildRoofTown wild;
   wild.width = width;

@@ -61,7 +61,4 @@ void add_roof_extras(WildRoofTown& town, Draws& draws);
 void add_wild_trees(WildRoofTown& town, Draws& draws);
 void add_cars(WildRoofTown& town, Draws& draws);
 
-// Returns the horizontal distance from a position to the nearest wing of a building; 0 inside.
-double distance_to_building(const RoofBuilding& building, double x, double y);
-
 }  // namespace ilot::scan

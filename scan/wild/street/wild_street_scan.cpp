@@ -93,20 +93,6 @@ void draw_scanner(WildStreetScanner& c, Draws& draws) {
   c.stray = draws.number("street.stray_points");
 }
 
-std::uint8_t las_class(const SurfaceLabel& label) {
-  switch (static_cast<StreetClass>(label.true_class)) {
-    case StreetClass::ground:
-      return 2;
-    case StreetClass::facade:
-    case StreetClass::roof:
-      return 6;
-    case StreetClass::vegetation:
-      return 5;
-    default:
-      return 1;
-  }
-}
-
 class Recorder {
  public:
   explicit Recorder(const WildStreetScan& scan) : scan_(scan), layout_(coloured_layout(kGrid)) {}
@@ -144,7 +130,9 @@ class Recorder {
     point.true_class = echo.label.true_class;
     point.true_plane = echo.label.plane;
     point.true_element = echo.label.element;
-    if (c.classes) point.classification = wrong_class(las_class(echo.label), surface, pulse.rng);
+    if (c.classes)
+      point.classification =
+          wrong_class(las_class(static_cast<StreetClass>(echo.label.true_class)), surface, pulse.rng);
     if (c.colour) point.rgb = colour(echo.label.material, surface);
     if (c.intensity) {
       const double fall = c.platform == Platform::air ? 1 : kFullIntensity / std::max(echo.range, kFullIntensity / 4);

@@ -26,7 +26,7 @@ constexpr double kSameLine = 0.05;  // metres between the sides of the two
 // Choice: the shadow of a pipe or a lamp; two sills nearer to each other than a metre can become one where nothing was
 // seen between them.
 constexpr double kAcrossShadow = 1;  // metres between the two along the wall
-// Derived: facades.least_relief: what is nearer cannot be told from the wall or the front.
+// Derived: facades.least_relief: what is nearer cannot be distinguished from the wall or the front.
 constexpr double kLeastFace = 0.01;  // metres from the wall and from the front between which side faces are searched
 
 struct Piece {
