@@ -29,7 +29,6 @@ constexpr std::array kOptions = with_beam_options(std::array{
 constexpr double kStorey = 3.1, kEaves = 0.45, kPitchOfWindows = 3.0, kWindowWidth = 1.1;
 constexpr double kSillHeight = 0.9, kHeadHeight = 2.45;  // heights of a window above its floor
 constexpr double kRoofPitchDeg = 42;
-constexpr Vec3 kUp{0, 0, 1};
 
 Finish finish(BuildingClass surface_class, Material material, std::uint32_t element = 0) {
   return {static_cast<std::uint8_t>(surface_class), element, material};

@@ -10,8 +10,6 @@
 namespace ilot::scan {
 namespace {
 
-constexpr Vec3 kUp{0, 0, 1};
-
 Plane plane_through(const std::vector<Vec3>& ring) {
   Vec3 area{0, 0, 0};
   for (std::size_t i = 1; i + 1 < ring.size(); ++i) area = area + cross(ring[i] - ring[0], ring[i + 1] - ring[0]);

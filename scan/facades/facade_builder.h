@@ -14,6 +14,8 @@
 
 namespace ilot::scan {
 
+inline constexpr Vec3 kUp{0, 0, 1};
+
 // A position with two directions: the lower left corner of the facade, the direction along the wall, and the direction
 // out of it. Everything on a wall that leans or bows goes with it.
 struct FacadeFrame {

@@ -8,7 +8,7 @@
 #include "engine/compare/overlay.h"
 #include "engine/compare/plane_frame.h"
 #include "kernels/geometry/ring.h"
-#include "kernels/outlines/hull.h"
+#include "scan/models/plan_hull.h"
 
 namespace ilot::scan {
 namespace {
@@ -83,13 +83,9 @@ std::vector<FlatPoint> without_straight(std::vector<FlatPoint> ring) {
 }
 
 std::vector<FlatPoint> hull_of(const std::vector<FlatPolygon>& polygons) {
-  std::vector<Point2> points;
-  for (const FlatPolygon& polygon : polygons)
-    for (const FlatPoint& p : polygon.ring) points.push_back(lattice_point(p, kHullSteps));
-  std::vector<FlatPoint> hull;
-  for (const std::uint32_t i : convex_hull(points))
-    hull.push_back({static_cast<double>(points[i].x) / kHullSteps, static_cast<double>(points[i].y) / kHullSteps});
-  return hull;
+  std::vector<FlatPoint> points;
+  for (const FlatPolygon& polygon : polygons) points.insert(points.end(), polygon.ring.begin(), polygon.ring.end());
+  return plan_hull(points, kHullSteps);
 }
 
 std::vector<FlatPoint> outline_of(const Members& faces, const FlatFrame& frame) {

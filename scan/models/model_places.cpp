@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "kernels/outlines/hull.h"
+#include "scan/models/plan_hull.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
@@ -14,7 +15,6 @@ constexpr double kOfHeight = 0.75;              // a roof's edge is then seen at
 constexpr double kSpacing = 1.5;                // distances between stations
 constexpr double kFacing = 0.5;                 // cosine of 60 degrees
 constexpr double kShortSide = 0.05;             // metres
-constexpr double kHullSteps = 1000;             // per metre
 
 // A side of a footprint moved outwards.
 struct Side {
@@ -98,13 +98,11 @@ std::vector<PlacedStation> automatic_stations(const ModelStage& stage, const Aut
 }
 
 std::vector<Vec3> automatic_path(const ModelStage& stage, const AutomaticPlaces& wanted) {
-  std::vector<Point2> points;
+  std::vector<FlatPoint> points;
   for (const auto& footprint : stage.footprints)
-    for (const Vec3& p : footprint) points.push_back(lattice_point({p.x, p.y}, kHullSteps));
+    for (const Vec3& p : footprint) points.push_back({p.x, p.y});
   std::vector<Vec3> hull;
-  for (const std::uint32_t i : convex_hull(points))
-    hull.push_back({static_cast<double>(points[i].x) / kHullSteps, static_cast<double>(points[i].y) / kHullSteps,
-                    stage.ground_z + wanted.height});
+  for (const FlatPoint& p : plan_hull(points, 1 / kUnit)) hull.push_back({p.x, p.y, stage.ground_z + wanted.height});
   std::vector<Vec3> path =
       line_around(sides_of(hull, distance_for(wanted.distance, stage.box.max.z - stage.box.min.z)));
   if (!path.empty()) path.push_back(path.front());

@@ -7,10 +7,11 @@
 #include <tuple>
 
 #include "kernels/geometry/ring.h"
-#include "kernels/outlines/hull.h"
 #include "scan/models/face_groups.h"
 #include "scan/models/model_openings.h"
 #include "scan/models/outward.h"
+#include "scan/models/plan_hull.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
@@ -20,7 +21,6 @@ constexpr double kPaneWidth = 0.075;   // metres; bars of windows are narrower, 
 constexpr double kParallelPane = 0.9;  // cosine of the greatest angle of a pane to the main direction of its window
 constexpr double kBeforeWall = 0.002;  // metres that flush panes are put before their wall, which may have no hole
 constexpr double kGroundTile = 20;     // metres
-constexpr double kHullSteps = 1000;    // per metre
 
 // Twice the area over the perimeter: the width of a long strip, half the side of a square.
 double width_of(const ScannedFace& face) {
@@ -87,12 +87,11 @@ TruePolygon polygon_of(const ScannedFace& face, Vec3 out) {
 }
 
 std::vector<Vec3> hull_of(const std::vector<const ScannedFace*>& faces, double z) {
-  std::vector<Point2> points;
+  std::vector<FlatPoint> points;
   for (const ScannedFace* face : faces)
-    for (const Vec3& p : face->rings[0]) points.push_back(lattice_point({p.x, p.y}, kHullSteps));
+    for (const Vec3& p : face->rings[0]) points.push_back({p.x, p.y});
   std::vector<Vec3> hull;
-  for (const std::uint32_t i : convex_hull(points))
-    hull.push_back({static_cast<double>(points[i].x) / kHullSteps, static_cast<double>(points[i].y) / kHullSteps, z});
+  for (const FlatPoint& p : plan_hull(points, 1 / kUnit)) hull.push_back({p.x, p.y, z});
   return hull;
 }
 

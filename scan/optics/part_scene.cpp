@@ -21,7 +21,6 @@ struct CastContext {
 
 // Returns where the ray enters the box: 0 when it starts inside, infinity when it misses the box.
 double entry(const Ray& ray, const Box3<Vec3>& box) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double enter = 0, leave = kInfinity;
   const auto clip = [&](double origin, double direction, double low, double high) {
     if (direction == 0) {

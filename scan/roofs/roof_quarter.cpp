@@ -9,11 +9,11 @@
 
 #include "scan/roofs/roof_neighbours.h"
 #include "scan/roofs/roof_wings.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kMetres = 0.001;
 constexpr std::array<double, 4> kHeadings{8, 27, 51, 72};
 constexpr double kRich = 0.25;              // share of detached complex roofs that must have more than ten faces
 constexpr Integer kLongestTerrace = 60000;  // millimetres, without the last house
@@ -68,7 +68,7 @@ class QuarterBuilder {
       const Integer across = continues_ ? 0 : place_across(side, bounds), up = continues_ ? 0 : foot_;
       for (Wing& wing : design.wings) wing = moved(wing, next_u_ - bounds.u0, across, up);
       least_faces_ = kind != RoofKind::complex ? 2 : rich && attempt < 18 ? 11 : 3;
-      if (try_building(kind, std::move(design.wings))) return u + kMetres * static_cast<double>(bounds.u1 - bounds.u0);
+      if (try_building(kind, std::move(design.wings))) return u + kUnit * static_cast<double>(bounds.u1 - bounds.u0);
     }
     return std::nullopt;
   }
@@ -97,9 +97,9 @@ class QuarterBuilder {
     const double v = street + side * (kRoofHalfStreet + 2);
     const Vec3 start = quarter_.frame.to_town({u, v, 0});
     frame_ = {start.x, start.y, quarter_.frame.heading};
-    const double length = kMetres * static_cast<double>(bounds.u1 - bounds.u0);
+    const double length = kUnit * static_cast<double>(bounds.u1 - bounds.u0);
     const Vec3 middle = quarter_.frame.to_town({u + length / 2, v + side * 5.0, 0});
-    foot_ = std::llround(ground_.height(middle.x, middle.y) / kMetres);
+    foot_ = std::llround(ground_.height(middle.x, middle.y) / kUnit);
     next_u_ = 0;
   }
 
@@ -130,9 +130,9 @@ class QuarterBuilder {
   // Returns the rectangle in the coordinates of the quarter.
   Rect room_of(const GridRect& bounds) const {
     const Vec3 low = quarter_.frame.to_local(
-        frame_.to_town({kMetres * static_cast<double>(bounds.u0), kMetres * static_cast<double>(bounds.v0), 0}));
-    return {low.x, low.y, low.x + kMetres * static_cast<double>(bounds.u1 - bounds.u0),
-            low.y + kMetres * static_cast<double>(bounds.v1 - bounds.v0)};
+        frame_.to_town({kUnit * static_cast<double>(bounds.u0), kUnit * static_cast<double>(bounds.v0), 0}));
+    return {low.x, low.y, low.x + kUnit * static_cast<double>(bounds.u1 - bounds.u0),
+            low.y + kUnit * static_cast<double>(bounds.v1 - bounds.v0)};
   }
 
   bool has_room(const GridRect& bounds) const {
@@ -159,14 +159,14 @@ class QuarterBuilder {
     double lowest = 1e9;
     for (Integer u : {bounds.u0, bounds.u1})
       for (Integer v : {bounds.v0, bounds.v1}) {
-        const Vec3 p = frame_.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});
+        const Vec3 p = frame_.to_town({kUnit * static_cast<double>(u), kUnit * static_cast<double>(v), 0});
         lowest = std::min(lowest, ground_.height(p.x, p.y));
       }
-    return static_cast<Integer>(std::floor(lowest / kMetres));
+    return static_cast<Integer>(std::floor(lowest / kUnit));
   }
 
   static void measure(RoofBuilding& building, Integer floor) {
-    building.floor = kMetres * static_cast<double>(floor);
+    building.floor = kUnit * static_cast<double>(floor);
     building.eave = 1e9;
     building.ridge = -1e9;
     for (const RoofFace& face : building.solid.faces) {

@@ -10,11 +10,10 @@
 
 #include "kernels/geometry/ring.h"
 #include "scan/optics/face_merge.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
-
-constexpr double kMetres = 0.001;  // per unit of the lattice
 
 // A plane of the solid, given by its integer coefficients. Planes are sorted in the order of faces: roof planes, walls
 // (the half-plane on whose border they stand), the floor.
@@ -25,11 +24,11 @@ struct PlaneKey {
 };
 
 Plane plane_of(const PlaneKey& key, Integer floor) {
-  if (key.part == RoofPart::floor) return {{0, 0, -1}, kMetres * static_cast<double>(floor)};
+  if (key.part == RoofPart::floor) return {{0, 0, -1}, kUnit * static_cast<double>(floor)};
   const double up = key.part == RoofPart::roof ? kSlopeUnit : 0;
   const Vec3 outward{-static_cast<double>(key.a), -static_cast<double>(key.b), up};
   const double length = norm(outward);
-  return {(1 / length) * outward, -kMetres * static_cast<double>(key.c) / length};
+  return {(1 / length) * outward, -kUnit * static_cast<double>(key.c) / length};
 }
 
 class Builder {
@@ -151,7 +150,7 @@ class Builder {
         vertex_numbers_.try_emplace({spot, level}, static_cast<std::uint32_t>(vertices_.size()));
     if (fresh) {
       const double z = static_cast<double>(level) / static_cast<double>(kSlopeUnit * spots_[spot].w);
-      vertices_.push_back(kMetres * Vec3{place(spot).x, place(spot).y, z});
+      vertices_.push_back(kUnit * Vec3{place(spot).x, place(spot).y, z});
     }
     return entry->second;
   }

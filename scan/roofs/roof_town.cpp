@@ -10,11 +10,11 @@
 
 #include "scan/roofs/roof_neighbours.h"
 #include "scan/roofs/roof_quarter.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kMetres = 0.001;
 constexpr double kLotArea = 400;  // square metres per building, at least
 
 // Distributes the kinds of roof in a random order.
@@ -70,9 +70,9 @@ double distance_to_building(const RoofBuilding& building, double x, double y) {
   double nearest = 1e9;
   for (const Wing& wing : building.wings) {
     const double du = std::max(
-        {kMetres * static_cast<double>(wing.rect.u0) - p.x, 0.0, p.x - kMetres * static_cast<double>(wing.rect.u1)});
+        {kUnit * static_cast<double>(wing.rect.u0) - p.x, 0.0, p.x - kUnit * static_cast<double>(wing.rect.u1)});
     const double dv = std::max(
-        {kMetres * static_cast<double>(wing.rect.v0) - p.y, 0.0, p.y - kMetres * static_cast<double>(wing.rect.v1)});
+        {kUnit * static_cast<double>(wing.rect.v0) - p.y, 0.0, p.y - kUnit * static_cast<double>(wing.rect.v1)});
     nearest = std::min(nearest, std::sqrt(du * du + dv * dv));
   }
   return nearest;

@@ -11,11 +11,11 @@
 #include "scan/roofs/roofs_truth.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/truth_writer.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kGrid = 0.001;  // metres per coordinate unit of the cloud
 constexpr int kEpsg = 2154;
 
 std::string settings_text(const RoofsScan& scan) {
@@ -24,7 +24,7 @@ std::string settings_text(const RoofsScan& scan) {
   return fmt::format(R"("scene":"roofs","seed":{},"buildings":{},"adjoining":{},"chimneys":{},"slope_percent":{},)"
                      R"("trees_per_hectare":{},"density":{},"height_m":{},"scan_angle_deg":{},"jitter":{},"grid_m":{})",
                      t.seed, t.buildings, t.adjoining, t.chimneys, t.slope_percent, t.trees, f.density, f.height,
-                     f.angle_deg, f.jitter, kGrid);
+                     f.angle_deg, f.jitter, kUnit);
 }
 
 std::map<int, std::string> materials_of(const RoofTown& town) {
@@ -44,7 +44,7 @@ ScanCounts scan_roofs_scene(const ScanRequest& request) {
   RoofsScan scan = plan_roofs(request.values, request.seed, request.points);
   const RoofTown town = build_roof_town(scan.town);
   if (scan.points) scan.flight.density = density_for(town, *scan.points);
-  const RecordLayout layout = coloured_layout(kGrid);
+  const RecordLayout layout = coloured_layout(kUnit);
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), settings_text(scan));
   CityJsonWriter model(truth_path(request.output).replace_extension(".city.json"), {kEpsg, kSceneOrigin});

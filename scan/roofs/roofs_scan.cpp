@@ -10,6 +10,7 @@
 #include "kernels/core/parallel.h"
 #include "scan/scanners/pulse_tracer.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
@@ -31,7 +32,6 @@ constexpr std::array<SceneOption, 10> kRoofs{{
 constexpr double kEchoesPerTree = 0.0022;
 constexpr double kTile = 40;                                                // metres
 constexpr double kBatchBytes = 100e6;                                       // of records in memory at a time
-constexpr double kMetres = 0.001;                                           // per unit of a wing
 constexpr double kPlaneTolerance = 1e-6;                                    // metres; tolerance for equal planes
 constexpr std::uint8_t kVegetation = 4, kRoof = 2, kWall = 3, kGround = 1;  // true_class
 
@@ -45,21 +45,21 @@ std::vector<Plane> planes_of(const Wing& wing) {
   std::vector<Plane> planes;
   for (const RoofPlane& p : wing.planes) {
     const Vec3 outward{-static_cast<double>(p.a), -static_cast<double>(p.b), static_cast<double>(kSlopeUnit)};
-    planes.push_back({(1 / norm(outward)) * outward, -kMetres * static_cast<double>(p.c) / norm(outward)});
+    planes.push_back({(1 / norm(outward)) * outward, -kUnit * static_cast<double>(p.c) / norm(outward)});
   }
   for (const GridLine& side : half_planes(wing.rect))
     planes.push_back(
-        {{-static_cast<double>(side.a), -static_cast<double>(side.b), 0}, -kMetres * static_cast<double>(side.c)});
+        {{-static_cast<double>(side.a), -static_cast<double>(side.b), 0}, -kUnit * static_cast<double>(side.c)});
   return planes;
 }
 
 Box3<Vec3> bounds_of(const RoofBuilding& building, const Wing& wing) {
-  const Vec3 first = building.frame.to_town(
-      {kMetres * static_cast<double>(wing.rect.u0), kMetres * static_cast<double>(wing.rect.v0), 0});
+  const Vec3 first =
+      building.frame.to_town({kUnit * static_cast<double>(wing.rect.u0), kUnit * static_cast<double>(wing.rect.v0), 0});
   Box3<Vec3> box{{first.x, first.y, building.floor}, {first.x, first.y, building.ridge}};
   for (Integer u : {wing.rect.u0, wing.rect.u1})
     for (Integer v : {wing.rect.v0, wing.rect.v1}) {
-      const Vec3 p = building.frame.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});
+      const Vec3 p = building.frame.to_town({kUnit * static_cast<double>(u), kUnit * static_cast<double>(v), 0});
       box.min = {std::min(box.min.x, p.x), std::min(box.min.y, p.y), box.min.z};
       box.max = {std::max(box.max.x, p.x), std::max(box.max.y, p.y), box.max.z};
     }
@@ -235,7 +235,7 @@ void scan_roofs(const RoofsScan& scan, const RoofTown& town,
   const Vec3 middle{(town.area.x0 + town.area.x1) / 2, (town.area.y0 + town.area.y1) / 2, town.ground.base};
   const RayScene rays(scene.solids, town.crowns, middle);
   const FlightPlan flight(scan.flight, town.ground, scan.town.seed);
-  const Stage stage{town, scan, flight, scene, rays, coloured_layout(kMetres)};
+  const Stage stage{town, scan, flight, scene, rays, coloured_layout(kUnit)};
   const double side = town.area.x1;
   const auto tiles = static_cast<std::size_t>(std::ceil(side / kTile));
   const double tile_bytes = kTile * kTile * scan.flight.density * 1.3 * stage.layout.record_length;

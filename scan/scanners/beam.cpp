@@ -6,14 +6,14 @@
 #include <span>
 
 #include "scan/optics/exact_math.h"
+#include "scan/scanners/pulse_tracer.h"
 
 namespace ilot::scan {
 namespace {
 
 constexpr double kRadiansPerDegree = 3.14159265358979323846 / 180;
-constexpr double kMinEnergy = 0.004;   // the receiver detects nothing below this energy
-constexpr std::size_t kMaxEchoes = 5;  // of one pulse
-constexpr double kBehind = 1e-4;       // metres behind a pane where the ray continues
+constexpr double kMinEnergy = 0.004;  // the receiver detects nothing below this energy
+constexpr double kBehind = 1e-4;      // metres behind a pane where the ray continues
 
 // A position in the footprint in units of its radius, and its share of the light. A Gaussian beam has a quarter of its
 // energy within 0.38 of its 1/e2 radius. The rest is spread over a ring with a mean radius of 0.62.

@@ -4,12 +4,13 @@
 #include <cmath>
 
 #include "scan/optics/exact_math.h"
+#include "scan/scanners/scan_record.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kStandardSize = 30, kGpsTime = 22, kTrueClass = 30, kTruePlane = 31, kRecordSize = 35;
-constexpr double kUnit = 0.001;  // metres per coordinate unit
+constexpr std::size_t kTrueClass = 30, kTruePlane = 31, kRecordSize = 35;
 
 std::uint8_t las_class(Surface surface) {
   switch (surface) {
@@ -107,7 +108,7 @@ std::vector<std::byte> scan_cell(const Cell& cell, const FlightPlan& flight, con
       const std::size_t at = records.size();
       records.resize(at + kRecordSize);
       std::byte* record = records.data() + at;
-      encode_fields(fields, {record, kStandardSize}, 6);
+      encode_fields(fields, {record, kTrueClass}, 6);
       store(record + kGpsTime, pulse.gps_time);
       store(record + kTrueClass, static_cast<std::uint8_t>(echo.surface));
       store(record + kTruePlane, echo.plane);

@@ -6,7 +6,6 @@
 namespace ilot::scan {
 namespace {
 
-constexpr std::size_t kMaxEchoes = 5;
 constexpr double kMinSeparation = 0.5;  // metres between echoes that the receiver can distinguish
 
 // Leaves stop a pulse somewhere along its chord, more likely early than late. Half of the light continues. Returns

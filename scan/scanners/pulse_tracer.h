@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The echoes of a pulse from above: first from crowns, which let a part of it through, then from a solid or the ground.
 #pragma once
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -10,6 +11,8 @@
 
 namespace ilot::scan {
 
+inline constexpr std::size_t kMaxEchoes = 5;  // of one pulse
+
 struct PulseEcho {
   enum class From : std::uint8_t { ground, face, crown };
   double range = 0;  // metres, without noise
@@ -18,7 +21,7 @@ struct PulseEcho {
 };
 
 // Finds the echoes of a pulse that crosses these crowns before it meets `last`, a solid or the ground. Nearest first,
-// at least one and at most five. `rng` decides what crowns let through.
+// at least one and at most kMaxEchoes. `rng` decides what crowns let through.
 void find_echoes(std::span<const CrownHit> crowns, const PulseEcho& last, Rng& rng, std::vector<PulseEcho>& echoes);
 
 // Traces pulses over a plane of ground with solids and crowns on it. The scene must outlive the tracer. Each thread

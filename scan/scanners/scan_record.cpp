@@ -8,7 +8,7 @@ namespace ilot::scan {
 namespace {
 
 constexpr std::uint8_t kFormat = 7;
-constexpr std::size_t kStandardSize = 36, kGpsTime = 22, kRgb = 30;
+constexpr std::size_t kStandardSize = 36, kRgb = 30;
 constexpr std::size_t kTruth = 9;  // bytes of the true class, plane and element
 
 // Bytes before the truth: the standard fields of point formats 6 and 7.

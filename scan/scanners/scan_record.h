@@ -33,6 +33,8 @@ RecordLayout uncoloured_layout(double grid);
 // Returns the specification of a cloud for records of that layout.
 CloudSpec cloud_spec(const RecordLayout& layout, const Crs& crs = lambert_93());
 
+inline constexpr std::size_t kGpsTime = 22;  // byte of the GPS time in point formats 6 and 7
+
 struct ColouredPoint {
   Vec3 place;  // metres in the scene
   std::uint16_t intensity = 0;

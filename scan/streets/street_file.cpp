@@ -11,11 +11,11 @@
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
 #include "scan/truth_writer.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kGrid = 0.001;         // metres per coordinate unit of the cloud
 constexpr double kTrajectoryStep = 10;  // metres
 
 std::string settings_text(const StreetScan& scan) {
@@ -25,7 +25,7 @@ std::string settings_text(const StreetScan& scan) {
       R"("scene":"street","seed":{},"blocks":{},"slope_percent":{},"touching":{},"trees_per_block":{},)"
       R"("profiles_per_m":{},"step_deg":{},"turned_deg":{},"lane_m":{},"height_m":{},"blind_deg":{},"range_m":{},"grid_m":{})",
       s.seed, s.blocks, s.slope_percent, s.touching, s.trees, d.profiles, d.step_deg, d.turned_deg, d.lane, d.height,
-      d.blind_deg, d.range, kGrid);
+      d.blind_deg, d.range, kUnit);
 }
 
 std::string settings_text(const StreetFlight& flight) {
@@ -34,7 +34,7 @@ std::string settings_text(const StreetFlight& flight) {
       R"("scene":"street-air","seed":{},"blocks":{},"slope_percent":{},"touching":{},"trees_per_block":{},)"
       R"("density":{},"height_m":{},"scan_angle_deg":{},"gardens":{},"mirrored":{},"grid_m":{})",
       s.seed, s.blocks, s.slope_percent, s.touching, s.trees, flight.flight.density, flight.flight.height,
-      flight.flight.angle_deg, flight.gardens, flight.mirrored, kGrid);
+      flight.flight.angle_deg, flight.gardens, flight.mirrored, kUnit);
 }
 
 Vec3 direction_to_scene(Vec3 v) {
@@ -150,7 +150,7 @@ class StreetFile {
  private:
   const ScanRequest& request_;
   const StreetStage& stage_;
-  RecordLayout layout_ = coloured_layout(kGrid);
+  RecordLayout layout_ = coloured_layout(kUnit);
   std::unique_ptr<PointWriter> writer_;
   TruthWriter truth_;
   std::vector<std::uint64_t> on_plane_, on_object_;

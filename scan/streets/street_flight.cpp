@@ -11,6 +11,7 @@
 #include "kernels/core/parallel.h"
 #include "scan/scanners/pulse_tracer.h"
 #include "scan/streets/street_garden.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
@@ -28,7 +29,6 @@ constexpr std::array<SceneOption, 10> kFlight{{
     {"scene.mirrored", 0.6, "share", 0, 0.9, "of the pulses on a car's paint that it mirrors away, at most"},
 }};
 
-constexpr double kGrid = 0.001;        // metres per coordinate unit
 constexpr double kTile = 40;           // metres
 constexpr std::size_t kAtOnce = 32;    // tiles
 constexpr double kAhead = 10;          // metres beyond the ends of the street that are scanned
@@ -70,7 +70,7 @@ struct Overflight {
   PartScene parts;
   RayScene crowns;
   FlightPlan plan;
-  RecordLayout layout = coloured_layout(kGrid);
+  RecordLayout layout = coloured_layout(kUnit);
 
   Overflight(const StreetFlight& f, const StreetStage& s)
       : flight(f),

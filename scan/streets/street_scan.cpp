@@ -9,6 +9,7 @@
 #include "engine/error.h"
 #include "engine/pass/stop.h"
 #include "kernels/core/parallel.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
@@ -28,7 +29,6 @@ constexpr std::array<SceneOption, 12> kStreet{{
     {"scene.trees", 1.5, "per block", 0, 4, "trees"},
 }};
 
-constexpr double kGrid = 0.001;          // metres per coordinate unit
 constexpr std::uint64_t kStretch = 8;    // turns that are scanned together
 constexpr std::size_t kStretches = 64;   // per batch
 constexpr double kFullIntensity = 14.0;  // metres; half of the light fills half of the scale there
@@ -145,7 +145,7 @@ void scan_street(const StreetScan& scan, const StreetStage& stage,
                  const std::function<void(std::span<const std::byte>)>& take) {
   const Rays rays = make_rays(stage);
   const MobileScene scene = mobile_scene(stage, rays);
-  const RecordLayout layout = coloured_layout(kGrid);
+  const RecordLayout layout = coloured_layout(kUnit);
   const std::uint64_t turns = profile_count(scan.drive), stretches = (turns + kStretch - 1) / kStretch;
   // A batch contains a bounded number of pulses, so it has few turns if they are long.
   const MobileScanner ready(scan.drive, scene);

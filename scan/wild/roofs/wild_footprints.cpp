@@ -3,12 +3,11 @@
 #include <cmath>
 
 #include "scan/roofs/roof_styles.h"
+#include "scan/unit.h"
 #include "scan/wild/roofs/wild_roofs_scan.h"
 
 namespace ilot::scan {
 namespace {
-
-constexpr double kMetres = 0.001;
 
 const RoofFace& floor_of(const RoofBuilding& building) {
   return *std::find_if(building.solid.faces.begin(), building.solid.faces.end(),
@@ -32,7 +31,7 @@ WildFootprint merged_outline(const RoofTown& town, const std::vector<std::uint32
   const RoofFrame& frame = town.buildings[ids[0] - 1].frame;
   std::vector<Vec3> front, back;
   const auto push = [&](std::vector<Vec3>& chain, Integer u, Integer v) {
-    const Vec3 p{kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0};
+    const Vec3 p{kUnit * static_cast<double>(u), kUnit * static_cast<double>(v), 0};
     if (!chain.empty() && norm(chain.back() - p) < 1e-6) return;
     const std::size_t n = chain.size();
     if (n > 1 && chain[n - 1].y == p.y && chain[n - 2].y == p.y) chain.pop_back();

@@ -5,12 +5,11 @@
 #include <cmath>
 
 #include "scan/streets/objects/object_kinds.h"
+#include "scan/unit.h"
 #include "scan/wild/roofs/wild_roof_town.h"
 
 namespace ilot::scan {
 namespace {
-
-constexpr double kMetres = 0.001;
 
 // A position on a building in its own frame, in metres.
 struct Footing {
@@ -20,10 +19,10 @@ struct Footing {
 double roof_height(const RoofBuilding& building, double u, double v) {
   double height = -1e9;
   for (const Wing& wing : building.wings) {
-    const double a = u / kMetres, b = v / kMetres;
+    const double a = u / kUnit, b = v / kUnit;
     const bool over = a >= static_cast<double>(wing.rect.u0) && a <= static_cast<double>(wing.rect.u1) &&
                       b >= static_cast<double>(wing.rect.v0) && b <= static_cast<double>(wing.rect.v1);
-    if (over) height = std::max(height, kMetres * height_mm(wing, a, b));
+    if (over) height = std::max(height, kUnit * height_mm(wing, a, b));
   }
   return height;
 }
@@ -85,10 +84,10 @@ class ExtrasBuilder {
   Footing draw_footing(std::uint32_t b, Rng& rng, double length, double width) {
     const std::vector<Wing>& wings = wild_.town.buildings[b].wings;
     const GridRect& rect = wings[rng.below(wings.size())].rect;
-    const double u = between(rng, kMetres * static_cast<double>(rect.u0) + 0.3,
-                             kMetres * static_cast<double>(rect.u1) - length - 0.3);
-    const double v = between(rng, kMetres * static_cast<double>(rect.v0) + 0.3,
-                             kMetres * static_cast<double>(rect.v1) - width - 0.3);
+    const double u =
+        between(rng, kUnit * static_cast<double>(rect.u0) + 0.3, kUnit * static_cast<double>(rect.u1) - length - 0.3);
+    const double v =
+        between(rng, kUnit * static_cast<double>(rect.v0) + 0.3, kUnit * static_cast<double>(rect.v1) - width - 0.3);
     return {u, v, u + length, v + width};
   }
 
@@ -146,8 +145,8 @@ class ExtrasBuilder {
     if (wing.planes.size() != 1 || wing.planes[0].a != 0 || wing.planes[0].b != 0) return;
     Rng rng = draws_.random("roofs.parapet", b);
     const double h = between(rng, 0.3, 1.1), d = between(rng, 0.15, 0.4);
-    const double u0 = kMetres * static_cast<double>(wing.rect.u0), u1 = kMetres * static_cast<double>(wing.rect.u1);
-    const double v0 = kMetres * static_cast<double>(wing.rect.v0), v1 = kMetres * static_cast<double>(wing.rect.v1);
+    const double u0 = kUnit * static_cast<double>(wing.rect.u0), u1 = kUnit * static_cast<double>(wing.rect.u1);
+    const double v0 = kUnit * static_cast<double>(wing.rect.v0), v1 = kUnit * static_cast<double>(wing.rect.v1);
     for (const Footing& foot : {Footing{u0, v0, u1, v0 + d}, Footing{u0, v1 - d, u1, v1}, Footing{u0, v0, u0 + d, v1},
                                 Footing{u1 - d, v0, u1, v1}})
       box(RoofExtraKind::parapet, b, foot, h, building.wall);

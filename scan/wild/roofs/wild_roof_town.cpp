@@ -8,12 +8,12 @@
 #include "scan/roofs/roof_neighbours.h"
 #include "scan/roofs/roof_styles.h"
 #include "scan/roofs/roof_wings.h"
+#include "scan/unit.h"
 #include "scan/wild/roofs/wild_roof_forms.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kMetres = 0.001;
 constexpr double kLeastEdge = 0.02, kLeastWidth = 0.04;  // metres; what the truth may have
 
 // Fills the square shelf by shelf: groups stand side by side, and shelves behind each other.
@@ -39,8 +39,8 @@ class TownBuilder {
       ++groups_;
       std::vector<WildRoof> group = draw_group(key);
       const GridRect all = box_of(group);
-      const double long_side = kMetres * static_cast<double>(all.u1 - all.u0),
-                   depth = kMetres * static_cast<double>(all.v1 - all.v0);
+      const double long_side = kUnit * static_cast<double>(all.u1 - all.u0),
+                   depth = kUnit * static_cast<double>(all.v1 - all.v0);
       Rng rng = draws_.random("roofs.gap", key);
       const double turn = group.size() > 1 ? 0 : 8 * (2 * rng.uniform() - 1),
                    room = 0.16 * std::max(long_side, depth) + 0.6;
@@ -102,7 +102,7 @@ class TownBuilder {
   bool set_group(std::vector<WildRoof>& group, double u, double v, double turn) {
     const GridRect all = box_of(group);
     const RoofFrame frame =
-        frame_at(u - kMetres * static_cast<double>(all.u0), v - kMetres * static_cast<double>(all.v0), turn);
+        frame_at(u - kUnit * static_cast<double>(all.u0), v - kUnit * static_cast<double>(all.v0), turn);
     double foot = 1e9;
     for (const Integer a : {all.u0, all.u1})
       for (const Integer b : {all.v0, all.v1}) foot = std::min(foot, ground_at(frame, a, b));
@@ -112,7 +112,7 @@ class TownBuilder {
   }
 
   double ground_at(const RoofFrame& frame, Integer u, Integer v) const {
-    const Vec3 p = frame.to_town({kMetres * static_cast<double>(u), kMetres * static_cast<double>(v), 0});
+    const Vec3 p = frame.to_town({kUnit * static_cast<double>(u), kUnit * static_cast<double>(v), 0});
     return wild_.town.ground.height(p.x, p.y);
   }
 
@@ -127,11 +127,11 @@ class TownBuilder {
     RoofBuilding building;
     building.kind = RoofKind::complex;
     building.frame = frame;
-    const auto floor = static_cast<Integer>(std::floor(foot / kMetres)) - 50;
-    for (const Wing& wing : roof.wings) building.wings.push_back(moved(wing, 0, 0, std::llround(foot / kMetres)));
+    const auto floor = static_cast<Integer>(std::floor(foot / kUnit)) - 50;
+    for (const Wing& wing : roof.wings) building.wings.push_back(moved(wing, 0, 0, std::llround(foot / kUnit)));
     building.solid = build_solid(partition_roof(building.wings), floor);
     if (fault_of(building.solid, kLeastEdge, kLeastWidth)) return false;
-    building.floor = kMetres * static_cast<double>(floor);
+    building.floor = kUnit * static_cast<double>(floor);
     building.eave = 1e9, building.ridge = -1e9;
     for (const RoofFace& face : building.solid.faces) {
       if (face.part != RoofPart::roof) continue;
@@ -159,11 +159,11 @@ class TownBuilder {
       if (curve.wing != w) continue;
       surface.curve = curve.surface;
       surface.curve->point = building.frame.to_town(
-          curve.surface.point + Vec3{0, 0, kMetres * static_cast<double>(std::llround(foot / kMetres))});
+          curve.surface.point + Vec3{0, 0, kUnit * static_cast<double>(std::llround(foot / kUnit))});
       surface.curve->axis = building.frame.direction_to_town(curve.surface.axis);
     }
     surface.glass = std::find(roof.glass.begin(), roof.glass.end(), w) != roof.glass.end();
-    surface.below = foot + kMetres * static_cast<double>(roof.below);
+    surface.below = foot + kUnit * static_cast<double>(roof.below);
     return surface;
   }
 

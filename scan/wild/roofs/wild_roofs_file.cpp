@@ -12,18 +12,18 @@
 #include "engine/formats/writer.h"
 #include "scan/roofs/roofs_truth.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/unit.h"
 #include "scan/wild/roofs/wild_roofs_scan.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kGrid = 0.001;  // metres per coordinate unit of the cloud
 constexpr int kEpsg = 2154;
 constexpr std::uint64_t kMostPoints = 2'000'000;  // unless --points asks for another number
 
 std::string settings_text(const ScanRequest& request, const WildRoofsScan& scan) {
   return fmt::format(R"("scene":"roofs-wild","seed":{}{},"width_m":{},"density_used":{},"grid_m":{})", request.seed,
-                     request.values.json(), scan.wild.width, scan.scanner.flight.density, kGrid);
+                     request.values.json(), scan.wild.width, scan.scanner.flight.density, kUnit);
 }
 
 std::string ring_text(const std::vector<Vec3>& ring) {
@@ -100,7 +100,7 @@ ScanCounts scan_wild_roofs_scene(const ScanRequest& request) {
   WildRoofsScan scan = plan_wild_roofs(draws, request.seed, request.points.value_or(kMostPoints));
   if (request.points) fit_wild_roofs(scan, *request.points);
   const std::vector<WildFootprint> footprints = draw_footprints(scan.wild, draws);
-  const RecordLayout layout = coloured_layout(kGrid);
+  const RecordLayout layout = coloured_layout(kUnit);
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   CityJsonWriter model(truth_path(request.output).replace_extension(".city.json"), {kEpsg, kSceneOrigin});

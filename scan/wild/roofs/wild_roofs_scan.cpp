@@ -12,11 +12,11 @@
 #include "scan/roofs/roofs_scan.h"
 #include "scan/scanners/pulse_tracer.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kMetres = 0.001;
 constexpr double kTile = 40;
 constexpr std::size_t kTilesAtOnce = 24;
 constexpr double kBeyond = 6;         // metres around the built square that stay in the cloud
@@ -34,7 +34,7 @@ class Overflight {
         middle_{scan.wild.town.area.x1 / 2, scan.wild.town.area.y1 / 2, scan.wild.town.ground.base},
         rays_(scene_.solids, scan.wild.town.crowns, middle_),
         flight_(scan.scanner.flight, scan.wild.town.ground, scan.seed),
-        layout_(coloured_layout(kMetres)) {
+        layout_(coloured_layout(kUnit)) {
     for (std::size_t w = 0; w < scan.wild.wings.size(); ++w)
       for (std::size_t p = 0; p < scan.wild.wings[w].planes + 4; ++p) wing_of_face_.push_back(w);
   }
@@ -310,7 +310,7 @@ void fit_wild_roofs(WildRoofsScan& scan, std::uint64_t points) {
   sparse.scanner.flight.density = 50000 / (side * side);
   std::uint64_t bytes = 0;
   scan_wild_roofs(sparse, [&](std::span<const std::byte> records) { bytes += records.size(); });
-  const double counted = static_cast<double>(bytes / coloured_layout(kMetres).record_length);
+  const double counted = static_cast<double>(bytes / coloured_layout(kUnit).record_length);
   if (counted == 0) throw Error("the flight sees nothing of this town");
   scan.scanner.flight.density = sparse.scanner.flight.density * static_cast<double>(points) / counted;
 }

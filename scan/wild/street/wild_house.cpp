@@ -20,7 +20,7 @@ struct HouseFrame {
   Vec3 at(double u, double out, double z) const { return origin + u * along + out * outward + Vec3{0, 0, z}; }
 };
 
-struct HouseForm {
+struct WildHouseForm {
   double width = 10, depth = 10, base = 0;
   int storeys = 3;
   double ground_floor = 3.4, storey = 2.9, reveal = 0.15;
@@ -35,7 +35,7 @@ struct HouseForm {
 
 class WildHouseBuilder {
  public:
-  WildHouseBuilder(StreetModel& model, const HouseFrame& frame, const HouseForm& form, Rng rng)
+  WildHouseBuilder(StreetModel& model, const HouseFrame& frame, const WildHouseForm& form, Rng rng)
       : model_(model), frame_(frame), form_(form), rng_(rng) {}
 
   void build() {
@@ -266,13 +266,13 @@ class WildHouseBuilder {
 
   StreetModel& model_;
   HouseFrame frame_;
-  HouseForm form_;
+  WildHouseForm form_;
   Rng rng_;
   SurfaceId wall_ = 0;
 };
 
-HouseForm draw_form(Draws& draws, std::uint64_t id, double width, double depth) {
-  HouseForm form;
+WildHouseForm draw_form(Draws& draws, std::uint64_t id, double width, double depth) {
+  WildHouseForm form;
   form.width = width;
   form.depth = depth;
   form.storeys = draws.whole("street.storeys", id);
@@ -294,7 +294,7 @@ HouseForm draw_form(Draws& draws, std::uint64_t id, double width, double depth) 
 }  // namespace
 
 void add_wild_house(WildStreetModel& model, const WildStreet& street, const StreetPlot& plot, Draws& draws) {
-  HouseForm form = draw_form(draws, plot.id, plot.s1 - plot.s0, plot.depth);
+  WildHouseForm form = draw_form(draws, plot.id, plot.s1 - plot.s0, plot.depth);
   const double front = street.half_street() + plot.setback;
   const auto height = [&](double s) { return street.ground_height(s, plot.side * (front - 0.05)); };
   form.base = std::max({height(plot.s0), height((plot.s0 + plot.s1) / 2), height(plot.s1)}) +
@@ -315,7 +315,7 @@ void add_court_ends(WildStreetModel& model, const WildStreet& street, Draws& dra
   for (const int end : {-1, 1}) {
     const std::uint64_t id = 100000 + static_cast<std::uint64_t>(end + 1);
     const double half = street.half_street() + 1, s = end < 0 ? -3 : street.length + 3;
-    HouseForm form = draw_form(draws, id, 2 * half, 9);
+    WildHouseForm form = draw_form(draws, id, 2 * half, 9);
     form.base = std::max(street.ground_height(s, 0), street.ground_height(s, street.half_road + 0.1)) + 0.05;
     form.passage_u = half;
     form.passage_width = std::min(3.5, street.half_road);

@@ -9,18 +9,18 @@
 #include "engine/formats/writer.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/truth_writer.h"
+#include "scan/unit.h"
 #include "scan/wild/street/wild_street_scan.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kGrid = 0.001;                   // metres per coordinate unit of the cloud
 constexpr double kTrajectoryStep = 10;            // metres
 constexpr std::uint64_t kMostPoints = 2'000'000;  // unless --points asks for another number
 
 std::string settings_text(const ScanRequest& request, const WildStreetScan& scan) {
   return fmt::format(R"("scene":"street-wild","seed":{}{},"length_m":{},"density_used":{},"grid_m":{})", request.seed,
-                     request.values.json(), scan.street.length, scan.scanner.density, kGrid);
+                     request.values.json(), scan.street.length, scan.scanner.density, kUnit);
 }
 
 Vec3 direction_to_scene(const WildStreet& street, Vec3 v) {
@@ -148,7 +148,7 @@ ScanCounts scan_wild_street_scene(const ScanRequest& request) {
   Draws draws(request.values, kWildStreetGroups, request.seed);
   WildStreetScan scan = plan_wild_street_scan(draws, request.seed, request.points.value_or(kMostPoints));
   fit_wild_points(scan, request.points.value_or(kMostPoints), request.points.has_value());
-  const RecordLayout layout = coloured_layout(kGrid);
+  const RecordLayout layout = coloured_layout(kUnit);
   const std::unique_ptr<PointWriter> writer = create_cloud(request.output, cloud_spec(layout));
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   write_names(truth, scan);

@@ -11,11 +11,11 @@
 #include "kernels/core/parallel.h"
 #include "scan/optics/value_noise.h"
 #include "scan/scanners/scan_record.h"
+#include "scan/unit.h"
 
 namespace ilot::scan {
 namespace {
 
-constexpr double kGrid = 0.001;  // metres per coordinate unit
 constexpr std::size_t kGrainsAtOnce = 48;
 constexpr double kBorder = 1.5;   // metres along the end of the ground that are not in the cloud: its upright side
 constexpr double kAirArea = 110;  // metres across that are seen from the air
@@ -95,7 +95,7 @@ void draw_scanner(WildStreetScanner& c, Draws& draws) {
 
 class Recorder {
  public:
-  explicit Recorder(const WildStreetScan& scan) : scan_(scan), layout_(coloured_layout(kGrid)) {}
+  explicit Recorder(const WildStreetScan& scan) : scan_(scan), layout_(coloured_layout(kUnit)) {}
 
   void add(StreetPulse& pulse, const std::vector<WildEcho>& echoes, std::vector<std::byte>& records) const {
     for (std::size_t i = 0; i < echoes.size(); ++i) {
@@ -218,7 +218,7 @@ void fit_wild_points(WildStreetScan& scan, std::uint64_t points, bool exactly) {
   changed.scanner.density = kPilotPoints / area;
   std::uint64_t bytes = 0;
   scan_wild_street(changed, [&](std::span<const std::byte> records) { bytes += records.size(); });
-  const double counted = static_cast<double>(bytes / coloured_layout(kGrid).record_length);
+  const double counted = static_cast<double>(bytes / coloured_layout(kUnit).record_length);
   if (counted == 0) throw Error("the scanner sees nothing of this street");
   const double fitting = changed.scanner.density * wanted / counted;
   changed.scanner.density = exactly ? fitting : std::min(full, fitting);
