@@ -216,14 +216,20 @@ class Search {
     return members;
   }
 
+  std::int64_t connectivity_of(const Plane& plane) const {
+    const double stretch = 1 / std::max(std::abs(plane.n.z), 1 / params_.most_stretch);
+    return static_cast<std::int64_t>(static_cast<double>(params_.connectivity) * stretch);
+  }
+
   // Returns the part of the consensus set that is within the connectivity of the box.
   std::vector<std::uint32_t> consensus_around(const Plane& plane, const PointExtent& box) const {
     std::vector<std::uint32_t> members;
-    const auto margin = static_cast<double>(params_.connectivity);
+    const std::int64_t connectivity = connectivity_of(plane);
+    const auto margin = static_cast<double>(connectivity);
     for (std::size_t run = 0; run < runs_.count(); ++run) {
       if (!runs_[run].meets(box, margin) || !runs_[run].may_reach(plane, params_.epsilon)) continue;
       for (std::size_t i = run * RunBoxes::kRun; i < RunBoxes::end(run, remaining_); ++i)
-        if (agrees(plane, i) && box.contains(remaining_.position(i), params_.connectivity))
+        if (agrees(plane, i) && box.contains(remaining_.position(i), connectivity))
           members.push_back(static_cast<std::uint32_t>(i));
     }
     return members;
@@ -231,9 +237,9 @@ class Search {
 
   // Returns the connected component of the consensus set that shares most points with `like`, or the largest when
   // `like` is empty.
-  std::vector<std::uint32_t> part_of(const std::vector<std::uint32_t>& members,
+  std::vector<std::uint32_t> part_of(const Plane& plane, const std::vector<std::uint32_t>& members,
                                      const std::vector<std::uint32_t>& like) const {
-    const Clusters clusters = euclidean_clusters(remaining_.points(), members, params_.connectivity);
+    const Clusters clusters = euclidean_clusters(remaining_.points(), members, connectivity_of(plane));
     std::vector<std::uint32_t> votes(clusters.count, 0);
     std::size_t at = 0;
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -273,7 +279,7 @@ class Search {
   void take(std::size_t candidate) {
     const PlaneHypothesis h = pool_.planes[candidate];
     Plane plane{{h[0], h[1], h[2]}, h[3]};
-    const std::vector<std::uint32_t> seed = part_of(consensus(plane), {});
+    const std::vector<std::uint32_t> seed = part_of(plane, consensus(plane), {});
     std::vector<std::uint32_t> members = seed;
     for (int round = 0; round < kRefinements && members.size() >= params_.min_points; ++round) {
       const PlaneFit fit = fit_plane(moments_of(remaining_.points(), members));
@@ -285,7 +291,7 @@ class Search {
       members = std::move(next);
       if (converged) break;
     }
-    if (members.size() >= params_.min_points) members = part_of(members, seed);
+    if (members.size() >= params_.min_points) members = part_of(plane, members, seed);
     if (members.size() < params_.min_points) {
       pool_.drop(candidate);
       return;

@@ -17,6 +17,7 @@ struct RansacParams {
   std::uint64_t key = 0;          // of the random draws
   std::array<Vec3, 2> across{};   // directions to which the normal of a plane must be perpendicular, if any:
   double max_across = 0;          // |normal . direction| at most this
+  double most_stretch = 1;        // upright planes connect over up to this times the connectivity, see below
 };
 
 using RansacPlanes = PlaneSegments;  // the planes are the least-squares planes of their points
@@ -32,8 +33,10 @@ using RansacPlanes = PlaneSegments;  // the planes are the least-squares planes 
 // shares most points with the first one belongs to the plane.
 // A set is a fringe of an earlier plane beside it when more than half of it is within epsilon of that plane and its
 // normals disagree with that plane (normals along an edge are mixtures). The points of a fringe stay without a label.
-// Points without a normal are never inliers. Draws depend on the key and the points alone. O(draws x points). The
-// number of draws adapts to the share of the smallest plane.
+// Beams from above meet a plane that leans by an angle at 1 / cos(angle) times the distance of their spots on the
+// ground, so the connectivity of a plane is multiplied by 1 / |n.z|, by most_stretch at most (1 = never). Points
+// without a normal are never inliers. Draws depend on the key and the points alone. O(draws x points). The number of
+// draws adapts to the share of the smallest plane.
 RansacPlanes ransac_planes(const OrientedPoints& points, const RansacParams& params);
 
 }  // namespace ilot

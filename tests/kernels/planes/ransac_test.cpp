@@ -107,6 +107,21 @@ TEST(Ransac, AnyOrderOfPointsGivesThePlanes) {
   for (std::size_t p = 0; p < a.planes.size(); ++p) EXPECT_GT(dot(a.planes[p].n, b.planes[p].n), 0.99999);
 }
 
+// A beam from above meets rows of spots on a wall that are farther apart than those on the ground.
+TEST(Ransac, UprightPlanesConnectOverWiderGapsOnlyWhereBeamsComeFromAbove) {
+  OrientedSetBuilder b(5);
+  b.add(Patch{{0, 0, 0}, kX, kZ, 10, 10, 70, 0});     // upright
+  b.add(Patch{{0, 5000, 0}, kX, kY, 10, 10, 70, 0});  // level
+  const OrientedSet set = b.build();
+  RansacParams params = params_of(5, 40);
+  EXPECT_TRUE(ransac_planes(set.view(), params).planes.empty());
+  params.most_stretch = 2;
+  const RansacPlanes found = ransac_planes(set.view(), params);
+  expect_sound(set, params, found);
+  EXPECT_EQ(sizes(found), (std::vector<std::size_t>{100, 100}));
+  EXPECT_NEAR(found.planes.at(0).n.z, 0, 1e-9);
+}
+
 TEST(Ransac, ParallelPlanesPartByEpsilon) {
   const auto two = [](double apart) {
     OrientedSetBuilder b(3);

@@ -37,9 +37,16 @@ constexpr double kLean = 0.2;  // epsilons by which borders move towards the lar
 // Choice: thresholds of the methods that grow and vote (docs/methods.md); rough surfaces need larger ones.
 constexpr double kPairDegrees = 5, kSmoothDegrees = 2, kVoteDegrees = 8;
 
+// Derived: airborne scanners look aside by up to 30 degrees, so that walls are met at 60 degrees or more: spots on them
+// are 1 / cos(60 degrees) times as far apart as on the ground.
+constexpr double kUprightStretch = 2;
+
 PlaneSegments by_ransac(const PlaneSearch& s) {
-  return ransac_planes(s.points, {s.params.epsilon, cos_degrees(s.params.normal_angle), s.params.connectivity,
-                                  s.params.min_points, s.probability, s.key});
+  RansacParams params{s.params.epsilon,      cos_degrees(s.params.normal_angle),
+                      s.params.connectivity, s.params.min_points,
+                      s.probability,         s.key};
+  if (s.from == SeenFrom::air) params.most_stretch = kUprightStretch;
+  return ransac_planes(s.points, params);
 }
 
 std::vector<std::uint32_t> neighbours_of_all(const PlaneSearch& s, std::uint32_t k) {
