@@ -136,12 +136,13 @@ void check(std::span<const TrainingSample> samples, std::size_t least_classes) {
   std::map<PointLabel, std::size_t> counts;
   for (const TrainingSample& s : samples) ++counts[s.label];
   if (counts.size() < least_classes)
-    throw Error(fmt::format("training needs things of {} at least", least_classes == 1 ? "a class" : "two classes"),
+    throw Error(fmt::format("training needs objects of {} at least", least_classes == 1 ? "a class" : "two classes"),
                 ExitCode::usage);
   for (const auto& [label, count] : counts)
     if (count < 2)
-      throw Error("training needs two things of each class at least; there is one of class " + object_class_name(label),
-                  ExitCode::usage);
+      throw Error(
+          "training needs two objects of each class at least; there is one of class " + object_class_name(label),
+          ExitCode::usage);
 }
 
 // Returns for each class the smallest similarity of its even samples, lowered by the rounding. The similarity of a
@@ -186,7 +187,7 @@ void train_svm(std::span<const TrainingSample> all, const TrainingFolds& folds, 
   model.min_similarity.assign(model.classes.size(), 0);
   if (model.classes.size() == 1) return;
   model.features = selected_features(samples, params);
-  if (model.features.empty()) throw Error("training: no feature tells the classes apart", ExitCode::usage);
+  if (model.features.empty()) throw Error("training: no feature separates the classes", ExitCode::usage);
   standardise(samples, model);
   const TrainingSet few = training_set(thinned(samples, params.most_in_grid, ignored), model, folds);
   const GridBest best = search_grid(few, folds.count(), model.classes.size());

@@ -243,7 +243,7 @@ ResultFiles find_results(const fs::path& result) {
     if (!files.roofs && !models.empty()) files.roofs = models.front();
   }
   if (files.clouds.empty() && files.facades.empty() && !files.roofs)
-    throw Error(result.string() + ": holds neither points/ nor facades/ nor roofs/; give the output folder of a run",
+    throw Error(result.string() + ": contains neither points/ nor facades/ nor roofs/; give the output folder of a run",
                 ExitCode::usage);
   return files;
 }

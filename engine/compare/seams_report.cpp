@@ -41,7 +41,7 @@ struct LabelledRows {
 
 LabelledRows read_rows(const fs::path& result, double unit) {
   const ResultFiles files = find_results(result);
-  if (files.clouds.empty()) throw Error(result.string() + ": holds no points/; --seams needs labelled clouds");
+  if (files.clouds.empty()) throw Error(result.string() + ": contains no points/; --seams needs labelled clouds");
   LabelledRows rows;
   for (const fs::path& cloud : files.clouds) {
     const std::unique_ptr<PointReader> reader = open_cloud(cloud);

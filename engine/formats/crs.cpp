@@ -248,7 +248,7 @@ Crs crs_from_vlrs(const std::vector<Vlr>& vlrs, bool wkt_flag, std::vector<std::
   const std::optional<Crs> wkt = from_wkt(vlrs, warnings);
   if (wkt && !wkt_flag && !keys) warnings.push_back("the CRS was found as WKT although the header does not say so");
   if (wkt) return *wkt;
-  if (wkt_flag && keys) warnings.push_back("the header says that the CRS is WKT, but only GeoTIFF keys hold one");
+  if (wkt_flag && keys) warnings.push_back("the header says that the CRS is WKT, but only GeoTIFF keys give one");
   return keys.value_or(Crs{});
 }
 

@@ -239,7 +239,7 @@ IndexResult build_index(const std::vector<std::unique_ptr<PointReader>>& inputs,
 
 IndexResult open_index(const fs::path& folder, const InputLattice& first) {
   const IndexFiles files{folder};
-  if (!fs::exists(files.done())) throw Error(folder.string() + ": holds no finished store");
+  if (!fs::exists(files.done())) throw Error(folder.string() + ": contains no finished store");
   return finished_index(files, fs::exists(files.lattice()) ? read_column<InputLattice>(files.lattice()).at(0) : first);
 }
 

@@ -80,7 +80,7 @@ Picture search_picture(const FacadeReplay& r) {
     picture.legend.push_back({colour, std::to_string(found.size()) + text});
   };
   add(r.steps.stones, kGrey, " stones");
-  add(r.steps.large, kOrange, " large things before or behind the wall");
+  add(r.steps.large, kOrange, " large parts before or behind the wall");
   add(r.steps.relief, kGreen, " planes before the wall");
   add(r.steps.openings, kBlue, " openings");
   return picture;
@@ -94,7 +94,7 @@ PictureColour colour_of(ElementKind kind) {
 }
 
 Picture regular_picture(const FacadeReplay& r) {
-  Picture picture = begin(r, "5-regular", "things before and after regularisation");
+  Picture picture = begin(r, "5-regular", "elements before and after regularisation");
   add_ring(picture, r.steps.outline.ring, kInk);
   for (const ElementCandidate& t : r.steps.drawn) add_ring(picture, ring_of(t.shape), colour_of(t.kind));
   for (const ElementCandidate& t : r.steps.found) add_ring(picture, ring_of(t.shape), kRed, true);
@@ -132,7 +132,7 @@ Picture element_picture(const FacadeReplay& r) {
 
 std::vector<Picture> pictures_of(const FacadeReplay& r) {
   return {point_picture(r),
-          cell_picture(r, "2-cells", "what the rays tell of each cell", r.steps.cells.seen),
+          cell_picture(r, "2-cells", "what the rays show of each cell", r.steps.cells.seen),
           cell_picture(r, "3-filled", "cells joined over what nothing was seen in", r.steps.cells.filled),
           search_picture(r),
           regular_picture(r),

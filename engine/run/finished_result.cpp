@@ -53,7 +53,7 @@ std::vector<std::string> files_to_replace(const fs::path& out) {
   if (!result || !result->listed)
     throw Error((out / "run.json").string() +
                     ": does not list the files of its result (it is of an older version, or damaged), so that they "
-                    "cannot be told from others; delete the folder yourself or give another -o",
+                    "cannot be distinguished from others; delete the folder yourself or give another -o",
                 ExitCode::usage);
   std::vector<std::string> names;
   for (const ResultRecord& file : result->files) names.push_back(file.path);

@@ -59,7 +59,7 @@ void check_degrees(RunInputs& inputs, const RunOptions& options, const PlaceBox&
     throw usage("--crs " + options.crs + " is in degrees, which " + where +
                 " cannot be; give the projected CRS that the coordinates are in");
   const std::string warning = "the inputs say degrees (" + crs_name(inputs.crs) + "), which " + where +
-                              " cannot be: metres in an unknown CRS are assumed; --crs EPSG:n would tell";
+                              " cannot be: metres in an unknown CRS are assumed; --crs EPSG:n says it";
   progress.warn(warning);
   record.warnings.push_back(warning);
   inputs.crs = Crs{};

@@ -35,7 +35,7 @@ void add_folder(std::vector<fs::path>& files, const fs::path& folder) {
     }
   }
   if (code) throw Error(folder.string() + ": cannot be listed: " + code.message(), ExitCode::usage);
-  if (files.size() == before) throw Error(folder.string() + ": holds no point cloud", ExitCode::usage);
+  if (files.size() == before) throw Error(folder.string() + ": contains no point cloud", ExitCode::usage);
 }
 
 }  // namespace

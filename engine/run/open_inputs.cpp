@@ -27,8 +27,8 @@ std::unique_ptr<PointReader> try_open(const std::filesystem::path& path, const O
   try {
     auto reader = open_cloud(path, open);
     if (reader->info().points > 0) return reader;
-    if (options.inputs.size() == 1) throw Error(path.string() + ": holds no points");
-    skip(path, path.string() + ": holds no points", options, progress, record);
+    if (options.inputs.size() == 1) throw Error(path.string() + ": contains no points");
+    skip(path, path.string() + ": contains no points", options, progress, record);
   } catch (const Error& fault) {
     if (options.inputs.size() == 1) throw;
     skip(path, fault.what(), options, progress, record);
@@ -91,7 +91,7 @@ RunInputs open_inputs(const RunOptions& options, Progress& progress, RunRecord& 
   }
   inputs.row_stations = row_stations(inputs.readers, inputs.stations,
                                      options.stations.empty() ? StationsFrom::inputs : StationsFrom::file);
-  if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n would tell");
+  if (inputs.crs.unit_assumed) progress.warn("no input says its unit: metres are assumed; --crs EPSG:n says it");
   record.unit_assumed = inputs.crs.unit_assumed;
   return inputs;
 }

@@ -40,7 +40,7 @@ void add_ring(Area& area, AreaRing ring, const std::string& name) {
 }
 
 Area with_box(Area area, const std::string& name) {
-  if (area.rings.empty()) throw area_error(name, "holds no polygon");
+  if (area.rings.empty()) throw area_error(name, "contains no polygon");
   const auto& first = area.rings.front().front();
   area.min_x = area.max_x = first[0];
   area.min_y = area.max_y = first[1];

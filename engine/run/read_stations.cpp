@@ -126,7 +126,7 @@ std::vector<Station> read_stations(const std::filesystem::path& path) {
     if (stations.back().name.empty()) stations.back().name = "station " + std::to_string(stations.size());
     if (stations.size() > kMostStations) refuse_stations(where, "more stations than 100000");
   }
-  if (stations.empty()) refuse_stations(path.string(), "holds no station");
+  if (stations.empty()) refuse_stations(path.string(), "contains no station");
   return stations;
 }
 

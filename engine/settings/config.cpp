@@ -30,7 +30,7 @@ std::string describe(const toml::node& node) {
     case toml::node_type::table:
       return "a table";
     case toml::node_type::array:
-      return "a list of other things";
+      return "a list of other values";
     case toml::node_type::string:
       return "a string";
     default:
@@ -141,7 +141,7 @@ std::string comment_of(const Parameter& p, const Value& standard) {
 
 void load_config_text(Settings& settings, std::string_view text, const std::string& name) {
   if (const auto line = line_beyond_ascii(text)) {
-    throw Error(place(name, {*line, 1}) + "a character beyond ASCII; only comments may hold them", ExitCode::usage);
+    throw Error(place(name, {*line, 1}) + "a character beyond ASCII; only comments may contain them", ExitCode::usage);
   }
   toml::table table;
   try {

@@ -163,7 +163,7 @@ Parameters boundaries_parameters() {
       make("boundaries.threshold", ILOT_FIELD(boundaries.threshold), {0.001, 1000}, "m",
            "one threshold for all points, whatever the sampling step"),
       with_choices(make("boundaries.step", ILOT_FIELD(boundaries.step), {}, "",
-                        "sampling step as the stations' angular steps predict it, or as neighbours tell it"),
+                        "sampling step as the stations' angular steps predict it, or as neighbours show it"),
                    kStepSources),
       with_choices(make("boundaries.rule", ILOT_FIELD(boundaries.rule), {}, "",
                         "what of a triangle must not exceed the threshold"),
@@ -240,7 +240,7 @@ Parameters advanced_roofs() {
 Parameters streets_parameters() {
   return {
       with_choices(make("streets.view", ILOT_FIELD(streets.view), {}, "",
-                        "where the street was scanned from: chooses the pixel and by what things are called"),
+                        "where the street was scanned from: chooses the pixel and the model that names objects"),
                    kStreetViews),
       make("streets.pixel", ILOT_FIELD(streets.pixel), {0.01, 10}, "m", "of the images from above"),
       make("streets.flat", ILOT_FIELD(streets.flat), {0.01, 100}, "m",
@@ -252,9 +252,9 @@ Parameters streets_parameters() {
       make("streets.least_height", ILOT_FIELD(streets.least_height), {0.01, 10}, "m",
            "what is lower is part of the ground"),
       make("streets.least_area", ILOT_FIELD(streets.least_area), {0, 100}, "m2",
-           "smaller things on the ground are dropped"),
+           "smaller objects on the ground are dropped"),
       make("streets.rise", ILOT_FIELD(streets.rise), {0, 10}, "m",
-           "what rises so far above the pass to a higher thing is a thing of its own"),
+           "what rises so far above the pass to a higher object is an object of its own"),
   };
 }
 

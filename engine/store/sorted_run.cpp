@@ -123,7 +123,7 @@ SortedRun make_sorted_run(const RunSource& source, const InputLattice& lattice, 
   const LatticeMap map(info.layout, lattice.unit);
   OffLattice off(info.layout, lattice);
   if (source.first + source.count > kMostRowsOfInput)
-    throw Error(info.path.string() + ": holds more than 17 billion points; cut it into several files first");
+    throw Error(info.path.string() + ": contains more than 17 billion points; cut it into several files first");
   SortedRun run{stem, {}, {}, {}, {}};
   Gatherer gatherer(source.count);
   std::optional<CoarseCells> cells;

@@ -72,7 +72,7 @@ TileRaster plan_raster(const Store& store, const PassContext& context, std::int6
   if (std::max(width, height) > kMostPixels)
     throw Error(fmt::format(
         "{}: the points are spread over {} tiles of {:.0f} m that do not touch, which is more than a raster "
-        "can hold: give {}or a part of them (--bounds)",
+        "can contain: give {}or a part of them (--bounds)",
         use.what, grouped(windows.size()), side * raster.scale.pixel, use.remedy));
   raster.grid.width = static_cast<std::uint32_t>(width);
   raster.grid.height = static_cast<std::uint32_t>(height);

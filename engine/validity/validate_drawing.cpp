@@ -66,7 +66,7 @@ void check_units(const DxfDrawing& drawing, std::vector<Finding>& findings) {
   constexpr std::array<const char*, 7> kUnits{"nothing",     "inches",      "feet",  "miles",
                                               "millimetres", "centimetres", "metres"};
   if (!drawing.units || *drawing.units <= 0)
-    findings.push_back({"units", "nothing tells what a unit is ($INSUNITS)", true});
+    findings.push_back({"units", "nothing says what a unit is ($INSUNITS)", true});
   else if (*drawing.units != kMetres)
     findings.push_back(
         {"units",

@@ -75,7 +75,7 @@ void check_header(Case& c) {
     c.severe("vlr-count", fmt::format("the header says {} VLRs, {} are whole", claims.vlrs, claims.whole_vlrs));
   if (!claims.extra_bytes_fault.empty()) c.severe("extra-bytes", claims.extra_bytes_fault);
   if (claims.extra_bytes_fault.empty() && claims.undescribed_bytes > 0)
-    c.note("extra-bytes", fmt::format("no descriptor tells of the last {} of {} bytes per point",
+    c.note("extra-bytes", fmt::format("no descriptor describes the last {} of {} bytes per point",
                                       claims.undescribed_bytes, c.info.layout.record_length));
 }
 

@@ -98,7 +98,7 @@ void scan_district(const DistrictScan& scan, const std::function<void(const Scan
     }
   }
   if (scan.points && left > 0)
-    throw Error("The district holds " + std::to_string(*scan.points - left) +
+    throw Error("The district has " + std::to_string(*scan.points - left) +
                 " points only; set a larger scene.area_km2");
 }
 

@@ -224,7 +224,7 @@ ScannedModel read_scanned_model(const ModelInput& input) {
   ScannedModel model;
   model.notes = file.warnings;
   const Box3<Vec3> box = box_of(file);
-  if (box.is_empty()) throw Error(input.path.string() + ": holds no face that could be scanned");
+  if (box.is_empty()) throw Error(input.path.string() + ": contains no face that could be scanned");
   const double scale = scale_of(input, file, box, model);
   check_extent(input, box, scale);
   const Vec3 low = input.y_up ? Vec3{box.min.x, -box.max.z, box.min.y} : box.min;

@@ -69,7 +69,7 @@ StationParams station_at(std::uint16_t id, Vec3 place, const ModelStage& stage, 
 std::vector<Vec3> places_of(const std::filesystem::path& path, const ModelStage& stage) {
   std::vector<Vec3> places;
   for (const Station& s : read_stations(path)) places.push_back(s.position - stage.place.origin);
-  if (places.empty()) throw Error(path.string() + ": holds no place", ExitCode::usage);
+  if (places.empty()) throw Error(path.string() + ": contains no place", ExitCode::usage);
   const double reach = 2 * norm(stage.box.max - stage.box.min) + 1000;
   const Vec3 middle = 0.5 * (stage.box.min + stage.box.max);
   if (std::none_of(places.begin(), places.end(), [&](const Vec3& p) { return norm(p - middle) < reach; })) {

@@ -77,7 +77,7 @@ void read_mixture(const Line& line, Distribution& row) {
 void check_range(const Line& line, const Distribution& row) {
   if (!(row.from <= row.to)) line.fail("from is larger than to");
   if (row.kind == DistributionKind::log_uniform && !(row.from > 0)) line.fail("a logarithm needs a range above 0");
-  if (row.kind == DistributionKind::mixed && !(row.from <= 0 && row.to >= 0)) line.fail("the range needs to hold 0");
+  if (row.kind == DistributionKind::mixed && !(row.from <= 0 && row.to >= 0)) line.fail("the range must contain 0");
   const bool can_be_nothing =
       row.kind == DistributionKind::choice || (row.kind != DistributionKind::log_uniform && row.from <= 0);
   if (!row.family.empty() && !can_be_nothing) line.fail("a row of a family needs 0 in its range, or choices");

@@ -129,7 +129,7 @@ class Cli(unittest.TestCase):
         self.refuse(["convert", self.folder / "none.las", self.folder / "a.las"], "no such file")
         self.refuse(["convert", self.cloud, self.cloud], "is the input itself")
         (self.folder / "empty").mkdir()
-        self.refuse(["info", self.folder / "empty"], "holds no point cloud")
+        self.refuse(["info", self.folder / "empty"], "contains no point cloud")
 
     def test_print_config_loads_back(self):
         first = ilot("run", "--print-config", "--set", "planes.epsilon=0.02", "--block-points", "65536")

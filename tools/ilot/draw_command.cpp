@@ -117,9 +117,9 @@ void add_draw_command(CLI::App& app, Action& action) {
       ->check(CLI::Range(0.001, 1000.0));
   command->add_option("--title", given->drawing.title, "of the sheet [Elevation]")->option_text("TEXT");
   command->add_option("--crs-name", given->drawing.crs_name, "written beside the CRS [none]")->option_text("TEXT");
-  command->add_option("--heights", given->drawing.heights, "what heights refer to [not told]")->option_text("TEXT");
-  command->add_option("--date", given->drawing.data_date, "of the scan [not told]")->option_text("TEXT");
-  command->add_option("--source", given->drawing.source, "of the points [not told]")->option_text("TEXT");
+  command->add_option("--heights", given->drawing.heights, "what heights refer to [not stated]")->option_text("TEXT");
+  command->add_option("--date", given->drawing.data_date, "of the scan [not stated]")->option_text("TEXT");
+  command->add_option("--source", given->drawing.source, "of the points [not stated]")->option_text("TEXT");
   command->add_option("--section", given->sections.levels, "also cut at this height of the CRS, several times [none]")
       ->option_text("Z")
       ->check(CLI::Range(-1e6, 1e6));

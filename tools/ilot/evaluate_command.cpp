@@ -33,7 +33,7 @@ int evaluate_models(const EvaluateArguments& given) {
     throw Error("evaluate: --models judges against --cloud alone: no OUT, --truth, --truth-fields or --html",
                 ExitCode::usage);
   const ModelFile file = read_models(given.models);
-  if (file.models.empty()) throw Error(given.models + ": holds no model of a building with faces");
+  if (file.models.empty()) throw Error(given.models + ": contains no model of a building with faces");
   for (const std::string& warning : file.warnings) say("ilot: " + warning + "\n");
   ModelPointsParams wanted = given.points;
   wanted.classification = given.params.only_class;

@@ -165,7 +165,7 @@ int info_command(const InfoArguments& given) {
 }  // namespace
 
 void add_info_command(CLI::App& app, Action& action) {
-  CLI::App* command = app.add_subcommand("info", "Tells what point clouds hold, as measured");
+  CLI::App* command = app.add_subcommand("info", "Describes what point clouds contain, as measured");
   auto given = std::make_shared<InfoArguments>();
   command->add_option("INPUT", given->inputs, "point clouds: files, folders, patterns")->option_text("...");
   add_dialect_option(*command, given->dialect);

@@ -158,7 +158,7 @@ void add_work_options(CLI::App& command, RunArguments& given) {
   command.add_option("--stations", given.stations, "where scanners stood and how they turned, text [as inputs say]")
       ->option_text("FILE");
   command
-      .add_option("--train", given.train, "what things on streets are, any vector file or truth, for streets [none]")
+      .add_option("--train", given.train, "what objects on streets are, any vector file or truth, for streets [none]")
       ->option_text("FILE");
   command.add_option("--crs", given.crs, "overrides what the inputs say [theirs]")->option_text("EPSG:n");
   command

@@ -146,7 +146,7 @@ void add_scan_command(CLI::App& app, Action& action) {
   add_model_options(*command, *given);
   command->add_option("-o,--output", given->output, "point cloud to write; NAME.truth.json goes beside it [none]")
       ->option_text("FILE");
-  command->add_option("--points", given->points, "how many; --list tells how each scene meets it [by the scene]")
+  command->add_option("--points", given->points, "how many; --list says how each scene meets it [by the scene]")
       ->option_text("N")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{100'000'000'000}));
   command->add_option("--seed", given->seed, "another seed, another scan [0]")->option_text("S");

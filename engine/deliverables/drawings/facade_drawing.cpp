@@ -88,7 +88,7 @@ std::vector<std::string> facade_reference(const Facade& facade, const FacadeDraw
       "Metres, drawn 1:1 in model space",
       "Date of data: " + either(params.data_date, "not known"),
       "Accuracy: " + (error > 0 ? fmt::format("95 % of edges within {} mm", decimal(1000 * error, 1)) : "not known"),
-      "Source: " + either(params.source, "not told"),
+      "Source: " + either(params.source, "not stated"),
       "Made with ilot " + version()};
 }
 

@@ -49,7 +49,7 @@ OpenedLayer open_layer(const fs::path& path) {
                           (why.empty() ? " (GeoPackage, GeoJSON, Shapefile and others of GDAL can)" : ": " + why));
   }
   opened.layer = first_layer_with_features(*opened.file);
-  if (opened.layer == nullptr) throw usage(path, "holds no features");
+  if (opened.layer == nullptr) throw usage(path, "contains no features");
   return opened;
 }
 

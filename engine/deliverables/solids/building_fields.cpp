@@ -39,7 +39,7 @@ constexpr BuildingField kBuildingFields[] = {
      "points`",
      "rf_roof_type"},
     {"rmse_m", kReal, "m", "root mean square distance of points from the planes of their faces", "rf_rmse_lod22"},
-    {"coverage", kReal, "", "share of the outline, in cells two sampling steps wide, that holds a point", nullptr},
+    {"coverage", kReal, "", "share of the outline, in cells two sampling steps wide, that contains a point", nullptr},
     {"outline", kText, "", "what was wrong with the outline and has been mended", nullptr},
     {"overlaps", kText, "", "ids of the buildings whose outlines share a square metre or more with this one", nullptr},
     {"unit_id", kWhole, "", "number of the building in this run, dense from 1: `unit_id` of its points", nullptr},

@@ -88,7 +88,7 @@ std::vector<TrainingPlace> read_training_places(const fs::path& path, const Crs&
   if (!file) throw usage(path, "is no vector file that can be read");
   for (OGRLayer* layer : file->GetLayers())
     if (layer->GetFeatureCount() > 0) return read_layer(path, *layer, crs);
-  throw usage(path, "holds no feature");
+  throw usage(path, "contains no feature");
 }
 
 }  // namespace ilot

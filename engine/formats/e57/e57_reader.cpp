@@ -186,9 +186,9 @@ class E57Reader final : public PointReader {
                                " points can be read: " + extent.problem);
     }
     if (description_.scans.empty())
-      throw Error(info_.path.string() + ": holds no scans; export the points, not only the images");
+      throw Error(info_.path.string() + ": contains no scans; export the points, not only the images");
     if (info_.declared_points == 0 && !first_problem.empty())
-      throw Error(info_.path.string() + ": holds no points, and where they would be " + first_problem +
+      throw Error(info_.path.string() + ": contains no points, and where they would be " + first_problem +
                   "; export the file again");
     if (info_.points == 0 && !first_problem.empty())
       throw Error(info_.path.string() + ": none of its " + std::to_string(info_.declared_points) +

@@ -185,7 +185,7 @@ void count_points(LasContainer& out) {
   info.points = std::min(info.declared_points, whole);
   if (info.points < info.declared_points)
     info.warnings.push_back("the header declares " + std::to_string(info.declared_points) +
-                            " points but the file holds " + std::to_string(info.points) +
+                            " points but the file contains " + std::to_string(info.points) +
                             " whole ones; these are kept");
   if (info.declared_points == 0 && whole > 0)
     info.warnings.push_back("the header declares no points although " + std::to_string(whole) +

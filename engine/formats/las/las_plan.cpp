@@ -229,7 +229,7 @@ std::vector<std::byte> las_prefix(LasPlan& plan) {
 void finish_header(LasPlan& plan, const PointStatistics& statistics, std::uint64_t evlr_offset) {
   const int minor = load<std::uint8_t>(&plan.header[las::kMinor]);
   const bool legacy = plan.layout.point_format < 6 && statistics.count <= UINT32_MAX;
-  if (!legacy && minor < 4) throw Error("LAS before 1.4 holds 4294967295 points at most; write several files");
+  if (!legacy && minor < 4) throw Error("LAS before 1.4 can have at most 4294967295 points; write several files");
   if (legacy) {
     store(&plan.header[las::kLegacyCount], static_cast<std::uint32_t>(statistics.count));
     for (std::size_t i = 0; i < 5; ++i)

@@ -42,7 +42,7 @@ CloudSpec modern_spec(const CloudSpec& spec) {
   const std::size_t length = layout.record_length - before + after;
   if (length > UINT16_MAX)
     throw Error("rows of point format " + std::to_string(layout.point_format) + " would have " +
-                std::to_string(length) + " bytes and a LAS record holds 65535 at most; drop extra bytes first");
+                std::to_string(length) + " bytes and a LAS record can have at most 65535; drop extra bytes first");
   layout.record_length = static_cast<std::uint16_t>(length);
   for (ExtraField& field : layout.extra) field.offset = static_cast<std::uint16_t>(field.offset - before + after);
   std::vector<Vlr>& vlrs = modern.like.vlrs;

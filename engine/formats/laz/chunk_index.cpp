@@ -83,7 +83,7 @@ class Indexer {
     index_.chunks.push_back({index_.points, points, offset, bytes});
     index_.points += points;
     if (index_.points > declared_) {
-      index_.warning = "its chunks hold more points than its header says; the rest is left out";
+      index_.warning = "its chunks contain more points than its header says; the rest is left out";
       index_.points = declared_;
     }
   }
@@ -94,7 +94,7 @@ class Indexer {
       scan_layers();
     } else if (variable()) {
       throw Error(file_.path().string() + ": the table of its chunks of variable size is missing (the file is cut off" +
-                  " or was not finished) and nothing else tells where they are; fetch the file again");
+                  " or was not finished) and nothing else says where they are; fetch the file again");
     } else {
       scan_streams(begin_ + 8, compression_.chunk_size, false);
     }

@@ -108,7 +108,7 @@ Walk walk_blocks(const InputFile& file, const TextDialect& dialect) {
     if (head == Head::end_of_file) return walk;
     if (head == Head::malformed || walk.blocks.size() == kMostBlocks) {
       walk.problem = head == Head::malformed ? "the head of a scan at line " + std::to_string(number) + " is malformed"
-                                             : "it holds more than " + std::to_string(kMostBlocks) + " scans";
+                                             : "it contains more than " + std::to_string(kMostBlocks) + " scans";
       return walk;
     }
     block.line = number + 1;

@@ -297,7 +297,7 @@ void set_points(CloudInfo& info, std::uint64_t points) {
   if (info.declared_points == 0) info.declared_points = points;
   if (points < info.declared_points)
     info.warnings.push_back("the header declares " + std::to_string(info.declared_points) +
-                            " points but the file holds " + std::to_string(points) + " whole ones; these are kept");
+                            " points but the file contains " + std::to_string(points) + " whole ones; these are kept");
 }
 
 void note_lattice(CloudInfo& info, const TableLattice& lattice) {

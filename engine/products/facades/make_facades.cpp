@@ -30,7 +30,7 @@ constexpr const char* kStationsUnrecorded =
 constexpr const char* kOutlinesDropped =
     "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
-    "facades: no station is known (see --stations): laser shadows cannot be told from openings by their rays";
+    "facades: no station is known (see --stations): laser shadows cannot be distinguished from openings by their rays";
 
 std::vector<Vec3> places_of(std::span<const Station> stations) {
   std::vector<Vec3> places;

@@ -137,7 +137,7 @@ void record_choices(const CellPlanes& found, const Settings& settings, double un
   if (!settings.planes.normal_angle)
     record.chosen.push_back({"planes.normal_angle", median(angle),
                              "25 degrees; in cells seen from the air times the square of a quarter of the step over "
-                             "epsilon, at least 10: where epsilon is wide only normals tell faces apart; " +
+                             "epsilon, at least 10: where epsilon is wide only normals separate faces; " +
                                  measured});
   if (!settings.planes.connectivity)
     record.chosen.push_back({"planes.connectivity", median(connectivity),

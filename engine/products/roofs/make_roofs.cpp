@@ -106,7 +106,7 @@ void measure_misalignment(const SiteWork& work, std::span<const std::size_t> sit
   char text[160];
   std::snprintf(
       text, sizeof text,
-      "the footprints lie beside the points: moved by %.2f, %.2f m they would hold %.1f %% of them, not %.1f %%",
+      "the footprints lie beside the points: moved by %.2f, %.2f m they would contain %.1f %% of them, not %.1f %%",
       found.dx_m, found.dy_m, 100 * found.inside_moved, 100 * found.inside);
   progress.warn(text);
 }

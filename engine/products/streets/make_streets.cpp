@@ -100,7 +100,7 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
     record.chosen.push_back(
         {"streets.pixel", street.tiles->raster().scale.pixel,
          fmt::format("{} at {:.1f} points a square metre, in steps of 5 cm",
-                     air ? "holds a point nine times in ten" : "half of the sampling step", street.density.median)});
+                     air ? "contains a point nine times in ten" : "half of the sampling step", street.density.median)});
   if (!settings.view)
     record.chosen.push_back(
         {"streets.view", std::string(kStreetViews[static_cast<std::size_t>(street.view)]),

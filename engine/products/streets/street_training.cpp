@@ -112,7 +112,7 @@ ObjectModel learn(const FoundStreet& street, const StreetTraining& train, const 
   for (const auto& entry : point_label_names())
     if (const auto label = static_cast<PointLabel>(entry.first); is_street_object(label) && counts.count(label) == 0)
       add_warning(
-          fmt::format("{}: holds no {}, so nothing will be called that", train.places.string(), name_of(label)));
+          fmt::format("{}: contains no {}, so nothing will be called that", train.places.string(), name_of(label)));
   ObjectModel model = train.learn(learnt.samples);
   model.recipe = fmt::format("trained by ilot run --train on {} objects\n", learnt.samples.size());
   for (const auto& [label, count] : counts) model.recipe += fmt::format("{}: {}\n", name_of(label), count);

@@ -94,7 +94,7 @@ TEST_F(ReadStations, FaultsSayWhere) {
   EXPECT_EQ(fault_of("x,y,z,point_source_id\n1,2,3,0\n"),
             ":2: \"0\" is no point_source_id, a whole number from 1 to 65535");
   EXPECT_EQ(fault_of("1 2 3 0.1 0.1 0 0 0\n"), ":1: the axis has no length");
-  EXPECT_EQ(fault_of("# nobody\n"), ": holds no station");
+  EXPECT_EQ(fault_of("# nobody\n"), ": contains no station");
 }
 
 }  // namespace

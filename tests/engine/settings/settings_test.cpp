@@ -83,9 +83,9 @@ TEST(Config, NamesTheRange) {
 
 TEST(Config, OnlyCommentsGoBeyondAscii) {
   EXPECT_EQ(load_fault("seed = 1\n\xC6\x93 = 2\n"),
-            "ilot.toml:2:1: a character beyond ASCII; only comments may hold them");
+            "ilot.toml:2:1: a character beyond ASCII; only comments may contain them");
   EXPECT_EQ(load_fault("seed = 1 \"#\" \xC6\x93\n"),
-            "ilot.toml:1:1: a character beyond ASCII; only comments may hold them");
+            "ilot.toml:1:1: a character beyond ASCII; only comments may contain them");
   Settings s;
   load_config_text(s, "seed = 3  # \xC6\x93 c'est le troisi\xC3\xA8me\n", "t");
   EXPECT_EQ(s.seed, 3u);
@@ -100,7 +100,7 @@ TEST(Config, NamesTheType) {
   EXPECT_EQ(load_fault("[normals]\nneighbours = \"auto\"\n"),
             "ilot.toml:2:14: normals.neighbours cannot be \"auto\": it must be a whole number (points)");
   EXPECT_EQ(load_fault("[classes]\nnoise = [7, \"x\"]\n"),
-            "ilot.toml:2:9: classes.noise must be a list of whole numbers, not a list of other things");
+            "ilot.toml:2:9: classes.noise must be a list of whole numbers, not a list of other values");
   EXPECT_EQ(load_fault("seed = 1979-05-27\n"), "ilot.toml:1:8: seed must be a whole number, not a date or time");
   EXPECT_EQ(load_fault("[seed]\nx = 1\n"), "ilot.toml:1:2: seed must be a whole number, not a table");
 }

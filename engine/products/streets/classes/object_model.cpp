@@ -36,7 +36,7 @@ class ModelReader {
   ObjectModel read() {
     std::string line;
     next(line);
-    if (line != kFirstLine) fail("is no model of things: its first line is not '" + std::string(kFirstLine) + "'");
+    if (line != kFirstLine) fail("is no model of objects: its first line is not '" + std::string(kFirstLine) + "'");
     while (next(line)) take(line);
     check();
     return model_;

@@ -254,7 +254,7 @@ TEST(E57, RefusesWithASentence) {
   page_size[41] = 5;
   EXPECT_NE(message_of(folder, E57Writer::resealed(page_size)).find("page size"), std::string::npos);
   E57Writer empty;
-  EXPECT_NE(message_of(folder, empty.finish()).find("holds no scans"), std::string::npos);
+  EXPECT_NE(message_of(folder, empty.finish()).find("contains no scans"), std::string::npos);
   E57Scan flat = small_scan("flat", 1);
   flat.fields.pop_back();
   E57Writer unusable;
@@ -273,7 +273,7 @@ TEST(E57, AFileWithoutPointsNeedsTheSectionOfNone) {
   constexpr std::size_t kSection = 48;  // behind the header
   std::string headless = bytes;
   headless[kSection] = '\0';
-  EXPECT_NE(message_of(folder, E57Writer::resealed(headless)).find("holds no points"), std::string::npos);
+  EXPECT_NE(message_of(folder, E57Writer::resealed(headless)).find("contains no points"), std::string::npos);
 
   E57Writer beside;
   beside.add(none);
