@@ -38,6 +38,13 @@ ARMS = {
     "windows scatter by 12 mm": ("facade-wild", "", dict(scatter=0.012), 150000),
     "panes without echo": ("facade-wild", "", dict(panes_without_echo=1), 150000),
     "panes and frames without echo": ("facade-wild", "", dict(panes_without_echo=1, frames_missing=1), 150000),
+    "no echo, vans, trees, poles before": ("facade-wild", "vehicles,cars,trees,poles", dict(
+        panes_without_echo=1, frames_missing=1, cars=3, trees=2, poles=3, stations=2, crop_front=15, density=1000), 900000),
+    "the same, street cut off, one station": ("facade-wild", "vehicles,cars,trees,poles", dict(
+        panes_without_echo=1, frames_missing=1, cars=3, trees=2, poles=3, stations=1, crop_front=0.5), 150000),
+    "vans, trees, poles, no openings": ("facade-wild", "vehicles,cars,trees,poles", dict(
+        blank_bays=0.4, cars=4, trees=3, poles=4, stations=1, crop_front=1.5), 150000),
+    "shutters half open": ("facade-wild", "shutters", dict(shutters=1, shutter_state="half"), 150000),
     "shutters open": ("facade-wild", "shutters", dict(shutters=1, shutter_state="open"), 150000),
     "shutters closed": ("facade-wild", "shutters", SHUT, 150000),
     "shutters closed, registration 3 mm": ("facade-wild", "shutters", dict(SHUT, registration_shift=0.003), 150000),

@@ -43,7 +43,8 @@ Picture point_picture(const FacadeReplay& r) {
 }
 
 PictureColour colour_of_cell(std::uint8_t what) {
-  constexpr PictureColour kColours[] = {{255, 255, 255}, kWall, {90, 130, 220}, {230, 150, 130}, {150, 190, 150}};
+  constexpr PictureColour kColours[] = {{255, 255, 255}, kWall,           {90, 130, 220},
+                                        {230, 150, 130}, {150, 190, 150}, {215, 195, 140}};
   return kColours[what];
 }
 
@@ -67,6 +68,7 @@ Picture cell_picture(const FacadeReplay& r, const char* name, const std::string&
   picture.legend = {{colour_of_cell(WallCells::kSolid), "wall"},
                     {colour_of_cell(WallCells::kThrough), "open: rays go through"},
                     {colour_of_cell(WallCells::kBlocked), "something before the wall"},
+                    {colour_of_cell(WallCells::kRelief), "something flat on the wall"},
                     {colour_of_cell(WallCells::kShallow), "too little behind it to be an opening"},
                     {colour_of_cell(WallCells::kUnknown), "unknown: no ray came here"}};
   return picture;

@@ -70,9 +70,9 @@ std::vector<DrawingCorner> reversed(const std::vector<DrawingCorner>& corners) {
 
 const char* name_of(DrawingRole role) {
   constexpr std::array<const char*, kDrawingRoles> kNames{
-      "outline", "opening", "sill",      "lintel",    "balcony",  "band",    "bulge",
-      "stone",   "joint",   "detail",    "completed", "occluded", "shadow",  "error",
-      "number",  "level",   "dimension", "frame",     "title",    "section", "section_points"};
+      "outline", "opening",   "sill",      "lintel",   "balcony", "band",          "bulge", "stone",
+      "joint",   "detail",    "completed", "occluded", "shadow",  "possible",      "error", "number",
+      "level",   "dimension", "frame",     "title",    "section", "section_points"};
   return kNames.at(static_cast<std::size_t>(role));
 }
 

@@ -27,6 +27,7 @@ enum class DrawingRole : std::uint8_t {
   completed,  // drawn although it has no points of its own
   occluded,   // edges in a laser shadow
   shadow,     // hatching of places in a laser shadow
+  possible,   // rectangles that nobody saw and that may be openings
   error,      // the plan widened by each edge's error
   number,
   level,
@@ -36,7 +37,7 @@ enum class DrawingRole : std::uint8_t {
   section,         // surfaces that are cut
   section_points,  // points near the cut
 };
-constexpr std::size_t kDrawingRoles = 21;
+constexpr std::size_t kDrawingRoles = 22;
 
 // Returns "outline", "opening" and so on, as mapping files name them.
 const char* name_of(DrawingRole role);

@@ -50,6 +50,7 @@ constexpr std::array<Preset, kDrawingRoles> kTable{{
     {R::completed, {"FAC-COMPLETED", "A-ELEV-CMPL", "B-21C---E-"}, 30, 0.25, kDashed, true},
     {R::occluded, {"FAC-OCCLUDED", "A-ELEV-HIDN", "B-21O---E-"}, 8, 0.18, kDotted, true},
     {R::shadow, {"FAC-NODATA", "A-ELEV-NODT", "B-21O---H-"}, 9, 0.13, kContinuous, true},
+    {R::possible, {"FAC-POSSIBLE", "A-ELEV-PSBL", "B-31O---E-"}, 30, 0.18, kDashed, true},
     {R::error, {"FAC-ERROR", "A-ELEV-ERRR", "B-21E---E-"}, 1, 0.09, kContinuous, false},
     {R::number, {"FAC-TEXT", "A-ELEV-IDEN", "B-31----T-"}, 7, 0.18, kContinuous, true},
     {R::level, {"FAC-LEVEL", "A-ELEV-LEVL", "B-21L---T-"}, 5, 0.13, kContinuous, true},

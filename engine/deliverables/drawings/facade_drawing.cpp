@@ -60,6 +60,7 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
                                                         {R::detail, "Detail"},
                                                         {R::completed, "Completed"},
                                                         {R::occluded, "Not seen"},
+                                                        {R::possible, "Possible opening, not seen"},
                                                         {R::error, "Error (layer frozen)"}}) {
     const auto is_drawn = [&, r = role](const auto& piece) { return piece.role == r; };
     if (std::any_of(drawing.lines.begin(), drawing.lines.end(), is_drawn) ||

@@ -311,7 +311,8 @@ DrawingRole role_of_kind(const std::string& kind) {
 void draw_element(const FacadeElement& element, const FlatElement& flat, Drawing& drawing) {
   if (flat.corners.size() < 2) return;
   if (element.status == DrawnStatus::occluded) {
-    drawing.lines.push_back({DrawingRole::occluded, flat.corners, true});
+    const bool possible = element.kind == "possible opening";
+    drawing.lines.push_back({possible ? DrawingRole::possible : DrawingRole::occluded, flat.corners, true});
     hatch(chords_of(flat), drawing);
     return;
   }

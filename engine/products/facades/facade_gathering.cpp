@@ -37,6 +37,10 @@ class Slab {
         axes_{wall.axes.right, wall.axes.up, wall.axes.out},
         low_{-work.beside, -work.beside, -work.behind},
         high_{wall.width + work.beside, wall.height + work.beside, work.before} {}
+  Slab(const FacadeWork& work, const WallGroup& wall, const SpaceBox& box) : Slab(work, wall) {
+    low_ = {box.low.x, box.low.y, box.low.z};
+    high_ = {box.high.x, box.high.y, box.high.z};
+  }
 
   // Whether some place of a box on the lattice may be in the slab.
   bool meets(const IndexBox& box) const {
@@ -88,6 +92,54 @@ void read_points(const FacadeWork& work, const WallGroup& wall, std::span<const 
       }
       points.push_back(
           {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), work.final_id[planes[i]]});
+    }
+    take(points, from);
+  });
+}
+
+// The box on the lattice around a box in the axes of the wall.
+IndexBox index_box(const FacadeWork& work, const WallGroup& wall, const SpaceBox& box) {
+  const double units = 1 / work.metres_per_unit;
+  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
+  for (const double u : {box.low.x, box.high.x})
+    for (const double v : {box.low.y, box.high.y})
+      for (const double w : {box.low.z, box.high.z}) {
+        const Vec3 p =
+            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
+        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
+      }
+  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
+  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+}
+
+// Reads the points in boxes before the wall, each once.
+void read_far(const FacadeWork& work, const WallGroup& wall, std::span<const SiteStation> number_of,
+              std::span<const SpaceBox> boxes, const TakeFacadePoints& take) {
+  const LatticeAxes into(work, wall);
+  std::vector<Slab> slabs;
+  IndexBox all = IndexBox::none();
+  for (const SpaceBox& box : boxes) {
+    slabs.emplace_back(work, wall, box);
+    all.add_box(index_box(work, wall, box));
+  }
+  const View view = plan_view(work.store, all, {}, [&](const IndexBox& box) {
+    return std::any_of(slabs.begin(), slabs.end(), [&](const Slab& slab) { return slab.meets(box); });
+  });
+  std::vector<FacadePoint> points;
+  std::vector<SiteStation> from;
+  for_each_stretch(work.store, view.slices, [&](const Stretch& s) {
+    points.clear(), from.clear();
+    std::vector<StationNumber> stations;
+    if (work.recorded) stations = s.read(work.store, columns::kStation);
+    for (std::size_t i = 0; i < s.codes.size(); ++i) {
+      const Vec3 p = into.of(s.position(i));
+      const bool wanted = std::any_of(boxes.begin(), boxes.end(), [&](const SpaceBox& box) {
+        return p.x >= box.low.x && p.x <= box.high.x && p.y >= box.low.y && p.y <= box.high.y && p.z <= box.high.z;
+      });
+      if (!wanted || p.z <= work.before) continue;  // others of the same block depend on how the points are stored
+      if (work.recorded) from.push_back(number_of[stations[i]]);
+      points.push_back({static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z), 0});
     }
     take(points, from);
   });
@@ -158,18 +210,9 @@ double epsilon_of(const WallGroup& wall) {
 }
 
 IndexBox box_around(const FacadeWork& work, const WallGroup& wall) {
-  const double units = 1 / work.metres_per_unit;
-  Vec3 low{INFINITY, INFINITY, INFINITY}, high{-INFINITY, -INFINITY, -INFINITY};
-  for (const double u : {-work.beside, wall.width + work.beside})
-    for (const double v : {-work.beside, wall.height + std::max(work.beside, wall.above)})
-      for (const double w : {-work.behind, work.before}) {
-        const Vec3 p =
-            wall.axes.origin + (u * units) * wall.axes.right + (v * units) * wall.axes.up + (w * units) * wall.axes.out;
-        low = {std::min(low.x, p.x), std::min(low.y, p.y), std::min(low.z, p.z)};
-        high = {std::max(high.x, p.x), std::max(high.y, p.y), std::max(high.z, p.z)};
-      }
-  const auto at = [&](double v) { return static_cast<std::int64_t>(std::llround(v / work.store.unit())); };
-  return {{at(low.x) - 1, at(low.y) - 1, at(low.z) - 1}, {at(high.x) + 1, at(high.y) + 1, at(high.z) + 1}};
+  return index_box(work, wall,
+                   {{-work.beside, -work.beside, -work.behind},
+                    {wall.width + work.beside, wall.height + std::max(work.beside, wall.above), work.before}});
 }
 
 std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall) {
@@ -191,8 +234,12 @@ GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall) {
   std::sort(site.parallel.begin(), site.parallel.end(),
             [](const ParallelPlane& a, const ParallelPlane& b) { return a.id < b.id; });
   add_rings(work, wall, site);
-  gathered.points = [&work, wall, number_of = add_stations(work, wall, site)](const TakeFacadePoints& take) {
+  const std::vector<SiteStation> number_of = add_stations(work, wall, site);
+  gathered.points = [&work, wall, number_of](const TakeFacadePoints& take) {
     read_points(work, wall, number_of, take);
+  };
+  gathered.far = [&work, wall, number_of](std::span<const SpaceBox> boxes, const TakeFacadePoints& take) {
+    if (!boxes.empty()) read_far(work, wall, number_of, boxes, take);
   };
   return gathered;
 }

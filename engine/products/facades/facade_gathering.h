@@ -69,6 +69,7 @@ std::uint64_t points_to_read(const FacadeWork& work, const WallGroup& wall);
 struct GatheredFacade {
   FacadeSite site;
   FacadePointSource points;  // in global order, so that the result does not depend on blocks
+  FarPointSource far;        // in global order too
 };
 GatheredFacade gather_facade(const FacadeWork& work, const WallGroup& wall);
 

@@ -242,14 +242,15 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
   run_pass(tasks, search.context.budget_bytes, [&](std::size_t i) {
     GatheredFacade gathered = gather_facade(work, run.walls[i]);
     if (inputs.crs.epsg > 0) gathered.site.crs = fmt::format("EPSG:{}", inputs.crs.epsg);
-    const RaySamples samples(gathered.site, gathered.points, work.store.folder());
+    const RaySamples samples(gathered.site, gathered.points, work.store.folder(), gathered.far);
     const bool observed = search.observer != nullptr && search.observer->facade == i + 1;
     run.found[i] = find_facade(samples, params, observed ? &search.observer->steps : nullptr);
     if (observed && search.observer->look) search.observer->look(samples);
     std::vector<DormerFront> fronts;
     for (const WallGroup& front : dormers[i]) {
       const GatheredFacade of_front = gather_facade(work, front);
-      fronts.push_back(find_dormer(RaySamples(of_front.site, of_front.points, work.store.folder()), of_dormers));
+      fronts.push_back(
+          find_dormer(RaySamples(of_front.site, of_front.points, work.store.folder(), of_front.far), of_dormers));
     }
     run.found[i].occluded_edges += add_dormers(fronts, run.found[i].facade, of_dormers);
     search.context.advance(tasks[i].points);

@@ -111,12 +111,13 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
   const auto hidden = static_cast<std::size_t>(std::count_if(
       r.sides.begin(), r.sides.end(), [](const LocatedEdge& edge) { return edge.status == DrawnStatus::occluded; }));
   e.reason = candidate.reason;
+  if (r.no_echo) e.reason = std::string("no echo came back through it") + (e.reason.empty() ? "" : "; ") + e.reason;
   if (hidden == r.sides.size()) e.status = DrawnStatus::occluded;
   e.width_m = r.box().width();
   e.height_m = r.box().height();
   e.depth_m = r.depth;
-  e.width_error_m = std::min(r.width_error, both(r.error(Side::left), r.error(Side::right)));
-  e.height_error_m = std::min(r.height_error, both(r.error(Side::bottom), r.error(Side::top)));
+  e.width_error_m = both(r.error(Side::left), r.error(Side::right));
+  e.height_error_m = both(r.error(Side::bottom), r.error(Side::top));
   e.depth_error_m = r.depth_error;
   e.points = r.points;
   if (!r.arc && !r.leans() && r.depth != 0 && r.end) e.body = body_between(site, r.box(), 0, *r.end, r.depth);
@@ -136,6 +137,25 @@ FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline) {
   }
   e.width_error_m = e.height_error_m = site.step;
   e.points = samples.points_on_wall();
+  return e;
+}
+
+FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
+  FacadeElement e;
+  e.kind = area.straight ? "possible opening" : "not seen";
+  e.region = FacadeRegion::facade;
+  e.status = DrawnStatus::occluded;
+  e.reason =
+      area.straight ? "a hole with straight sides that no free ray is known to have crossed" : "no ray reached it";
+  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  for (const Place2& p : area.ring) {
+    e.ring.push_back(place_of(site, p.u, p.v, 0));
+    e.edges.push_back({DrawnStatus::occluded, 0, 0, area.error, 0});
+    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+  }
+  e.width_m = box.width();
+  e.height_m = box.height();
+  e.width_error_m = e.height_error_m = both(area.error, area.error);
   return e;
 }
 

@@ -16,6 +16,9 @@ FacadeElement element_of(const FacadeSite& site, const ElementCandidate& candida
 // Gives the wall itself within its outline.
 FacadeElement wall_of(const RaySamples& samples, const WallOutline& outline);
 
+// Gives a part of the wall that no ray reached. A rectangle is a possible opening.
+FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
+
 // Gives a bulge or a hollow: its outline in the wall and its surface as a mesh [Lorraine thesis, 4.2.2].
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);
 

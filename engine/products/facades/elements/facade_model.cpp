@@ -53,6 +53,18 @@ void drop_patches(std::vector<ElementCandidate>& candidates, const std::vector<I
   });
 }
 
+// Drops the areas of which an element covers most: a recess or an opening without an echo that was found otherwise.
+void drop_known_areas(std::vector<UnseenArea>& unseen, const std::vector<ElementCandidate>& candidates) {
+  std::erase_if(unseen, [&](const UnseenArea& area) {
+    Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+    for (const Place2& p : area.ring)
+      box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+    return std::any_of(candidates.begin(), candidates.end(), [&](const ElementCandidate& t) {
+      return common_area(box, t.shape.box()) > kMostOf * box.width() * box.height();
+    });
+  });
+}
+
 // Elements are numbered in this order.
 bool comes_before(const ElementCandidate& a, const ElementCandidate& b) {
   const Box2 p = a.shape.box(), q = b.shape.box();
@@ -125,12 +137,13 @@ void add_large_relief(std::vector<ElementCandidate>& candidates, const std::vect
   }
 }
 
-std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
+std::vector<ElementCandidate> candidates_of(const RaySamples& samples, const FacadeParams& params,
+                                            std::vector<UnseenArea>& unseen, FacadeSteps* steps) {
   std::vector<FoundRectangle> openings, relief, stones, large;
   const std::array<std::function<void()>, 4> searches{
       [&] { large = find_large_relief(samples, params.large); }, [&] { relief = find_relief(samples, params.relief); },
       [&] { stones = find_stones(samples, params.stones); },
-      [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells); }};
+      [&] { openings = find_openings(samples, params.openings, steps == nullptr ? nullptr : &steps->cells, &unseen); }};
   parallel_for_limited(params.concurrency, searches.size(), [&](std::size_t i) { searches[i](); });
   if (steps != nullptr) {
     steps->openings = openings;
@@ -195,10 +208,12 @@ std::uint64_t facade_bytes(const FacadeSite& site, std::uint64_t points, std::si
 
 FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, FacadeSteps* steps) {
   const FacadeSite& site = samples.site();
-  std::vector<ElementCandidate> candidates = candidates_of(samples, params, steps);
+  std::vector<UnseenArea> unseen;
+  std::vector<ElementCandidate> candidates = candidates_of(samples, params, unseen, steps);
   const std::vector<Irregularity> irregular =
       find_irregularities(samples, boxes_of_elements(candidates), params.irregular);
   drop_patches(candidates, irregular);
+  drop_known_areas(unseen, candidates);
   group_elements(candidates, params.regular);
   if (steps != nullptr) steps->found = candidates;
   if (params.regularise) {
@@ -220,6 +235,7 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
   if (steps != nullptr) {
     steps->drawn = candidates;
     steps->irregular = irregular;
+    steps->unseen = unseen;
     steps->outline = outline;
   }
   f.elements.push_back(wall_of(samples, outline));
@@ -231,6 +247,7 @@ FoundFacade find_facade(const RaySamples& samples, const FacadeParams& params, F
     for (const LocatedEdge& edge : candidate.shape.sides) found.occluded_edges += edge.status != DrawnStatus::seen;
   }
   for (const Irregularity& i : irregular) f.elements.push_back(irregularity_of(site, i));
+  for (const UnseenArea& area : unseen) f.elements.push_back(unseen_of(site, area));
   for (std::uint32_t i = 0; i < f.elements.size(); ++i) f.elements[i].id = i + 1;
   return found;
 }

@@ -37,6 +37,7 @@ struct FacadeSteps {
   std::vector<FoundRectangle> openings, relief, stones, large;  // results of the four searches
   std::vector<ElementCandidate> found, drawn;                   // before and after regularisation
   std::vector<Irregularity> irregular;
+  std::vector<UnseenArea> unseen;
   WallOutline outline;
 };
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "kernels/core/quantile.h"
 #include "kernels/outlines/agreement.h"
 
 namespace ilot {
@@ -62,57 +63,139 @@ void move_to(LocatedEdge& edge, double at) {
   edge.at = at;
 }
 
-// Moves one side of all members onto one line.
-void align(const Members& members, Side side) {
-  std::vector<Bounded> bounds;
-  for (const ElementCandidate* t : members)
-    if (seen(*t, side)) bounds.push_back({t->shape.at(side), t->shape.error(side)});
-  if (bounds.size() < 2) return;
-  const Bounded common = agreement(bounds);
-  for (ElementCandidate* t : members) {
-    LocatedEdge& edge = t->shape.side(side);
-    if (!seen(*t, side) || std::abs(edge.at - common.value) > edge.error) continue;
-    move_to(edge, common.value);
-  }
+// A quantile of the chi-square distribution, by that of the normal distribution [Wilson and Hilferty 1931].
+double chi_square(double freedom, double normal_quantile) {
+  const double part = 2 / (9 * freedom), root = 1 - part + normal_quantile * std::sqrt(part);
+  return freedom * std::max(0.0, root * root * root);
+}
+constexpr double kLow = -1.2816, kHigh = 1.6449;  // 10 % and 95 % of the normal distribution
+
+// How far measurements that may be of one value lie apart.
+struct Scatter {
+  double squares = 0;   // of their distances from their mean
+  double expected = 0;  // what these would be if only the measurements were wrong
+  double freedom = 0;   // number of measurements less one
+
+  void add(const Scatter& o) { squares += o.squares, expected += o.expected, freedom += o.freedom; }
+};
+
+// An error is a bound within which the true value may be anywhere: its variance is a third of its square.
+Scatter scatter_of(const std::vector<Bounded>& measured) {
+  double mean = 0, variance = 0, squares = 0;
+  const auto count = static_cast<double>(measured.size());
+  for (const Bounded& m : measured) mean += m.value / count, variance += m.error * m.error / 3 / count;
+  for (const Bounded& m : measured) squares += (m.value - mean) * (m.value - mean);
+  return {squares, (count - 1) * variance, count - 1};
 }
 
-// The error of a member's size when it comes from its family. It is at least the error of the most exact member, and at
-// least the error of the common size. To this the part of the differences between the members is added that their own
-// errors (as two deviations) do not explain.
-double family_error(const Members& members, Side low, Side high, const Bounded& common) {
-  double best = INFINITY, squares = 0, explained = 0, count = 0;
-  for (const ElementCandidate* t : members) {
-    if (!seen_across(*t, low, high)) continue;
-    const double ea = t->shape.error(low), eb = t->shape.error(high);
-    const double off = t->shape.at(high) - t->shape.at(low) - common.value;
-    if (std::abs(off) > ea + eb) continue;
-    best = std::min(best, std::sqrt(ea * ea + eb * eb));
-    squares += off * off, explained += (ea * ea + eb * eb) / 4, count += 1;
-  }
-  return std::max(best, common.error) + 2 * std::sqrt(std::max(0.0, squares - explained) / std::max(1.0, count));
+// Whether the measurements prove that the values are equal up to less than what each measurement is wrong by: by 90 %
+// confidence, the values scatter so little that a common value is nearer to the truth than the measurements are.
+bool is_proof(const Scatter& s) {
+  return s.freedom > 0 && s.squares * s.freedom <= 2 * s.expected * chi_square(s.freedom, kLow);
+}
+bool may_be_equal(const Scatter& s) {
+  return s.freedom > 0 && s.squares * s.freedom <= s.expected * chi_square(s.freedom, kHigh);
 }
 
-// Makes the distance between two sides equal for all members. Each side moves by its share of the errors.
-void equalise(const Members& members, Side low, Side high) {
-  std::vector<Bounded> bounds;
-  for (const ElementCandidate* t : members)
-    if (seen_across(*t, low, high))
-      bounds.push_back({t->shape.at(high) - t->shape.at(low), t->shape.error(high) + t->shape.error(low)});
-  if (bounds.size() < 2) return;
-  const Bounded common = agreement(bounds);
-  const double size_error = family_error(members, low, high, common);
-  for (ElementCandidate* t : members) {
-    LocatedEdge &a = t->shape.side(low), &b = t->shape.side(high);
-    const double missing = common.value - (b.at - a.at), both = a.error + b.error;
-    if (!seen_across(*t, low, high) || std::abs(missing) > both) continue;
-    const double share = a.error / both;
-    move_to(a, a.at - missing * share);
-    move_to(b, b.at + missing * (1 - share));
-    (low == Side::left ? t->shape.width_error : t->shape.height_error) = size_error;
-    const double ea = a.error, eb = b.error;
-    a.error = std::min(ea, eb + common.error);
-    b.error = std::min(eb, ea + common.error);
+// Measurements of one quantity of several elements, and those of them that may be equal.
+struct MeasuredGroup {
+  Members members;
+  std::vector<Bounded> measured;
+  std::vector<std::size_t> equal;
+
+  std::vector<Bounded> of_equal() const {
+    std::vector<Bounded> values;
+    for (const std::size_t i : equal) values.push_back(measured[i]);
+    return values;
   }
+};
+
+// Leaves out the members farthest from the middle, one after the other, until the rest may be equal; all of them if
+// more than a fifth would be left out.
+void leave_out_others(MeasuredGroup& group) {
+  constexpr double kLeftOut = 0.2;  // Choice: one window in five is a later one
+  group.equal.clear();
+  for (std::size_t i = 0; i < group.measured.size(); ++i) group.equal.push_back(i);
+  const auto least = std::max(2.0, static_cast<double>(group.measured.size()) * (1 - kLeftOut));
+  while (static_cast<double>(group.equal.size()) >= least) {
+    const std::vector<Bounded> left = group.of_equal();
+    if (may_be_equal(scatter_of(left))) return;
+    std::vector<double> values;
+    for (const Bounded& m : left) values.push_back(m.value);
+    const double middle = upper_median(values);
+    group.equal.erase(std::max_element(group.equal.begin(), group.equal.end(), [&](std::size_t a, std::size_t b) {
+      const double va = group.measured[a].value, vb = group.measured[b].value;
+      const double da = std::abs(va - middle), db = std::abs(vb - middle);
+      return da != db ? da < db : va < vb;
+    }));
+  }
+  group.equal.clear();
+}
+
+// Gives each group that is proved to be equal its common value: all groups together where they prove it together, as
+// the columns of one front do, otherwise each one that proves it alone.
+void make_equal(std::vector<MeasuredGroup>& groups,
+                const std::function<void(const MeasuredGroup&, const Bounded&)>& move) {
+  Scatter all;
+  for (MeasuredGroup& group : groups) {
+    leave_out_others(group);
+    if (group.equal.size() > 1) all.add(scatter_of(group.of_equal()));
+  }
+  for (const MeasuredGroup& group : groups)
+    if (group.equal.size() > 1 && (is_proof(all) || is_proof(scatter_of(group.of_equal()))))
+      move(group, agreement(group.of_equal()));
+}
+
+// Moves one side of all members that are proved to be in line onto one line. No edge moves farther than its error, in
+// all its moves together.
+void align(const std::vector<Members>& lines, Side side) {
+  std::vector<MeasuredGroup> groups;
+  for (const Members& members : lines) {
+    MeasuredGroup& group = groups.emplace_back();
+    for (ElementCandidate* t : members)
+      if (seen(*t, side))
+        group.members.push_back(t), group.measured.push_back({t->shape.at(side), t->shape.error(side)});
+  }
+  make_equal(groups, [&](const MeasuredGroup& group, const Bounded& common) {
+    for (const std::size_t i : group.equal) {
+      LocatedEdge& edge = group.members[i]->shape.side(side);
+      if (edge.moved + std::abs(edge.at - common.value) <= edge.error) move_to(edge, common.value);
+    }
+  });
+}
+
+// Makes the distance between two sides equal for all members for which it is proved to be. Each side moves by its share
+// of the errors.
+void equalise(const std::vector<Members>& families, Side low, Side high) {
+  std::vector<MeasuredGroup> groups;
+  for (const Members& members : families) {
+    MeasuredGroup& group = groups.emplace_back();
+    for (ElementCandidate* t : members) {
+      if (!seen_across(*t, low, high)) continue;
+      const double ea = t->shape.error(low), eb = t->shape.error(high);
+      group.members.push_back(t);
+      group.measured.push_back({t->shape.at(high) - t->shape.at(low), std::sqrt(ea * ea + eb * eb)});
+    }
+  }
+  make_equal(groups, [&](const MeasuredGroup& group, const Bounded& common) {
+    for (const std::size_t i : group.equal) {
+      LocatedEdge &a = group.members[i]->shape.side(low), &b = group.members[i]->shape.side(high);
+      const double missing = common.value - (b.at - a.at), both = a.error + b.error;
+      if (!(both > 0)) continue;
+      const double move_a = missing * a.error / both, move_b = missing * b.error / both;
+      if (a.moved + std::abs(move_a) > a.error || b.moved + std::abs(move_b) > b.error) continue;
+      move_to(a, a.at - move_a);
+      move_to(b, b.at + move_b);
+    }
+  });
+}
+
+// The error of a side that nobody saw and that was given a place: it may be anywhere from the last place that was seen
+// to be open to the first place that was seen to be wall.
+double unseen_error(const LocatedEdge& gap, double at) {
+  const double far = gap.at + (gap.at - gap.inner);
+  const double end = std::abs(gap.at - gap.inner) < gap.error / 2 ? gap.error : std::abs(far - at);
+  return std::max(std::abs(at - gap.inner), end);
 }
 
 // Completes the bottom from the top of a sill, if this is within the gap of the bottom and is more exact: nothing
@@ -128,10 +211,9 @@ bool complete_from_sill(ElementCandidate& t, const std::vector<ElementCandidate>
     const double lowest = std::min(bottom.inner - bottom.at + bottom.error + kBesideShadow, kHighestShadow);
     if (common < kUnder * width_of(t) || below < -kBesideShadow || below > lowest) continue;
     if (sill.shape.error(Side::top) >= bottom.error) continue;
+    bottom.error = std::max(sill.shape.error(Side::top), std::abs(bottom.inner - top));
     bottom.at = top;
-    bottom.error = sill.shape.error(Side::top);
     bottom.status = DrawnStatus::completed;
-    t.shape.height_error = INFINITY;
     t.reason = "its bottom is hidden; it is the top of what stands before it, carried to the wall";
     return true;
   }
@@ -156,8 +238,8 @@ bool complete_from_row(ElementCandidate& t, const std::vector<ElementCandidate>&
       bounds.push_back({other.shape.at(side), other.shape.error(side)});
   if (t.row == 0 || bounds.empty()) return false;
   const Bounded common = agreement(bounds);
+  edge.error = std::max(common.error + params.alike / 4, unseen_error(edge, common.value));
   edge.at = common.value;
-  edge.error = common.error + params.alike / 4;
   edge.status = DrawnStatus::completed;
   t.reason = "sides that are hidden come from its row";
   return true;
@@ -182,8 +264,9 @@ bool complete_from_size(ElementCandidate& t, const std::vector<ElementCandidate>
   }
   if (sizes.empty()) return false;
   const Bounded common = agreement(of_row.empty() ? sizes : of_row);
-  edge.at = t.shape.at(other_side) + (side == high ? common.value : -common.value);
-  edge.error = t.shape.error(other_side) + common.error;
+  const double at = t.shape.at(other_side) + (side == high ? common.value : -common.value);
+  edge.error = std::max(t.shape.error(other_side) + common.error, unseen_error(edge, at));
+  edge.at = at;
   edge.status = DrawnStatus::completed;
   t.reason = "sides that are hidden come from others of its size";
   return true;
@@ -215,16 +298,12 @@ void group_elements(std::vector<ElementCandidate>& candidates, const RegularPara
 
 void regularise_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params) {
   for (const Members& kind : by_kind(candidates)) {
-    for (const Side side : {Side::bottom, Side::top})
-      for (const Members& m : grouped(
-               kind, [&](const ElementCandidate& t) { return t.shape.at(side); }, params.alike))
-        align(m, side);
-    for (const Side side : {Side::left, Side::right})
-      for (const Members& m : grouped(
-               kind, [&](const ElementCandidate& t) { return t.shape.at(side); }, params.alike))
-        align(m, side);
-    for (const Members& m : grouped(kind, width_of, params.alike)) equalise(m, Side::left, Side::right);
-    for (const Members& m : grouped(kind, height_of, params.alike)) equalise(m, Side::bottom, Side::top);
+    for (const Side side : {Side::bottom, Side::top, Side::left, Side::right})
+      align(grouped(
+                kind, [&](const ElementCandidate& t) { return t.shape.at(side); }, params.alike),
+            side);
+    equalise(grouped(kind, width_of, params.alike), Side::left, Side::right);
+    equalise(grouped(kind, height_of, params.alike), Side::bottom, Side::top);
   }
 }
 
@@ -239,6 +318,7 @@ void complete_elements(std::vector<ElementCandidate>& candidates, const RegularP
       const bool level = side == Side::bottom || side == Side::top;
       if (level && complete_from_row(t, before, side, params)) continue;
       if (complete_from_size(t, before, side, params)) continue;
+      edge.error = unseen_error(edge, edge.inner);
       edge.at = edge.inner;
       t.reason = "sides end where a laser shadow begins";
     }

@@ -41,14 +41,17 @@ struct RegularParams {
 // their middles.
 void group_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
-// Moves edges onto the line of their row or column, and changes sizes to that of their family. The new value is the one
-// that lies within the bounds of most members (agreement). No edge moves farther than its own error; its field `moved`
-// records the distance. The order of the candidates does not change the result.
+// Moves edges onto the line of their row or column, and changes sizes to that of their family, where the measurements
+// prove that they are equal: the scatter of all rows together (or columns, widths, heights), or of one of them alone,
+// is so small that by a chi-square test of 90 % confidence the true values differ by less than what their measurements
+// are wrong by. `alike` only says which edges are compared. The new value is the one that lies within the bounds of
+// most members (agreement). No edge moves farther than its own error, in all its moves together, and its error does not
+// change; its field `moved` records the distance. The order of the candidates does not change the result.
 void regularise_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 // Completes edges that were not seen. The bottom of an opening behind a sill is the top of the sill. Other edges come
 // from the row or the family, or stay occluded. The field `reason` says which. Completed edges stay within the gap that
-// hid them.
+// hid them, and their error reaches to both ends of it.
 void complete_elements(std::vector<ElementCandidate>& candidates, const RegularParams& params = {});
 
 }  // namespace ilot

@@ -34,12 +34,16 @@ struct SideSearch {
   double face_from = 0, face_to = 0;      // values of w between which side faces may have points
   double reach = 0.15;                    // metres on either side of the sides of the box that are searched
   std::span<const std::uint32_t> planes;  // of an element that is a surface itself: ids of its segments, ascending
+  bool wall =
+      false;  // the plane around the hole is the wall: all its points are solid, even where it is not quite flat
+  bool silent = false;  // rays that cross a hole without an echo are known to be free: it begins where the wall ends
 };
 
 // The edge is between what is solid at the depth and the rays that go through (split_edge; half a step where rays come
 // in columns [Lorraine thesis, 4.3]). Where points lie on the side face, which is perpendicular to the wall, they give
 // the edge: their line is extended to the plane. A gap of several steps in which nothing was seen is a laser shadow.
-// Then the edge is `occluded` and its error is the gap. O(n log n) in the points around.
+// Then the edge is `occluded` and its error is the gap; but a hole without an echo begins where the scan lines end. O(n
+// log n) in the points around.
 LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& search, Side side);
 
 }  // namespace ilot

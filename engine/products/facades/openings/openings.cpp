@@ -6,16 +6,12 @@
 
 #include "engine/products/facades/openings/arched_top.h"
 #include "engine/products/facades/openings/leaning_side.h"
-#include "engine/products/facades/rays/cell_bands.h"
+#include "engine/products/facades/openings/silent_holes.h"
 #include "kernels/core/quantile.h"
 
 namespace ilot {
 namespace {
 
-// Choice: four points a cell; openings below three cells are lost.
-constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
-// Choice: posts between windows are narrower; wider ones part an opening in two.
-constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
 // Choice: the mouldings around an opening are narrower; windows closer than that to the end of the wall are found by
 // what is between.
 constexpr double kBoundReach = 0.5;  // metres beyond an opening in which the wall must continue
@@ -23,10 +19,14 @@ constexpr double kBoundReach = 0.5;  // metres beyond an opening in which the wa
 constexpr double kBoundShare = 0.5;  // share of its height or width
 // Choice: less than a fifth seen is a shadow; windows behind trees are lost.
 constexpr double kLeastKnown = 0.2;  // share of it about which something must be known
+// Choice: a frame and a curtain leave a third of a window without an echo.
+constexpr double kSilentShare = 0.3;  // share of the cells of an opening that gave no echo although rays crossed them
+// Choice: bars and mullions of wood and metal; piers of stone between two windows are wider than that or than a third.
+constexpr double kWidestMullion = 0.15, kBarShare = 0.33;  // metres, and share of the narrower pane
+// Choice: hinges hold a leaf up to 2 cm beside the jamb, 1 cm in the mean.
+constexpr double kHinge = 0.01;  // metres between the end of an opening and what lies on the wall beside it
 // Choice: a triangle fills half of its box.
 constexpr double kLeastFill = 0.5;  // share of its box that its cells cover
-// Choice: an arch takes the corners of its box; a gable window ends too far in.
-constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
 // Choice: twice the noise of 5 mm; noisier scans spread a pane over several bins.
 constexpr double kDepthBin = 0.01;  // metres
 // Choice: a window bar covers a tenth of an opening, a pane seen through a tree a quarter.
@@ -37,136 +37,8 @@ constexpr std::uint64_t kMostOnPane = 1 << 17;  // points of the surface that fi
 
 using enum WallCells::What;
 
-// The numbers of rays of a cell.
-struct CellCounts {
-  std::uint32_t solid = 0, through = 0, shallow = 0, blocked = 0;
-
-  WallCells::What what() const {
-    if (through > solid) return kThrough;
-    if (solid > 0) return kSolid;
-    if (blocked > 0) return kBlocked;
-    return shallow > 0 ? kShallow : kUnknown;
-  }
-};
-
 double depth_through(const FacadeSite& site, const OpeningParams& params) {
   return std::max(params.least_depth, 3 * site.epsilon);
-}
-
-// Counts the rays that cross the rows of cells [r0, r1).
-void count_rows(const RaySamples& samples, const OpeningParams& params, std::int64_t r0, std::int64_t r1,
-                WallCells& cells) {
-  const FacadeSite& site = samples.site();
-  const double least_depth = depth_through(site, params);
-  const double farthest = samples.oblique() ? params.room_depth : params.room_depth_square;
-  std::vector<CellCounts> counts(static_cast<std::size_t>((r1 - r0) * cells.columns));
-  const Box2 rows{0, static_cast<double>(cells.columns) * cells.cell, static_cast<double>(r0) * cells.cell,
-                  static_cast<double>(r1) * cells.cell};
-  for (const Ray& ray : samples.near(rows.grown(cells.cell))) {
-    const double w = ray.at.w;
-    if (w < -farthest) continue;
-    const Place2 p = samples.crossing(ray, 0);
-    if (p.u < 0 || p.v < 0) continue;
-    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
-    if (c >= cells.columns || r < r0 || r >= r1) continue;
-    CellCounts& at = counts[static_cast<std::size_t>((r - r0) * cells.columns + c)];
-    const bool wall = samples.on_wall(ray);
-    if (wall) ++at.solid;
-    if (!wall && w < 0) ++(w < -least_depth ? at.through : at.shallow);
-    if (w > site.epsilon) ++at.blocked;
-  }
-  for (std::size_t i = 0; i < counts.size(); ++i)
-    cells.what[static_cast<std::size_t>(r0 * cells.columns) + i] = counts[i].what();
-}
-
-WallCells cells_of(const RaySamples& samples, const OpeningParams& params) {
-  const FacadeSite& site = samples.site();
-  WallCells cells;
-  cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
-  cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
-  cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
-  cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);
-  for (const RowBand& band : bands_of(cells.columns, cells.rows))
-    count_rows(samples, params, band.first, band.end, cells);
-  return cells;
-}
-
-// Fills runs of cells in which nothing was seen, or only something before the wall, if they are between two cells
-// through which rays went, along rows and columns. A joint from one opening to the next is not such a run, because its
-// back was seen. Frames and bars at such a small depth behind the wall are narrower.
-WallCells filled(const WallCells& cells, double longest) {
-  WallCells out = cells;
-  const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
-  const auto most_shallow = static_cast<std::int64_t>(kWidestBar / cells.cell) + 1;
-  const auto fill_line = [&](std::int64_t c, std::int64_t r, std::int64_t dc, std::int64_t dr, std::int64_t length) {
-    std::int64_t last = -1, shallow = 0;
-    for (std::int64_t i = 0; i < length; ++i) {
-      const std::uint8_t what = cells.at(c + i * dc, r + i * dr);
-      shallow += what == kShallow;
-      if (what == kThrough) {
-        if (last >= 0 && i - last <= most && shallow <= most_shallow)
-          for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
-        last = i;
-        shallow = 0;
-      } else if (what == kSolid) {
-        last = -1;
-      }
-    }
-  };
-  for (std::int64_t r = 0; r < cells.rows; ++r) fill_line(0, r, 1, 0, cells.columns);
-  for (std::int64_t c = 0; c < cells.columns; ++c) fill_line(c, 0, 0, 1, cells.rows);
-  return out;
-}
-
-struct Region {
-  std::vector<std::uint32_t> cells;  // row * columns + column
-};
-
-// Calls visit(region) for each region, in the order of their first cells.
-template <class Visit>
-void for_each_region(const WallCells& cells, const Visit& visit) {
-  std::vector<bool> taken(cells.what.size(), false);
-  for (std::size_t start = 0; start < taken.size(); ++start) {
-    if (taken[start] || cells.what[start] != kThrough) continue;
-    Region region;
-    region.cells = {static_cast<std::uint32_t>(start)};
-    taken[start] = true;
-    for (std::size_t i = 0; i < region.cells.size(); ++i) {
-      const std::int64_t c = region.cells[i] % cells.columns, r = region.cells[i] / cells.columns;
-      const auto take = [&](std::int64_t nc, std::int64_t nr) {
-        if (nc < 0 || nr < 0 || nc >= cells.columns || nr >= cells.rows) return;
-        const auto n = static_cast<std::size_t>(nr * cells.columns + nc);
-        if (taken[n] || cells.what[n] != kThrough) return;
-        taken[n] = true;
-        region.cells.push_back(static_cast<std::uint32_t>(n));
-      };
-      take(c - 1, r), take(c + 1, r), take(c, r - 1), take(c, r + 1);
-    }
-    visit(region);
-  }
-}
-
-struct CellBox {
-  std::int64_t c0, c1, r0, r1;
-};
-
-// Its sides are where the farthest rows and columns end, except for a few. Shadows end other rows too early, and single
-// cells go beyond.
-CellBox box_of(const Region& region, std::int64_t columns) {
-  CellBox all{INT64_MAX, -1, INT64_MAX, -1};
-  for (const std::int64_t i : region.cells) {
-    all = {std::min(all.c0, i % columns), std::max(all.c1, i % columns), std::min(all.r0, i / columns),
-           std::max(all.r1, i / columns)};
-  }
-  std::vector<std::int64_t> left(static_cast<std::size_t>(all.r1 - all.r0 + 1), INT64_MAX), right(left.size(), -1);
-  std::vector<std::int64_t> low(static_cast<std::size_t>(all.c1 - all.c0 + 1), INT64_MAX), high(low.size(), -1);
-  for (const std::int64_t i : region.cells) {
-    const auto r = static_cast<std::size_t>(i / columns - all.r0), c = static_cast<std::size_t>(i % columns - all.c0);
-    left[r] = std::min(left[r], i % columns), right[r] = std::max(right[r], i % columns);
-    low[c] = std::min(low[c], i / columns), high[c] = std::max(high[c], i / columns);
-  }
-  return {lower_quantile(left, kTail), lower_quantile(right, 1 - kTail), lower_quantile(low, kTail),
-          lower_quantile(high, 1 - kTail)};
 }
 
 // The share of the lines across a side, among those of which something is known beyond the opening, on which the wall
@@ -187,8 +59,10 @@ double bounded(const WallCells& cells, const CellBox& box, Side side, const Open
         break;
       }
       const std::uint8_t what = cells.at(c, r);
-      solid = what == kSolid || (side == Side::top && what == kBlocked);  // a canopy or a sign hides the wall
-      unknown = unknown && (what == kUnknown || what == kShallow);
+      // A canopy or a sign hides the wall above, open shutters and surrounds lie on it. What a leaf that stands out
+      // hides beside the opening is not known.
+      solid = what == kSolid || what == kRelief || (side == Side::top && what == kBlocked);
+      unknown = unknown && (what == kUnknown || what == kShallow || what == kBlocked);
     }
     found += solid;
     known += !unknown;
@@ -285,9 +159,77 @@ void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
   }
 }
 
+// The depth of the plane that ends at a side of an opening: that of the wall, or of a leaf or a surround that lies on
+// the wall beside the opening and hides it. Their inner ends are those of the opening.
+double depth_beside(const RaySamples& samples, const Box2& box, Side side, double wall_depth) {
+  // Choice: from the hinge of a leaf, 2 cm beside the jamb, to the width of the narrowest leaf.
+  constexpr std::array kFrom{0.01, 0.09}, kTo{0.09, 0.17};  // metres beside the side: two strips
+  // Choice: a leaf with gaps between its boards shows the wall in a third of its area.
+  constexpr double kMostWall = 0.5;  // rays that met the wall over those that met what lies on it
+  constexpr std::size_t kFewest = 5;
+  if (side == Side::bottom || side == Side::top) return wall_depth;  // sills and lintels are lower than that
+  const double epsilon = samples.site().epsilon;
+  std::vector<double> out;
+  for (std::size_t k = 0; k < kFrom.size(); ++k) {
+    Box2 strip = box;
+    if (side == Side::left) strip.u1 = box.u0 - kFrom[k], strip.u0 = box.u0 - kTo[k];
+    if (side == Side::right) strip.u0 = box.u1 + kFrom[k], strip.u1 = box.u1 + kTo[k];
+    const std::size_t before = out.size();
+    double wall = 0;
+    for (const Ray& ray : samples.near(strip.grown(kFlatRelief))) {
+      const double w = ray.at.w;
+      if (samples.on_wall(ray)) wall += strip.contains(samples.crossing(ray, 0));
+      if (!samples.on_wall(ray) && w > 2 * epsilon && w <= kFlatRelief && strip.contains({ray.at.u, ray.at.v}))
+        out.push_back(w);
+    }
+    const std::size_t found = out.size() - before;
+    if (found < kFewest || wall > kMostWall * static_cast<double>(found)) return wall_depth;
+  }
+  const double depth = upper_median(out);
+  const auto flat = std::count_if(out.begin(), out.end(), [&](double w) { return std::abs(w - depth) <= epsilon; });
+  return 2 * static_cast<std::size_t>(flat) > out.size() ? depth : wall_depth;
+}
+
+// The median depth of the points of the wall about an opening: walls bow and lean, and an oblique ray that is followed
+// to the mean plane of the wall crosses it beside the edge that it passed.
+double wall_depth_about(const RaySamples& samples, const Box2& box) {
+  constexpr double kAbout = 0.3;            // Choice: the width of a narrow pier, metres
+  constexpr std::uint64_t kMost = 1 << 14;  // points; more do not improve the result
+  const Box2 around = box.grown(kAbout);
+  const auto counts = [&](const Ray& ray) { return samples.on_wall(ray) && around.contains({ray.at.u, ray.at.v}); };
+  Rays near = samples.near(around);
+  const int level = thinning_level(near, kMost, counts);
+  std::vector<double> depths;
+  for (const Ray& ray : near)
+    if (counts(ray) && is_kept(ray, level)) depths.push_back(ray.at.w);
+  return depths.empty() ? 0 : upper_median(depths);
+}
+
+// Locates the sides of an opening. A line from a rough box is searched a second time from where it was found.
+void locate_sides(const RaySamples& samples, const Box2& around, double cell, FoundRectangle& opening) {
+  // Choice: reveals of usual walls; where nothing fills the opening, its depth is not known.
+  constexpr double kUnknownDepth = 0.5;  // metres
+  const FacadeSite& site = samples.site();
+  const double margin = std::max(0.015, 2 * site.epsilon), deep = opening.depth == 0 ? -kUnknownDepth : opening.depth;
+  const double wall = samples.oblique() ? wall_depth_about(samples, around) : 0;
+  SideSearch search{around, 0, site.epsilon, true, deep + 0.03, -margin, std::max(0.12, 2.5 * cell), {}};
+  search.silent = opening.no_echo;
+  for (int round = 0; round < 2; ++round) {
+    for (const Side side : kSides) {
+      search.depth = depth_beside(samples, search.box, side, wall);
+      search.wall = search.depth == wall;
+      search.face_to = search.depth - margin;
+      opening.side(side) = locate_edge(samples, search, side);
+      if (!search.wall && !opening.side(side).by_face) opening.side(side).error += kHinge;
+    }
+    search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
+                  opening.side(Side::top).inner};
+  }
+}
+
 // The opening in a region of cells; no result if it is none.
-std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const Region& region,
-                                         const OpeningParams& params) {
+std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCells& cells, const CellRegion& region,
+                                         const std::vector<bool>& silent, const OpeningParams& params) {
   const FacadeSite& site = samples.site();
   const double through = depth_through(site, params);
   const CellBox box = box_of(region, cells.columns);
@@ -302,14 +244,10 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
       static_cast<double>(region.cells.size()) / static_cast<double>((box.c1 - box.c0 + 1) * (box.r1 - box.r0 + 1));
   if (opening.fill < kLeastFill) return std::nullopt;
   set_depth(samples, around, through, opening);
-  const double margin = std::max(0.015, 2 * site.epsilon);
-  SideSearch search{around, 0, site.epsilon, true, opening.depth + 0.03, -margin, std::max(0.12, 2.5 * cells.cell), {}};
-  // A line from a rough box is searched a second time from where it was found.
-  for (int round = 0; round < 2; ++round) {
-    for (const Side side : kSides) opening.side(side) = locate_edge(samples, search, side);
-    search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
-                  opening.side(Side::top).inner};
-  }
+  const auto empty =
+      std::count_if(region.cells.begin(), region.cells.end(), [&](std::uint32_t i) { return silent[i]; });
+  opening.no_echo = static_cast<double>(empty) >= kSilentShare * static_cast<double>(region.cells.size());
+  locate_sides(samples, around, cells.cell, opening);
   if (opening.at(Side::right) - opening.at(Side::left) < params.least_size ||
       opening.at(Side::top) - opening.at(Side::bottom) < params.least_size)
     return std::nullopt;
@@ -325,16 +263,89 @@ std::optional<FoundRectangle> opening_of(const RaySamples& samples, const WallCe
   return opening;
 }
 
+// Whether two openings are panes of one window: side by side or one above the other, with no more than a bar between
+// them, and of equal extent along the bar.
+bool are_panes(const FoundRectangle& a, const FoundRectangle& b) {
+  // Choice: twice the error of an edge of 1 cm.
+  constexpr double kEqual = 0.03;  // metres between the ends of two panes of one window, at most
+  if (a.arc || b.arc || a.leans() || b.leans()) return false;
+  const auto meet = [&](Side low, Side high, Side from, Side to) {
+    const double gap = std::max(a.at(low), b.at(low)) - std::min(a.at(high), b.at(high));
+    const auto equal = [&](Side s) { return std::abs(a.at(s) - b.at(s)) <= kEqual + a.error(s) + b.error(s); };
+    const double least = std::min(a.at(high) - a.at(low), b.at(high) - b.at(low));
+    return gap > 0 && gap <= std::min(kWidestMullion, kBarShare * least) && equal(from) && equal(to);
+  };
+  return meet(Side::left, Side::right, Side::bottom, Side::top) ||
+         meet(Side::bottom, Side::top, Side::left, Side::right);
+}
+
+// Joins panes: each side is that of the pane farthest out, or of the better known one where both end alike.
+void join_panes(std::vector<FoundRectangle>& found) {
+  const auto join = [](FoundRectangle& a, const FoundRectangle& b) {
+    for (const Side side : kSides) {
+      const bool low = side == Side::left || side == Side::bottom;
+      const double farther = low ? a.at(side) - b.at(side) : b.at(side) - a.at(side);
+      const bool alike = std::abs(farther) <= a.error(side) + b.error(side);
+      if (alike ? b.error(side) < a.error(side) : farther > 0) a.side(side) = b.side(side);
+    }
+    if (b.points > a.points) a.depth = b.depth, a.depth_error = b.depth_error;
+    a.points += b.points;
+    a.no_echo = a.no_echo && b.no_echo;
+  };
+  for (bool more = true; more;) {
+    more = false;
+    for (std::size_t i = 0; i < found.size(); ++i)
+      for (std::size_t k = i + 1; k < found.size();) {
+        if (!are_panes(found[i], found[k])) {
+          ++k;
+          continue;
+        }
+        join(found[i], found[k]);
+        found.erase(found.begin() + static_cast<std::ptrdiff_t>(k));
+        more = true;
+      }
+  }
+}
+
+// The holes that are no part of an opening.
+std::vector<UnseenArea> unseen_areas(const std::vector<WallHole>& holes, const std::vector<FoundRectangle>& found,
+                                     const WallCells& cells) {
+  std::vector<UnseenArea> areas;
+  for (const WallHole& hole : holes) {
+    const auto in_opening = std::count_if(hole.region.cells.begin(), hole.region.cells.end(), [&](std::int64_t i) {
+      const Place2 middle{(static_cast<double>(i % cells.columns) + 0.5) * cells.cell,
+                          (static_cast<double>(i / cells.columns) + 0.5) * cells.cell};
+      return std::any_of(found.begin(), found.end(), [&](const FoundRectangle& o) { return o.box().contains(middle); });
+    });
+    if (2 * static_cast<std::size_t>(in_opening) < hole.region.cells.size()) areas.push_back(area_of(hole, cells));
+  }
+  return areas;
+}
+
 }  // namespace
 
-std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps) {
-  const WallCells seen = cells_of(samples, params), cells = filled(seen, params.shadow);
-  if (steps != nullptr) *steps = {seen, cells};
+std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params, OpeningSteps* steps,
+                                          std::vector<UnseenArea>* unseen) {
+  const FacadeSite& site = samples.site();
+  WallCells seen = cells_of(
+      samples, {depth_through(site, params), samples.oblique() ? params.room_depth : params.room_depth_square});
+  if (steps != nullptr) steps->seen = seen;
+  const std::vector<WallHole> holes = find_holes(samples, seen, params.least_size);
+  std::vector<bool> silent(seen.what.size(), false);
+  for (const WallHole& hole : holes)
+    if (hole.crossed && hole.straight)
+      for (const std::uint32_t i : hole.region.cells) silent[i] = seen.what[i] == kUnknown, seen.what[i] = kThrough;
+  const WallCells cells = filled(seen, params.shadow);
+  if (steps != nullptr) steps->filled = cells;
   std::vector<FoundRectangle> found;
-  for_each_region(cells, [&](const Region& region) {
-    if (const std::optional<FoundRectangle> opening = opening_of(samples, cells, region, params))
-      found.push_back(*opening);
-  });
+  for_each_region(
+      cells, [&](std::size_t i) { return cells.what[i] == kThrough; },
+      [&](const CellRegion& region) {
+        if (const std::optional<FoundRectangle> opening = opening_of(samples, cells, region, silent, params))
+          found.push_back(*opening);
+      });
+  join_panes(found);
+  if (unseen != nullptr) *unseen = unseen_areas(holes, found, cells);
   return found;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/products/facades/openings/located_edge.h"
+#include "engine/products/facades/openings/silent_holes.h"
 #include "engine/products/facades/openings/wall_cells.h"
 #include "engine/products/facades/rays/ray_samples.h"
 
@@ -32,14 +33,13 @@ struct TopArc {
 struct FoundRectangle {
   std::array<LocatedEdge, 4> sides;   // in the order of kSides
   double depth = 0, depth_error = 0;  // w of the surface in it; negative behind the wall
-  double width_error = INFINITY;      // where its size comes from a family; otherwise the errors of its sides count
-  double height_error = INFINITY;
-  std::uint64_t points = 0;      // number of rays through it, or of points on it
-  std::uint32_t plane = 0;       // id of the plane, for an element in front of the wall
-  double fill = 1;               // share of its cells that contain such rays or points
-  std::optional<TopArc> arc;     // its top side is then the crown
-  std::array<double, 4> lean{};  // tangents of its sides, as kSides; a leaning side has the place of its middle
-  std::optional<Box2> end;       // its rectangle at its depth, where that differs from its own rectangle
+  std::uint64_t points = 0;           // number of rays through it, or of points on it
+  std::uint32_t plane = 0;            // id of the plane, for an element in front of the wall
+  double fill = 1;                    // share of its cells that contain such rays or points
+  std::optional<TopArc> arc;          // its top side is then the crown
+  std::array<double, 4> lean{};       // tangents of its sides, as kSides; a leaning side has the place of its middle
+  std::optional<Box2> end;            // its rectangle at its depth, where that differs from its own rectangle
+  bool no_echo = false;               // an opening from which hardly any of the rays that crossed it came back
   double at(Side s) const { return sides[static_cast<std::size_t>(s)].at; }
   double lean_of(Side s) const { return lean[static_cast<std::size_t>(s)]; }
   bool leans() const { return lean != std::array<double, 4>{}; }
@@ -51,9 +51,11 @@ struct FoundRectangle {
 
 // Takes the cells of the plane of the wall through which rays go and on which no point of the wall lies. They are
 // joined over cells in which nothing was seen. A region that the wall bounds on both sides and above is an opening. The
-// shadow of something in the street is no opening, because no ray goes through it. The order is from bottom to top, and
-// from left to right within a row. Fills `steps` where they are given. O(points).
+// shadow of something in the street is no opening, because no ray goes through it. Holes with straight sides that free
+// rays crossed without an echo count as cells through which rays go (find_holes). The order is from bottom to top, and
+// from left to right within a row. Fills `steps`, and in `unseen` the holes that are no openings, where they are given.
+// O(points).
 std::vector<FoundRectangle> find_openings(const RaySamples& samples, const OpeningParams& params = {},
-                                          OpeningSteps* steps = nullptr);
+                                          OpeningSteps* steps = nullptr, std::vector<UnseenArea>* unseen = nullptr);
 
 }  // namespace ilot

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+// The image of a wall in cells: what the rays that cross each cell show.
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <vector>
+
+#include "engine/products/facades/rays/ray_samples.h"
 
 namespace ilot {
 
@@ -13,6 +17,7 @@ struct WallCells {
     kThrough,
     kBlocked,  // something stands before the wall
     kShallow,  // too shallow to be an opening: joints of stone
+    kRelief,   // something flat lies on the wall: open shutters, surrounds
   };
 
   double cell = 0;  // metres
@@ -22,6 +27,68 @@ struct WallCells {
   std::uint8_t& at(std::int64_t c, std::int64_t r) { return what[static_cast<std::size_t>(r * columns + c)]; }
   std::uint8_t at(std::int64_t c, std::int64_t r) const { return what[static_cast<std::size_t>(r * columns + c)]; }
 };
+
+// Choice: the value of kSurround in arched_top.cpp; open shutters and their hinges fit in.
+inline constexpr double kFlatRelief = 0.15;  // metres before the wall at which shutters and surrounds end
+
+// Which rays are counted as through the wall, in metres.
+struct WallCellParams {
+  double least_depth = 0.04;  // a ray that ends less far behind the wall did not go through it
+  double farthest = 4;        // rays that end farther behind the wall are not used
+};
+
+// Counts the rays of each cell. Cells are two steps wide, from 2 to 15 cm. O(points).
+WallCells cells_of(const RaySamples& samples, const WallCellParams& params);
+
+// Fills runs of cells in which nothing was seen, or only something before the wall, if they are between two cells
+// through which rays went and no longer than `longest` metres, along rows and columns. A joint from one opening to the
+// next is not such a run, because its back was seen. Frames and bars at such a small depth are narrower.
+WallCells filled(const WallCells& cells, double longest);
+
+// A connected set of cells, as row * columns + column.
+struct CellRegion {
+  std::vector<std::uint32_t> cells;
+};
+
+// Calls visit(region) for each connected set of cells for which wanted(cell) is true, in the order of their first
+// cells. Neighbours share an edge. O(cells).
+template <class Wanted, class Visit>
+void for_each_region(const WallCells& cells, const Wanted& wanted, const Visit& visit) {
+  std::vector<bool> taken(cells.what.size(), false);
+  for (std::size_t start = 0; start < taken.size(); ++start) {
+    if (taken[start] || !wanted(start)) continue;
+    CellRegion region;
+    region.cells = {static_cast<std::uint32_t>(start)};
+    taken[start] = true;
+    for (std::size_t i = 0; i < region.cells.size(); ++i) {
+      const std::int64_t c = region.cells[i] % cells.columns, r = region.cells[i] / cells.columns;
+      const auto take = [&](std::int64_t nc, std::int64_t nr) {
+        if (nc < 0 || nr < 0 || nc >= cells.columns || nr >= cells.rows) return;
+        const auto n = static_cast<std::size_t>(nr * cells.columns + nc);
+        if (taken[n] || !wanted(n)) return;
+        taken[n] = true;
+        region.cells.push_back(static_cast<std::uint32_t>(n));
+      };
+      take(c - 1, r), take(c + 1, r), take(c, r - 1), take(c, r + 1);
+    }
+    visit(region);
+  }
+}
+
+// Columns and rows, both ends included.
+struct CellBox {
+  std::int64_t c0 = 0, c1 = 0, r0 = 0, r1 = 0;
+  std::int64_t columns() const { return c1 - c0 + 1; }
+  std::int64_t rows() const { return r1 - r0 + 1; }
+};
+
+// The box of a region: its sides are where the farthest rows and columns end, except for a few. Shadows end other rows
+// too early, and single cells go beyond.
+CellBox box_of(const CellRegion& region, std::int64_t columns);
+
+// The share of the rows and columns of a region that end within one cell of a side of its box, at the worst of its
+// left, right and lower sides. 1 for a rectangle.
+double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns);
 
 // The intermediate images of the search for openings.
 struct OpeningSteps {

@@ -95,8 +95,9 @@ RaySamples::RaySamples(const FacadeSite& site) : site_(site) {
   make(points_of(site));
 }
 
-RaySamples::RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder)
-    : site_(site), folder_(folder), sorted_(folder), by_segment_(folder) {
+RaySamples::RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder,
+                       FarPointSource far)
+    : site_(site), folder_(folder), far_(std::move(far)), sorted_(folder), by_segment_(folder) {
   make(source);
 }
 

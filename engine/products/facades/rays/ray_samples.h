@@ -34,6 +34,14 @@ using TakeFacadePoints = std::function<void(std::span<const FacadePoint>, std::s
 // Gives all points of a facade, piece by piece, in an order of its own.
 using FacadePointSource = std::function<void(const TakeFacadePoints&)>;
 
+// A box in the axes of the wall, in metres.
+struct SpaceBox {
+  Vec3 low, high;
+};
+
+// Gives the points in some boxes that are before the wall, each once, in an order of its own.
+using FarPointSource = std::function<void(std::span<const SpaceBox>, const TakeFacadePoints&)>;
+
 // The rays of the points of a facade, sorted by place. The ray of a point comes from its own station where the site
 // knows it, or from the only station. If there are several stations, it comes from the nearest one whose ray does not
 // go through a solid part of the wall. Without stations all rays are taken to be perpendicular to the wall; then an
@@ -44,8 +52,10 @@ class RaySamples {
  public:
   // Uses the points of the site itself, in memory.
   explicit RaySamples(const FacadeSite& site);
-  // Uses the points that the source gives; the site has no points of its own. Both must outlive the samples.
-  RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder);
+  // Uses the points that the source gives; the site has no points of its own. Both must outlive the samples. `far`
+  // gives points farther before the wall; without it nothing is known of them.
+  RaySamples(const FacadeSite& site, const FacadePointSource& source, const std::filesystem::path& folder,
+             FarPointSource far = {});
 
   const FacadeSite& site() const { return site_; }
   const std::filesystem::path& folder() const { return folder_; }
@@ -70,6 +80,11 @@ class RaySamples {
   // The rays whose points are in the box, and some others, in the same order.
   Rays at_places(const Box2& box) const;
   Rays all() const { return {sorted_, {{0, sorted_.size()}}}; }
+
+  // Gives the points in some boxes before the wall. They are read from the store for each call.
+  void far_points(std::span<const SpaceBox> boxes, const TakeFacadePoints& take) const {
+    if (far_) far_(boxes, take);
+  }
 
   // All rays a second time: segment by segment of the wall and along it, each in the order in which its rays were
   // given. run_of() gives where the rays of a segment are.
@@ -96,6 +111,7 @@ class RaySamples {
 
   const FacadeSite& site_;
   std::filesystem::path folder_;
+  FarPointSource far_;
   bool guessed_ = false;
   std::uint64_t points_on_wall_ = 0;
   double bin_ = 0, u0_ = 0, v0_ = 0;  // metres

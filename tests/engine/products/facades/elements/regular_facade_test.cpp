@@ -45,7 +45,7 @@ TEST(RegularFacade, RowsColumnsAndOneFamily) {
 }
 
 TEST(RegularFacade, EdgesMoveNoFartherThanTheirErrorAndNearerToTheTruth) {
-  const std::vector<ElementCandidate> before = grid(0.008, 0.008);
+  const std::vector<ElementCandidate> before = grid(0.006, 0.008);
   std::vector<ElementCandidate> candidates = before;
   regularise_elements(candidates);
   double off_before = 0, off_after = 0;
@@ -55,29 +55,49 @@ TEST(RegularFacade, EdgesMoveNoFartherThanTheirErrorAndNearerToTheTruth) {
     off_after += std::abs(candidates[i].shape.at(Side::left) - truth);
     for (const Side side : kSides) {
       const double moved = std::abs(candidates[i].shape.at(side) - before[i].shape.at(side));
-      EXPECT_LE(moved, 2 * 0.008 + 1e-12);
+      EXPECT_LE(moved, 0.008 + 1e-12);
       EXPECT_GE(candidates[i].shape.side(side).moved, moved - 1e-12);
       EXPECT_LE(candidates[i].shape.error(side), 0.008);
     }
   }
-  EXPECT_LT(off_after, 0.5 * off_before);
+  EXPECT_LT(off_after, off_before);
 }
 
-// A family's size is known as well as that of its best member; where members differ by more than they may be off, less.
-TEST(RegularFacade, AFamilyGivesTheErrorOfItsSize) {
+// Windows that were not built alike are not made alike, although each differs from the next by less than its error.
+TEST(RegularFacade, WhatScattersMoreThanItsErrorsStaysAsItWasMeasured) {
+  std::vector<ElementCandidate> candidates = grid(0.02, 0.008);
+  const auto before = candidates;
+  regularise_elements(candidates);
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (const Side side : kSides) EXPECT_EQ(candidates[i].shape.at(side), before[i].shape.at(side));
+}
+
+TEST(RegularFacade, AgreementDoesNotMakeAnErrorSmaller) {
   std::vector<ElementCandidate> candidates = grid(0.004, 0.008);
   for (const Side side : kSides) candidates[7].shape.side(side).error = 0.002;
   regularise_elements(candidates);
-  for (const ElementCandidate& t : candidates) {
-    for (const double error : {t.shape.width_error, t.shape.height_error}) {
-      EXPECT_GE(error, std::sqrt(2.0) * 0.002 - 1e-12);
-      EXPECT_LE(error, 2 * 0.002 + 1e-12);  // both sides to the same side
+  double moved = 0;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    for (const Side side : kSides) {
+      EXPECT_EQ(candidates[i].shape.error(side), i == 7 ? 0.002 : 0.008);
+      EXPECT_LE(candidates[i].shape.side(side).moved, candidates[i].shape.error(side));
+      moved += candidates[i].shape.side(side).moved;
     }
-  }
-  std::vector<ElementCandidate> uneven;
-  for (int i = 0; i < 6; ++i) uneven.push_back(candidate(3.0 * i, 3.0 * i + 1 + 0.01 * (i % 2), 0, 1.5, 0.006));
-  regularise_elements(uneven);
-  for (const ElementCandidate& t : uneven) EXPECT_GT(t.shape.width_error, 0.009);
+  EXPECT_GT(moved, 0);
+}
+
+// A side that nobody saw may be anywhere in the gap that hides it, whatever its row says.
+TEST(RegularFacade, WhatNobodySawSaysSoInItsError) {
+  std::vector<ElementCandidate> candidates{candidate(0, 1.1, 3, 4.7, 0.002), candidate(3, 4.1, 3, 4.7, 0.002),
+                                           candidate(6, 7.1, 3, 4.7, 0.002)};
+  LocatedEdge& bottom = candidates[2].shape.side(Side::bottom);
+  bottom.status = DrawnStatus::occluded;
+  bottom.inner = 3.3, bottom.at = 3.1, bottom.error = 0.2;
+  group_elements(candidates);
+  complete_elements(candidates);
+  EXPECT_EQ(bottom.status, DrawnStatus::completed);
+  EXPECT_NEAR(bottom.at, 3, 0.003);
+  EXPECT_GE(bottom.error, 0.29);
 }
 
 TEST(RegularFacade, WhatIsSurelyDifferentStaysSo) {

@@ -1,0 +1,180 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Holds the stated errors of drawn edges of openings against the truth, edge by edge, over wild scenes: the share of
+edges within their stated error, over all and by fifths of noise, registration, density, incidence and stated error.
+
+  bench/wild/edge_errors.py PROGRAM FOLDER [--seeds 0-19] [--scenes facade-wild,row-wild,court-wild] [--jobs 2]
+                            [--set facades.regularise=false]... [--tag NAME] [--scan scene.shutters=1]...
+
+Scans stay in FOLDER and are used again; results are in FOLDER/TAG.csv. The true error of an edge is the mean distance of
+its two ends from the line of the true side. Edges that are occluded are not judged, nor openings without a partner
+(intersection over union of half of the boxes)."""
+import argparse
+import concurrent.futures
+import csv
+import json
+import math
+import pathlib
+import subprocess
+
+POINTS = {"facade-wild": 200000, "row-wild": 300000, "court-wild": 300000}
+SIDES = ("bottom", "right", "top", "left")
+
+
+def minus(a, b):
+    return [x - y for x, y in zip(a, b)]
+
+
+def dot(a, b):
+    return sum(x * y for x, y in zip(a, b))
+
+
+def box(ring):
+    us, vs = [p[0] for p in ring], [p[1] for p in ring]
+    return min(us), max(us), min(vs), max(vs)
+
+
+def overlap(a, b):
+    w, h = min(a[1], b[1]) - max(a[0], b[0]), min(a[3], b[3]) - max(a[2], b[2])
+    if w <= 0 or h <= 0:
+        return 0
+    area = lambda r: (r[1] - r[0]) * (r[3] - r[2])
+    return w * h / (area(a) + area(b) - w * h)
+
+
+def rows_of(out, truth):
+    """One row for each drawn edge of a matched opening."""
+    drawn = {d["name"]: d.get("choice", d["value"]) for d in truth.get("drawn", [])}
+    stations = [s.get("position", s.get("place")) for s in truth["stations"]]
+    rows, matched, found = [], set(), 0
+    for path in sorted((out / "facades").glob("facade-*.json")):
+        facade = json.loads(path.read_text())
+        f = facade["frame"]
+        flat = lambda p: [dot(minus(p, f["origin"]), f[a]) for a in ("right", "up", "out")]
+        true = []
+        for k, o in enumerate(truth["openings"]):
+            ring = [flat(p) for p in o["ring"]]
+            if max(abs(p[2]) for p in ring) < 0.3:
+                true.append((k, box(ring), len(ring)))
+        for e in facade["elements"]:
+            if not e["opening"] or e["status"] == "occluded":
+                continue
+            found += 1
+            own = box([flat(p) for p in e["ring"]])
+            best = max(true, key=lambda t: overlap(own, t[1]), default=None)
+            if best is None or overlap(own, best[1]) < 0.5 or best[0] in matched:
+                continue
+            matched.add(best[0])
+            if len(e["ring"]) != 4 or best[2] != 4:
+                continue
+            centre = [(own[0] + own[1]) / 2, (own[2] + own[3]) / 2, 0]
+            angles = [math.degrees(math.acos(max(-1, min(1, d[2] / math.sqrt(dot(d, d))))))
+                      for d in (minus(flat(s), centre) for s in stations)]
+            places = dict(bottom=2, right=1, top=3, left=0)
+            for side, edge in zip(SIDES, e["edges"]):
+                if edge["status"] == "occluded":
+                    continue
+                off = own[places[side]] - best[1][places[side]]
+                rows.append(dict(status=edge["status"], side=side, stated=edge["error_m"], off=off, moved=edge["moved_m"],
+                                 noise=drawn.get("range_noise", 0), registration=drawn.get("registration_shift", 0),
+                                 density=truth["density"], incidence=min(angles, default=0), element=e["id"],
+                                 facade=path.stem, u=own[0], v=own[2]))
+    return rows, len(matched), found, len(truth["openings"])
+
+
+def judge(given, scene, seed):
+    changed = "".join("-" + s.replace("scene.", "").replace("=", "_") for s in given.scan)
+    cloud = given.folder / f"{scene}-{seed}{changed}.las"
+    stations = cloud.with_suffix(".stations.csv")
+    truth_file = cloud.with_suffix(".truth.json")
+    if not truth_file.exists():
+        words = [given.program, "scan", scene, "-o", str(cloud), "--seed", str(seed), "--points", str(POINTS[scene]),
+                 "--overwrite", "-q", "--threads", "1", "--set", "scene.station_knowledge=known"]
+        for s in given.scan:
+            words += ["--set", s]
+        if subprocess.run(words, capture_output=True).returncode:
+            return scene, seed, None
+    out = given.folder / f"out-{given.tag}-{scene}-{seed}{changed}"
+    words = [given.program, "run", str(cloud), "-o", str(out), "--overwrite", "-q", "--products", "facades", "--threads",
+             "1", "--no-clouds"]
+    for s in given.set:
+        words += ["--set", s]
+    if stations.exists():
+        words += ["--stations", str(stations)]
+    run = subprocess.run(words, capture_output=True, text=True)
+    if run.returncode:
+        return scene, seed, None
+    truth = json.loads(truth_file.read_text())
+    truth["density"] = math.log10(max(1, truth["counts"].get("points", POINTS[scene])) if isinstance(truth["counts"], dict) else 1)
+    for d in truth.get("drawn", []):
+        if d["name"] == "density":
+            truth["density"] = d["value"]
+    subprocess.run(["rm", "-rf", str(out / ".store")])
+    return scene, seed, rows_of(out, truth)
+
+
+def share(rows):
+    return sum(abs(float(r["off"])) <= float(r["stated"]) for r in rows) / len(rows) if rows else 0
+
+
+def median(values):
+    values = sorted(values)
+    return values[len(values) // 2] if values else 0
+
+
+def line(name, rows):
+    stated, true = median([float(r["stated"]) for r in rows]), median([abs(float(r["off"])) for r in rows])
+    mean = sum(abs(float(r["off"])) for r in rows) / len(rows) if rows else 0
+    print(f"{name:34s} {len(rows):6d} edges  within {100 * share(rows):5.1f} %  median stated {1000 * stated:6.1f}"
+          f"  true {1000 * true:6.1f} mm  mean true {1000 * mean:6.1f}")
+
+
+def report(rows):
+    line("all", rows)
+    for status in ("seen", "completed"):
+        line(status, [r for r in rows if r["status"] == status])
+    seen = [r for r in rows if r["status"] == "seen"]
+    for side in SIDES:
+        line("seen, " + side, [r for r in seen if r["side"] == side])
+    for key in ("noise", "registration", "density", "incidence", "stated"):
+        order = sorted(rows, key=lambda r: float(r[key]))
+        for k in range(5):
+            part = order[k * len(order) // 5:(k + 1) * len(order) // 5]
+            if part:
+                line(f"{key} {float(part[0][key]):.4g} to {float(part[-1][key]):.4g}", part)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("folder", type=pathlib.Path)
+    parser.add_argument("--seeds", default="0-19")
+    parser.add_argument("--scenes", default="facade-wild,row-wild,court-wild")
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--scan", action="append", default=[])
+    parser.add_argument("--tag", default="a")
+    given = parser.parse_args()
+    first, last = map(int, given.seeds.split("-"))
+    given.folder.mkdir(parents=True, exist_ok=True)
+    todo = [(scene, seed) for seed in range(first, last + 1) for scene in given.scenes.split(",")]
+    rows, matched, found, true, failed = [], 0, 0, 0, []
+    with concurrent.futures.ThreadPoolExecutor(given.jobs) as pool:
+        for scene, seed, result in pool.map(lambda item: judge(given, *item), todo):
+            if result is None:
+                failed.append(f"{scene} {seed}")
+                continue
+            for row in result[0]:
+                rows.append(dict(scene=scene, seed=seed, **row))
+            matched, found, true = matched + result[1], found + result[2], true + result[3]
+    with (given.folder / f"{given.tag}.csv").open("w", newline="") as file:
+        writer = csv.DictWriter(file, fieldnames=list(rows[0]) if rows else ["scene"])
+        writer.writeheader()
+        writer.writerows(rows)
+    print(f"openings: {matched} of {true} found, {found - matched} of {found} drawn in vain"
+          + (f"; failed: {', '.join(failed)}" if failed else ""))
+    report(rows)
+
+
+if __name__ == "__main__":
+    main()

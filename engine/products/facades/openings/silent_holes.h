@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+// Holes in the points of a wall: openings that gave no echo, and places that no ray reached.
+#pragma once
+#include <vector>
+
+#include "engine/products/facades/openings/wall_cells.h"
+#include "engine/products/facades/rays/ray_samples.h"
+
+namespace ilot {
+
+// A part of the wall without points that the wall or something before it surrounds.
+struct WallHole {
+  CellRegion region;
+  CellBox box;            // as box_of() gives it
+  bool straight = false;  // its sides are straight: it may be an opening
+  bool empty = false;     // nothing was seen in most of it, not even something before the wall
+  bool crossed = false;   // rays crossed it, and few of them came back: nothing stood before it
+};
+
+// A hole that is no known opening: it is drawn as not seen.
+struct UnseenArea {
+  std::vector<Place2> ring;  // counter-clockwise, metres in the axes of the wall
+  bool straight = false;     // the ring is a rectangle, which may be an opening
+  double error = 0;          // of its sides, metres
+};
+
+// Finds the holes in which a square of four fifths of `least_size` fits and in most of which no point of the wall or
+// behind it lies, except for those that end at a side or at the top of the wall. First come those that are crossed and
+// straight, whole or cut off by what stands before them, then the others.
+//
+// Rays of a station crossed a hole when points of this station are on the wall on all its sides: the scanner turned
+// through the hole on its way from one to the other. How many there were follows from the density of these points. Of
+// the cells of the hole, those are taken off before which a point of this station lies, near the wall or anywhere up
+// to the station (RaySamples::far_points). Where points of the street are missing from the cloud, what stood there may
+// be missing too; then a hole is crossed only if some rays ended in it behind the wall, on its reveals, or if the rays
+// of two stations crossed it. Without stations no hole is crossed. O(points).
+std::vector<WallHole> find_holes(const RaySamples& samples, const WallCells& cells, double least_size);
+
+// The outer ring of the cells of a hole, or its box where it is straight.
+UnseenArea area_of(const WallHole& hole, const WallCells& cells);
+
+}  // namespace ilot

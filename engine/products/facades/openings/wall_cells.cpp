@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/wall_cells.h"
+
+#include <cmath>
+
+#include "engine/products/facades/rays/cell_bands.h"
+#include "kernels/core/quantile.h"
+
+namespace ilot {
+namespace {
+
+// Choice: four points a cell; openings below three cells are lost.
+constexpr double kCellSteps = 2, kLeastCell = 0.02, kMostCell = 0.15;  // metres
+// Choice: posts between windows are narrower; wider ones part an opening in two.
+constexpr double kWidestBar = 0.15;  // metres; bars and frames that are nearly as far out as the wall
+// Choice: an arch takes the corners of its box; a gable window ends too far in.
+constexpr double kTail = 0.15;  // share of its rows and columns that may end farther out
+
+using enum WallCells::What;
+
+// The numbers of rays of a cell.
+struct CellCounts {
+  std::uint32_t solid = 0, through = 0, shallow = 0, blocked = 0, relief = 0;
+
+  WallCells::What what() const {
+    if (through > solid) return kThrough;
+    if (solid > 0) return kSolid;
+    if (blocked > 0) return 2 * relief > blocked ? kRelief : kBlocked;
+    return shallow > 0 ? kShallow : kUnknown;
+  }
+};
+
+// Counts the rays that cross the rows of cells [r0, r1).
+void count_rows(const RaySamples& samples, const WallCellParams& params, std::int64_t r0, std::int64_t r1,
+                WallCells& cells) {
+  const FacadeSite& site = samples.site();
+  std::vector<CellCounts> counts(static_cast<std::size_t>((r1 - r0) * cells.columns));
+  const Box2 rows{0, static_cast<double>(cells.columns) * cells.cell, static_cast<double>(r0) * cells.cell,
+                  static_cast<double>(r1) * cells.cell};
+  for (const Ray& ray : samples.near(rows.grown(cells.cell))) {
+    const double w = ray.at.w;
+    if (w < -params.farthest) continue;
+    const Place2 p = samples.crossing(ray, 0);
+    if (p.u < 0 || p.v < 0) continue;
+    const auto c = static_cast<std::int64_t>(p.u / cells.cell), r = static_cast<std::int64_t>(p.v / cells.cell);
+    if (c >= cells.columns || r < r0 || r >= r1) continue;
+    CellCounts& at = counts[static_cast<std::size_t>((r - r0) * cells.columns + c)];
+    const bool wall = samples.on_wall(ray);
+    if (wall) ++at.solid;
+    if (!wall && w < 0) ++(w < -params.least_depth ? at.through : at.shallow);
+    if (w > site.epsilon) ++at.blocked;
+    if (w > site.epsilon && w <= kFlatRelief) ++at.relief;
+  }
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    cells.what[static_cast<std::size_t>(r0 * cells.columns) + i] = counts[i].what();
+}
+
+// The first and the last cell of each row and of each column of a region; rows and columns count from its extent.
+struct RegionEnds {
+  std::vector<std::int64_t> left, right, low, high;
+};
+
+RegionEnds ends_of(const CellRegion& region, std::int64_t columns) {
+  CellBox all{INT64_MAX, -1, INT64_MAX, -1};
+  for (const std::int64_t i : region.cells) {
+    all = {std::min(all.c0, i % columns), std::max(all.c1, i % columns), std::min(all.r0, i / columns),
+           std::max(all.r1, i / columns)};
+  }
+  RegionEnds ends;
+  ends.left.assign(static_cast<std::size_t>(all.rows()), INT64_MAX), ends.right.assign(ends.left.size(), -1);
+  ends.low.assign(static_cast<std::size_t>(all.columns()), INT64_MAX), ends.high.assign(ends.low.size(), -1);
+  for (const std::int64_t i : region.cells) {
+    const auto r = static_cast<std::size_t>(i / columns - all.r0), c = static_cast<std::size_t>(i % columns - all.c0);
+    ends.left[r] = std::min(ends.left[r], i % columns), ends.right[r] = std::max(ends.right[r], i % columns);
+    ends.low[c] = std::min(ends.low[c], i / columns), ends.high[c] = std::max(ends.high[c], i / columns);
+  }
+  return ends;
+}
+
+}  // namespace
+
+WallCells cells_of(const RaySamples& samples, const WallCellParams& params) {
+  const FacadeSite& site = samples.site();
+  WallCells cells;
+  cells.cell = cell_for(site.width, site.height, std::clamp(kCellSteps * site.step, kLeastCell, kMostCell));
+  cells.columns = static_cast<std::int64_t>(site.width / cells.cell) + 1;
+  cells.rows = static_cast<std::int64_t>(site.height / cells.cell) + 1;
+  cells.what.assign(static_cast<std::size_t>(cells.columns * cells.rows), kUnknown);
+  for (const RowBand& band : bands_of(cells.columns, cells.rows))
+    count_rows(samples, params, band.first, band.end, cells);
+  return cells;
+}
+
+WallCells filled(const WallCells& cells, double longest) {
+  WallCells out = cells;
+  const auto most = static_cast<std::int64_t>(longest / cells.cell) + 1;
+  const auto most_shallow = static_cast<std::int64_t>(kWidestBar / cells.cell) + 1;
+  const auto fill_line = [&](std::int64_t c, std::int64_t r, std::int64_t dc, std::int64_t dr, std::int64_t length) {
+    std::int64_t last = -1, shallow = 0;
+    for (std::int64_t i = 0; i < length; ++i) {
+      const std::uint8_t what = cells.at(c + i * dc, r + i * dr);
+      shallow += what == kShallow;
+      if (what == kThrough) {
+        if (last >= 0 && i - last <= most && shallow <= most_shallow)
+          for (std::int64_t k = last + 1; k < i; ++k) out.at(c + k * dc, r + k * dr) = kThrough;
+        last = i;
+        shallow = 0;
+      } else if (what == kSolid) {
+        last = -1;
+      }
+    }
+  };
+  for (std::int64_t r = 0; r < cells.rows; ++r) fill_line(0, r, 1, 0, cells.columns);
+  for (std::int64_t c = 0; c < cells.columns; ++c) fill_line(c, 0, 0, 1, cells.rows);
+  return out;
+}
+
+CellBox box_of(const CellRegion& region, std::int64_t columns) {
+  RegionEnds ends = ends_of(region, columns);
+  return {lower_quantile(ends.left, kTail), lower_quantile(ends.right, 1 - kTail), lower_quantile(ends.low, kTail),
+          lower_quantile(ends.high, 1 - kTail)};
+}
+
+double straight_share(const CellRegion& region, const CellBox& box, std::int64_t columns) {
+  const RegionEnds ends = ends_of(region, columns);
+  const auto near = [](const std::vector<std::int64_t>& at, std::int64_t side) {
+    const auto count = std::count_if(at.begin(), at.end(), [&](std::int64_t i) { return std::abs(i - side) <= 1; });
+    return static_cast<double>(count) / static_cast<double>(at.size());
+  };
+  return std::min({near(ends.left, box.c0), near(ends.right, box.c1), near(ends.low, box.r0)});
+}
+
+}  // namespace ilot

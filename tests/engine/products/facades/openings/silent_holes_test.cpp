@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/openings/silent_holes.h"
+
+#include <gtest/gtest.h>
+
+#include "engine/products/facades/openings/openings.h"
+#include "tests/support/facade_sites.h"
+
+namespace ilot {
+namespace {
+
+constexpr Vec3 kSilentEye{1, 1.5, 8};
+constexpr std::uint32_t kNoEcho = 999;
+const test::Sheet kSilentWindow{2, 0, 2, 3.1, 1.2, 2.8, 0};
+
+// A wall with a window whose pane gives no echo. Its reveals do.
+test::ScannedWall silent_wall() {
+  test::ScannedWall wall;
+  wall.wall({kSilentWindow});
+  for (test::Sheet& s : wall.sheets)
+    if (s.axis == 2 && s.at < 0) s.plane = kNoEcho;
+  return wall;
+}
+
+TEST(SilentHoles, AWindowWithoutAnEchoIsAnOpening) {
+  const FacadeSite site = test::scan_wall(silent_wall(), kSilentEye, 0.0025, kNoEcho);
+  std::vector<UnseenArea> unseen;
+  const std::vector<FoundRectangle> found = find_openings(RaySamples(site), {}, nullptr, &unseen);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(found[0].no_echo);
+  EXPECT_NEAR(found[0].at(Side::left), 2, found[0].error(Side::left));
+  EXPECT_NEAR(found[0].at(Side::right), 3.1, found[0].error(Side::right));
+  EXPECT_NEAR(found[0].at(Side::bottom), 1.2, found[0].error(Side::bottom));
+  EXPECT_NEAR(found[0].at(Side::top), 2.8, found[0].error(Side::top));
+  for (const Side side : kSides) EXPECT_LT(found[0].error(side), 0.03);
+  EXPECT_TRUE(unseen.empty());
+}
+
+// A sign before the wall that was cut out of the cloud leaves a hole with straight sides, but nothing behind the wall.
+TEST(SilentHoles, TheShadowOfWhatWasCutOutIsOnlyAPossibleOpening) {
+  test::ScannedWall wall;
+  wall.wall({});
+  wall.sheets.push_back({2, 1, 2, 3.1, 1.2, 2.8, kNoEcho});
+  const FacadeSite site = test::scan_wall(wall, kSilentEye, 0.0025, kNoEcho);
+  std::vector<UnseenArea> unseen;
+  EXPECT_TRUE(find_openings(RaySamples(site), {}, nullptr, &unseen).empty());
+  ASSERT_EQ(unseen.size(), 1u);
+  EXPECT_TRUE(unseen[0].straight);
+  EXPECT_EQ(unseen[0].ring.size(), 4u);
+}
+
+// Something that is in the cloud stands before a window without an echo: none of it was seen.
+TEST(SilentHoles, WhatStandsBeforeAHoleStopsItsRays) {
+  test::ScannedWall wall = silent_wall();
+  wall.sheets.push_back({2, 1, 1.5, 3.3, 0.8, 2.9, 7});
+  const FacadeSite site = test::scan_wall(wall, kSilentEye, 0.0025, kNoEcho);
+  std::vector<UnseenArea> unseen;
+  EXPECT_TRUE(find_openings(RaySamples(site), {}, nullptr, &unseen).empty());
+  ASSERT_EQ(unseen.size(), 1u);
+  EXPECT_FALSE(unseen[0].straight);
+}
+
+// The same far from the wall, where only the source of far points has it.
+TEST(SilentHoles, WhatStandsInTheStreetStopsRaysToo) {
+  test::ScannedWall wall;
+  wall.wall({});
+  wall.sheets.push_back({2, 4, 1.5, 2.3, 1.4, 2.2, 7});
+  FacadeSite site = test::scan_wall(wall, kSilentEye, 0.0025, kNoEcho), near = site;
+  std::erase_if(near.points, [](const FacadePoint& p) { return p.w > 2.5F; });
+  near.points.push_back({2.5F, 1.5F, -0.1F, 0});
+  const FacadePointSource source = [&](const TakeFacadePoints& take) { take(near.points, {}); };
+  const FarPointSource far = [&](std::span<const SpaceBox>, const TakeFacadePoints& take) {
+    std::vector<FacadePoint> points;
+    for (const FacadePoint& p : site.points)
+      if (p.w > 2.5F) points.push_back(p);
+    for (int i = 0; i < 100; ++i) points.push_back({0.02F * static_cast<float>(i), 0, 7, 0});  // ground at the station
+    take(points, {});
+  };
+  FacadeSite empty = near;
+  empty.points.clear();
+  std::vector<UnseenArea> unseen;
+  EXPECT_TRUE(find_openings(RaySamples(empty, source, {}, far), {}, nullptr, &unseen).empty());
+  EXPECT_EQ(unseen.size(), 1u);
+  const FarPointSource ground = [&](std::span<const SpaceBox>, const TakeFacadePoints& take) {
+    std::vector<FacadePoint> points;
+    for (int i = 0; i < 100; ++i) points.push_back({0.02F * static_cast<float>(i), 0, 7, 0});
+    take(points, {});
+  };
+  EXPECT_EQ(find_openings(RaySamples(empty, source, {}, ground)).size(), 1u);
+}
+
+TEST(SilentHoles, TheRingOfCellsFollowsTheirBorder) {
+  WallCells cells{1, 5, 4, std::vector<std::uint8_t>(20, WallCells::kSolid)};
+  WallHole hole;
+  hole.region.cells = {6, 7, 12};  // a step: two cells in the second row, one above the right one
+  const UnseenArea area = area_of(hole, cells);
+  ASSERT_EQ(area.ring.size(), 6u);
+  double twice = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const Place2 a = area.ring[i], b = area.ring[(i + 1) % 6];
+    twice += a.u * b.v - b.u * a.v;
+  }
+  EXPECT_DOUBLE_EQ(twice, 6);
+}
+
+}  // namespace
+}  // namespace ilot
