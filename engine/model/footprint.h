@@ -3,7 +3,10 @@
 #pragma once
 #include <array>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "engine/model/building.h"
 
 namespace ilot {
 
@@ -15,6 +18,7 @@ struct Footprint {
   std::string id;                       // unique within a file
   std::vector<FootprintPolygon> parts;  // none: the reason is in fault
   std::string fault;                    // why no building can be made from it; empty when there are parts
+  std::vector<std::pair<std::string, AttributeValue>> attributes = {};  // of the file, without those that are null
 };
 
 }  // namespace ilot

@@ -22,7 +22,7 @@ std::vector<PlannedSite> planned_sites(const KeptRun& run, Progress& progress) {
   RunRecord record;
   Progress silent;  // the run has reported everything
   if (!run.options().footprints.empty())
-    return plan_footprints(run.options().footprints, run.inputs().crs, silent, record);
+    return plan_footprints(run.options().footprints, run.options().id_field, run.inputs().crs, silent, record);
   return plan_clusters(run.store(), run.options().settings.roofs, run.context(), progress, record);
 }
 
@@ -103,8 +103,8 @@ BuildingReplay replay_building(const KeptRun& run, const std::string& id, Progre
   RoofLabels labels(run.store());
   BuildingReplay building;
   building.planned = sites[number];
-  building.file = setup.file;
-  building.result = SiteModeller(setup.work, setup.model, setup.file, labels).model(number, &building.steps);
+  building.file = setup.file.city_json;
+  building.result = SiteModeller(setup.work, setup.model, setup.file.city_json, labels).model(number, &building.steps);
   if (building.planned.outline.polygon.empty()) return building;
   const auto reach = static_cast<std::int64_t>(1000 * reach_of(setup.work.params)) + 1;
   for (const std::uint32_t other : setup.map.near(building.planned.outline.box.grown(reach)))

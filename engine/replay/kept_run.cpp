@@ -116,6 +116,7 @@ RunOptions kept_options(const KeptRunPlaces& places) {
   options.products = request.value("products", std::vector<std::string>{});
   for (const json& input : request.value("inputs", json::array())) options.inputs.push_back(file_of(input));
   options.footprints = file_of(request.value("footprints", json()));
+  options.id_field = request.value("id_field", std::string());
   options.train = file_of(request.value("train", json()));
   options.crs = request.value("crs", "");
   options.to_crs = request.value("to_crs", "");

@@ -256,9 +256,10 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
   check_settings(options, inputs);
   warn_of_unused(options, progress, record);
-  const std::vector<PlannedSite> sites = options.footprints.empty() || !makes(options, "roofs")
-                                             ? std::vector<PlannedSite>{}
-                                             : plan_footprints(options.footprints, inputs.crs, progress, record);
+  const std::vector<PlannedSite> sites =
+      options.footprints.empty() || !makes(options, "roofs")
+          ? std::vector<PlannedSite>{}
+          : plan_footprints(options.footprints, options.id_field, inputs.crs, progress, record);
   if (options.dry_run) return dry_run(options, inputs, sites.size(), progress);
   if (out->open(inputs) == Opened::finished) {
     out->finish(options.keep_store);

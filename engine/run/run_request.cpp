@@ -122,6 +122,7 @@ std::string run_request(const RunOptions& options, const RunInputs& inputs) {
                      {"settings", settings_of(options)},
                      {"area", area_json(options.area)},
                      {"footprints", named_file(options.footprints)},
+                     {"id_field", options.id_field},
                      {"train", named_file(options.train)},
                      {"stations", stations_json(inputs.stations)},
                      {"products", options.products},

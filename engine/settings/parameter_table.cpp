@@ -198,6 +198,8 @@ Parameters roofs_parameters() {
       make("roofs.min_points", ILOT_FIELD(roofs.min_points), {3, 1e9}, "points", "fewest points of a roof face"),
       make("roofs.least_face_area", ILOT_FIELD(roofs.least_face_area), {0, 1e6}, "m2",
            "smaller roof faces go to their neighbour"),
+      make("roofs.detail", ILOT_FIELD(roofs.detail), {0, 10}, "m",
+           "roof faces that differ by less are drawn as one; 0 draws every plane that is found"),
       make("roofs.superstructures", ILOT_FIELD(roofs.superstructures), {}, "",
            "false leaves out what stands on the main roof: dormers, chimneys"),
       with_choices(make("roofs.attribute_style", ILOT_FIELD(roofs.attribute_style), {}, "",

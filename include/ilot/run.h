@@ -40,6 +40,7 @@ struct RunOptions {
   std::filesystem::path store;                          // for the blocks while it works; empty = output/.store
   std::optional<Area> area;                             // products inside only, neighbours as halo
   std::filesystem::path footprints;                     // outlines of buildings; empty = none
+  std::string id_field;                                 // attribute of the footprints that names them; empty = found
   std::filesystem::path stations;                       // where the scanners stood; empty = as the inputs say
   std::filesystem::path train;         // streets: a model of things (objects.model); empty = the own one
   std::optional<TextDialect> dialect;  // of text inputs; none: found from their rows

@@ -95,6 +95,7 @@ struct RoofsSettings {
   std::optional<double> epsilon;           // metres; farthest that a point lies from its roof face
   std::optional<int> min_points;           // fewest points of a roof face
   std::optional<double> least_face_area;   // m2; smaller faces go to their neighbour
+  double detail = 0.15;                    // metres; faces that differ by less are drawn as one; 0 = every plane
   bool superstructures = true;             // false: the main roof alone
   AttributeStyle attribute_style = AttributeStyle::plain;
   AdvancedRoofs advanced;

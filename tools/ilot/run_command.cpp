@@ -26,7 +26,8 @@ constexpr std::uint64_t kLeastMemory = 96u << 20, kUsualMemory = std::uint64_t{2
 // The options as the user gave them.
 struct RunArguments {
   std::vector<std::string> inputs, products{"planes"}, assignments;
-  std::string output, config, memory, store, bounds, within, footprints, stations, train, crs, to_crs, dialect, log;
+  std::string output, config, memory, store, bounds, within, footprints, id_field, stations, train, crs, to_crs,
+      dialect, log;
   int threads = 0;
   std::uint64_t block_points = 0;
   bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
@@ -84,6 +85,7 @@ RunOptions options_of(const RunArguments& given) {
   options.settings = settings_of(given);
   options.products = products_of(given);
   options.footprints = given.footprints;
+  options.id_field = given.id_field;
   options.stations = given.stations;
   options.train = given.train;
   if (given.inputs.empty()) throw Error("run: no INPUT given (ilot run --help)", ExitCode::usage);
@@ -155,6 +157,8 @@ void add_work_options(CLI::App& command, RunArguments& given) {
       ->option_text("FILE");
   command.add_option("--footprints", given.footprints, "outlines of buildings, any vector file, for roofs [none]")
       ->option_text("FILE");
+  command.add_option("--id-field", given.id_field, "attribute that names the footprints [identificatie, id ...]")
+      ->option_text("NAME");
   command.add_option("--stations", given.stations, "where scanners stood and how they turned, text [as inputs say]")
       ->option_text("FILE");
   command

@@ -11,6 +11,7 @@
 
 #include "engine/deliverables/layers/silent_gdal.h"
 #include "engine/deliverables/layers/spatial_reference.h"
+#include "engine/deliverables/solids/building_fields.h"
 #include "engine/error.h"
 #include "engine/formats/crs.h"
 
@@ -19,7 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<const char*, 5> kIdAttributes{"identificatie", "id", "building", "gid", "fid"};
+constexpr std::array<const char*, 9> kIdAttributes{"identificatie", "id",     "building", "gid",     "fid",
+                                                   "lokaalid",      "gml_id", "osm_id",   "objectid"};
 
 Error usage(const fs::path& path, const std::string& sentence) {
   return Error(path.string() + ": " + sentence, ExitCode::usage);
@@ -142,10 +144,62 @@ void read_geometry(const OGRFeature& feature, const ToCloud& to_cloud, Footprint
   }
 }
 
-int id_field(const OGRFeatureDefn& definition) {
+// Returns the number of the attribute that names the features: the given one, or the first usual one; -1 = none.
+int id_field_of(const OGRFeatureDefn& definition, const std::string& given, const fs::path& path) {
+  if (!given.empty()) {
+    if (const int field = definition.GetFieldIndex(given.c_str()); field >= 0) return field;
+    std::string all;
+    for (int i = 0; i < definition.GetFieldCount(); ++i)
+      all += (i > 0 ? ", " : "") + std::string(definition.GetFieldDefn(i)->GetNameRef());
+    throw usage(path, "has no attribute " + given + " (--id-field); it has " + (all.empty() ? "none" : all));
+  }
   for (const char* name : kIdAttributes)
     if (const int field = definition.GetFieldIndex(name); field >= 0) return field;
   return -1;
+}
+
+std::string lower_case(std::string text) {
+  for (char& c : text) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return text;
+}
+
+// The names under which the attributes of footprints are kept. A name that a building has already gets "footprint_"
+// before it. The attribute that names the features is not kept when it is called id, because buildings have an id.
+std::vector<std::string> kept_names(const OGRFeatureDefn& definition, int id_field) {
+  std::set<std::string> taken{"id", "fid", "geom"};
+  for (const AttributeStyle style : {AttributeStyle::plain, AttributeStyle::roofer})
+    for (const auto& [name, kind] : attribute_columns(style)) taken.insert(lower_case(name));
+  std::vector<std::string> names;
+  for (int i = 0; i < definition.GetFieldCount(); ++i) {
+    std::string name = definition.GetFieldDefn(i)->GetNameRef();
+    if (i == id_field && lower_case(name) == "id") {
+      names.emplace_back();
+      continue;
+    }
+    while (!taken.insert(lower_case(name)).second) name = "footprint_" + name;
+    names.push_back(name);
+  }
+  return names;
+}
+
+std::vector<std::pair<std::string, AttributeValue>> attributes_of(const OGRFeature& feature,
+                                                                  const std::vector<std::string>& names) {
+  std::vector<std::pair<std::string, AttributeValue>> attributes;
+  for (int i = 0; i < static_cast<int>(names.size()); ++i) {
+    if (names[static_cast<std::size_t>(i)].empty() || !feature.IsFieldSetAndNotNull(i)) continue;
+    const OGRFieldDefn& field = *feature.GetFieldDefnRef(i);
+    AttributeValue value;
+    if (field.GetSubType() == OFSTBoolean)
+      value = feature.GetFieldAsInteger(i) != 0;
+    else if (field.GetType() == OFTInteger || field.GetType() == OFTInteger64)
+      value = static_cast<std::int64_t>(feature.GetFieldAsInteger64(i));
+    else if (field.GetType() == OFTReal)
+      value = feature.GetFieldAsDouble(i);
+    else
+      value = std::string(feature.GetFieldAsString(i));
+    attributes.emplace_back(names[static_cast<std::size_t>(i)], std::move(value));
+  }
+  return attributes;
 }
 
 std::string id_of(const OGRFeature& feature, int field, std::size_t number) {
@@ -197,17 +251,19 @@ FootprintSource footprint_source(const fs::path& path) {
   return source;
 }
 
-FootprintFile read_footprints(const fs::path& path, const Crs& crs) {
+FootprintFile read_footprints(const fs::path& path, const Crs& crs, const std::string& id_field) {
   const OpenedLayer opened = open_layer(path);
   OGRLayer* layer = opened.layer;
   FootprintFile out;
   const ToCloud to_cloud(path, *layer, crs, out);
-  const int field = id_field(*layer->GetLayerDefn());
+  const int field = id_field_of(*layer->GetLayerDefn(), id_field, path);
+  const std::vector<std::string> names = kept_names(*layer->GetLayerDefn(), field);
   if (field >= 0) out.id_attribute = layer->GetLayerDefn()->GetFieldDefn(field)->GetNameRef();
   CPLErrorReset();
   for (const auto& feature : *layer) {
     Footprint& footprint = out.footprints.emplace_back();
     footprint.id = id_of(*feature, field, out.footprints.size());
+    footprint.attributes = attributes_of(*feature, names);
     read_geometry(*feature, to_cloud, footprint);
   }
   if (CPLGetLastErrorType() == CE_Failure && out.footprints.empty())

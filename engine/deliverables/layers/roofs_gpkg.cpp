@@ -62,7 +62,7 @@ struct RoofsGpkg::Layers {
   OGRLayer& buildings;
   OGRLayer& faces;
 
-  Layers(const std::filesystem::path& path, const Crs& crs, AttributeStyle named, double metres)
+  Layers(const std::filesystem::path& path, const Crs& crs, AttributeStyle named, double metres, const Columns& further)
       : file(path),
         style(named),
         metres_per_unit(metres),
@@ -70,6 +70,7 @@ struct RoofsGpkg::Layers {
         faces(file.add_layer("roof_faces", wkbPolygon25D, crs)) {
     add_field(buildings, "id", FieldKind::text);
     for (const auto& [name, kind] : attribute_columns(style)) add_field(buildings, name, kind);
+    for (const auto& [name, kind] : further) add_field(buildings, name, kind);
     add_field(faces, "building", FieldKind::text);
     add_field(faces, "lod", FieldKind::text);
     for (const auto& [name, kind] : face_columns(style)) add_field(faces, name, kind);
@@ -91,8 +92,9 @@ struct RoofsGpkg::Layers {
   }
 };
 
-RoofsGpkg::RoofsGpkg(const std::filesystem::path& path, const Crs& crs, AttributeStyle style, double metres_per_unit)
-    : layers_(std::make_unique<Layers>(path, crs, style, metres_per_unit)) {}
+RoofsGpkg::RoofsGpkg(const std::filesystem::path& path, const Crs& crs, AttributeStyle style, double metres_per_unit,
+                     const Columns& further)
+    : layers_(std::make_unique<Layers>(path, crs, style, metres_per_unit, further)) {}
 
 RoofsGpkg::~RoofsGpkg() = default;
 

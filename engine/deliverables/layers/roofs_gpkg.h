@@ -15,7 +15,9 @@ namespace ilot {
 // file is complete after finish(); without it, no file remains. Throws Error when it cannot be written.
 class RoofsGpkg {
  public:
-  RoofsGpkg(const std::filesystem::path& path, const Crs& crs, AttributeStyle style, double metres_per_unit);
+  // `further`: columns for attributes of buildings that are in no table, those of footprints.
+  RoofsGpkg(const std::filesystem::path& path, const Crs& crs, AttributeStyle style, double metres_per_unit,
+            const Columns& further = {});
   ~RoofsGpkg();
   void add(std::span<const Building> levels);
   void finish();

@@ -25,7 +25,9 @@ constexpr BuildingField kBuildingFields[] = {
     {"h_ground", kReal, "CRS", "height of the floor", "rf_h_ground"},
     {"ground_source", kText, "",
      "`measured`: a tenth of the ground points (`classes.ground`) within 4 m around the outline lie below it; "
-     "`lowest_point`: there were none, the lowest point within the margin of the outline's edges",
+     "`nearby`: "
+     "there were none, the same of those within 10 m, else 25 m, else 50 m (10 points at least), or the lowest point "
+     "within the margin of the outline's edges where that is lower; `lowest_point`: that point",
      nullptr},
     {"h_roof_min", kReal, "CRS", "height of the lowest point on roof faces (of all its points where there is no face)",
      "rf_h_roof_min"},
@@ -38,8 +40,22 @@ constexpr BuildingField kBuildingFields[] = {
      "`horizontal`, `multiple horizontal`, `slanted` (some face leans more than 5 degrees), `unknown` (no face), `no "
      "points`",
      "rf_roof_type"},
-    {"rmse_m", kReal, "m", "root mean square distance of points from the planes of their faces", "rf_rmse_lod22"},
     {"coverage", kReal, "", "share of the outline, in cells two sampling steps wide, that contains a point", nullptr},
+    {"rmse_m", kReal, "m",
+     "root mean square distance of all points of the building from the solid of the highest level of detail, those on "
+     "no "
+     "face too",
+     "rf_rmse_lod22"},
+    {"p95_m", kReal, "m", "distance that 95 % of these points do not exceed", nullptr},
+    {"explained", kReal, "", "share of these points within 0.2 m of the solid, or within epsilon where that is more",
+     nullptr},
+    {"largest_off_m2", kReal, "m2",
+     "area in plan of the largest connected part most of whose points are farther away than that", nullptr},
+    {"bare", kReal, "", "share of the roof, in cells of 0.5 m or two sampling steps, without a point within 1 m",
+     nullptr},
+    {"overshoot_m", kReal, "m", "how far the roof rises above all points within 1 m in plan", nullptr},
+    {"quality", kText, "", "`good`, `check` or `bad`: see `roofs.md`", nullptr},
+    {"quality_reason", kText, "", "in words, the figure that decided; none where the quality is good", nullptr},
     {"outline", kText, "", "what was wrong with the outline and has been mended", nullptr},
     {"overlaps", kText, "", "ids of the buildings whose outlines share a square metre or more with this one", nullptr},
     {"unit_id", kWhole, "", "number of the building in this run, dense from 1: `unit_id` of its points", nullptr},
@@ -53,7 +69,9 @@ constexpr BuildingField kFaceFields[] = {
 };
 
 // Additional attributes of roofer that follow from others.
+constexpr char kBlockRmse[] = "rf_rmse_lod12";
 constexpr BuildingField kRooferFields[] = {
+    {kBlockRmse, kReal, "m", "`rmse_m` where `lod12` is the highest level of detail", nullptr},
     {"rf_success", kTruth, "", "a solid was made", nullptr},
     {"rf_extrusion_mode", kText, "",
      "`standard` for `lod22`, `lod11_fallback` for `lod12`, `skip` for `footprint_only`", nullptr},
@@ -123,8 +141,10 @@ Attributes styled_attributes(std::span<const Building> levels, AttributeStyle st
   if (levels.empty()) return {};
   if (style == AttributeStyle::plain) return levels[0].attributes;
   Attributes out;
+  const auto* status = value_of<std::string>(levels[0].attributes, "status");
+  const bool block = status != nullptr && *status == "lod12";
   for (const auto& [name, value] : levels[0].attributes)
-    out.emplace_back(styled_name(name, kBuildingFields, style), value);
+    out.emplace_back(block && name == "rmse_m" ? kBlockRmse : styled_name(name, kBuildingFields, style), value);
   add_roofers_own(levels, metres_per_unit, out);
   return out;
 }
@@ -134,6 +154,13 @@ std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle 
   if (style == AttributeStyle::roofer)
     for (const BuildingField& f : kRooferFields) columns.emplace_back(f.name, f.kind);
   return columns;
+}
+
+bool is_measured(const std::string& name) {
+  const auto has_name = [&](const BuildingField& f) { return name == f.name || (f.roofer && name == f.roofer); };
+  return std::any_of(std::begin(kBuildingFields), std::end(kBuildingFields), has_name) ||
+         std::any_of(std::begin(kFaceFields), std::end(kFaceFields), has_name) ||
+         std::any_of(std::begin(kRooferFields), std::end(kRooferFields), has_name);
 }
 
 std::vector<std::pair<std::string, FieldKind>> face_columns(AttributeStyle style) {

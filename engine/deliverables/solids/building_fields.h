@@ -28,6 +28,7 @@ std::span<const BuildingField> building_fields();
 std::span<const BuildingField> face_fields();
 
 using Attributes = std::vector<std::pair<std::string, AttributeValue>>;
+using Columns = std::vector<std::pair<std::string, FieldKind>>;
 
 // Returns the attributes of a building in a style; `levels` are its levels of detail as they are written. roofer's
 // style renames attributes and adds those that follow from others: rf_success, rf_extrusion_mode, rf_nodata_frac,
@@ -37,6 +38,9 @@ Attributes styled_attributes(std::span<const Building> levels, AttributeStyle st
 // Return the columns that styled_attributes() may give, with their kinds, and the columns of faces, plane_id first.
 std::vector<std::pair<std::string, FieldKind>> attribute_columns(AttributeStyle style);
 std::vector<std::pair<std::string, FieldKind>> face_columns(AttributeStyle style);
+
+// True for the names of the tables, in both styles; others are a footprint's.
+bool is_measured(const std::string& name);
 
 // Returns slope, azimuth (not for horizontal faces) and area of a roof face.
 Attributes face_attributes(const SurfaceShape& shape, AttributeStyle style);

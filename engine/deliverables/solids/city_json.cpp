@@ -26,31 +26,53 @@ const char* name_of(SurfaceKind kind) {
   }
 }
 
-std::string head_text(const CityJsonParams& p) {
-  std::string text = fmt::format(
-      R"({{"type":"CityJSON","version":"2.0","transform":{{"scale":[{0},{0},{0}],"translate":[{1},{2},{3}]}})", p.step,
-      p.origin.x, p.origin.y, p.origin.z);
-  if (p.epsg > 0)
-    text += fmt::format(R"(,"metadata":{{"referenceSystem":"https://www.opengis.net/def/crs/EPSG/0/{}"}})", p.epsg);
-  return text;
-}
-
 std::string quoted(const std::string& text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-std::string value_text(const AttributeValue& value) {
+// The members of the metadata. The specification allows further ones beside its own.
+std::string metadata_text(const CityJsonParams& p) {
+  std::string text;
+  const auto add = [&](const char* name, const std::string& value) {
+    text += fmt::format("{}\"{}\":{}", text.empty() ? "" : ",", name, value);
+  };
+  if (p.epsg > 0) add("referenceSystem", fmt::format("\"https://www.opengis.net/def/crs/EPSG/0/{}\"", p.epsg));
+  if (p.extent) {
+    const auto& e = *p.extent;
+    add("geographicalExtent",
+        fmt::format("[{:.3f},{:.3f},{:.3f},{:.3f},{:.3f},{:.3f}]", e[0], e[1], e[2], e[3], e[4], e[5]));
+  }
+  if (!p.title.empty()) add("title", quoted(p.title));
+  if (!p.software.empty()) add("software", quoted(p.software));
+  if (!p.parameters.empty()) add("parameters", p.parameters);
+  return text;
+}
+
+std::string head_text(const CityJsonParams& p) {
+  std::string text = fmt::format(
+      R"({{"type":"CityJSON","version":"2.0","transform":{{"scale":[{0},{0},{0}],"translate":[{1},{2},{3}]}})", p.step,
+      p.origin.x, p.origin.y, p.origin.z);
+  const std::string metadata = metadata_text(p);
+  return metadata.empty() ? text : text + R"(,"metadata":{)" + metadata + "}";
+}
+
+// How real numbers are written: measured ones to the thousandth, those of a footprint as they were given.
+enum class Digits { three, all };
+
+std::string value_text(const AttributeValue& value, Digits digits) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
   if (const auto* text = std::get_if<std::string>(&value)) return quoted(*text);
   if (const auto* truth = std::get_if<bool>(&value)) return *truth ? "true" : "false";
   const double number = std::get<double>(value);
-  return std::isfinite(number) ? fmt::format("{:.3f}", number) : "null";
+  if (!std::isfinite(number)) return "null";
+  return digits == Digits::all ? fmt::format("{}", number) : fmt::format("{:.3f}", number);
 }
 
 std::string attributes_text(const Attributes& attributes) {
   std::string text;
   for (const auto& [name, value] : attributes)
-    text += (text.empty() ? "" : ",") + quoted(name) + ":" + value_text(value);
+    text += (text.empty() ? "" : ",") + quoted(name) + ":" +
+            value_text(value, is_measured(name) ? Digits::three : Digits::all);
   return text;
 }
 

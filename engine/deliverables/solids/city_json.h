@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,9 @@ struct CityJsonParams {
   double step = 0.0001;  // CRS units. Flat faces stay flat within 0.87 steps
   AttributeStyle style = AttributeStyle::plain;
   double metres_per_unit = 1;
+  std::string title = {}, software = {},
+              parameters = {};                       // of the metadata; parameters: an object of JSON; empty: none
+  std::optional<std::array<double, 6>> extent = {};  // lowest x, y, z and highest x, y, z; CRS units
 };
 
 // Writes one building after the other as they arrive. The extension selects the form: .jsonl is a CityJSONSeq with one

@@ -8,7 +8,7 @@ RoofFiles::RoofFiles(const std::filesystem::path& folder, const RoofFilesParams&
       sequence_(folder / "roofs.city.jsonl", params.city_json),
       object_(std::make_unique<CityJsonWriter>(folder / "roofs.city.json", params.city_json)),
       obj_(folder / "roofs.obj", {params.city_json.origin, params.city_json.step}),
-      gpkg_(folder / "roofs.gpkg", crs, params.city_json.style, params.city_json.metres_per_unit) {}
+      gpkg_(folder / "roofs.gpkg", crs, params.city_json.style, params.city_json.metres_per_unit, params.further) {}
 
 void RoofFiles::add(std::span<const Building> levels) {
   sequence_.add(levels);

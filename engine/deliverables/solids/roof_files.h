@@ -14,6 +14,7 @@ namespace ilot {
 struct RoofFilesParams {
   CityJsonParams city_json;
   std::uint64_t largest_object = 256u << 20;  // bytes of roofs.city.json; a larger one is left out
+  Columns further = {};                       // of roofs.gpkg: attributes of the footprints
 };
 
 // Writes folder/roofs.city.jsonl, roofs.city.json, roofs.obj with roofs.mtl, and roofs.gpkg: the same buildings in the

@@ -13,9 +13,9 @@ constexpr double kSharedArea = 1;  // m2; smaller overlaps come from imprecise d
 
 }  // namespace
 
-std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const Crs& crs, Progress& progress,
-                                         RunRecord& record) {
-  const FootprintFile file = read_footprints(path, crs);
+std::vector<PlannedSite> plan_footprints(const std::filesystem::path& path, const std::string& id_field, const Crs& crs,
+                                         Progress& progress, RunRecord& record) {
+  const FootprintFile file = read_footprints(path, crs, id_field);
   std::vector<PlannedSite> sites = plan_sites(file.footprints, crs.metres_per_unit);
   FootprintsRecord& summary = record.footprints.emplace();
   summary.path = path.string();

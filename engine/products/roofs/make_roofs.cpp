@@ -51,8 +51,13 @@ std::vector<PassTask> costs_of(const SiteWork& work, std::span<const std::size_t
 std::uint64_t bytes_of_tables(std::span<const PlannedSite> sites) {
   constexpr std::uint64_t kBytesOfSiteRow = sizeof(PlannedSite) + 200;
   std::uint64_t bytes = sites.size() * kBytesOfSiteRow;
-  for (const PlannedSite& site : sites)
+  for (const PlannedSite& site : sites) {
+    for (const auto& [name, value] : site.attributes) {
+      const auto* text = std::get_if<std::string>(&value);
+      bytes += 2 * sizeof site.attributes[0] + name.size() + (text == nullptr ? 0 : text->size());
+    }
     for (const auto& ring : site.outline.polygon) bytes += sizeof ring + ring.size() * sizeof(Point2);
+  }
   return bytes;
 }
 
@@ -189,7 +194,7 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   std::filesystem::create_directories(folder);
   RoofLabels labels(store);
   RoofSink sink(folder, setup.file, crs, labels, progress, record);
-  const SiteModeller modeller(work, setup.model, setup.file, labels);
+  const SiteModeller modeller(work, setup.model, setup.file.city_json, labels);
   model_sites(modeller, wanted, costs, budget, context, sink);
   sink.finish();
   labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });

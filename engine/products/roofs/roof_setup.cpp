@@ -3,6 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "engine/settings/parameters.h"
+#include "engine/version.h"
 
 namespace ilot {
 namespace {
@@ -20,6 +26,7 @@ RoofModelParams model_params(const RoofsSettings& s) {
   params.epsilon = s.epsilon.value_or(0);
   params.min_points = s.min_points.value_or(0);
   params.least_face_area = s.least_face_area.value_or(0);
+  params.detail = s.detail;
   params.superstructures = s.superstructures;
   params.normal_angle = s.advanced.normal_angle;
   params.same_angle = s.advanced.same_angle;
@@ -31,6 +38,64 @@ RoofModelParams model_params(const RoofsSettings& s) {
   params.wall_cost = s.advanced.wall_cost;
   params.overshoot = s.advanced.overshoot;
   params.block_height = s.advanced.block_height;
+  return params;
+}
+
+// The columns of the attributes of the footprints, in the order in which they appear.
+Columns columns_of(std::span<const PlannedSite> sites) {
+  constexpr FieldKind kKinds[] = {FieldKind::whole, FieldKind::real, FieldKind::text, FieldKind::truth};
+  Columns columns;
+  std::map<std::string, std::size_t> known;
+  for (const PlannedSite& site : sites)
+    for (const auto& [name, value] : site.attributes)
+      if (known.try_emplace(name, columns.size()).second) columns.emplace_back(name, kKinds[value.index()]);
+  return columns;
+}
+
+// The box of the outlines that the cloud meets, with the heights of the cloud; CRS units.
+std::optional<std::array<double, 6>> extent_of(const Store& store, std::span<const PlannedSite> sites,
+                                               double metres_per_unit) {
+  const double unit = store.unit(), per_mm = 0.001 / metres_per_unit;
+  std::array<double, 6> cloud{INFINITY, INFINITY, INFINITY, -INFINITY, -INFINITY, -INFINITY}, all = cloud;
+  for (const Block& b : store.blocks()) {
+    const double low[] = {static_cast<double>(b.box.min.x), static_cast<double>(b.box.min.y),
+                          static_cast<double>(b.box.min.z)};
+    const double high[] = {static_cast<double>(b.box.max.x), static_cast<double>(b.box.max.y),
+                           static_cast<double>(b.box.max.z)};
+    for (std::size_t k = 0; k < 3; ++k) {
+      cloud[k] = std::min(cloud[k], low[k] * unit);
+      cloud[k + 3] = std::max(cloud[k + 3], high[k] * unit);
+    }
+  }
+  for (const PlannedSite& site : sites) {
+    if (site.outline.polygon.empty()) continue;
+    const GridBox& box = site.outline.box;
+    const double x0 = static_cast<double>(box.min_x) * per_mm, x1 = static_cast<double>(box.max_x) * per_mm;
+    const double y0 = static_cast<double>(box.min_y) * per_mm, y1 = static_cast<double>(box.max_y) * per_mm;
+    if (x1 < cloud[0] || x0 > cloud[3] || y1 < cloud[1] || y0 > cloud[4]) continue;
+    all = {std::min(all[0], x0), std::min(all[1], y0), cloud[2], std::max(all[3], x1), std::max(all[4], y1), cloud[5]};
+  }
+  if (!(all[0] <= all[3])) return std::nullopt;
+  return all;
+}
+
+// The settings of roofs as an object of JSON.
+std::string roof_parameters(const Settings& settings) {
+  nlohmann::json own = nlohmann::json::object();
+  const nlohmann::json all = nlohmann::json::parse(settings_json(settings));
+  for (const auto& [key, value] : all.items())
+    if (key.starts_with("roofs.")) own[key] = value;
+  return own.dump();
+}
+
+CityJsonParams city_json_params(const Store& store, std::span<const PlannedSite> sites, const Settings& settings,
+                                const Crs& crs, const PassContext& context) {
+  CityJsonParams params{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
+                        settings.roofs.attribute_style, context.metres_per_unit};
+  params.title = "Buildings from a point cloud";
+  params.software = "ilot " + version();
+  params.parameters = roof_parameters(settings);
+  params.extent = extent_of(store, sites, context.metres_per_unit);
   return params;
 }
 
@@ -48,8 +113,8 @@ RoofSetup::RoofSetup(const Store& store, std::span<const PlannedSite> sites, con
     : map(map_of(sites)),
       work{store, sites, map, {}, context.metres_per_unit},
       model(model_params(settings.roofs)),
-      file{crs.epsg, origin_near(context.corner, store.unit(), context.metres_per_unit), 0.0001,
-           settings.roofs.attribute_style, context.metres_per_unit} {
+      file{city_json_params(store, sites, settings, crs, context), RoofFilesParams{}.largest_object,
+           columns_of(sites)} {
   work.params.margin = settings.roofs.margin;
 }
 

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "engine/cloud/cloud_info.h"
+#include "engine/deliverables/solids/roof_files.h"
 #include "engine/pass/context.h"
 #include "engine/products/roofs/site_modeller.h"
 #include "engine/settings/settings.h"
@@ -20,7 +21,7 @@ struct RoofSetup {
   OutlineMap map;
   SiteWork work;
   RoofModelParams model;
-  CityJsonParams file;
+  RoofFilesParams file;
 };
 
 }  // namespace ilot

@@ -3,10 +3,10 @@
 
 namespace ilot {
 
-RoofSink::RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs,
+RoofSink::RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs,
                    RoofLabels& labels, Progress& progress, RunRecord& record)
-    : files_(folder, {params}, crs),
-      page_(folder / "roofs.html", params.metres_per_unit),
+    : files_(folder, params, crs),
+      page_(folder / "roofs.html", params.city_json.metres_per_unit),
       labels_(labels),
       progress_(progress),
       record_(record) {

@@ -14,7 +14,7 @@ namespace ilot {
 // Takes results in the order of ids, and numbers, writes and counts them.
 class RoofSink {
  public:
-  RoofSink(const std::filesystem::path& folder, const CityJsonParams& params, const Crs& crs, RoofLabels& labels,
+  RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs, RoofLabels& labels,
            Progress& progress, RunRecord& record);
 
   void take(SiteResult& result);

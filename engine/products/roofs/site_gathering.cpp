@@ -2,6 +2,7 @@
 #include "engine/products/roofs/site_gathering.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "kernels/geometry/box3.h"
@@ -11,14 +12,16 @@ namespace {
 
 // Derived: the grid of outlines is 1 mm.
 constexpr double kGridMetres = 0.001;
+// Choice: the width of a street, of a block and of a large hall with its yard.
+constexpr std::array kGroundRings{10.0, 25.0, 50.0};  // metres around an outline in which ground is searched
+constexpr std::uint64_t kFewestGroundPoints = 10;
 
 double lattice_step(const SiteWork& work) {
   return work.store.unit() * work.metres_per_unit;
 }
 
-IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
+IndexBox column_around(const SiteWork& work, const PlannedSite& site, double reach) {
   const double step = lattice_step(work);
-  const double reach = reach_of(work.params);
   const auto low = [&](std::int64_t mm) {
     return static_cast<std::int64_t>(std::floor((static_cast<double>(mm) * kGridMetres - reach) / step)) - 1;
   };
@@ -27,6 +30,10 @@ IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
   };
   const GridBox& box = site.outline.box;
   return column_over(low(box.min_x), low(box.min_y), high(box.max_x), high(box.max_y));
+}
+
+IndexBox column_of_site(const SiteWork& work, const PlannedSite& site) {
+  return column_around(work, site, reach_of(work.params));
 }
 
 // The site's outline and the outlines within reach of it, seen from its anchor; `own` is the site's index among them.
@@ -94,9 +101,36 @@ UnitSample SiteReader::sample(GatheredSite& gathered) {
   return {taken.take(), total, corner};
 }
 
+// Takes the ground of a site without ground points around it from the nearest of some rings that has any. The ground is
+// not above the lowest point of the building's edge.
+void SiteReader::find_nearby_ground() {
+  const SitePointsParams& params = filter_.params();
+  std::array<ValueCounts, kGroundRings.size()> rings;
+  const IndexBox box = column_around(work_, planned_, kGroundRings.back());
+  for_each_stretch_in(work_.store, box, [&](const Stretch& s, std::span<const StretchPoint> inside) {
+    const auto roles = s.read(work_.store, columns::kRole);
+    for (const StretchPoint& p : inside) {
+      if (roles[p.number] != PointRole::ground) continue;
+      const Vec3 at = metres(p.position);
+      if (filter_.of(at, PointRole::ground) == PointMembership::held) continue;
+      const double distance = filter_.distance(at, kGroundRings.back());
+      for (std::size_t ring = 0; ring < kGroundRings.size(); ++ring)
+        if (distance <= kGroundRings[ring]) rings[ring].add(at.z);
+    }
+  });
+  for (ValueCounts& ring : rings) {
+    if (ring.count() < kFewestGroundPoints) continue;
+    const double last = static_cast<double>(ring.count() - 1);
+    rule_.ground = std::min(rule_.ground, ring.nth(static_cast<std::uint64_t>(params.ground_share * last)));
+    rule_.ground_source = GroundSource::nearby;
+    return;
+  }
+}
+
 GatheredSite SiteReader::gather() {
   GatheredSite gathered;
   const UnitSample chosen = sample(gathered);
+  if (rule_.ground_source == GroundSource::lowest_point && chosen.total > 0) find_nearby_ground();
   gathered.by_class = rule_.by_class;
   gathered.thinned = chosen.thinned();
   gathered.points = chosen.total;

@@ -110,6 +110,7 @@ class SiteReader {
     });
   }
   UnitSample sample(GatheredSite& gathered);
+  void find_nearby_ground();
 
   const SiteWork& work_;
   const PlannedSite& planned_;

@@ -46,6 +46,10 @@ std::string fault_of(const Faults& faults) {
          faults[0].where;
 }
 
+void append(const BuildingAttributes& from, BuildingAttributes& to) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
 std::string why_empty(const GatheredSite& gathered) {
   if (gathered.points_around == 0) return "no point of the cloud lies in its outline or around it";
   return "none of the points in its outline is a building's";
@@ -60,6 +64,7 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
     result.reason = planned.reason;
     result.levels.emplace_back().id = planned.id;
     result.levels[0].attributes = {{"status", std::string(name_of(result.status))}, {"reason", planned.reason}};
+    append(planned.attributes, result.levels[0].attributes);
     return result;
   }
   SiteReader reader(work_, number);
@@ -137,6 +142,7 @@ void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, B
   for (const std::uint32_t other : overlapping(work_.sites, work_.map, number))
     others += (others.empty() ? "" : ", ") + work_.sites[other].id;
   if (!others.empty()) attributes.emplace_back("overlaps", others);
+  append(work_.sites[number].attributes, attributes);
 }
 
 std::vector<Vec3> SiteModeller::points_to_show(const RoofSite& site) const {

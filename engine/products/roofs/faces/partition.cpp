@@ -16,10 +16,15 @@
 namespace ilot {
 namespace {
 
+// Derived: snap rounding bends straight lines by less than the square root of 2 steps of the grid of 1 mm.
+constexpr double kBentByRounding = 1.5;  // millimetres
+
 // Removes vertices in the middle of straight borders between the same two regions. It walks from junction to junction.
 class Straightener {
  public:
-  Straightener(Partition& partition, std::span<const std::uint8_t> fixed) : p_(partition), fixed_(fixed) {}
+  // `inner`: millimetres by which borders between two faces may change; the outline stays.
+  Straightener(Partition& partition, std::span<const std::uint8_t> fixed, double inner)
+      : p_(partition), fixed_(fixed), inner_(inner) {}
 
   void run() {
     around_.resize(p_.vertices.size());
@@ -69,11 +74,10 @@ class Straightener {
     }
   }
 
-  // Simplifies by Douglas and Peucker with the tolerance to which snap rounding can bend straight lines.
+  // Simplifies by Douglas and Peucker.
   void straighten(const std::vector<std::uint32_t>& chain, std::size_t from, std::size_t to, std::uint32_t left,
                   std::uint32_t right) {
-    // Derived: above the square root of 2 steps of the grid of 1 mm.
-    constexpr double kTolerance = 1.5;  // millimetres
+    const double tolerance = left == kOutside || right == kOutside ? kBentByRounding : inner_;
     const Point2 a = p_.vertices[chain[from]], b = p_.vertices[chain[to]];
     const double length = std::sqrt(static_cast<double>(squared_distance(a, b)));
     double worst = 0;
@@ -85,7 +89,7 @@ class Straightener {
         at = i;
       }
     }
-    if (worst > kTolerance) {
+    if (worst > tolerance) {
       straighten(chain, from, at, left, right);
       straighten(chain, at, to, left, right);
     } else {
@@ -96,6 +100,7 @@ class Straightener {
 
   Partition& p_;
   std::span<const std::uint8_t> fixed_;
+  double inner_;
   std::vector<std::vector<std::uint32_t>> around_;
   std::vector<std::uint8_t> done_;
   std::vector<PartitionEdge> edges_;
@@ -290,9 +295,15 @@ Partition merged(const Partition& partition, std::span<const std::uint32_t> labe
     const PartitionEdge kept{e.from, e.to, region(e.left), region(e.right)};
     if (kept.left != kept.right) m.edges.push_back(kept);
   }
-  Straightener(m, fixed).run();
+  Straightener(m, fixed, kBentByRounding).run();
   tidy(m);
   return m;
+}
+
+void straighten_borders(Partition& p, const SitePolygon& outline, double tolerance) {
+  const std::vector<std::uint8_t> fixed = corners_in(p, outline);
+  Straightener(p, fixed, std::max(kBentByRounding, tolerance * 1000)).run();
+  tidy(p);
 }
 
 std::vector<SitePolygon> region_polygons(const Partition& partition) {

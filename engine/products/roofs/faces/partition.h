@@ -50,6 +50,10 @@ std::vector<std::uint32_t> regions_of(const Partition& partition, std::span<cons
 Partition merged(const Partition& partition, std::span<const std::uint32_t> label, std::uint32_t labels,
                  std::span<const std::uint8_t> fixed);
 
+// Draws the borders between two regions with as few corners as stay within `tolerance` metres of them [Douglas, Peucker
+// 1973]. The outline and vertices where three regions meet stay. Borders that come close to others may cross them.
+void straighten_borders(Partition& partition, const SitePolygon& outline, double tolerance);
+
 // One flag per vertex: 1 = a corner of the outline.
 std::vector<std::uint8_t> corners_in(const Partition& partition, const SitePolygon& outline);
 

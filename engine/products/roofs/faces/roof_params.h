@@ -7,6 +7,7 @@ struct RoofModelParams {
   double epsilon = 0;           // metres; greatest distance of a point from its face; 0 = from noise and density
   int min_points = 0;           // fewest points of a face; 0 = from the density
   double least_face_area = 0;   // m2; smaller faces go to a neighbour
+  double detail = 0.15;         // metres; faces that differ by less are drawn as one; 0 = every plane is drawn
   bool superstructures = true;  // false: only the main roof
   double normal_angle = 25;     // degrees; greatest angle between a point's normal and that of its plane
   double same_angle = 3.5;      // degrees; planes that touch are joined up to this angle

@@ -9,6 +9,7 @@
 
 #include "engine/products/planes/cells/auto_params.h"
 #include "engine/products/roofs/faces/level_tops.h"
+#include "engine/products/roofs/faces/plane_joining.h"
 #include "kernels/core/portable_math.h"
 #include "kernels/core/rng.h"
 #include "kernels/core/union_find.h"
@@ -183,16 +184,6 @@ void join_alike(const Cloud& c, const NeighbourLists& neighbours, double epsilon
   s.planes = std::move(kept);
 }
 
-RoofPlane roof_plane(const Plane& plane, Vec3 corner) {
-  RoofPlane r;
-  r.gx = -plane.n.x / plane.n.z;
-  r.gy = -plane.n.y / plane.n.z;
-  r.c = corner.z - plane.d * kUnit / plane.n.z - r.gx * corner.x - r.gy * corner.y;
-  r.lowest = std::numeric_limits<double>::infinity();
-  r.highest = -r.lowest;
-  return r;
-}
-
 // Keeps the planes that a roof can have, and the labels of the points on them.
 void sort_out(const RoofSite& site, const Cloud& c, const PlaneSegments& s, RoofPlanes& r) {
   std::vector<std::uint32_t> number(s.planes.size() + 1, 0);
@@ -260,6 +251,7 @@ RoofPlanes find_roof_planes(const RoofSite& site, const RoofModelParams& params)
   if (!params.superstructures) drop_superstructures(params, r.step * r.step, c, s);
   sort_out(site, c, s, r);
   if (params.superstructures) add_level_tops(site, r);
+  join_explained(c.points(), c.corner, params.detail, r);
   return r;
 }
 

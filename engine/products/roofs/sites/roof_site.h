@@ -12,6 +12,7 @@ namespace ilot {
 
 enum class GroundSource : std::uint8_t {
   measured,      // from points of the ground around the outline
+  nearby,        // from points of the ground up to 50 m away, or the lowest point near the outline where it is lower
   lowest_point,  // there is no such point: the lowest point near the outline
 };
 

@@ -57,9 +57,9 @@ std::vector<PlannedSite> sites_of(const Footprint& footprint, double metres_per_
     const RepairedOutline repaired = repair_outline(given.polygon, kLeastArea);
     if (repaired.polygons.empty()) fault = repaired.repair;
     for (const SitePolygon& polygon : repaired.polygons)
-      sites.push_back({footprint.id, placed_again(polygon, given), "", repaired.repair});
+      sites.push_back({footprint.id, placed_again(polygon, given), "", repaired.repair, footprint.attributes});
   }
-  if (sites.empty()) sites.push_back({footprint.id, {}, fault, ""});
+  if (sites.empty()) sites.push_back({footprint.id, {}, fault, "", footprint.attributes});
   return sites;
 }
 

@@ -15,6 +15,7 @@ struct PlannedSite {
   PlacedOutline outline;  // an empty polygon: see `reason`
   std::string reason;     // why no building can be made on it
   std::string repair;     // what was repaired
+  std::vector<std::pair<std::string, AttributeValue>> attributes = {};  // of the footprint
 };
 
 // Returns one site for each part of each footprint, and one for each footprint that gives no outline, so that none is

@@ -2,6 +2,7 @@
 #include "engine/products/roofs/sites/site_points.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "kernels/geometry/ring.h"
@@ -60,6 +61,10 @@ PointMembership SiteFilter::of(Vec3 p, PointRole role) const {
     if (set.contains(p)) return PointMembership::none;
   if (ground) return PointMembership::ground;
   return is_nearest(p, d2) ? PointMembership::held : PointMembership::none;
+}
+
+double SiteFilter::distance(Vec3 p, double reach) const {
+  return std::sqrt(sets_[own_].distance2(p, reach));
 }
 
 bool SiteFilter::at_edge(Vec3 p) const {

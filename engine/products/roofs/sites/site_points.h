@@ -51,6 +51,9 @@ class SiteFilter {
   // O(corners of the outlines near the point).
   PointMembership of(Vec3 p, PointRole role) const;
 
+  // Returns the distance to the site's own edges in plan, in metres; infinite when it is surely beyond reach.
+  double distance(Vec3 p, double reach) const;
+
   // Returns true where a point is within the margin of the site's own edges.
   bool at_edge(Vec3 p) const;
 

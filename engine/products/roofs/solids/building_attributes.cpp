@@ -14,39 +14,15 @@ constexpr double kMillimetre = 0.001;
 // Choice: 5 degrees; flat roofs fall by 2 to 3 degrees.
 constexpr double kLevel = 0.996;  // cosine of 5 degrees: flatter faces are level
 
-Vec3 from_anchor(Vec3 p, const RoofSite& site, double metres_per_unit) {
-  return metres_per_unit * (p - site.anchor);
-}
-
-// The plane of a face by Newell's normal, whose length is twice the area, through the mean of the ring; metres from the
-// anchor.
-MeasuredFace face_of(const Building& building, const BuildingSurface& surface, const RoofSite& site,
-                     double metres_per_unit) {
-  Vec3 normal{0, 0, 0}, mean{0, 0, 0};
-  const auto at = [&](std::uint32_t v) { return from_anchor(building.vertices[v], site, metres_per_unit); };
-  for (const auto& ring : surface.rings) {
-    for (std::size_t i = 0; i < ring.size(); ++i) {
-      const Vec3 a = at(ring[i]), b = at(ring[(i + 1) % ring.size()]);
-      normal = normal + cross(a, b);
-      if (&ring == &surface.rings.front()) mean = mean + a;
-    }
+const char* name_of(GroundSource source) {
+  switch (source) {
+    case GroundSource::measured:
+      return "measured";
+    case GroundSource::nearby:
+      return "nearby";
+    default:
+      return "lowest_point";
   }
-  const double length = norm(normal);
-  if (surface.rings.empty() || !(length > 0)) return {};
-  const Vec3 n = (1 / length) * normal;
-  return {{n, -dot(n, (1.0 / static_cast<double>(surface.rings.front().size())) * mean)}, length / 2};
-}
-
-std::map<std::uint32_t, MeasuredFace> roof_faces_of(const RoofModel& model, const RoofSite& site,
-                                                    double metres_per_unit) {
-  std::map<std::uint32_t, MeasuredFace> faces;
-  for (const BuildingSurface& s : model.lod22.surfaces) {
-    if (s.kind != SurfaceKind::roof) continue;
-    const MeasuredFace face = face_of(model.lod22, s, site, metres_per_unit);
-    MeasuredFace& known = faces[s.plane_id];
-    if (face.area > known.area) known = face;
-  }
-  return faces;
 }
 
 double quantile(ValueCounts& values, double share) {
@@ -56,8 +32,7 @@ double quantile(ValueCounts& values, double share) {
 void add_heights(const RoofSite& site, ValueCounts& z, double metres_per_unit, BuildingAttributes& out) {
   const auto height = [&](double v) { return site.anchor.z + v / metres_per_unit; };
   out.emplace_back("h_ground", height(site.ground));
-  out.emplace_back("ground_source",
-                   std::string(site.ground_source == GroundSource::measured ? "measured" : "lowest_point"));
+  out.emplace_back("ground_source", std::string(name_of(site.ground_source)));
   if (z.count() == 0) return;
   out.emplace_back("h_roof_min", height(quantile(z, 0)));
   out.emplace_back("h_roof_50", height(quantile(z, 0.5)));
@@ -76,6 +51,20 @@ double coverage_of(const RoofSite& site, double area) {
   std::sort(cells.begin(), cells.end());
   cells.erase(std::unique(cells.begin(), cells.end()), cells.end());
   return std::min(1.0, static_cast<double>(cells.size()) * cell * cell / area);
+}
+
+void add_quality(const RoofModel& model, PointMeasures& measures, BuildingAttributes& out) {
+  if (measures.measured()) {
+    out.emplace_back("rmse_m", measures.rmse());
+    out.emplace_back("p95_m", measures.quantile(0.95));
+    out.emplace_back("explained", measures.explained());
+    out.emplace_back("largest_off_m2", measures.largest_off());
+    out.emplace_back("bare", measures.bare_share());
+    out.emplace_back("overshoot_m", measures.overshoot());
+  }
+  const RoofVerdict verdict = measures.verdict(model.status);
+  out.emplace_back("quality", std::string(verdict.quality));
+  if (!verdict.reason.empty()) out.emplace_back("quality_reason", verdict.reason);
 }
 
 std::string roof_type(const std::map<std::uint32_t, MeasuredFace>& faces) {
@@ -99,28 +88,6 @@ const char* name_of(RoofStatus status) {
   }
 }
 
-PointMeasures::PointMeasures(const RoofSite& site, const RoofModel& model, double metres_per_unit)
-    : faces_(roof_faces_of(model, site, metres_per_unit)) {}
-
-void PointMeasures::add(Vec3 p, std::uint32_t face) {
-  ++points_;
-  if (face == 0) ++off_;
-  (face != 0 ? on_faces_ : off_faces_).add(p.z);
-  const auto at = face == 0 ? faces_.end() : faces_.find(face);
-  if (at == faces_.end()) return;
-  const double d = signed_distance(at->second.plane, p);
-  squares_ += d * d;
-  ++measured_;
-}
-
-double PointMeasures::rmse() const {
-  return measured_ == 0 ? NAN : std::sqrt(squares_ / static_cast<double>(measured_));
-}
-
-double PointMeasures::share_off() const {
-  return points_ == 0 ? 0 : static_cast<double>(off_) / static_cast<double>(points_);
-}
-
 BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& model, double metres_per_unit,
                                        PointMeasures& measures) {
   const auto& faces = measures.faces();
@@ -133,8 +100,8 @@ BuildingAttributes building_attributes(const RoofSite& site, const RoofModel& mo
   out.emplace_back("area_m2", area);
   out.emplace_back("roof_faces", static_cast<std::int64_t>(faces.size()));
   out.emplace_back("roof_type", site.points.empty() ? std::string("no points") : roof_type(faces));
-  if (const double rmse = measures.rmse(); !std::isnan(rmse)) out.emplace_back("rmse_m", rmse);
   out.emplace_back("coverage", coverage_of(site, area));
+  add_quality(model, measures, out);
   return out;
 }
 

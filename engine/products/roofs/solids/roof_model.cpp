@@ -4,10 +4,14 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <span>
+#include <utility>
 
 #include "engine/error.h"
 #include "engine/products/roofs/faces/cell_labels.h"
+#include "engine/products/roofs/faces/concurrence.h"
+#include "engine/products/roofs/faces/corner_joining.h"
 #include "engine/products/roofs/faces/partition.h"
 #include "engine/products/roofs/faces/roof_faces.h"
 #include "engine/products/roofs/faces/roof_lines.h"
@@ -24,7 +28,13 @@ constexpr double kLeastFaceArea = 0.25;  // m2
 // Derived: ten centimetres squared, a mistake of drawing.
 constexpr double kLeastOutline = 0.01;  // m2
 constexpr std::size_t kFewestPoints = 3;
-constexpr int kAttempts = 4;  // attempts to raise a roof, each time with larger faces only ...
+// Choice: the sparsest clouds in use have a point for 4 m2; a quarter of that is a corner seen by chance.
+constexpr double kAreaOfPoint = 16;  // m2
+// Choice: less is the rim of a tile.
+constexpr double kSeenCell = 2, kLeastSeen = 0.1;  // metres; share of the outline in cells with a point
+// Choice: a corner that is off by twice what is drawn is seen.
+constexpr double kMostJoined = 2;  // times `detail`: the longest edge whose ends are joined
+constexpr int kAttempts = 4;       // attempts to raise a roof, each time with larger faces only ...
 // Choice: the step by which faces are given up until a solid is valid; smaller steps cost time.
 constexpr double kFewerFaces = 4;  // ... larger by this factor in area
 
@@ -35,6 +45,20 @@ Building building_of(const RoofSite& site, RoofSolid solid, const char* lod, dou
   for (const Vec3& v : solid.vertices) b.vertices.push_back(site.anchor + (1 / metres_per_unit) * v);
   b.surfaces = std::move(solid.surfaces);
   return b;
+}
+
+// Returns why the points say nothing about the roof as a whole; empty where they do.
+std::string too_sparse(const RoofSite& site) {
+  const double area = area_of(site.outline);
+  if (static_cast<double>(site.points.size()) * kAreaOfPoint < area)
+    return "fewer points than one for " + std::to_string(static_cast<int>(kAreaOfPoint)) + " m2 of the outline";
+  std::set<std::pair<std::int64_t, std::int64_t>> cells;
+  for (const Vec3& p : site.points)
+    cells.insert({static_cast<std::int64_t>(std::floor(p.x / kSeenCell)),
+                  static_cast<std::int64_t>(std::floor(p.y / kSeenCell))});
+  if (static_cast<double>(cells.size()) * kSeenCell * kSeenCell < kLeastSeen * area)
+    return "less than a tenth of the outline has points";
+  return {};
 }
 
 RoofPlane level_roof(const RoofSite& site, const RoofPlanes& planes, double block_height) {
@@ -113,6 +137,14 @@ bool add_block(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
   return true;
 }
 
+// The faces of a roof with the fewest corners that `detail` (metres) allows.
+RoofFaces with_few_corners(const RoofSite& site, RoofFaces roof, double step, double detail) {
+  join_corners(roof.faces, site.outline, roof.planes, std::clamp(step, detail, kMostJoined * detail));
+  straighten_borders(roof.faces, site.outline, detail);
+  adjust_to_concur(roof.faces, site.points, roof.of_point, detail, roof.planes);
+  return roof;
+}
+
 // Raises the faces of the roof. If the check refuses the solid, more and more of the small faces are given to their
 // neighbours.
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
@@ -133,8 +165,14 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
   std::string first_fault;
   for (int attempt = 0; attempt < kAttempts; ++attempt, least *= kFewerFaces) {
     RoofFaces roof = roof_faces(site, planes, c.cells, c.of_point, c.label, least);
+    std::optional<Building> house;
+    if (params.detail > 0) {
+      RoofFaces drawn = with_few_corners(site, roof, planes.step, params.detail);
+      house = raised(site, drawn.faces, drawn.planes, "2.2", metres_per_unit, check, model.reason);
+      if (house) roof = std::move(drawn);
+    }
+    if (!house) house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
     if (steps != nullptr) steps->faces = roof.faces, steps->face_planes = roof.planes;
-    auto house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
     if (house) {
       model.lod22 = std::move(*house);
       model.face_of_point = std::move(roof.of_point);
@@ -177,6 +215,7 @@ RoofModel model_roof(const RoofSite& site, const RoofModelParams& params, double
     model.reason = "fewer than 3 points";
     return model;
   }
+  if (model.reason = too_sparse(site); !model.reason.empty()) return model;
   const RoofPlanes planes = find_roof_planes(site, params);
   if (steps != nullptr) steps->planes = planes;
   if (!add_block(site, planes, params, metres_per_unit, check, model)) return model;
