@@ -21,9 +21,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uint32_t kTree = 7;  // true class
-constexpr double kHalf = 0.5;       // share of an object; with less, a candidate is not the object
-constexpr double kClearly = 0.2;    // difference by which one overlap is clearly better than another
+constexpr std::uint32_t kTree = 7;   // true class
+constexpr double kHighestTrunk = 2;  // metres above the ground; higher points of trees are crowns
+constexpr double kHalf = 0.5;        // share of an object; with less, a candidate is not the object
+constexpr double kClearly = 0.2;     // difference by which one overlap is clearly better than another
 
 struct MatchedObject {
   std::string class_name, variant;
@@ -38,6 +39,7 @@ struct TrueStreet {
   std::map<std::uint32_t, MatchedObject> objects;
   CutPlane ground;                            // plane of the road
   std::vector<std::pair<Vec3, Vec3>> blocks;  // left sides of the blocks, along the street
+  std::vector<Vec3> trees;                    // their bases, where the truth has them
 };
 
 Vec3 vec(const nlohmann::json& j) {
@@ -59,6 +61,8 @@ TrueStreet read_street(const fs::path& cloud) {
     const auto& v = p.at("plane");
     street.ground = {v[0], v[1], v[2], v[3]};
   }
+  if (root.contains("trees"))
+    for (const auto& t : root.at("trees")) street.trees.push_back(vec(t.at("base")));
   for (const auto& b : root.at("blocks"))
     if (b.at("side") == "left") street.blocks.emplace_back(vec(b.at("from")), vec(b.at("to")));
   return street;
@@ -101,11 +105,24 @@ struct Shares {
   }
 };
 
-// Trunks of trees that are isolated after everything above is cut off. The truth does not number these objects.
+// Trunks of trees, which stand alone after crowns are taken out or cut off. The truth does not number these objects.
 class Trunks {
  public:
-  // Returns the number of the trunk to which a point of a tree belongs.
+  explicit Trunks(const TrueStreet& truth) : bases_(!truth.trees.empty()) {
+    for (const Vec3& t : truth.trees) places_.emplace_back(t.x, t.y);
+  }
+
+  // Returns the number of the trunk to which a point of a tree belongs; 0 = none, where the bases of trees are known.
   std::uint32_t at(double x, double y, TrueStreet& truth) {
+    if (bases_) {
+      for (std::size_t t = 0; t < places_.size(); ++t) {
+        if (std::hypot(x - places_[t].first, y - places_[t].second) > kWidestKnown) continue;
+        const auto number = static_cast<std::uint32_t>(kFirst + t);
+        truth.objects.try_emplace(number, MatchedObject{"other", "trunk"});
+        return number;
+      }
+      return 0;
+    }
     std::size_t t = 0;
     while (t < places_.size() && std::hypot(x - places_[t].first, y - places_[t].second) > kWidest) ++t;
     const auto number = static_cast<std::uint32_t>(kFirst + t);
@@ -117,9 +134,11 @@ class Trunks {
   }
 
  private:
-  static constexpr double kWidest = 1;        // metres
-  static constexpr std::size_t kFirst = 1e6;  // above all numbers in a truth
+  static constexpr double kWidest = 1;         // metres
+  static constexpr double kWidestKnown = 0.5;  // metres around a base
+  static constexpr std::size_t kFirst = 1e6;   // above all numbers in a truth
   std::vector<std::pair<double, double>> places_;
+  bool bases_;
 };
 
 // Returns level and candidates of the pixel of a point. It keeps few tiles in memory.
@@ -134,7 +153,8 @@ class PixelLookup {
   Seen at(Index3 p) {
     const TileRaster& raster = tiles_.raster();
     const std::int64_t x = raster.column(p.x), y = raster.row(p.y), side = raster.grid.side;
-    const auto tile = static_cast<std::size_t>(y / side * raster.grid.columns() + x / side);
+    const std::size_t tile = raster.grid.tile_with(x, y);
+    if (tile == kNoTile) return {};
     auto entry = kept_.find(tile);
     if (entry == kept_.end()) {
       if (kept_.size() > 60) kept_.clear();
@@ -153,7 +173,7 @@ class PixelLookup {
 };
 
 // Reads all points. Counts which true points are in which candidate, and how much of the ground is found.
-Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand, TrueStreet& truth, Street& street) {
+Shares compare(PointReader& reader, const FoundStreet& found, TrueStreet& truth, Street& street) {
   const CloudInfo& info = reader.info();
   const ExtraField kind = *find_integer_field(info.layout, "true_class");
   const ExtraField element = *find_integer_field(info.layout, "true_element");
@@ -162,7 +182,8 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
   const Height least = raster.scale.units(StreetsSettings{}.least_height);
   Shares shares(found.candidates.size());
   PixelLookup look(found);
-  Trunks trunks;
+  Trunks trunks(truth);
+  const Height highest = raster.scale.units(kHighestTrunk);
   for_each_record(reader, [&](const std::byte* record) {
     std::int32_t raw[3];
     std::memcpy(raw, record, sizeof raw);
@@ -170,11 +191,11 @@ Shares compare(PointReader& reader, const FoundStreet& found, bool trunks_stand,
     if (!lattice.map(raw[0], raw[1], raw[2], p)) return;
     auto object = static_cast<std::uint32_t>(integer_of(record, element));
     const auto true_class = static_cast<std::uint32_t>(integer_of(record, kind));
-    if (trunks_stand && true_class == kTree)
-      object = trunks.at(raw[0] * info.layout.scale[0], raw[1] * info.layout.scale[1], truth);
+    const PixelLookup::Seen seen = look.at(p);
+    if (true_class == kTree && seen.level != kNoHeight && p.z - seen.level < highest)
+      object = trunks.at(static_cast<double>(p.x) * raster.unit, static_cast<double>(p.y) * raster.unit, truth);
     const auto entry = truth.objects.find(object);
     if (entry != truth.objects.end()) ++entry->second.points;
-    const PixelLookup::Seen seen = look.at(p);
     const bool on_ground = seen.level != kNoHeight && p.z - seen.level < least;
     street.ground += true_class == 1;
     street.ground_found += true_class == 1 && on_ground;
@@ -251,7 +272,7 @@ Street study(const fs::path& cloud, double cut) {
   const IndexResult index = build_index(readers, {}, folder, context);
   const FoundStreet found = find_street(index.store, {}, context);
   Street street;
-  const Shares shares = compare(*readers[0], found, cut > 0, truth, street);
+  const Shares shares = compare(*readers[0], found, truth, street);
   for (const auto& [id, object] : truth.objects) street.objects[object.class_name] += object.points > 0;
   add_samples(found, shares, truth, street);
   street.blocks = truth.blocks.size();

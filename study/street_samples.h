@@ -29,7 +29,7 @@ std::string name_of(PointLabel label);
 
 // Finds the object candidates of a cloud as a run does, and compares them with the truth in the same folder. Prints the
 // objects that no candidate overlaps by half. Throws where there is no truth. If cut > 0, points higher than `cut`
-// metres above the road are left out; then the trunks of trees are objects too, of class other.
+// metres above the road are left out. The trunks of trees are objects too, of class other.
 Street study(const std::filesystem::path& cloud, double cut = 0);
 
 // Writes the result of study() to a file, and reads it back.

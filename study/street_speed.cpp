@@ -12,7 +12,10 @@
 
 #include "engine/formats/reader.h"
 #include "engine/pass/index.h"
+#include "engine/products/streets/ground/street_mask.h"
+#include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
+#include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_training.h"
@@ -89,17 +92,30 @@ void measure(const std::filesystem::path& cloud, const std::filesystem::path& wo
   Clock clock;
   FoundStreet street;
   clock.time("density", [&] { street.density = point_density(store, context); });
-  const double pixel = pixel_for(street.density.median, view_of(street.density));
-  clock.time("images", [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel); });
+  const StreetView view = view_of(street.density);
+  const double pixel = pixel_for(street.density.median, view);
+  clock.time("images",
+             [&] { street.tiles = std::make_unique<StreetTiles>(store, context, pixel, street.density.median); });
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
   ObjectCandidateParams params;
-  clock.time("ground", [&] { street.ground = find_ground_tiled(tiles.layers(), scale); });
-  clock.time("what stands on it", [&] { find_artefacts_tiled(tiles.layers(), scale); });
+  clock.time("terrain", [&] { street.terrain = find_terrain(tiles.cells()); });
+  clock.time("heights", [&] { tiles.draw_heights(view); });
+  clock.time("structures", [&] {
+    find_structures(tiles.cells(), view);
+    tiles.take_out_crowns();
+  });
+  clock.time("ground", [&] { fill_ground_tiled(tiles.layers(), scale); });
+  clock.time("mask", [&] { find_street_mask(tiles.layers(), tiles.cells()); });
+  clock.time("what stands on it", [&] {
+    const ArtefactParams artefacts;
+    find_artefacts_tiled(tiles.layers(), scale, artefacts);
+    put_on_terrain(tiles.layers(), tiles.cells(), artefacts.highest_kerb, artefacts.least_height);
+  });
   clock.time("level of the ground", [&] { tiles.spread_level(ArtefactParams{}.ring_reach); });
   clock.time("points above it", [&] {
     params.mean_accumulation = tiles.mean_accumulation();
-    tiles.count_above(ArtefactParams{}.least_height, params.low_height, StreetView::street);
+    tiles.count_above(ArtefactParams{}.least_height, params.low_height, view);
   });
   clock.time("things", [&] { street.candidates = find_object_candidates(tiles.layers(), scale, params); });
   clock.time("blocks", [&] { street.stretches = find_city_blocks(tiles.layers(), scale); });

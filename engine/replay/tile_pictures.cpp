@@ -149,7 +149,7 @@ std::vector<Picture> pictures_of(const TileReplay& replay) {
   pictures.add_heights("closed", "short gaps closed and holes filled");
   pictures.add_heights("filled", "linked over shadows and filled");
   pictures.add("zones", "flat zones of the tile by number", 0, number);
-  pictures.add("mask", "the ground and what it encloses", 0,
+  pictures.add("mask", "the ground and what stands on it, without buildings", 0,
                [](Height) {
                  return PictureColour{120, 170, 110};
                },

@@ -78,7 +78,8 @@ std::uint64_t changed_labels(const Store& store, const std::vector<std::vector<S
 
 // True for layers with heights in units of the raster; others have numbers and counts.
 bool holds_heights(const std::string& layer) {
-  for (const char* name : {"range", "closed", "filled", "over", "raised", "height", "bare", "level", "standing"})
+  for (const char* name :
+       {"range", "clear", "closed", "filled", "foot", "over", "raised", "height", "bare", "level", "standing"})
     if (layer == name) return true;
   return false;
 }

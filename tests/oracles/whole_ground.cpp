@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tests/oracles/whole_street.h"
 
+#include <utility>
+
 #include "kernels/morphology/fill.h"
 #include "kernels/morphology/flat_zones.h"
 #include "kernels/morphology/outward_drops.h"
@@ -20,6 +22,14 @@ std::vector<std::uint8_t> on_border(const PixelLabels& labels) {
       if (end || x == 0 || x + 1 == labels.width) open[row[x]] = 1;
   }
   return open;
+}
+
+// The rank of a zone as ground: whether it does not stand above its surroundings and is comparable in size with the
+// largest zone, then its pixels.
+using GroundRank = std::pair<bool, std::uint64_t>;
+GroundRank ground_rank(std::uint64_t pixels, std::int32_t drops, std::uint64_t largest) {
+  constexpr std::uint64_t kComparable = 10;
+  return {drops <= 0 && pixels * kComparable >= largest, pixels};
 }
 
 // Returns the zone that is the ground, or 0 where there is none.

@@ -7,6 +7,8 @@
 
 #include "engine/products/streets/ground/artefacts.h"
 #include "engine/products/streets/ground/ground.h"
+#include "engine/tiles/raster_scale.h"
+#include "kernels/rasters/image.h"
 
 namespace ilot::test {
 

@@ -9,7 +9,10 @@
 #include "engine/deliverables/layers/street_map.h"
 #include "engine/deliverables/layers/streets_gpkg.h"
 #include "engine/model/point_label.h"
+#include "engine/products/streets/ground/street_mask.h"
+#include "engine/products/streets/ground/structures.h"
 #include "engine/products/streets/ground/tiled_artefacts.h"
+#include "engine/products/streets/ground/tiled_ground.h"
 #include "engine/products/streets/objects/object_selection.h"
 #include "engine/products/streets/street_labels.h"
 #include "engine/products/streets/street_rasters.h"
@@ -23,6 +26,10 @@ namespace {
 // Choice: lost scan lines leave two or three empty rows; wider ones are shadows.
 constexpr double kStepsOfGap = 5;          // pixels; least limit for the width of a gap between scan lines
 constexpr std::uint64_t kLeastPoints = 3;  // least number of points of an object [Hernandez and Marcotegui 2008, 5.3]
+// Choice: a person is lower; a trunk without points in the last 25 cm below its crown is taken for an object.
+constexpr double kTrunkShare = 0.9;  // of the height from which crowns are taken out
+// Choice: longer than a tram's car; what is longer is a wall, a fence or a hedge.
+constexpr double kLongestObject = 20;  // metres
 // Derived: a square of two pixels, the smallest that is no line.
 constexpr double kCandidatePixels = 4;  // least number of pixels of a candidate
 
@@ -104,24 +111,30 @@ void record_choices(const StreetsSettings& settings, const FoundStreet& street, 
   if (!settings.view)
     record.chosen.push_back(
         {"streets.view", std::string(kStreetViews[static_cast<std::size_t>(street.view)]),
-         fmt::format("{:.1f} % of the points lie in square metres with more than four times as many as most have: {}",
-                     100 * street.density.dense_share,
-                     air ? "what is upright was hardly seen" : "what is upright or near was seen best")});
+         fmt::format("{:.1f} % of the points lie in square metres with more than four times as many as most have, "
+                     "which is {:.1f}: {}",
+                     100 * street.density.dense_share, street.density.median,
+                     air ? "what is upright was hardly seen" : "it was scanned from the ground")});
 }
 
-// Reports that ground may have been left out, for example behind a bridge.
-void report_left_out_ground(const GroundZones& ground, Progress& progress, RunRecord& record) {
-  if (ground.left_out.empty()) return;
-  double area = 0;
-  for (const double a : ground.left_out) area += a;
-  const std::string sentence = fmt::format(
-      "streets: {:.0f} m2 of ground are worked on; {} level {} of {:.0f} m2 in all, the largest of {:.0f} m2, {} left "
-      "out: nothing within the step of streets.flat joins {} to the ground, as when a bridge crosses the street (a "
-      "flat roof or a deck looks the same)",
-      ground.taken, ground.left_out.size(), ground.left_out.size() == 1 ? "area" : "areas", area,
-      ground.left_out.front(), ground.left_out.size() == 1 ? "is" : "are", ground.left_out.size() == 1 ? "it" : "them");
-  progress.warn(sentence);
-  record.warnings.push_back(sentence);
+// Whether a candidate is the trunk of a crown above it: it reaches up to where the crown was taken out.
+bool is_trunk(const FoundStreet& street, const ObjectCandidate& candidate) {
+  const Cells& cells = street.tiles->cells();
+  if (candidate.features[static_cast<std::size_t>(ComponentFeature::max_height)] < kTrunkShare * kClearance)
+    return false;
+  const auto cell = [&](double pixel) { return static_cast<std::int64_t>((pixel + 0.5) / cells.factor); };
+  const Image structure =
+      layer_window(cells.layers, "structure", cell(candidate.middle_x), cell(candidate.middle_y), 1, 1);
+  return structure.values[0] == static_cast<Height>(Structure::crown);
+}
+
+// The classes of candidates, without trunks: these are vegetation.
+std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
+  for (std::size_t i = 0; i < classes.size(); ++i)
+    if (classes[i].label >= PointLabel::lamppost && is_street_object(classes[i].label) &&
+        is_trunk(street, street.candidates[i]))
+      classes[i].label = PointLabel::vegetation;
+  return classes;
 }
 
 }  // namespace
@@ -140,15 +153,21 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
   const StreetPixel pixel = street_pixel(store, settings, context);
   street.density = pixel.density;
   street.view = pixel.view;
-  street.tiles = std::make_unique<StreetTiles>(store, context, pixel.metres, see);
+  street.tiles = std::make_unique<StreetTiles>(store, context, pixel.metres, pixel.density.median, see);
   const StreetTiles& tiles = *street.tiles;
   const RasterScale& scale = tiles.raster().scale;
   ArtefactParams artefacts;
   artefacts.least_height = settings.least_height;
   artefacts.highest_kerb = settings.advanced.highest_kerb;
   artefacts.least_plateau = settings.advanced.least_pavement;
-  street.ground = find_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
+  street.terrain = find_terrain(tiles.cells());
+  tiles.draw_heights(street.view);
+  find_structures(tiles.cells(), street.view);
+  tiles.take_out_crowns();
+  fill_ground_tiled(tiles.layers(), scale, ground_params(settings, scale));
+  find_street_mask(tiles.layers(), tiles.cells());
   find_artefacts_tiled(tiles.layers(), scale, artefacts);
+  put_on_terrain(tiles.layers(), tiles.cells(), artefacts.highest_kerb, artefacts.least_height);
   tiles.spread_level(artefacts.ring_reach);
   const ObjectCandidateParams params = candidate_params(settings, scale, tiles.mean_accumulation());
   tiles.count_above(settings.least_height, params.low_height, street.view);
@@ -164,10 +183,9 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   std::filesystem::create_directories(folder);
   const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
   record_choices(settings.streets, street, record);
-  report_left_out_ground(street.ground, progress, record);
   const StreetClasses model = street_classes(street, train, crs, progress, record);
   if (model.trained) write_whole_file(folder / "objects.model", object_model_text(*model.trained));
-  const std::vector<CandidateClass> classes = model.of(street.candidates);
+  const std::vector<CandidateClass> classes = classes_without_trunks(street, model.of(street.candidates));
   const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
   const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
   StreetPlan plan;
@@ -175,8 +193,10 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   const StretchIndex blocks(street.stretches, street.tiles->raster().scale, settings.streets.advanced.block_distance);
   const double unit = store.unit();
   for (std::size_t i = 0; i < street.candidates.size(); ++i) {
-    if (taken[i] == 0 || !is_street_object(classes[i].label) || street.candidates[i].points < kLeastPoints) continue;
-    StreetObject object = object_of(street, blocks, street.candidates[i], classes[i]);
+    const ObjectCandidate& candidate = street.candidates[i];
+    if (taken[i] == 0 || !is_street_object(classes[i].label)) continue;
+    if (candidate.points < kLeastPoints || candidate.length > kLongestObject) continue;
+    StreetObject object = object_of(street, blocks, candidate, classes[i]);
     if (context.wanted && !context.wanted({std::llround(object.base.x / unit), std::llround(object.base.y / unit), 0}))
       continue;
     object.id = static_cast<std::uint32_t>(plan.objects.size() + 1);

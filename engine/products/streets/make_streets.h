@@ -10,7 +10,7 @@
 #include "engine/products/streets/blocks/city_blocks.h"
 #include "engine/products/streets/classes/object_model.h"
 #include "engine/products/streets/classes/training_sample.h"
-#include "engine/products/streets/ground/tiled_ground.h"
+#include "engine/products/streets/ground/terrain.h"
 #include "engine/products/streets/street_tiles.h"
 #include "engine/report/progress.h"
 #include "engine/report/run_record.h"
@@ -23,7 +23,7 @@ struct FoundStreet {
   std::unique_ptr<StreetTiles> tiles;       // all layers
   std::vector<ObjectCandidate> candidates;  // by number in the layer "candidates", from 1
   std::vector<StreetStretch> stretches;
-  GroundZones ground;
+  TerrainCounts terrain;
   PointDensity density;
   StreetView view = StreetView::street;  // where it was scanned from
 };

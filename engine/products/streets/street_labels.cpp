@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "engine/products/streets/ground/standing_form.h"
 #include "engine/tiles/lattice_cells.h"
 
 namespace ilot {
@@ -11,7 +12,7 @@ namespace {
 constexpr std::uint64_t kBytesPerPoint = 24;
 constexpr std::size_t kCachedTiles = 4;  // in Morton order, points around a common corner alternate between four tiles
 constexpr std::uint64_t kBytesOfTiles = (kCachedTiles * 2 + 1) << 20;
-constexpr std::uint32_t kFacade = 0xffffffffu;
+constexpr std::uint32_t kFacade = 0xffffffffu, kRoof = kFacade - 1;
 
 class Verdict {
  public:
@@ -19,6 +20,7 @@ class Verdict {
       : tiles_(tiles),
         candidates_(candidates),
         least_(tiles.raster().scale.units(least_height)),
+        clearance_(tiles.raster().scale.units(kClearance)),
         side_(tiles.raster().grid.side),
         units_(tiles.raster().tile_units()),
         pixel_of_(tiles.raster().pixel) {}
@@ -28,8 +30,12 @@ class Verdict {
     const std::size_t pixel = std::size_t{pixel_of_(p.y - tile.y)} * side_ + pixel_of_(p.x - tile.x);
     const Height level = tile.level.values[pixel];
     if (level == kNoHeight) return {};
-    if (height_of(p.z) - level < least_) return {0, PointLabel::ground};
+    const Height above = height_of(p.z) - level;
+    if (above < least_) return {0, PointLabel::ground};
     const auto candidate = static_cast<std::uint32_t>(tile.candidates.values[pixel]);
+    const Height structure = tile.structure.values[tiles_.cells().cell_of(pixel, side_)];
+    if (structure == static_cast<Height>(Structure::crown) && above >= clearance_) return {0, PointLabel::vegetation};
+    if (candidate == kRoof) return {0, above >= clearance_ ? PointLabel::roof : PointLabel::facade};
     if (candidate == kFacade) return {0, PointLabel::facade};
     return {candidates_.object[candidate], candidates_.label[candidate]};
   }
@@ -37,7 +43,8 @@ class Verdict {
  private:
   struct CachedTile {
     std::int64_t x = 0, y = 0;          // lattice units; its first pixel
-    Image level = {}, candidates = {};  // kFacade in candidates: no candidate, outside of the mask
+    Image level = {}, candidates = {};  // kFacade, kRoof in candidates: no candidate, outside of the mask
+    Image structure = {};               // of cells
     bool contains(Index3 p, std::int64_t units) const {
       return level.size() > 0 && p.x >= x && p.y >= y && p.x - x < units && p.y - y < units;
     }
@@ -56,16 +63,21 @@ class Verdict {
   CachedTile loaded(std::size_t tile) const {
     const Index3 corner = tiles_.raster().corner(tile);
     CachedTile out{corner.x, corner.y, layer_tile(tiles_.layers(), "level", tile),
-                   layer_tile(tiles_.layers(), "candidates", tile)};
+                   layer_tile(tiles_.layers(), "candidates", tile),
+                   layer_tile(tiles_.cells().layers, "structure", tile)};
     const Image mask = layer_tile(tiles_.layers(), "mask", tile);
     for (std::size_t i = 0; i < mask.size(); ++i)
-      if (out.candidates.values[i] == 0 && mask.values[i] != 1) out.candidates.values[i] = static_cast<Height>(kFacade);
+      if (out.candidates.values[i] == 0 && mask.values[i] != 1) {
+        const bool roof =
+            out.structure.values[tiles_.cells().cell_of(i, side_)] == static_cast<Height>(Structure::roof);
+        out.candidates.values[i] = static_cast<Height>(roof ? kRoof : kFacade);
+      }
     return out;
   }
 
   const StreetTiles& tiles_;
   const ObjectLabels& candidates_;
-  Height least_;
+  Height least_, clearance_;
   std::uint32_t side_;
   std::int64_t units_;  // side of a tile in lattice units
   LatticeCells pixel_of_;

@@ -7,6 +7,8 @@
 #include <mutex>
 
 #include "engine/pass/pass.h"
+#include "engine/products/streets/ground/standing_form.h"
+#include "engine/products/streets/ground/street_mask.h"
 #include "engine/store/stretches.h"
 #include "engine/tiles/lattice_cells.h"
 #include "kernels/core/integers.h"
@@ -19,7 +21,13 @@ namespace {
 
 constexpr std::uint32_t kSide = 512;
 constexpr RasterUse kUse{"streets", "a larger streets.pixel, "};
-constexpr std::uint64_t kBytesDrawn = 16;            // bytes per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesDrawn = 16;      // bytes per pixel of a tile that is drawn
+constexpr std::uint64_t kBytesOfHeights = 40;  // the same with the sums of cells, which have two pixels at least
+// Choice: higher than cars and people, so that few of their points decide the form of a cell.
+constexpr double kLeastOfShape = 1.5;  // metres above the terrain
+// Choice: longer than the step between points on a wall, shorter than a person.
+constexpr double kBinOfShape = 0.5;                  // metres
+constexpr std::uint32_t kFirstBin = 2;               // from 1 m on
 constexpr std::uint64_t kBytesOfStretch = 1u << 20;  // memory of points while they are read, with their chunks
 // Choice: at 5 cm a lamppost is two pixels wide; finer pixels cost time with the square.
 constexpr double kFinestPixel = 0.05;  // metres
@@ -30,7 +38,10 @@ constexpr double kPointsOfPixel = 2.302585;  // at random, one pixel in ten is t
 constexpr double kPointsOfHalfStep = 0.25;  // a quarter of a pixel whose side is the step
 constexpr std::uint32_t kDenseFactor = 4;   // times the median
 // Choice: docs/streets.md describes the rule; a flight over towers alone may exceed it.
-constexpr double kMaxDenseShare = 1.0 / 3;  // greatest share of points in dense cells for a view from the air
+constexpr double kMaxDenseShare = 0.25;  // greatest share of points in dense cells for a view from the air
+// Choice: surveys of cities from aircraft have 1 to 100 points a square metre; scans from the ground are thinned to
+// less than this only where they are also sparse on walls.
+constexpr double kMostFlown = 200;  // points a square metre
 
 // Calls take(point) for the points of the store in a box.
 template <class Take>
@@ -45,19 +56,32 @@ std::int64_t whole_units(const Store& store, const PassContext& context, double 
   return std::max<std::int64_t>(1, std::llround(metres / (store.unit() * context.metres_per_unit)));
 }
 
-// The level of each pixel of a tile. A pixel without a level takes it from the nearest pixel with one within `reach`
-// steps. `around` is the tile with reach + 1 pixels on all sides.
-Image spread(const Image& around, std::uint32_t reach) {
+// The level of each pixel of a tile. A pixel without one has the nearest within `reach` steps, and follows the terrain
+// from there. `around` and `terrain` are the tile with reach + 1 pixels on all sides.
+Image spread(const Image& around, const Image& terrain, std::uint32_t reach) {
   const std::uint32_t halo = reach + 1;
   return with_nearest_keys(around, reach, [&](const auto& nearest) {
     Image level = filled_image(around.width - 2 * halo, around.height - 2 * halo, kNoHeight);
     for (std::uint32_t y = 0; y < level.height; ++y)
       for (std::uint32_t x = 0; x < level.width; ++x) {
         const std::size_t i = std::size_t{y + halo} * around.width + x + halo;
-        if (nearest.any(i)) level.values[std::size_t{y} * level.width + x] = around.values[nearest.pixel(i)];
+        if (!nearest.any(i)) continue;
+        const std::size_t from = nearest.pixel(i);
+        const bool known = terrain.values[i] != kNoHeight && terrain.values[from] != kNoHeight;
+        level.values[std::size_t{y} * level.width + x] =
+            around.values[from] + (known ? terrain.values[i] - terrain.values[from] : 0);
       }
     return level;
   });
+}
+
+// The form of a cell that was scanned from the street: what is upright in its pixels is a wall or a pole, whatever else
+// is in the cell, and nothing else is. `bins`: those of its pixels, row by row; `top`: the bin of its highest point.
+StandingForm street_shape(StandingForm of_points, const HeightBins* bins, std::uint32_t factor, std::uint32_t top) {
+  for (std::uint32_t v = 0; v < factor; ++v)
+    for (std::uint32_t u = 0; u < factor; ++u)
+      if (is_upright(bins[v * kSide + u], {kFirstBin, top})) return StandingForm::upright;
+  return of_points == StandingForm::upright || of_points == StandingForm::pole ? StandingForm::inclined : of_points;
 }
 
 // The density from the number of cells (of `area` square metres each) by number of points.
@@ -98,7 +122,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
 }
 
 StreetView view_of(const PointDensity& density) {
-  return density.dense_share < kMaxDenseShare ? StreetView::air : StreetView::street;
+  return density.dense_share < kMaxDenseShare && density.median <= kMostFlown ? StreetView::air : StreetView::street;
 }
 
 double pixel_for(double density, StreetView view) {
@@ -112,11 +136,13 @@ TileRaster street_raster(const Store& store, const PassContext& context, double 
   return plan_raster(store, context, whole_units(store, context, pixel_metres), kSide, kUse);
 }
 
-StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres, SeeTile see)
+StreetTiles::StreetTiles(const Store& store, const PassContext& context, double pixel_metres, double density,
+                         SeeTile see)
     : store_(store),
       context_(context),
       tiles_(context, store.folder() / "streets", street_raster(store, context, pixel_metres), kUse),
-      layers_(tiles_.layers()) {
+      layers_(tiles_.layers()),
+      cells_(cells_of(layers_, raster().scale, density)) {
   if (see)
     layers_.write = [this, see](const char* layer, std::size_t tile, const Image& image) {
       see(raster(), layer, tile, image);
@@ -138,15 +164,78 @@ void StreetTiles::for_points(std::size_t tile, const Take& take) const {
 
 void StreetTiles::draw(std::size_t tile) {
   Image range = filled_image(kSide, kSide, kNoHeight), accumulation = filled_image(kSide, kSide, 0);
+  Image lowest = filled_image(cells_.side(), cells_.side(), kAboveAll);
   std::uint64_t points = 0;
   for_points(tile, [&](std::size_t pixel, Height z) {
     range.values[pixel] = std::max(range.values[pixel], z);
     ++accumulation.values[pixel];
+    Height& low = lowest.values[cells_.cell_of(pixel, kSide)];
+    low = std::min(low, z);
     ++points;
   });
+  for (Height& v : lowest.values) v = v == kAboveAll ? kNoHeight : v;
   layers().write("range", tile, range);
   layers().write("accumulation", tile, accumulation);
+  cells_.layers.write("lowest", tile, lowest);
   context_.advance(points);
+}
+
+void StreetTiles::draw_heights(StreetView view) const {
+  const Height clearance = raster().scale.units(kClearance), least = raster().scale.units(kLeastOfShape);
+  const std::int64_t side = raster().pixel * cells_.factor;  // of a cell, in lattice units
+  const auto bin = static_cast<Height>(std::max(1, raster().scale.units(kBinOfShape)));
+  const std::vector<std::uint64_t> bytes(raster().grid.count(), kBytesOfHeights * kSide * kSide + kBytesOfStretch);
+  run_tasks(raster().grid, bytes, [&](std::size_t tile) {
+    const Image terrain = layer_tile(cells_.layers, "terrain", tile);
+    Image clear = filled_image(kSide, kSide, kNoHeight), clear_points = filled_image(kSide, kSide, 0);
+    std::vector<StandingPoints> cells(terrain.size());
+    std::vector<HeightBins> bins(clear.size(), 0);
+    const Index3 corner = raster().corner(tile);
+    const LatticeCells cell_of(side), pixel_of(raster().pixel);
+    for_points_in(store_, raster().box(tile), [&](Index3 p) {
+      const std::int64_t x = p.x - corner.x, y = p.y - corner.y;
+      const std::uint32_t u = cell_of(x), v = cell_of(y);
+      const std::size_t cell = std::size_t{v} * cells_.side() + u;
+      if (terrain.values[cell] == kNoHeight) return;
+      const Height z = height_of(p.z), above = z - terrain.values[cell];
+      cells[cell].add(x - u * side, y - v * side, above, least);
+      const std::size_t pixel = std::size_t{pixel_of(y)} * kSide + pixel_of(x);
+      if (above > 0) bins[pixel] |= HeightBins{1} << std::min<std::uint32_t>(kHeightBins - 1, above / bin);
+      if (above >= clearance) return;
+      clear.values[pixel] = std::max(clear.values[pixel], z);
+      ++clear_points.values[pixel];
+    });
+    Image shape = filled_image(cells_.side(), cells_.side(), 0), top = shape;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const std::size_t first = (i / shape.width * kSide + i % shape.width) * cells_.factor;
+      StandingForm of = cells[i].shape(static_cast<double>(side));
+      if (view == StreetView::street)
+        of = street_shape(of, bins.data() + first, cells_.factor,
+                          static_cast<std::uint32_t>(std::max(0, cells[i].top() / bin)));
+      shape.values[i] = static_cast<Height>(of);
+      top.values[i] = cells[i].top();
+    }
+    layers().write("clear", tile, clear);
+    layers().write("clear points", tile, clear_points);
+    cells_.layers.write("shape", tile, shape);
+    cells_.layers.write("top", tile, top);
+  });
+}
+
+void StreetTiles::take_out_crowns() const {
+  for_each_tile(raster().grid, [&](std::size_t tile) {
+    const Image structure = layer_tile(cells_.layers, "structure", tile);
+    const auto crown = static_cast<Height>(Structure::crown);
+    if (std::find(structure.values.begin(), structure.values.end(), crown) == structure.values.end()) return;
+    Image range = layer_tile(layers(), "range", tile), accumulation = layer_tile(layers(), "accumulation", tile);
+    const Image clear = layer_tile(layers(), "clear", tile), points = layer_tile(layers(), "clear points", tile);
+    for (std::size_t i = 0; i < range.size(); ++i)
+      if (structure.values[cells_.cell_of(i, kSide)] == crown)
+        range.values[i] = clear.values[i], accumulation.values[i] = points.values[i];
+    layers().write("range", tile, range);
+    layers().write("accumulation", tile, accumulation);
+  });
+  for (const char* layer : {"clear", "clear points", "shape", "top"}) layers().drop(layer);
 }
 
 double StreetTiles::mean_accumulation() const {
@@ -169,22 +258,37 @@ void StreetTiles::spread_level(double reach) const {
   const std::uint32_t halo = raster().scale.pixels(reach) + 1;
   for_each_tile(raster().grid,
                 [&](std::size_t tile) {
-                  layers().write("level", tile, spread(layer_around(layers(), "bare", tile, halo), halo - 1));
+                  const Image terrain = terrain_of_pixels(cells_, tile, halo);
+                  Image level = spread(layer_around(layers(), "bare", tile, halo), terrain, halo - 1);
+                  const Image own = without_halo(terrain, halo);
+                  Image mask = layer_tile(layers(), "mask", tile);
+                  bool far = false;
+                  for (std::size_t i = 0; i < level.size(); ++i) {
+                    if (level.values[i] != kNoHeight) continue;
+                    level.values[i] = own.values[i];
+                    if (mask.values[i] == 0) mask.values[i] = 2, far = true;
+                  }
+                  layers().write("level", tile, level);
+                  if (far) layers().write("mask", tile, mask);
                 },
-                {16, halo});
+                {20, halo});
   layers().drop("bare");
 }
 
 void StreetTiles::count_above(double least_height, double low_height, StreetView view) const {
-  const Height least = raster().scale.units(least_height), low_below = raster().scale.units(low_height);
+  const Height least = raster().scale.units(least_height), low_below = raster().scale.units(low_height),
+               clearance = raster().scale.units(kClearance);
   const auto bin = static_cast<std::uint32_t>(std::max(1, raster().scale.units(raster().scale.bin())));
   const std::uint32_t bins = view == StreetView::street ? kOccupancyBins : 0;
   for_each_tile(raster().grid, [&](std::size_t tile) {
-    const Image level = layer_tile(layers(), "level", tile);
+    const Image level = layer_tile(layers(), "level", tile), structure = layer_tile(cells_.layers, "structure", tile);
     Image above = filled_image(kSide, kSide, 0), low = above, occupancy = above;
     for_points(tile, [&](std::size_t pixel, Height z) {
       const Height ground = level.values[pixel];
       if (ground == kNoHeight || z - ground < least) return;
+      if (z - ground >= clearance &&
+          structure.values[cells_.cell_of(pixel, kSide)] == static_cast<Height>(Structure::crown))
+        return;
       ++above.values[pixel];
       low.values[pixel] += z - ground < low_below;
       if (const std::uint32_t i = static_cast<std::uint32_t>(z - ground) / bin; i < bins)

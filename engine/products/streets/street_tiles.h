@@ -5,6 +5,7 @@
 #include <functional>
 
 #include "engine/pass/context.h"
+#include "engine/products/streets/ground/cells.h"
 #include "engine/settings/settings.h"
 #include "engine/store/store.h"
 #include "engine/tiles/raster_layers.h"
@@ -26,16 +27,19 @@ struct PointDensity {
 PointDensity point_density(const Store& store, const PassContext& context);
 
 // Decides from where a cloud was scanned. A scanner that looks straight down gives each square metre about the same
-// number of points. A scanner that moves along the street gives many times more points to what is upright or near. The
-// view is from the air where less than a third of the points lie in dense cells. Among our test clouds this share is 0
-// to 17 % for clouds scanned from the air (the most is an old town with its walls) and 72 to 91 % for clouds from
-// vehicles.
+// number of points, and few of them. A scanner on the ground gives many times more points to what is upright or near.
+// The view is from the air where less than a quarter of the points lie in dense cells and the median is at most 200
+// points a square metre. Among our test clouds the share is 0 to 17 % for clouds scanned from the air (the most is an
+// old town with its walls); from the ground it can be as small where walls are cut off, but the points are then dense.
 StreetView view_of(const PointDensity& density);
 
 // The size of a pixel for a density, in multiples of 5 cm from 5 cm to 1 m. From the street it is half of the sampling
 // step: what is upright fills its pixels many times. From the air it is the size at which a pixel contains a point with
 // a probability of nine in ten if the points lie at random: each object is then one connected component.
 double pixel_for(double density, StreetView view);
+
+// Choice: more than the height of a van. What is higher in a cell with a crown is the crown's.
+constexpr double kClearance = 2.5;  // metres above the terrain
 
 // Receives each image of a tile before a step writes it. It is called from several threads at once.
 using SeeTile = std::function<void(const TileRaster& raster, const char* layer, std::size_t tile, const Image& image)>;
@@ -45,12 +49,23 @@ TileRaster street_raster(const Store& store, const PassContext& context, double 
 
 class StreetTiles {
  public:
-  // Plans the raster and draws "range" and "accumulation". Tiles without a point are absent. Throws Error where there
-  // are so many tiles that their pixels cannot be numbered (2^31 in one direction).
-  StreetTiles(const Store& store, const PassContext& context, double pixel_metres, SeeTile see = {});
+  // Plans the raster and the cells, for a density in points a square metre. Draws "range" and "accumulation" of pixels
+  // and "lowest" of cells. Tiles without a point are absent. Throws Error where there are so many tiles that their
+  // pixels cannot be numbered (2^31 in one direction).
+  StreetTiles(const Store& store, const PassContext& context, double pixel_metres, double density, SeeTile see = {});
 
   const TileRaster& raster() const { return tiles_.raster(); }
   const TileLayers& layers() const { return layers_; }
+
+  const Cells& cells() const { return cells_; }
+
+  // Reads "terrain". Writes "shape" (StandingForm) and "top" (units above the terrain) of cells, and for pixels "clear"
+  // and "clear points", the highest point below kClearance above the terrain and the number of points below it.
+  void draw_heights(StreetView view) const;
+
+  // Takes crowns out of the images: in cells with a crown (the layer "structure") "range" and "accumulation" become
+  // those of the points below kClearance. Drops what draw_heights wrote.
+  void take_out_crowns() const;
 
   // The mean number of points of a ground pixel that has any; 1 where there is no such pixel. Reads "mask", "height"
   // and "accumulation".
@@ -58,12 +73,12 @@ class StreetTiles {
 
   // Writes "level", the height of the ground. In a pixel of the ground it is the height of "bare", which is the ground
   // without what stands on it. Within `reach` metres around the ground it is the level of the nearest ground pixel;
-  // beyond that it is kNoHeight. Drops "bare".
+  // beyond that it is the terrain, and 0 of the "mask" becomes 2. Drops "bare".
   void spread_level(double reach) const;
 
   // Writes three layers. "above": the number of points at least least_height metres above the level. "low": the number
   // of those that are lower than low_height. "occupancy": the bins (RasterScale::bin) that contain such points; it is
-  // empty from the air, where no side is seen.
+  // empty from the air, where no side is seen. Points in crowns are left out.
   void count_above(double least_height, double low_height, StreetView view) const;
 
  private:
@@ -75,6 +90,7 @@ class StreetTiles {
   const PassContext& context_;
   RasterLayers tiles_;
   TileLayers layers_;
+  Cells cells_;
 };
 
 }  // namespace ilot

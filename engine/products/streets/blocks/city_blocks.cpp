@@ -113,7 +113,7 @@ class BlockFinder {
     std::size_t i = 0;
     for (std::uint32_t y = 0; y < frame.height; ++y) {
       for (std::uint32_t x = 0; x < frame.width; ++x, ++i) {
-        if (mask.values[i] == 1 || range.values[i] == kNoHeight || level.values[i] == kNoHeight) continue;
+        if (mask.values[i] != 0 || range.values[i] == kNoHeight || level.values[i] == kNoHeight) continue;
         const Height height = range.values[i] - level.values[i];
         if (height < least) continue;
         const std::size_t c = std::size_t{(frame.y + y) / factor_ - y0} * columns + (frame.x + x) / factor_ - x0;

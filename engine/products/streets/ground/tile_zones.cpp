@@ -3,30 +3,17 @@
 
 #include <algorithm>
 
-#include "engine/products/streets/ground/ground.h"
-#include "kernels/morphology/outward_drops.h"
-
 namespace ilot {
 
 TileZones::TileZones(const TileLayers& layers, const char* layer)
     : layers_(layers), layer_(layer), borders_(layers.grid), zones_(layers.grid.count()) {}
 
-void TileZones::find(std::size_t tile, const Image& image, Height lambda, OutwardDrops drops_wanted) {
-  const TileFrame frame = tile_frame(layers_.grid, tile);
+void TileZones::find(std::size_t tile, const Image& image, Height lambda) {
   const ZoneRuns runs = zone_runs(image, lambda, Adjacency::eight);
   const std::vector<std::uint32_t> on_border = borders_.record(tile, runs, image);
   std::vector<Zone> zones(on_border.size());
-  for_each_run(runs, [&](std::uint32_t zone, std::uint32_t y, PixelRun run) {
-    Zone& z = zones[zone];
-    if (z.pixels == 0) z.first = std::uint64_t{frame.y + y} * layers_.grid.width + frame.x + run.from;
-    z.pixels += run.to - run.from;
-    z.on_border = on_border[zone];
-  });
+  for (std::size_t z = 0; z < zones.size(); ++z) zones[z].on_border = on_border[z];
   const PixelLabels labels = painted(runs);
-  if (drops_wanted == OutwardDrops::counted) {
-    const std::vector<std::int32_t> drops = outward_drops(image, labels, lambda);
-    for (std::size_t z = 1; z < zones.size(); ++z) zones[z].drops = drops[z];
-  }
   zones_[tile] = std::move(zones);
   layers_.write(layer_, tile, {labels.width, labels.height, std::vector<Height>(labels.of.begin(), labels.of.end())});
 }
@@ -97,48 +84,4 @@ Image TileZones::around(std::size_t tile, std::uint32_t halo) const {
 
 // All zones on tile borders, joined, and those of the other zones that are not far smaller than the largest zone of
 // their tile.
-std::vector<TileZones::Candidate> TileZones::candidates(const TileGroups& groups) const {
-  std::vector<Candidate> all;
-  for (std::uint32_t n = 0; n < borders_.count(); ++n) all.push_back({UINT64_MAX, 0, borders_.drops(n), 0, 0});
-  for (std::size_t t = 0; t < zones_.size(); ++t) {
-    std::uint64_t most = 0;
-    for (const Zone& z : zones_[t]) most = std::max<std::uint64_t>(most, z.pixels);
-    for (std::size_t i = 1; i < zones_[t].size(); ++i) {
-      const Zone& z = zones_[t][i];
-      if (z.on_border == 0) {
-        if (z.pixels * kComparableZones >= most)
-          all.push_back({z.first, z.pixels, z.drops, groups.of[t], number(t, i)});
-        continue;
-      }
-      Candidate& joined = all[borders_.number(t, z.on_border)];
-      joined = {std::min(joined.first, z.first), joined.pixels + z.pixels, joined.drops + z.drops, groups.of[t],
-                number(t, i)};
-    }
-  }
-  std::sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.first < b.first; });
-  return all;
-}
-
-GroundOfGroups TileZones::ground(const TileGroups& groups) const {
-  const std::vector<Candidate> all = candidates(groups);
-  std::vector<std::uint64_t> most(groups.count + 1, 0);
-  for (const Candidate& c : all) most[c.group] = std::max(most[c.group], c.pixels);
-  GroundOfGroups found{std::vector<std::uint32_t>(groups.count + 1, 0), {}, {}};
-  std::vector<GroundRank> best(groups.count + 1);
-  for (const Candidate& c : all) {
-    const GroundRank rank = ground_rank(c.pixels, c.drops, most[c.group]);
-    if (rank <= best[c.group]) continue;
-    best[c.group] = rank;
-    found.of_group[c.group] = c.number;
-  }
-  for (const Candidate& c : all) {
-    if (c.number == found.of_group[c.group])
-      found.taken.push_back(c.pixels);
-    else if (c.pixels * kComparableZones >= most[c.group])
-      found.left_out.push_back(c.pixels);
-  }
-  std::sort(found.left_out.rbegin(), found.left_out.rend());
-  return found;
-}
-
 }  // namespace ilot

@@ -9,14 +9,6 @@
 
 namespace ilot {
 
-struct GroundOfGroups {
-  std::vector<std::uint32_t> of_group;         // number of the zone in the whole image; 0 = no zone
-  std::vector<std::uint64_t> taken, left_out;  // pixels; left_out: at least a tenth of the largest, the largest first
-};
-
-// Whether outward_drops are counted. ground() needs them.
-enum class OutwardDrops : std::uint8_t { left_out, counted };
-
 // The flat zones of tiles, joined where they touch. The order of calls is: find() for all tiles, then join(), then the
 // rest. Several threads may work on different tiles at once. Memory: 24 bytes per zone of a tile and 8 bytes per pixel
 // of the tile borders.
@@ -25,7 +17,7 @@ class TileZones {
   // The labels of the tiles are stored in `layer`.
   TileZones(const TileLayers& layers, const char* layer);
 
-  void find(std::size_t tile, const Image& image, Height lambda, OutwardDrops drops_wanted);
+  void find(std::size_t tile, const Image& image, Height lambda);
   void join(Height lambda);
 
   // For each label of a tile, the number of its zone in the whole image; [0] = 0.
@@ -33,25 +25,14 @@ class TileZones {
   // The zone number of each pixel of a tile and of the halo around it; kNoHeight outside of the image. The image is
   // empty where it would contain fewer than two zones.
   Image around(std::size_t tile, std::uint32_t halo) const;
-  // The ground of each group of tiles, chosen by ground_rank. Outward drops must have been counted.
-  GroundOfGroups ground(const TileGroups& groups) const;
 
  private:
   struct Zone {
-    std::uint64_t first = 0;  // first pixel, as an index in the whole image
-    std::uint32_t pixels = 0;
     std::uint32_t on_border = 0;
-    std::int32_t drops = 0;  // within the tile
-  };
-  struct Candidate {
-    std::uint64_t first, pixels;
-    std::int32_t drops;
-    std::uint32_t group, number;
   };
   std::uint32_t number(std::size_t tile, std::size_t zone) const;
   // The result is empty where the tile is absent.
   std::vector<std::uint32_t> numbers_at(std::int64_t row, std::int64_t column) const;
-  std::vector<Candidate> candidates(const TileGroups& groups) const;
   bool has_two_zones(std::int64_t from_column, std::int64_t to_column, std::int64_t from_row,
                      std::int64_t to_row) const;
 

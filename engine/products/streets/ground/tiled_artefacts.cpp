@@ -6,7 +6,6 @@
 #include "kernels/morphology/border_zones.h"
 #include "kernels/morphology/reconstruct.h"
 #include "kernels/morphology/tiled_filling.h"
-#include "kernels/rasters/box_minimum.h"
 #include "kernels/rasters/where.h"
 
 namespace ilot {
@@ -30,18 +29,20 @@ int touches(const Height* p, std::ptrdiff_t stride) {
 }
 
 // The ground image upside down, with the ring at the local ground height; kNoHeight outside of the ring.
-Image over_of(const TileLayers& layers, std::size_t tile, std::uint32_t reach) {
-  const std::uint32_t halo = reach + 1;
-  const Image inside = inside_around(layers, tile, halo), around = box_minimum_within(inside, reach);
-  Image over = without_halo(inside, halo);
+Image over_of(const TileLayers& layers, std::size_t tile) {
+  const Image inside = inside_around(layers, tile, 1), foot = layer_tile(layers, "foot", tile);
+  Image over = without_halo(inside, 1);
   for (Height& v : over.values) v = v == kNoHeight ? v : -v;
   for (std::uint32_t y = 0; y < over.height; ++y) {
-    const Height* row = inside.values.data() + std::size_t{y + halo} * inside.width + halo;
-    const Height* lowest = around.values.data() + std::size_t{y + 1} * around.width + 1;
+    const Height* row = inside.values.data() + std::size_t{y + 1} * inside.width + 1;
+    const Height* ground = foot.values.data() + std::size_t{y} * foot.width;
     Height* to = over.values.data() + std::size_t{y} * over.width;
     for_each_where(
-        over.width, [&](std::size_t x) { return (row[x] == kNoHeight) & touches(row + x, inside.width); },
-        [&](std::size_t x) { to[x] = -lowest[x]; });
+        over.width,
+        [&](std::size_t x) {
+          return (row[x] == kNoHeight) & (ground[x] != kNoHeight) & touches(row + x, inside.width);
+        },
+        [&](std::size_t x) { to[x] = -ground[x]; });
   }
   return over;
 }
@@ -89,14 +90,14 @@ class Draining {
         borders_(layers.grid),
         plateaus_(layers.grid.count()) {}
 
-  void fill(std::uint32_t reach) {
+  void fill() {
     for_each_tile(layers_.grid,
                   [&](std::size_t tile) {
-                    const Image over = over_of(layers_, tile, reach);
+                    const Image over = over_of(layers_, tile);
                     layers_.write("over", tile, over);
                     layers_.write("raised", tile, filling_.fill(tile, over));
                   },
-                  {30, reach + 1});
+                  {30, 1});
     filling_.join();
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image raised = layer_tile(layers_, "raised", tile);
@@ -207,10 +208,10 @@ class Draining {
 void find_artefacts_tiled(const TileLayers& layers, const RasterScale& scale, const ArtefactParams& params) {
   Draining draining(layers, scale.units(params.least_height), scale.units(params.highest_kerb),
                     scale.area(params.least_plateau));
-  draining.fill(scale.pixels(params.ring_reach));
+  draining.fill();
   draining.drain();
   draining.measure();
-  for (const char* layer : {"over", "raised", "spills"}) layers.drop(layer);
+  for (const char* layer : {"over", "raised", "spills", "foot"}) layers.drop(layer);
 }
 
 }  // namespace ilot

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "engine/products/streets/ground/enclosed_ground.h"
 #include "engine/products/streets/ground/tile_zones.h"
 #include "kernels/morphology/fill.h"
 #include "kernels/morphology/fill_missing_tiled.h"
@@ -43,21 +42,22 @@ class GroundFilling {
         gaps_{scale.pixels(params.longest_gap), scale.units(params.gap_step)},
         longest_link_(scale.pixels(params.longest_link)) {}
 
-  TileZones run() {
+  void run() {
     const std::uint32_t halo = gaps_.longest + 2;
     const auto closed = [&](std::size_t tile) {
       return without_halo(fill_short_gaps(layer_around(layers_, "range", tile, halo), gaps_), halo - 1);
     };
-    const Links links = links_of(filled(closed, halo, "closed", OutwardDrops::left_out));
+    fill(closed, halo, "closed");
+    const Links links = links_of(zones_of("closed"));
     const auto linked = [&](std::size_t tile) {
       const TileFrame frame = tile_frame(layers_.grid, tile);
       Image around = layer_around(layers_, "closed", tile, 1);
       draw_links(layers_.grid, links, std::int64_t{frame.x} - 1, std::int64_t{frame.y} - 1, around);
       return around;
     };
-    TileZones zones = filled(linked, 1, "filled", OutwardDrops::counted);
+    fill(linked, 1, "filled");
     layers_.drop("closed");
-    return zones;
+    layers_.drop(kZones);
   }
 
  private:
@@ -66,19 +66,21 @@ class GroundFilling {
                        [&](std::size_t tile, std::uint32_t halo) { return zones.around(tile, halo); });
   }
 
-  // Fills the missing pixels of tiles and writes them to a layer. `read` gives a tile with one pixel around it. Returns
-  // the zones of the layer.
-  TileZones filled(const ReadTile& read, std::uint32_t halo, const char* layer, OutwardDrops drops) const {
+  // Fills the missing pixels of tiles and writes them to a layer. `read` gives a tile with one pixel around it.
+  void fill(const ReadTile& read, std::uint32_t halo, const char* layer) const {
     TiledMissing missing(layers_.grid);
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write(layer, tile, missing.fill(tile, read(tile))); },
                   {40, halo});
     missing.join();
-    TileZones zones(layers_, kZones);
     for_each_tile(layers_.grid, [&](std::size_t tile) {
       Image image = layer_tile(layers_, layer, tile);
       if (missing.finish(tile, image)) layers_.write(layer, tile, image);
-      zones.find(tile, image, flat_, drops);
     });
+  }
+
+  TileZones zones_of(const char* layer) const {
+    TileZones zones(layers_, kZones);
+    for_each_tile(layers_.grid, [&](std::size_t tile) { zones.find(tile, layer_tile(layers_, layer, tile), flat_); });
     zones.join(flat_);
     return zones;
   }
@@ -91,19 +93,8 @@ class GroundFilling {
 
 }  // namespace
 
-GroundZones find_ground_tiled(const TileLayers& layers, const RasterScale& scale, const GroundParams& params) {
-  const TileGroups groups = groups_of(layers.grid);
-  const TileZones zones = GroundFilling(layers, scale, params).run();
-  const GroundOfGroups chosen = zones.ground(groups);
-  find_enclosed_ground(layers, kZones, zones, chosen, groups);
-  layers.drop(kZones);
-  const auto square_metres = [&](std::uint64_t pixels) {
-    return static_cast<double>(pixels) * scale.pixel * scale.pixel;
-  };
-  GroundZones out;
-  for (const std::uint64_t pixels : chosen.taken) out.taken += square_metres(pixels);
-  for (const std::uint64_t pixels : chosen.left_out) out.left_out.push_back(square_metres(pixels));
-  return out;
+void fill_ground_tiled(const TileLayers& layers, const RasterScale& scale, const GroundParams& params) {
+  GroundFilling(layers, scale, params).run();
 }
 
 }  // namespace ilot

@@ -5,8 +5,6 @@
 
 #include <map>
 
-#include "engine/products/streets/ground/ground.h"
-#include "kernels/morphology/outward_drops.h"
 #include "tests/support/flooded_zones.h"
 #include "tests/support/memory_layers.h"
 
@@ -18,8 +16,7 @@ constexpr Height kLambda = 2;
 TileZones found_zones(const test::MemoryLayers& memory, const Image& image) {
   TileZones zones(memory.layers, "zones");
   const TileGrid& grid = memory.layers.grid;
-  for (std::size_t t = 0; t < grid.count(); ++t)
-    zones.find(t, test::tiles_of(image, grid)(t), kLambda, OutwardDrops::counted);
+  for (std::size_t t = 0; t < grid.count(); ++t) zones.find(t, test::tiles_of(image, grid)(t), kLambda);
   zones.join(kLambda);
   return zones;
 }
@@ -35,30 +32,7 @@ std::vector<std::uint32_t> numbers(const test::MemoryLayers& memory, const TileZ
   return of;
 }
 
-// Oracle: the first of the zones with the greatest rank, and the sizes of the others that are comparable.
-GroundOfGroups ground_of_whole(const Image& image, const PixelLabels& zones) {
-  std::vector<std::uint64_t> pixels(zones.count + 1, 0);
-  for (const std::uint32_t z : zones.of) pixels[z] += z != 0;
-  const std::uint64_t most = *std::max_element(pixels.begin(), pixels.end());
-  const std::vector<std::int32_t> drops = outward_drops(image, zones, kLambda);
-  GroundOfGroups out{{0, 0}, {}, {}};
-  GroundRank best;
-  for (std::uint32_t z = 1; z <= zones.count; ++z)
-    if (const GroundRank rank = ground_rank(pixels[z], drops[z], most); rank > best) {
-      best = rank;
-      out.of_group[1] = z;
-    }
-  for (std::uint32_t z = 1; z <= zones.count; ++z) {
-    if (z == out.of_group[1])
-      out.taken.push_back(pixels[z]);
-    else if (pixels[z] * kComparableZones >= most)
-      out.left_out.push_back(pixels[z]);
-  }
-  std::sort(out.left_out.rbegin(), out.left_out.rend());
-  return out;
-}
-
-TEST(TileZones, AreTheZonesOfTheWholeAndSoIsTheirGround) {
+TEST(TileZones, AreTheZonesOfTheWhole) {
   for (const auto& [name, image] : test::small_images()) {
     if (image.size() == 0) continue;
     const PixelLabels whole = test::flooded_zones(image, kLambda, Adjacency::eight);
@@ -73,13 +47,6 @@ TEST(TileZones, AreTheZonesOfTheWholeAndSoIsTheirGround) {
         EXPECT_EQ(number_of.try_emplace(whole.of[p], got[p]).first->second, got[p]) << message;
         EXPECT_EQ(zone_of.try_emplace(got[p], whole.of[p]).first->second, whole.of[p]) << message;
       }
-      const GroundOfGroups want = ground_of_whole(image, whole);
-      const TileGrid& grid = memory.layers.grid;
-      const TileGroups one_group{1, std::vector<std::uint32_t>(grid.count(), 1)};
-      const GroundOfGroups ground = zones.ground(one_group);
-      EXPECT_EQ(ground.of_group[1], want.of_group[1] == 0 ? 0 : number_of.at(want.of_group[1])) << message;
-      EXPECT_EQ(ground.taken, want.taken) << message;
-      EXPECT_EQ(ground.left_out, want.left_out) << message;
     }
   }
 }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/ground/structures.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <vector>
+
+#include "kernels/morphology/flat_zones_tiled.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kLeastWalls = 3;  // cells of a wall near what belongs to it
+// Choice: three masts in a row are no wall; four in 4 m are taken for one.
+constexpr double kLeastOfLine = 4;  // upright cells of a line
+// Derived: a straight line aslant to the cells has up to 0.6; walls with niches have more.
+constexpr double kWidestLine = 0.8;  // cells; standard deviation across a line
+// Choice: a balcony of 1.2 m before a wall covers less than half of the cells; a crown that touches a wall covers more.
+constexpr double kCrownShare = 0.57;  // of the cells around one before a wall
+
+// The number of cells of each form around each cell, over a box of 2 reach + 1, by sums over rows and then columns.
+using Votes = std::array<std::vector<std::uint16_t>, 5>;
+
+Votes votes_of(const Image& shape, const Image& top, std::uint32_t reach, Height least) {
+  Votes votes;
+  const std::size_t w = shape.width, h = shape.height;
+  for (std::size_t s = 0; s < votes.size(); ++s) {
+    std::vector<std::uint16_t> own(w * h, 0), rows(w * h, 0);
+    for (std::size_t i = 0; i < own.size(); ++i)
+      own[i] = shape.values[i] == static_cast<Height>(s) && top.values[i] >= least;
+    for (std::size_t y = 0; y < h; ++y)
+      for (std::size_t x = reach; x + reach < w; ++x)
+        for (std::size_t u = x - reach; u <= x + reach; ++u)
+          rows[y * w + x] = static_cast<std::uint16_t>(rows[y * w + x] + own[y * w + u]);
+    votes[s].assign(w * h, 0);
+    for (std::size_t y = reach; y + reach < h; ++y)
+      for (std::size_t v = y - reach; v <= y + reach; ++v)
+        for (std::size_t x = 0; x < w; ++x)
+          votes[s][y * w + x] = static_cast<std::uint16_t>(votes[s][y * w + x] + rows[v * w + x]);
+  }
+  return votes;
+}
+
+// Sums over a box of 2 reach + 1 around each cell; 0 nearer than `reach` to the end of the image.
+std::vector<double> box_sums(const std::vector<double>& own, std::size_t w, std::size_t h, std::size_t reach) {
+  std::vector<double> rows(own.size(), 0), out(own.size(), 0);
+  for (std::size_t y = 0; y < h; ++y)
+    for (std::size_t x = reach; x + reach < w; ++x)
+      for (std::size_t u = x - reach; u <= x + reach; ++u) rows[y * w + x] += own[y * w + u];
+  for (std::size_t y = reach; y + reach < h; ++y)
+    for (std::size_t v = y - reach; v <= y + reach; ++v)
+      for (std::size_t x = 0; x < w; ++x) out[y * w + x] += rows[v * w + x];
+  return out;
+}
+
+// Where the upright cells around a cell lie on a line: at least four of them, longer than `length` cells. All sums are
+// whole numbers.
+std::vector<std::uint8_t> lines_of(const Image& shape, const Image& top, std::uint32_t reach, double length,
+                                   Height least) {
+  const std::size_t w = shape.width, h = shape.height;
+  std::array<std::vector<double>, 6> sums;
+  for (std::size_t k = 0; k < sums.size(); ++k) {
+    std::vector<double> own(w * h, 0);
+    for (std::size_t i = 0; i < own.size(); ++i) {
+      if (shape.values[i] != static_cast<Height>(StandingForm::upright) || top.values[i] < least) continue;
+      const auto x = static_cast<double>(i % w), y = static_cast<double>(i / w);
+      own[i] = std::array{1.0, x, y, x * x, x * y, y * y}[k];
+    }
+    sums[k] = box_sums(own, w, h, reach);
+  }
+  std::vector<std::uint8_t> out(w * h, 0);
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    const double n = sums[0][i];
+    if (n < kLeastOfLine) continue;
+    const double x = sums[1][i] / n, y = sums[2][i] / n;
+    const double xx = sums[3][i] / n - x * x, xy = sums[4][i] / n - x * y, yy = sums[5][i] / n - y * y;
+    const double half = (xx + yy) / 2, root = std::sqrt((xx - yy) * (xx - yy) / 4 + xy * xy);
+    out[i] = half - root <= kWidestLine * kWidestLine && 12 * (half + root) >= length * length;
+  }
+  return out;
+}
+
+// Whether a tall cell touches one of a form.
+bool touches(const Image& shape, const Image& top, std::size_t i, StandingForm form, Height least) {
+  const std::size_t w = shape.width;
+  for (const std::size_t j : {i - w - 1, i - w, i - w + 1, i - 1, i, i + 1, i + w - 1, i + w, i + w + 1})
+    if (shape.values[j] == static_cast<Height>(form) && top.values[j] >= least) return true;
+  return false;
+}
+
+struct Building {
+  Height top = 0;
+  std::int64_t x0 = INT64_MAX, y0 = INT64_MAX, x1 = INT64_MIN, y1 = INT64_MIN;
+
+  void add(Height t, std::int64_t x, std::int64_t y) {
+    top = std::max(top, t);
+    x0 = std::min(x0, x), y0 = std::min(y0, y), x1 = std::max(x1, x), y1 = std::max(y1, y);
+  }
+  void add(const Building& o) {
+    top = std::max(top, o.top);
+    x0 = std::min(x0, o.x0), y0 = std::min(y0, o.y0), x1 = std::max(x1, o.x1), y1 = std::max(y1, o.y1);
+  }
+  std::int64_t side() const { return x1 < x0 ? 0 : std::max(x1 - x0, y1 - y0) + 1; }
+};
+
+class StructureFinder {
+ public:
+  StructureFinder(const Cells& cells, StreetView view, const StructureParams& params)
+      : cells_(cells),
+        layers_(cells.layers),
+        params_(params),
+        view_(view),
+        reach_(std::max(2u, cells.scale.pixels(params.around))),
+        line_reach_(std::max(2u, cells.scale.pixels(params.line / 2))),
+        line_length_(params.line / 2 / cells.scale.pixel),
+        least_(cells.scale.units(params.least_height)),
+        wall_(cells.scale.units(params.least_wall)) {}
+
+  void find() {
+    for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("structure", tile, voted(tile)); },
+                  {120, reach_ + line_reach_ + 1});
+    drop_small_buildings();
+  }
+
+ private:
+  Structure verdict(const Image& shape, const Image& top, const Votes& votes, std::size_t i) const {
+    const std::uint32_t walls = votes[static_cast<std::size_t>(StandingForm::upright)][i],
+                        roofs = votes[static_cast<std::size_t>(StandingForm::inclined)][i],
+                        crowns = votes[static_cast<std::size_t>(StandingForm::volume)][i] +
+                                 votes[static_cast<std::size_t>(StandingForm::pole)][i];
+    const std::uint32_t area = (2 * reach_ + 1) * (2 * reach_ + 1);
+    if (walls >= kLeastWalls) {
+      if (touches(shape, top, i, StandingForm::upright, wall_)) return Structure::wall;
+      if (top.values[i] < least_) return Structure::none;
+      // What stands before a wall is a part of it, as a balcony is, unless it is a post or a crown fills most of the
+      // box.
+      if (crowns > kCrownShare * area) return Structure::crown;
+      return shape.values[i] == static_cast<Height>(StandingForm::pole) ? Structure::none : Structure::wall;
+    }
+    if (top.values[i] < least_) return Structure::none;
+    if (walls + roofs > crowns && walls + roofs >= 2 * reach_ && roofs > 0) return Structure::roof;
+    if (crowns >= 4 && crowns > walls + roofs) return Structure::crown;
+    return Structure::none;
+  }
+
+  Image voted(std::size_t tile) const {
+    const std::uint32_t halo = reach_ + line_reach_ + 1;
+    Image shape = layer_around(layers_, "shape", tile, halo);
+    const Image top = layer_around(layers_, "top", tile, halo);
+    if (view_ == StreetView::street) {
+      const std::vector<std::uint8_t> lines = lines_of(shape, top, line_reach_, line_length_, wall_);
+      const std::vector<std::uint16_t> near =
+          votes_of(shape, top, reach_, wall_)[static_cast<std::size_t>(StandingForm::upright)];
+      const std::uint32_t run = reach_ + 2, area = (2 * reach_ + 1) * (2 * reach_ + 1);
+      const auto is_wall = [&](std::size_t i) { return lines[i] != 0 || (near[i] >= run && 2 * near[i] <= area); };
+      for (std::size_t i = 0; i < lines.size(); ++i)
+        if (shape.values[i] == static_cast<Height>(StandingForm::upright) && !is_wall(i))
+          shape.values[i] = static_cast<Height>(StandingForm::pole);
+    }
+    const Votes votes = votes_of(shape, top, reach_, wall_);
+    Image out = without_halo(shape, halo);
+    for (std::uint32_t y = 0; y < out.height; ++y)
+      for (std::uint32_t x = 0; x < out.width; ++x) {
+        const std::size_t i = (std::size_t{y} + halo) * shape.width + x + halo;
+        const Structure s = top.values[i] >= wall_ ? verdict(shape, top, votes, i) : Structure::none;
+        out.values[std::size_t{y} * out.width + x] = static_cast<Height>(s);
+      }
+    return out;
+  }
+
+  // Buildings that are smaller than a house are none.
+  void drop_small_buildings() {
+    std::vector<Building> found;
+    std::mutex mutex;
+    const auto read = [&](std::size_t tile) {
+      Image image = layer_tile(layers_, "structure", tile);
+      for (Height& v : image.values)
+        v = v == static_cast<Height>(Structure::wall) || v == static_cast<Height>(Structure::roof) ? 0 : kNoHeight;
+      return image;
+    };
+    const auto write = [&](std::size_t tile, const PixelLabels& labels) {
+      const TileFrame frame = tile_frame(layers_.grid, tile);
+      const Image top = layer_tile(layers_, "top", tile);
+      layers_.write("buildings", tile, {labels.width, labels.height, {labels.of.begin(), labels.of.end()}});
+      std::vector<std::pair<std::uint32_t, Building>> runs;
+      for (std::size_t i = 0; i < labels.of.size(); ++i) {
+        if (labels.of[i] == 0) continue;
+        if (runs.empty() || runs.back().first != labels.of[i]) runs.push_back({labels.of[i], {}});
+        runs.back().second.add(top.values[i], frame.x + static_cast<std::int64_t>(i % labels.width),
+                               frame.y + static_cast<std::int64_t>(i / labels.width));
+      }
+      const std::lock_guard lock(mutex);
+      for (const auto& [number, part] : runs) {
+        if (number >= found.size()) found.resize(number + 1);
+        found[number].add(part);
+      }
+    };
+    flat_zones_tiled(layers_.grid, 0, Adjacency::eight, read, write);
+    for_each_tile(layers_.grid, [&](std::size_t tile) {
+      Image structure = layer_tile(layers_, "structure", tile);
+      const Image of = layer_tile(layers_, "buildings", tile);
+      for (std::size_t i = 0; i < of.size(); ++i)
+        if (of.values[i] > 0 && !is_house(found[static_cast<std::size_t>(of.values[i])])) structure.values[i] = 0;
+      layers_.write("structure", tile, structure);
+    });
+    layers_.drop("buildings");
+  }
+
+  bool is_house(const Building& b) const {
+    const double side = static_cast<double>(b.side()) * cells_.scale.pixel;
+    if (b.top < least_) return side >= params_.length_of_cut_wall;
+    return side >= params_.least_length &&
+           (b.top >= cells_.scale.units(params_.height_of_house) || side >= params_.length_of_house);
+  }
+
+  const Cells& cells_;
+  const TileLayers& layers_;
+  const StructureParams& params_;
+  StreetView view_;
+  std::uint32_t reach_, line_reach_;
+  double line_length_;  // cells
+  Height least_, wall_;
+};
+
+}  // namespace
+
+void find_structures(const Cells& cells, StreetView view, const StructureParams& params) {
+  StructureFinder(cells, view, params).find();
+}
+
+}  // namespace ilot

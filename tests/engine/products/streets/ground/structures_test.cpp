@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/streets/ground/structures.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/memory_layers.h"
+#include "tests/support/street_images.h"
+
+namespace ilot {
+namespace {
+
+constexpr std::uint32_t kCellsWide = 100, kCellsHigh = 60;
+
+// A scene of cells of 0.4 m: where forms of what height stand.
+struct CellScene {
+  Image shape = filled_image(kCellsWide, kCellsHigh, 0), top = filled_image(kCellsWide, kCellsHigh, 0);
+
+  void add(const test::PixelBox& box, StandingForm form, Height height) {
+    test::put(shape, box, static_cast<Height>(form));
+    test::put(top, box, height);
+  }
+  Image structure(std::uint32_t side, StreetView view) const {
+    test::MemoryLayers memory({kCellsWide, kCellsHigh, side});
+    memory.put("shape", shape);
+    memory.put("top", top);
+    find_structures({1, {0.001, 0.4}, memory.layers}, view);
+    return memory.whole("structure");
+  }
+};
+
+CellScene busy_scene() {
+  CellScene scene;
+  scene.add({5, 10, 60, 1}, StandingForm::upright, 9000);    // a wall
+  scene.add({20, 25, 12, 12}, StandingForm::volume, 7000);   // a crown
+  scene.add({50, 30, 1, 1}, StandingForm::upright, 6000);    // a post
+  scene.add({60, 40, 30, 1}, StandingForm::upright, 2100);   // a wall that is cut at 2.1 m
+  scene.add({60, 48, 12, 1}, StandingForm::upright, 2300);   // the side of a van
+  scene.add({75, 5, 20, 20}, StandingForm::inclined, 8000);  // a roof
+  return scene;
+}
+
+Structure at(const Image& structure, std::size_t x, std::size_t y) {
+  return static_cast<Structure>(structure.values[y * kCellsWide + x]);
+}
+
+TEST(Structures, WallsRoofsCrownsAndTheRest) {
+  const Image found = busy_scene().structure(60, StreetView::street);
+  EXPECT_EQ(at(found, 30, 10), Structure::wall);
+  EXPECT_EQ(at(found, 26, 31), Structure::crown);
+  EXPECT_EQ(at(found, 50, 30), Structure::none);
+  EXPECT_EQ(at(found, 75, 40), Structure::wall);
+  EXPECT_EQ(at(found, 66, 48), Structure::none);
+  EXPECT_EQ(at(found, 85, 15), Structure::roof);
+  EXPECT_EQ(at(found, 30, 20), Structure::none) << "nothing stands there";
+}
+
+TEST(Structures, AShedIsNoHouseFromTheAir) {
+  CellScene scene;
+  scene.add({10, 10, 10, 10}, StandingForm::inclined, 3000);
+  scene.add({40, 10, 25, 25}, StandingForm::inclined, 6000);
+  const Image found = scene.structure(60, StreetView::air);
+  EXPECT_EQ(at(found, 15, 15), Structure::none);
+  EXPECT_EQ(at(found, 52, 22), Structure::roof);
+}
+
+TEST(Structures, TheTilesDoNotDecide) {
+  const CellScene scene = busy_scene();
+  const Image want = scene.structure(100, StreetView::street);
+  for (const std::uint32_t side : {16u, 37u})
+    EXPECT_EQ(scene.structure(side, StreetView::street).values, want.values) << side;
+}
+
+}  // namespace
+}  // namespace ilot
