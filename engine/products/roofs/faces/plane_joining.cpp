@@ -27,7 +27,8 @@ constexpr double kClearlyApart = 1.5;  // times `detail`: root mean square dista
 constexpr double kNearSteps = 3, kNearMetres = 1;  // cells in which planes are near each other
 
 // Choice: flat roofs sag and fall by 2 to 3 degrees and are drawn as one face; a crease between slopes is seen.
-constexpr double kFlat = 0.9962;        // cosine of 5 degrees
+constexpr double kFlat = 0.9962;  // cosine of 5 degrees
+// Choice: a crease of 8 cm between slopes is above the noise of airborne scans; flatter ones are lost.
 constexpr double kOfClearPlanes = 0.5;  // share of `detail` that holds for pairs with a sloping plane
 // Derived: the standard deviation across a strip of a metre is a metre over the root of 12.
 constexpr double kNarrow = 289;  // units; the slope of a narrower plane is not known
@@ -89,7 +90,7 @@ class Joiner {
     Moments both = moments_[g];
     both.add(moments_[h]);
     const PlaneFit fit = fit_plane(both);
-    if (!fit.unique || !(std::abs(fit.plane.n.z) > 0)) return;
+    if (!fit.unique || std::abs(fit.plane.n.z) < std::min(upright(g), upright(h))) return;
     const Shape a = shape_of(moments_[g]), b = shape_of(moments_[h]);
     const bool clear = !a.narrow && !b.narrow && !(a.level && b.level);
     const double reach = clear ? kOfClearPlanes * detail_ : detail_;
@@ -101,6 +102,9 @@ class Joiner {
     candidates_.insert({fit.rms, pair});
     fits_[pair] = {fit.rms, fit.plane};
   }
+
+  // The z of the plane's unit normal. Two narrow planes at different heights are not joined by a steep one.
+  double upright(std::uint32_t group) const { return std::abs(fit_plane(moments_[group]).plane.n.z); }
 
   struct Shape {
     bool level = false, narrow = false;
