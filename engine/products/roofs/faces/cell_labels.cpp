@@ -149,19 +149,13 @@ class Labelling {
     }
   }
 
-  // How far a face may rise above its highest point, in metres. Its tip, or a face that has narrowed to nothing, is as
-  // steep as the rest and may be without a point for some steps.
-  double overshoot(const RoofPlane& plane) const {
-    const double slope = std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy);
-    return std::max(params_.overshoot, kBareTipSteps * planes_.step * slope);
-  }
-
   void forbid_overshoot() {
     const auto check = [&](std::uint32_t region, FlatPoint at) {
       if (region == kOutside) return;
       for (Candidate& c : candidates_[region - 1]) {
         const RoofPlane& plane = planes_.planes[c.plane];
-        const double over = plane.at(at.x, at.y) - plane.highest - overshoot(plane);
+        const double over =
+            plane.at(at.x, at.y) - plane.highest - most_overshoot(plane, planes_.step, params_.overshoot);
         if (over > 0) c.cost = std::max(c.cost, kForbidden + cost_of(std::min(over, 1e4)));
       }
     };
@@ -283,6 +277,10 @@ class Labelling {
 };
 
 }  // namespace
+
+double most_overshoot(const RoofPlane& plane, double step, double overshoot) {
+  return std::max(overshoot, kBareTipSteps * step * std::sqrt(plane.gx * plane.gx + plane.gy * plane.gy));
+}
 
 std::vector<std::uint32_t> label_cells(const RoofSite& site, const RoofPlanes& planes, const Partition& cells,
                                        std::span<const std::uint32_t> cell_of_point, const CellLabelParams& params) {

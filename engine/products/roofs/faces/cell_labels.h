@@ -16,6 +16,10 @@ struct CellLabelParams {
   double overshoot = 0.5;  // metres above its highest point that a face may rise; a steep face: three steps' rise
 };
 
+// How far a face may rise above its highest point, in metres. Its tip, or a face that has narrowed to nothing, is as
+// steep as the rest and may be without a point for some steps.
+double most_overshoot(const RoofPlane& plane, double step, double overshoot);
+
 // Returns a plane (1 + index) for every cell so that the sum of these costs is least:
 //  - points that lie off their cell's plane: each with the area it stands for, and twice that from a metre on,
 //  - borders between cells with different planes: by length and by the height of the wall along them,

@@ -200,6 +200,12 @@ class Adjustment {
       fixed_[f] = 1;
       any = true;
     }
+    for (const Corner& corner : corners_)
+      for (const Member& m : corner) {
+        if (fixed_[m.face] != 0 || std::abs(product(m.at, change[m.face])) <= tolerance_) continue;
+        fixed_[m.face] = 1;
+        any = true;
+      }
     return any;
   }
 

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "kernels/core/eigen3.h"
 #include "kernels/core/moments.h"
 
 namespace ilot {
@@ -24,6 +25,13 @@ constexpr double kExplained = 0.9;  // share of a plane's points within `detail`
 constexpr double kClearlyApart = 1.5;  // times `detail`: root mean square distance from which no points are examined
 // Choice: two lost points in a row, and a metre, the width of a parapet with its gutter.
 constexpr double kNearSteps = 3, kNearMetres = 1;  // cells in which planes are near each other
+
+// Choice: flat roofs sag and fall by 2 to 3 degrees and are drawn as one face; a crease between slopes is seen.
+constexpr double kFlat = 0.9962;  // cosine of 5 degrees
+// Choice: a crease of 8 cm between slopes is above the noise of airborne scans; flatter ones are lost.
+constexpr double kOfClearPlanes = 0.5;  // share of `detail` that holds for pairs with a sloping plane
+// Derived: the standard deviation across a strip of a metre is a metre over the root of 12.
+constexpr double kNarrow = 289;  // units; the slope of a narrower plane is not known
 
 using Pair = std::pair<std::uint32_t, std::uint32_t>;  // groups, the smaller first
 
@@ -82,20 +90,34 @@ class Joiner {
     Moments both = moments_[g];
     both.add(moments_[h]);
     const PlaneFit fit = fit_plane(both);
-    if (!fit.unique || !(std::abs(fit.plane.n.z) > 0)) return;
-    const double apart = kClearlyApart * detail_;
+    if (!fit.unique || std::abs(fit.plane.n.z) < std::min(upright(g), upright(h))) return;
+    const Shape a = shape_of(moments_[g]), b = shape_of(moments_[h]);
+    const bool clear = !a.narrow && !b.narrow && !(a.level && b.level);
+    const double reach = clear ? kOfClearPlanes * detail_ : detail_;
+    const double apart = kClearlyApart * reach;
     if (rms_to_plane(moments_[g], fit.plane) > apart || rms_to_plane(moments_[h], fit.plane) > apart) return;
     for (const std::uint32_t group : {g, h})
       for (const std::uint32_t part : parts_[group])
-        if (!explains(fit.plane, members_[part])) return;
+        if (!explains(fit.plane, members_[part], reach)) return;
     candidates_.insert({fit.rms, pair});
     fits_[pair] = {fit.rms, fit.plane};
   }
 
-  bool explains(const Plane& plane, std::span<const std::uint32_t> points) const {
+  // The z of the plane's unit normal. Two narrow planes at different heights are not joined by a steep one.
+  double upright(std::uint32_t group) const { return std::abs(fit_plane(moments_[group]).plane.n.z); }
+
+  struct Shape {
+    bool level = false, narrow = false;
+  };
+  static Shape shape_of(const Moments& moments) {
+    const Eigen3 axes = eigen_symmetric(covariance(moments));
+    return {std::abs(axes.vectors[0].z) > kFlat, axes.values[1] < kNarrow * kNarrow};
+  }
+
+  bool explains(const Plane& plane, std::span<const std::uint32_t> points, double reach) const {
     std::size_t within = 0;
     for (const std::uint32_t i : points)
-      within += std::abs(signed_distance(plane, {points_.x[i], points_.y[i], points_.z[i]})) <= detail_;
+      within += std::abs(signed_distance(plane, {points_.x[i], points_.y[i], points_.z[i]})) <= reach;
     return static_cast<double>(within) >= kExplained * static_cast<double>(points.size());
   }
 

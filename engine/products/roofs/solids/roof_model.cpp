@@ -145,6 +145,20 @@ RoofFaces with_few_corners(const RoofSite& site, RoofFaces roof, double step, do
   return roof;
 }
 
+// Returns true when a face rises farther above its points than the labels of cells allow, or by `detail` more.
+bool overshoots(const RoofFaces& roof, double step, const RoofModelParams& params) {
+  const auto above = [&](std::uint32_t region, Point2 at) {
+    if (region == kOutside) return false;
+    const RoofPlane& plane = roof.planes[region - 1];
+    return plane.at(at.x / 1000.0, at.y / 1000.0) - plane.highest >
+           most_overshoot(plane, step, params.overshoot) + params.detail;
+  };
+  return std::any_of(roof.faces.edges.begin(), roof.faces.edges.end(), [&](const PartitionEdge& e) {
+    const Point2 a = roof.faces.vertices[e.from], b = roof.faces.vertices[e.to];
+    return above(e.left, a) || above(e.left, b) || above(e.right, a) || above(e.right, b);
+  });
+}
+
 // Raises the faces of the roof. If the check refuses the solid, more and more of the small faces are given to their
 // neighbours.
 void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelParams& params, double metres_per_unit,
@@ -168,7 +182,8 @@ void add_house(const RoofSite& site, const RoofPlanes& planes, const RoofModelPa
     std::optional<Building> house;
     if (params.detail > 0) {
       RoofFaces drawn = with_few_corners(site, roof, planes.step, params.detail);
-      house = raised(site, drawn.faces, drawn.planes, "2.2", metres_per_unit, check, model.reason);
+      if (!overshoots(drawn, planes.step, params))
+        house = raised(site, drawn.faces, drawn.planes, "2.2", metres_per_unit, check, model.reason);
       if (house) roof = std::move(drawn);
     }
     if (!house) house = raised(site, roof.faces, roof.planes, "2.2", metres_per_unit, check, model.reason);
