@@ -140,7 +140,9 @@ class StructureFinder {
       return shape.values[i] == static_cast<Height>(StandingForm::pole) ? Structure::none : Structure::wall;
     }
     if (top.values[i] < least_) return Structure::none;
-    if (walls + roofs > crowns && walls + roofs >= 2 * reach_ && roofs > 0) return Structure::roof;
+    // The cells along the edges of a roof are of no plane.
+    const std::uint32_t more = view_ == StreetView::air ? (walls + roofs) / 2 : 0;
+    if (walls + roofs + more > crowns && walls + roofs >= 2 * reach_ && roofs > 0) return Structure::roof;
     if (crowns >= 4 && crowns > walls + roofs) return Structure::crown;
     return Structure::none;
   }

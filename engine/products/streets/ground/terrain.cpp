@@ -96,6 +96,7 @@ class TerrainFinder {
         deepest_(cells.scale.units(params.deepest_pit)),
         low_(cells.scale.units(params.terrace_height)),
         terrace_(params.terrace / (cells.scale.pixel * cells.scale.pixel)),
+        least_raised_(params.least_raised / (cells.scale.pixel * cells.scale.pixel)),
         // Neighbours on a slope differ by its rise over the diagonal of a cell.
         lambda_(cells.scale.units(params.rise + params.steepest * 1.5 * cells.scale.pixel)) {}
 
@@ -113,10 +114,11 @@ class TerrainFinder {
                   },
                   {16, reach_});
     find_surfaces();
+    find_raised();
     for_each_tile(layers_.grid, [&](std::size_t tile) { write_ground(tile); });
     for_each_tile(layers_.grid, [&](std::size_t tile) { layers_.write("terrain", tile, continued(tile)); },
                   {24, reach_ + kSmooth});
-    for (const char* layer : {"floor", "envelope", "surfaces", "bare cells"}) layers_.drop(layer);
+    for (const char* layer : {"floor", "envelope", "surfaces", "raised cells", "bare cells"}) layers_.drop(layer);
     return counts_;
   }
 
@@ -129,6 +131,28 @@ class TerrainFinder {
         });
     surfaces_.assign(sizes.pixels.size(), {});
     for_each_tile(layers_.grid, [&](std::size_t tile) { count(tile); }, {40, 1});
+  }
+
+  // Whether a cell is on a surface that is ground without being sure.
+  bool is_raised(Height floor, Height envelope, Height surface) const {
+    return floor != kNoHeight && floor - envelope > step_ && floor - envelope <= highest_ &&
+           surfaces_[static_cast<std::uint32_t>(surface)].is_ground(terrace_, low_);
+  }
+
+  // Connects the raised cells. Small groups of them are things that a chain of small steps joins to the ground, as the
+  // bumper, the bonnet and the roof of a car.
+  void find_raised() {
+    const auto raised = [&](std::size_t tile) {
+      Image floor = layer_tile(layers_, "floor", tile);
+      const Image envelope = layer_tile(layers_, "envelope", tile), of = layer_tile(layers_, "surfaces", tile);
+      for (std::size_t i = 0; i < floor.size(); ++i)
+        floor.values[i] = is_raised(floor.values[i], envelope.values[i], of.values[i]) ? 0 : kNoHeight;
+      return floor;
+    };
+    raised_ =
+        flat_zones_tiled(layers_.grid, 0, Adjacency::eight, raised, [&](std::size_t tile, const PixelLabels& labels) {
+          layers_.write("raised cells", tile, {labels.width, labels.height, {labels.of.begin(), labels.of.end()}});
+        });
   }
 
   // Adds what a tile has of each surface.
@@ -163,12 +187,16 @@ class TerrainFinder {
   // Writes the heights of the cells that are ground.
   void write_ground(std::size_t tile) {
     Image floor = layer_tile(layers_, "floor", tile);
-    const Image envelope = layer_tile(layers_, "envelope", tile), of = layer_tile(layers_, "surfaces", tile);
+    const Image envelope = layer_tile(layers_, "envelope", tile), of = layer_tile(layers_, "surfaces", tile),
+                raised = layer_tile(layers_, "raised cells", tile);
     TerrainCounts own;
     for (std::size_t i = 0; i < floor.size(); ++i) {
       if (floor.values[i] == kNoHeight) continue;
       ++own.cells;
-      if (floor.values[i] - envelope.values[i] > highest_ ||
+      const bool small =
+          raised.values[i] > 0 &&
+          static_cast<double>(raised_.pixels[static_cast<std::size_t>(raised.values[i])]) < least_raised_;
+      if (small || floor.values[i] - envelope.values[i] > highest_ ||
           !surfaces_[static_cast<std::uint32_t>(of.values[i])].is_ground(terrace_, low_))
         floor.values[i] = kNoHeight;
       else
@@ -215,9 +243,10 @@ class TerrainFinder {
   const TileLayers& layers_;
   std::uint32_t reach_;
   Height rise_of_envelope_, step_, highest_, deepest_, low_;
-  double terrace_;  // cells
+  double terrace_, least_raised_;  // cells
   Height lambda_;
   std::vector<Surface> surfaces_;
+  ZoneSizes raised_;
   TerrainCounts counts_;
   std::mutex mutex_;
 };

@@ -65,6 +65,17 @@ TEST(Terrain, TerracesAndYardsAreGround) {
         << i % 160 << " " << i / 160;
 }
 
+// Bumper, bonnet and roof are joined to the ground by small steps.
+TEST(Terrain, ACarOfSmallStepsIsNone) {
+  Image lowest = filled_image(80, 80, 0);
+  test::put(lowest, {30, 30, 10, 5}, 330);
+  test::put(lowest, {31, 31, 8, 3}, 330);
+  test::put(lowest, {32, 31, 6, 3}, 330);
+  test::put(lowest, {33, 31, 4, 3}, 330);
+  const Image terrain = terrain_of(lowest, 30);
+  for (const Height v : terrain.values) ASSERT_LE(v, 330) << "the bumper's cells are near enough to the ground";
+}
+
 TEST(Terrain, ALargeFlatRoofIsNone) {
   Image lowest = filled_image(240, 240, 0);
   test::put(lowest, {60, 60, 110, 110}, 5000);  // 55 m x 55 m
