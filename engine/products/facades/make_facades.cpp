@@ -15,9 +15,11 @@
 #include "engine/products/facades/facade_gathering.h"
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
+#include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
 #include "engine/products/facades/walls/wall_groups.h"
+#include "kernels/core/portable_math.h"
 
 namespace ilot {
 namespace {
@@ -31,6 +33,12 @@ constexpr const char* kOutlinesDropped =
     "facades: the {} smallest planes are not held against lines of sight; occluded shares may be too small";
 constexpr const char* kNoStations =
     "facades: no station is known (see --stations): laser shadows cannot be distinguished from openings by their rays";
+
+constexpr const char* kUndecidedSide =
+    "{}: which of its sides is the street is not certain ({:.0f} %); it is drawn from the likelier side, and "
+    "facades.side={} turns it";
+// Choice: odds of three to one.
+constexpr double kDecided = 1.1;  // natural logarithm of the odds
 
 std::vector<Vec3> places_of(std::span<const Station> stations) {
   std::vector<Vec3> places;
@@ -223,6 +231,36 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
   page.finish();
 }
 
+// Without stations: the log odds of the street side of each segment, from the points around the walls.
+std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, Vec3 middle,
+                                  const WallParams& params, const PassContext& context) {
+  if (!run.stations.empty()) return {};
+  const std::vector<WallGroup> walls = find_walls(segments, {{}, middle, {}}, params);
+  return segment_side_odds(walls, wall_side_odds(run.work, walls, params.gap, context), segments);
+}
+
+// Turns the facades that the settings name, and warns of those whose side is not decided.
+void settle_sides(std::vector<WallGroup>& walls, const FacadesSettings& settings, double metres_per_unit,
+                  Progress& progress, RunRecord& record) {
+  const auto warn = [&](const std::string& text) {
+    progress.warn(text);
+    record.warnings.push_back(text);
+  };
+  for (const double number : settings.side) {
+    if (!(number >= 1 && number <= static_cast<double>(walls.size()) && number == std::floor(number))) {
+      warn(fmt::format("facades.side: there is no facade {:g}; the run drew {}", number, walls.size()));
+      continue;
+    }
+    WallGroup& wall = walls[static_cast<std::size_t>(number) - 1];
+    turn_wall(wall, metres_per_unit);
+    wall.side_odds = INFINITY;
+  }
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    if (walls[i].side_odds < kDecided)
+      warn(fmt::format(kUndecidedSide, facade_name(static_cast<std::uint32_t>(i + 1)),
+                       100 / (1 + natural_exp(-walls[i].side_odds)), i + 1));
+}
+
 // The inputs of the search for facades.
 struct FacadeSearch {
   const Settings& settings;
@@ -276,9 +314,12 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   const WallParams params = wall_params(settings.facades, context.metres_per_unit);
   const Vec3 middle = middle_of(planes.segments);
   if (run->stations.empty()) record.warnings.push_back(kNoStations);
-  run->walls = find_walls(planes.segments, run->stations, middle, params);
+  const std::vector<double> odds = odds_of_sides(*run, planes.segments, middle, params, context);
+  const StreetSides sides{run->stations, middle, odds};
+  run->walls = find_walls(planes.segments, sides, params);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
+  settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
   const std::vector<std::vector<WallGroup>> dormers =
       dormers_of(run->walls, planes.segments, params, settings.facades.advanced);
   const std::size_t concurrency = concurrency_of(context.budget_bytes);
@@ -292,8 +333,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   progress.begin_stage("facades", points);
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
-  join_facades(run->found, small_walls(run->walls, planes.segments, run->stations, middle, params),
-               settings.facades.advanced, context.metres_per_unit);
+  join_facades(run->found, small_walls(run->walls, planes.segments, sides, params), settings.facades.advanced,
+               context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));

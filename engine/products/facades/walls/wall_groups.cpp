@@ -52,25 +52,44 @@ FacadeAxes axes_of(const Segment& s, Vec3 out) {
   return axes;
 }
 
-Vec3 street_side(const Segment& s, std::span<const Vec3> stations, Vec3 middle) {
+// A direction of the street, and the log odds that it is right.
+struct StreetSide {
+  Vec3 out;
+  double odds = 0;
+};
+
+// The difference of the votes for the side of the normal and for the other side.
+double votes_of_stations(const Segment& s, std::span<const Vec3> stations) {
   double vote = 0;
   for (const Vec3& station : stations) {
     const double off = signed_distance(s.plane, station), far = norm(station - s.centroid);
     if (off != 0 && far > 0) vote += (off > 0 ? 1 : -1) / (far * far);
   }
-  if (vote == 0) vote = signed_distance(s.plane, middle) > 0 ? -1 : 1;
-  return vote > 0 ? s.plane.n : -1.0 * s.plane.n;
+  return vote;
 }
 
-// Without a station, a storey that is set back faces the same way as the wall below it.
-Vec3 side_like(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params, Vec3 otherwise) {
+// The side of a larger wall in line: a storey that is set back faces the same way as the wall below it. Otherwise the
+// side away from the middle.
+StreetSide side_of_others(const Segment& s, const std::vector<WallGroup>& walls, const WallParams& params,
+                          Vec3 middle) {
   for (const WallGroup& wall : walls) {
     const double off = dot(s.centroid - wall.axes.origin, wall.axes.out) * params.metres_per_unit;
     if (std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg) || std::abs(off) > params.relief_behind)
       continue;
-    return dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n;
+    return {dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n, 0};
   }
-  return otherwise;
+  return {signed_distance(s.plane, middle) > 0 ? -1.0 * s.plane.n : s.plane.n, 0};
+}
+
+StreetSide street_side_of(const Segment& s, const StreetSides& sides, const std::vector<WallGroup>& walls,
+                          const WallParams& params) {
+  // Choice: odds of 1.3 to 1 are chance; the rules for walls without evidence are as good.
+  constexpr double kChance = 0.3;
+  const auto towards = [&](double sign) { return sign > 0 ? s.plane.n : -1.0 * s.plane.n; };
+  if (const double vote = votes_of_stations(s, sides.stations); vote != 0) return {towards(vote), INFINITY};
+  const double odds = sides.odds.empty() ? 0 : sides.odds[s.id];
+  if (std::abs(odds) >= kChance) return {towards(odds), std::abs(odds)};
+  return side_of_others(s, walls, params, sides.middle);
 }
 
 void include(Extent& all, const Extent& e) {
@@ -229,7 +248,7 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
 
 }  // namespace
 
-std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,
                                   const WallParams& params) {
   const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
   std::vector<std::size_t> by_area;
@@ -244,9 +263,9 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
   for (const std::size_t i : upright.list()) {
     const Segment& s = segments[i];
     if (taken[i] != 0 || s.area_m2 < params.least_area / 4) continue;
-    Vec3 out = street_side(s, stations, middle);
-    if (stations.empty()) out = side_like(s, walls, params, out);
-    WallGroup group = group_of(s, out);
+    const StreetSide side = street_side_of(s, sides, walls, params);
+    WallGroup group = group_of(s, side.out);
+    group.side_odds = side.odds;
     Extent all = extent_of(s, group.axes, params.metres_per_unit);
     taken[i] = 1;
     const std::vector<std::size_t> joined = join_coplanar(upright, taken, params, group, all);
@@ -267,7 +286,7 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<c
 }
 
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
-                                   std::span<const Vec3> stations, Vec3 middle, WallParams params) {
+                                   const StreetSides& sides, WallParams params) {
   // Choice: a storey that is set back is about half as high; lower walls form no corners.
   constexpr double kLeast = 0.5;  // share of the width and height of a facade
   std::vector<std::uint8_t> known(segments.size() + 1, 0);
@@ -276,7 +295,7 @@ std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<c
     for (const ParallelPlane& plane : wall.parallel) known[plane.id] = 1;
   }
   params.least_width *= kLeast, params.least_height *= kLeast, params.least_area *= kLeast * kLeast;
-  std::vector<WallGroup> small = find_walls(segments, stations, middle, params);
+  std::vector<WallGroup> small = find_walls(segments, sides, params);
   std::erase_if(small, [&](const WallGroup& wall) {
     return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
   });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the planes that are facades: large upright planes, joined along the street.
 #pragma once
+#include <cmath>
 #include <memory>
 #include <span>
 #include <vector>
@@ -29,20 +30,30 @@ struct WallGroup {
   std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
   double above = 0;                     // metres above the wall that its dormers reach
+  // The natural logarithm of the odds that `out` points to the street; infinite where a station tells.
+  double side_odds = INFINITY;
+};
+
+// What is known of the side of walls: the stations, or else the log odds that the street is on the side of the normal
+// of a segment (by id; empty or 0: not known), or else the middle of all points.
+struct StreetSides {
+  std::span<const Vec3> stations;
+  Vec3 middle;
+  std::span<const double> odds = {};
 };
 
 // Gives the walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in
 // the wall. The street side is where most stations are; each station counts with one over its squared distance. Without
-// stations it is the side away from `middle`, the middle of all points, or the side of a larger wall in line. Segments
-// without an area (no outline) are left out. Each wall looks only at the segments around it, and without stations also
-// at the walls found so far.
-std::vector<WallGroup> find_walls(std::span<const Segment> segments, std::span<const Vec3> stations, Vec3 middle,
+// stations it is the side that the odds tell. Where these tell nothing it is the side of a larger wall in line, or else
+// the side away from the middle. Segments without an area (no outline) are left out. Each wall looks only at the
+// segments around it, and without stations also at the walls found so far.
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,
                                   const WallParams& params);
 
 // Gives walls of at least half the width and half the height that are in none of `walls` and are no relief of one of
 // them: a low storey that is set back is such a wall. All else is as in find_walls.
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
-                                   std::span<const Vec3> stations, Vec3 middle, WallParams params);
+                                   const StreetSides& sides, WallParams params);
 
 struct DormerFrontParams {
   double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider fronts are storeys that are set back

@@ -43,7 +43,7 @@ TEST(WallGroups, PiecesOnOnePlaneAreOneFacade) {
     const std::vector<Segment> segments{upright(1, heading, 0, 15, 4, 13, 0), upright(2, heading, 0, 15, 0, 3.8, 0.004),
                                         upright(3, heading, 2, 3, 5, 5.2, 0.09), level(4)};
     const Vec3 eye{10 * cos_degrees(heading - 90), -10 * cos_degrees(heading), 1.6};
-    const auto walls = find_walls(segments, std::vector<Vec3>{eye}, {}, {});
+    const auto walls = find_walls(segments, {std::vector<Vec3>{eye}, {}}, {});
     ASSERT_EQ(walls.size(), 1u) << heading;
     EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1, 2}));
     EXPECT_NEAR(walls[0].width, 15, 0.02) << heading;
@@ -60,7 +60,7 @@ TEST(WallGroups, PiecesOnOnePlaneAreOneFacade) {
 TEST(WallGroups, SetBackWallsAndCornersArePartOfNothing) {
   const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 13, 0), upright(2, 0, 15.5, 28, 0, 12, 0.2),
                                       upright(3, 90, 0, 10, 0, 13, 0)};
-  const auto walls = find_walls(segments, std::vector<Vec3>{{5, -10, 1}}, {}, {});
+  const auto walls = find_walls(segments, {std::vector<Vec3>{{5, -10, 1}}, {}}, {});
   ASSERT_EQ(walls.size(), 3u);
   for (std::size_t i = 0; i < 3; ++i)
     EXPECT_EQ(walls[i].segments, (std::vector<std::uint32_t>{static_cast<std::uint32_t>(i + 1)}));
@@ -68,16 +68,16 @@ TEST(WallGroups, SetBackWallsAndCornersArePartOfNothing) {
 
 TEST(WallGroups, SmallWallsAreNone) {
   const std::vector<Segment> segments{upright(1, 0, 0, 1.5, 0, 13, 0), upright(2, 90, 0, 8, 0, 1.5, 0)};
-  EXPECT_TRUE(find_walls(segments, {}, {}, {}).empty());
+  EXPECT_TRUE(find_walls(segments, {}, {}).empty());
   WallParams small;
   small.least_width = small.least_height = 1;
-  EXPECT_EQ(find_walls(segments, {}, {}, small).size(), 2u);
+  EXPECT_EQ(find_walls(segments, {}, small).size(), 2u);
 }
 
 // Without a station the street is away from the middle of everything.
 TEST(WallGroups, TheStreetIsOutside) {
   const std::vector<Segment> segments{upright(1, 0, 0, 10, 0, 5, 0), upright(2, 0, 0, 10, 0, 4.9, -8)};
-  const auto walls = find_walls(segments, {}, {5, 4, 2}, {});
+  const auto walls = find_walls(segments, {{}, {5, 4, 2}}, {});
   ASSERT_EQ(walls.size(), 2u);
   EXPECT_LT(walls[0].axes.out.y, 0);
   EXPECT_GT(walls[1].axes.out.y, 0);
@@ -87,7 +87,7 @@ TEST(WallGroups, TheStreetIsOutside) {
 TEST(WallGroups, StoreysThatStandBack) {
   const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 5, 0), upright(2, 0, 3, 9, 5.1, 8, -0.12),
                                       upright(3, 0, 3, 4, 5.5, 7, -0.22)};
-  const auto walls = find_walls(segments, {}, {7, 0.001, 3}, {});
+  const auto walls = find_walls(segments, {{}, {7, 0.001, 3}}, {});
   ASSERT_EQ(walls.size(), 2u);
   EXPECT_EQ(walls[1].segments, std::vector<std::uint32_t>{2});
   EXPECT_GT(dot(walls[0].axes.out, walls[1].axes.out), 0.9);
@@ -97,7 +97,7 @@ TEST(WallGroups, StoreysThatStandBack) {
 TEST(WallGroups, SmallPiecesMustLieOnTheWall) {
   const auto walls = find_walls(std::vector<Segment>{upright(1, 0, 0, 15, 0, 5, 0), upright(2, 0, 15, 18, 0, 5, 0.02),
                                                      upright(3, 0, 4, 5, 5.1, 5.5, 0.02)},
-                                std::vector<Vec3>{{5, -10, 1}}, {}, {});
+                                {std::vector<Vec3>{{5, -10, 1}}, {}}, {});
   ASSERT_EQ(walls.size(), 1u);
   EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1, 2}));
 }
@@ -105,9 +105,9 @@ TEST(WallGroups, SmallPiecesMustLieOnTheWall) {
 TEST(WallGroups, SegmentsInAnyOrder) {
   std::vector<Segment> segments{upright(1, 17, 0, 15, 4, 13, 0), upright(2, 17, 0, 15, 0, 3.8, 0.004),
                                 upright(3, 107, 2, 12, 0, 9, 0)};
-  const auto before = find_walls(segments, {}, {}, {});
+  const auto before = find_walls(segments, {}, {});
   std::reverse(segments.begin(), segments.end());
-  const auto after = find_walls(segments, {}, {}, {});
+  const auto after = find_walls(segments, {}, {});
   ASSERT_EQ(before.size(), after.size());
   for (std::size_t i = 0; i < before.size(); ++i) {
     EXPECT_EQ(before[i].segments, after[i].segments);
@@ -123,7 +123,7 @@ TEST(WallGroups, FrontsInTheRoof) {
                                       upright(7, 0, 1, 14, 11, 13, -2)};
   const std::vector<Vec3> eyes{{5, -10, 1.6}};
   WallParams params;
-  const auto walls = find_walls(segments, eyes, {}, params);
+  const auto walls = find_walls(segments, {eyes, {}}, params);
   ASSERT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1}));
   const std::vector<WallGroup> wall{walls[0]};
   const auto fronts = find_dormer_fronts(wall[0], wall, segments, params);
@@ -181,7 +181,7 @@ TEST(WallGroups, TheSameAsAskingAllSegments) {
       const std::vector<Vec3> stations =
           seen ? std::vector<Vec3>{{651075, 6861075, 42}, {651010, 6861140, 42}} : std::vector<Vec3>{};
       const Vec3 middle{651075, 6861075, 45};
-      const std::vector<WallGroup> walls = find_walls(segments, stations, middle, {});
+      const std::vector<WallGroup> walls = find_walls(segments, {stations, middle}, {});
       const std::vector<WallGroup> plain = test::plain_walls::find_walls(segments, stations, middle, {});
       ASSERT_GT(walls.size(), 30u);
       ASSERT_EQ(walls.size(), plain.size());
@@ -212,7 +212,7 @@ TEST(WallGroups, ACityTakesNoLongerThanItsHouses) {
       s.plane.d = -dot(s.plane.n, s.centroid);
     }
   const std::vector<Vec3> stations{{651000, 6861000, 42}};
-  EXPECT_EQ(find_walls(segments, stations, {}, {}).size(), 40000u);
+  EXPECT_EQ(find_walls(segments, {stations, {}}, {}).size(), 40000u);
 }
 
 }  // namespace

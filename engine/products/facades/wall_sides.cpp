@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/products/facades/wall_sides.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/pass/pass.h"
+#include "engine/products/facades/walls/street_side.h"
+#include "kernels/core/portable_math.h"
+
+namespace ilot {
+namespace {
+
+// Choice: as deep as rooms are that a scanner sees into; time and memory depend on it.
+constexpr double kDeep = 4;  // metres on both sides
+// Choice: fronts of one row; beyond it another row begins.
+constexpr double kInLine = 1.5, kInLineDeg = 5;  // metres between the planes of two walls; angle between them
+// Choice: odds of three to one; a wall that is surer does not ask its neighbours, and none of them counts for more.
+constexpr double kSure = 1.1;
+// Choice: images and sample of one wall are smaller.
+constexpr std::uint64_t kBytes = 16 << 20;
+
+// Whether two walls lie in one line along the street, beside each other or one before the other.
+bool in_line(const WallGroup& a, const WallGroup& b, double gap, double metres) {
+  if (std::abs(dot(a.axes.out, b.axes.out)) < cos_degrees(kInLineDeg)) return false;
+  const Vec3 across = (b.width / metres) * b.axes.right, up = (b.height / metres) * b.axes.up;
+  double from = INFINITY, to = -INFINITY, off = INFINITY;
+  for (const Vec3& corner : {b.axes.origin, b.axes.origin + across, b.axes.origin + up}) {
+    const Vec3 d = metres * (corner - a.axes.origin);
+    from = std::min(from, dot(d, a.axes.right)), to = std::max(to, dot(d, a.axes.right));
+    off = std::min(off, std::abs(dot(d, a.axes.out)));
+  }
+  return off <= kInLine && from <= a.width + gap && to >= -gap;
+}
+
+}  // namespace
+
+std::vector<double> wall_side_odds(const FacadeWork& work, std::span<const WallGroup> walls, double gap,
+                                   const PassContext& context) {
+  FacadeWork around = work;
+  around.stations = {}, around.steps = {}, around.recorded = false;
+  around.before = around.behind = kDeep;
+  std::vector<PassTask> tasks;
+  for (const WallGroup& wall : walls) tasks.push_back({kBytes, points_to_read(around, wall)});
+  std::vector<double> own(walls.size(), 0);
+  run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
+    const GatheredFacade gathered = gather_facade(around, walls[i]);
+    own[i] = street_log_odds(side_evidence(sample_wall(gathered.site, gathered.points)));
+  });
+  std::vector<double> odds = own;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    if (std::abs(own[i]) >= kSure) continue;
+    for (std::size_t k = 0; k < walls.size(); ++k) {
+      // A smaller plane beside a wall may be seen through its windows.
+      if (k == i || walls[k].area_m2 < walls[i].area_m2 || !in_line(walls[i], walls[k], gap, work.metres_per_unit))
+        continue;
+      const double same = dot(walls[i].axes.out, walls[k].axes.out) > 0 ? 1 : -1;
+      odds[i] += same * std::clamp(own[k], -kSure, kSure);
+    }
+  }
+  return odds;
+}
+
+std::vector<double> segment_side_odds(std::span<const WallGroup> walls, std::span<const double> odds,
+                                      std::span<const Segment> segments) {
+  std::vector<double> by_segment(segments.size() + 1, 0);
+  for (std::size_t i = 0; i < walls.size(); ++i)
+    for (const std::uint32_t id : walls[i].segments)
+      by_segment[id] = dot(segments[id - 1].plane.n, walls[i].axes.out) > 0 ? odds[i] : -odds[i];
+  return by_segment;
+}
+
+void turn_wall(WallGroup& wall, double metres_per_unit) {
+  FacadeAxes& axes = wall.axes;
+  axes.origin = axes.origin + (wall.width / metres_per_unit) * axes.right;
+  axes.right = -1.0 * axes.right;
+  axes.out = -1.0 * axes.out;
+}
+
+}  // namespace ilot

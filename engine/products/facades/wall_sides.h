@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: Apache-2.0
+// Decides for each wall of a run which side is the street when no station is known.
+#pragma once
+#include <span>
+#include <vector>
+
+#include "engine/pass/context.h"
+#include "engine/products/facades/facade_gathering.h"
+
+namespace ilot {
+
+// Gives the log odds that the street is on the side of `out` of each wall: from the points around the wall, and where
+// these say little, also from the walls that continue it. The points of all walls are read once, each wall on one
+// thread. The store must have the column "plane".
+std::vector<double> wall_side_odds(const FacadeWork& work, std::span<const WallGroup> walls, double gap,
+                                   const PassContext& context);
+
+// The same by segment: log odds for the side of the plane's normal; 0 for segments that are no part of a wall.
+std::vector<double> segment_side_odds(std::span<const WallGroup> walls, std::span<const double> odds,
+                                      std::span<const Segment> segments);
+
+// Turns a wall so that it looks the other way; its place stays.
+void turn_wall(WallGroup& wall, double metres_per_unit);
+
+}  // namespace ilot
