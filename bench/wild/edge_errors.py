@@ -6,9 +6,9 @@ edges within their stated error, over all and by fifths of noise, registration, 
   bench/wild/edge_errors.py PROGRAM FOLDER [--seeds 0-19] [--scenes facade-wild,row-wild,court-wild] [--jobs 2]
                             [--set facades.regularise=false]... [--tag NAME] [--scan scene.shutters=1]...
 
-Scans stay in FOLDER and are used again; results are in FOLDER/TAG.csv. The true error of an edge is the mean distance of
-its two ends from the line of the true side. Edges that are occluded are not judged, nor openings without a partner
-(intersection over union of half of the boxes)."""
+Stations are given to the run. Scans stay in FOLDER and are used again; results are in FOLDER/TAG.csv. The true error of an
+edge is the distance of the side of its box from that of the true box, in the axes of the drawn facade. Edges that are
+occluded are not judged, nor openings under arcs, nor those without a partner (intersection over union of half)."""
 import argparse
 import concurrent.futures
 import csv
@@ -105,7 +105,7 @@ def judge(given, scene, seed):
     if run.returncode:
         return scene, seed, None
     truth = json.loads(truth_file.read_text())
-    truth["density"] = math.log10(max(1, truth["counts"].get("points", POINTS[scene])) if isinstance(truth["counts"], dict) else 1)
+    truth["density"] = 0
     for d in truth.get("drawn", []):
         if d["name"] == "density":
             truth["density"] = d["value"]

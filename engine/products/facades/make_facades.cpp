@@ -11,10 +11,12 @@
 #include "engine/formats/file_date.h"
 #include "engine/pass/pass.h"
 #include "engine/pass/resident.h"
+#include "engine/products/facades/elements/facade_elements.h"
 #include "engine/products/facades/elements/facade_model.h"
 #include "engine/products/facades/facade_gathering.h"
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
+#include "engine/products/facades/rays/registration_error.h"
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
@@ -291,6 +293,7 @@ void find_each(const FacadeSearch& search, std::span<const std::vector<WallGroup
           find_dormer(RaySamples(of_front.site, of_front.points, work.store.folder(), of_front.far), of_dormers));
     }
     run.found[i].occluded_edges += add_dormers(fronts, run.found[i].facade, of_dormers);
+    add_registration(registration_error(samples), run.found[i].facade.elements);
     search.context.advance(tasks[i].points);
   });
 }

@@ -180,4 +180,10 @@ FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
   return e;
 }
 
+void add_registration(double error, std::span<FacadeElement> elements) {
+  for (FacadeElement& e : elements)
+    for (FacadeEdge& edge : e.edges)
+      if (edge.error_m > 0) edge.error_m = both(edge.error_m, error);
+}
+
 }  // namespace ilot

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Turns what was found on a facade into elements of its plan, in the CRS.
 #pragma once
+#include <span>
+
 #include "engine/model/facade.h"
 #include "engine/products/facades/elements/irregularities.h"
 #include "engine/products/facades/elements/regular_facade.h"
@@ -21,5 +23,9 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area);
 
 // Gives a bulge or a hollow: its outline in the wall and its surface as a mesh [Lorraine thesis, 4.2.2].
 FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& irregularity);
+
+// Adds to the errors of edges what the place of their stations is uncertain by (registration_error), as the root of the
+// sum of both squares. Sizes do not change with it.
+void add_registration(double error, std::span<FacadeElement> elements);
 
 }  // namespace ilot

@@ -35,6 +35,8 @@ constexpr double kSlotSteps = 2;  // steps along a side in which one scan line e
 constexpr double kTailOfEnds = 0.05;  // share of the scan lines that end at one place or another by chance
 // Derived: 4 standard deviations, plus and minus two: 95 % of normal noise.
 constexpr double kFaceWidths = 4;  // times the noise: width of the interval that contains the points of a face
+// Derived: 95 % of normal errors. The arris of a wall is as rough as its face.
+constexpr double kBoundOfNoise = 2;              // times the noise of the wall
 constexpr std::uint64_t kMostSamples = 1 << 16;  // of a side; more do not improve the result; 70 bytes each
 
 bool along_u(Side side) {
@@ -147,7 +149,7 @@ SideHit hit_of(const RaySamples& rays, const Ray& ray, const SideSearch& q, Side
   hit.t = q.hole ? hit.at_plane : innermost(rays, ray, q, side, span);
   if (std::abs(hit.t - span.t) > reach) return hit;
   hit.rim = at_face && is_mixed_echo(rays, ray, q, side, hit.at_plane);
-  const RayOutcome met = q.wall && rays.on_wall(ray) ? RayOutcome::solid : rays.met(ray, q.depth, q.epsilon);
+  const RayOutcome met = rays.met(ray, q.depth, q.epsilon);
   const bool foreign = ray.at.plane != 0 && !std::binary_search(q.planes.begin(), q.planes.end(), ray.at.plane);
   if (!q.hole && met == RayOutcome::solid && foreign) return hit;
   hit.solid = met == RayOutcome::solid;
@@ -207,6 +209,13 @@ void drop_hidden(SideSamples& around, const SideSpan& span, std::size_t slots) {
   around.outside.resize(kept);
 }
 
+// Whether the samples of one side are so few that they may be stray points: then the edge was not seen.
+bool are_stray(const std::vector<double>& samples, const std::vector<double>& others) {
+  // Choice: a curtain or a railing leaves one ray in ten.
+  constexpr double kFewOf = 0.07;  // share of the samples of the other side
+  return samples.size() < 2 || static_cast<double>(samples.size()) < kFewOf * static_cast<double>(others.size());
+}
+
 // The typical distance from a split of the samples that are on its wrong side; 0 where fewer than one in twenty of
 // those about the split are. Wide beams, unsteady angles and stations that do not agree mix the two sides.
 double blur_at(const SideSamples& around, double split, double within) {
@@ -226,7 +235,7 @@ double blur_at(const SideSamples& around, double split, double within) {
 
 void use_face(const FaceLine& face, double noise, LocatedEdge& edge) {
   edge.at = face.at;
-  edge.error = noise / 2 + 2 * face.rms * face.error_factor;
+  edge.error = kBoundOfNoise * noise + 2 * face.rms * face.error_factor;
   edge.rms = face.rms;
   edge.points = face.points;
   edge.status = DrawnStatus::seen;
@@ -268,7 +277,7 @@ void set_end_of_wall(const SideSamples& around, const SideSearch& q, const SideS
                      double beam, LocatedEdge& edge) {
   constexpr double kHiding = 0.2;  // Choice: a railing hides less; share of the rays beside the end that met something
   set_end(around, true, span, steps.u, steps.v, beam, edge);
-  edge.error += noise / 2;
+  edge.error += kBoundOfNoise * noise;
   edge.inner = edge.at;
   const double beside = edge.error + kBesideGap;
   const FaceSearch f{edge.at - beside, edge.at + beside, kFaceWidths * noise * around.lean, q.face_to - q.face_from,
@@ -305,12 +314,15 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
   const double step = along_u(side) ? steps.u : steps.v, step_along = along_u(side) ? steps.v : steps.u;
   if (!q.hole && !samples.oblique()) drop_hidden(around, span, slots_of(span, step_along));
   LocatedEdge edge;
-  const EdgeSplit split = split_edge(around.inside, around.outside);
+  EdgeSplit split = split_edge(around.inside, around.outside);
+  if (q.hole && samples.oblique() &&
+      (are_stray(around.outside, around.inside) || (q.silent && are_stray(around.inside, around.outside))))
+    split.found = false;
   const double noise = samples.site().noise;
   const double beam = samples.oblique() ? kBeam : 0;
   if (!split.found && !q.hole && !around.inside.empty()) {
     set_end(around, false, span, step, step_along, beam, edge);
-    edge.error += noise / 2;
+    edge.error += kBoundOfNoise * noise;
     edge.status = around.hidden > 0 ? DrawnStatus::occluded : DrawnStatus::seen;
     use_corner(around.corner, edge.at, kCornerReach + step, q, span, noise, edge);
     edge.at *= sign;
@@ -331,12 +343,12 @@ LocatedEdge locate_edge(const RaySamples& samples, const SideSearch& q, Side sid
     return edge;
   }
   double t = split.at;
-  edge.error = split.half_gap + noise / 2 + beam + blur_at(around, split.at, split.half_gap + 2 * step);
+  edge.error = split.half_gap + kBoundOfNoise * noise + beam + blur_at(around, split.at, split.half_gap + 2 * step);
   if (!q.hole && along_u(side) && samples.guessed()) edge.error += kGuessed * std::abs(q.depth);
   edge.points = (around.inside.size() + around.outside.size() - split.wrong) << around.level;
   if (!samples.oblique()) {  // what is behind is hidden beside the edge: the edge is half a step from the solid side
     t = q.hole ? split.at + split.half_gap - step / 2 : split.at - split.half_gap + step / 2;
-    edge.error = step / 2 + noise / 2;
+    edge.error = step / 2 + kBoundOfNoise * noise;
   } else if (wide) {
     edge.status = DrawnStatus::occluded;
   }

@@ -34,8 +34,6 @@ struct SideSearch {
   double face_from = 0, face_to = 0;      // values of w between which side faces may have points
   double reach = 0.15;                    // metres on either side of the sides of the box that are searched
   std::span<const std::uint32_t> planes;  // of an element that is a surface itself: ids of its segments, ascending
-  bool wall =
-      false;  // the plane around the hole is the wall: all its points are solid, even where it is not quite flat
   bool silent = false;  // rays that cross a hole without an echo are known to be free: it begins where the wall ends
 };
 

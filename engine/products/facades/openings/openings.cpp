@@ -161,13 +161,13 @@ void set_leaning_sides(const RaySamples& samples, FoundRectangle& opening) {
 
 // The depth of the plane that ends at a side of an opening: that of the wall, or of a leaf or a surround that lies on
 // the wall beside the opening and hides it. Their inner ends are those of the opening.
-double depth_beside(const RaySamples& samples, const Box2& box, Side side, double wall_depth) {
+double depth_beside(const RaySamples& samples, const Box2& box, Side side) {
   // Choice: from the hinge of a leaf, 2 cm beside the jamb, to the width of the narrowest leaf.
   constexpr std::array kFrom{0.01, 0.09}, kTo{0.09, 0.17};  // metres beside the side: two strips
   // Choice: a leaf with gaps between its boards shows the wall in a third of its area.
   constexpr double kMostWall = 0.5;  // rays that met the wall over those that met what lies on it
   constexpr std::size_t kFewest = 5;
-  if (side == Side::bottom || side == Side::top) return wall_depth;  // sills and lintels are lower than that
+  if (side == Side::bottom || side == Side::top) return 0;  // sills and lintels are lower than that
   const double epsilon = samples.site().epsilon;
   std::vector<double> out;
   for (std::size_t k = 0; k < kFrom.size(); ++k) {
@@ -183,15 +183,14 @@ double depth_beside(const RaySamples& samples, const Box2& box, Side side, doubl
         out.push_back(w);
     }
     const std::size_t found = out.size() - before;
-    if (found < kFewest || wall > kMostWall * static_cast<double>(found)) return wall_depth;
+    if (found < kFewest || wall > kMostWall * static_cast<double>(found)) return 0;
   }
   const double depth = upper_median(out);
   const auto flat = std::count_if(out.begin(), out.end(), [&](double w) { return std::abs(w - depth) <= epsilon; });
-  return 2 * static_cast<std::size_t>(flat) > out.size() ? depth : wall_depth;
+  return 2 * static_cast<std::size_t>(flat) > out.size() ? depth : 0;
 }
 
-// The median depth of the points of the wall about an opening: walls bow and lean, and an oblique ray that is followed
-// to the mean plane of the wall crosses it beside the edge that it passed.
+// The median depth of the points of the wall about an opening: walls bow and lean.
 double wall_depth_about(const RaySamples& samples, const Box2& box) {
   constexpr double kAbout = 0.3;            // Choice: the width of a narrow pier, metres
   constexpr std::uint64_t kMost = 1 << 14;  // points; more do not improve the result
@@ -205,22 +204,34 @@ double wall_depth_about(const RaySamples& samples, const Box2& box) {
   return depths.empty() ? 0 : upper_median(depths);
 }
 
+// How far an edge lies beside the place where oblique rays are followed to the mean plane of the wall, when the wall
+// about it is not in that plane; for the nearest station.
+double bow_error(const RaySamples& samples, const Box2& box, double wall_depth, Side side) {
+  const Vec3* nearest = nullptr;
+  const Vec3 middle{(box.u0 + box.u1) / 2, (box.v0 + box.v1) / 2, 0};
+  for (const FacadeStation& s : samples.site().stations)
+    if (nearest == nullptr || norm(s.position - middle) < norm(*nearest - middle)) nearest = &s.position;
+  if (nearest == nullptr || !(nearest->z > 0)) return 0;
+  const bool upright = side == Side::left || side == Side::right;
+  return std::abs(wall_depth) * std::abs(upright ? nearest->x - middle.x : nearest->y - middle.y) / nearest->z;
+}
+
 // Locates the sides of an opening. A line from a rough box is searched a second time from where it was found.
 void locate_sides(const RaySamples& samples, const Box2& around, double cell, FoundRectangle& opening) {
   // Choice: reveals of usual walls; where nothing fills the opening, its depth is not known.
   constexpr double kUnknownDepth = 0.5;  // metres
   const FacadeSite& site = samples.site();
   const double margin = std::max(0.015, 2 * site.epsilon), deep = opening.depth == 0 ? -kUnknownDepth : opening.depth;
-  const double wall = samples.oblique() ? wall_depth_about(samples, around) : 0;
+  const double bow = samples.oblique() ? wall_depth_about(samples, around) : 0;
   SideSearch search{around, 0, site.epsilon, true, deep + 0.03, -margin, std::max(0.12, 2.5 * cell), {}};
   search.silent = opening.no_echo;
   for (int round = 0; round < 2; ++round) {
     for (const Side side : kSides) {
-      search.depth = depth_beside(samples, search.box, side, wall);
-      search.wall = search.depth == wall;
+      search.depth = depth_beside(samples, search.box, side);
       search.face_to = search.depth - margin;
-      opening.side(side) = locate_edge(samples, search, side);
-      if (!search.wall && !opening.side(side).by_face) opening.side(side).error += kHinge;
+      LocatedEdge& edge = opening.side(side) = locate_edge(samples, search, side);
+      if (edge.by_face) continue;
+      edge.error += bow_error(samples, around, bow, side) + (search.depth != 0 ? kHinge : 0);
     }
     search.box = {opening.side(Side::left).inner, opening.side(Side::right).inner, opening.side(Side::bottom).inner,
                   opening.side(Side::top).inner};
