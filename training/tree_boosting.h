@@ -8,7 +8,7 @@
 namespace ilot {
 
 struct TreeBoostingParams {
-  std::size_t rounds = 60;     // trees of each class
+  std::size_t rounds = 150;    // trees of each class
   std::size_t depth = 4;       // at most 7
   std::size_t bins = 64;       // of a column, at most 256; each has about the same number of values
   double shrinkage = 0.15;     // factor of what a tree adds

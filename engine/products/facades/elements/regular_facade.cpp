@@ -68,7 +68,8 @@ double chi_square(double freedom, double normal_quantile) {
   const double part = 2 / (9 * freedom), root = 1 - part + normal_quantile * std::sqrt(part);
   return freedom * std::max(0.0, root * root * root);
 }
-constexpr double kLow = -1.2816, kHigh = 1.6449;  // 10 % and 95 % of the normal distribution
+// Derived: 10 % and 95 % of the normal distribution.
+constexpr double kLow = -1.2816, kHigh = 1.6449;
 
 // How far measurements that may be of one value lie apart.
 struct Scatter {

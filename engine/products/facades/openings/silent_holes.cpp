@@ -34,7 +34,8 @@ constexpr double kBeside = 0.2;  // share of the rays that a strip beside a hole
 constexpr double kMostStopped = 0.35;  // share of the rays of a crossed hole that ended before it
 // Choice: reveals of 2 cm have that many points at 45 degrees on a window of 1 m.
 constexpr double kLeastBehind = 0.01;  // share of the rays that end in a hole behind the wall, where the street is cut
-constexpr double kFewestBehind = 4;
+// Choice: fewer are stray echoes.
+constexpr double kFewestBehind = 4;  // points behind the wall, whatever the share
 // Choice: the bare disc below a tripod.
 constexpr double kBareDisc = 4;        // metres around a station in which there is ground, where nothing was cut off
 constexpr std::uint64_t kGround = 10;  // points of it

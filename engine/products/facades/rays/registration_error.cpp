@@ -13,8 +13,9 @@ namespace {
 // Choice: registration by targets is good to some 2 mm, from cloud to cloud to 5 to 10 mm and 0.01 degrees; a scan
 // without any error has stated errors that are too large.
 constexpr double kUsual = 0.005;      // metres: standard deviation where the cloud itself says nothing
-constexpr double kWeight = 2;         // measurements that this counts for
-constexpr double kCell = 0.7;         // metres: walls bow by less than a millimetre in that
+constexpr double kUsualWeight = 2;    // measurements that this counts for
+// Choice: walls bow by less than a millimetre in that.
+constexpr double kCell = 0.7;         // metres
 constexpr std::uint64_t kFewest = 8;  // points of a station in a cell
 // Derived: 95 % of normal errors are within two standard deviations.
 constexpr double kBound = 2;
@@ -58,7 +59,7 @@ double registration_error(const RaySamples& samples) {
   }
   const double others = compared.empty() ? 0 : static_cast<double>(compared.size() - 1);
   const double measured = freedom > 0 ? squares / freedom : 0;
-  return kBound * std::sqrt((kWeight * kUsual * kUsual + others * measured) / (kWeight + others));
+  return kBound * std::sqrt((kUsualWeight * kUsual * kUsual + others * measured) / (kUsualWeight + others));
 }
 
 }  // namespace ilot
