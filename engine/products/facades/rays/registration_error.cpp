@@ -12,8 +12,9 @@ namespace {
 
 // Choice: registration by targets is good to some 2 mm, from cloud to cloud to 5 to 10 mm and 0.01 degrees; a scan
 // without any error has stated errors that are too large.
-constexpr double kUsual = 0.005;      // metres: standard deviation where the cloud itself says nothing
-constexpr double kUsualWeight = 2;    // measurements that this counts for
+constexpr double kUsual = 0.005;  // metres: standard deviation where the cloud itself says nothing
+// Choice: two measurements between scans outweigh what is usual.
+constexpr double kUsualWeight = 2;  // measurements that this counts for
 // Choice: walls bow by less than a millimetre in that.
 constexpr double kCell = 0.7;         // metres
 constexpr std::uint64_t kFewest = 8;  // points of a station in a cell
