@@ -353,7 +353,7 @@ class Scan(unittest.TestCase):
         self.refuse([e, "--models", self.folder / "none.obj", "--cloud", c], "none.obj: no such file")
         self.refuse([e, "--models", c, "--cloud", c], "not a model that can be read")
         model.write_text("")
-        self.refuse([e, "--models", model, "--cloud", c], "holds no model", code=1)
+        self.refuse([e, "--models", model, "--cloud", c], "contains no model", code=1)
         model.write_text("o a\nv -90 0 0\nv -91 0 0\nv -91 9 0\nf 1 2 3\no b\nf 3 2 1\n")
         self.refuse([e, "--models", model, "--cloud", c], "same coordinate system", code=1)
         self.refuse([e, "--models", model, "--cloud", c, "--points-of", "field"], "no extra bytes 'building'", code=1)

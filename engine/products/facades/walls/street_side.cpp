@@ -25,6 +25,8 @@ constexpr std::size_t kAroundBins = 8;
 constexpr double kSlope = 0.1;
 // Choice: yards and basements that are seen past the wall lie lower.
 constexpr double kDeepest = 3;  // metres below the foot of the wall: lower points are no street before it
+// Choice: a storey is higher, and the ground falls by less in the depth of a sample.
+constexpr double kHanging = 1;  // metres: level points with something that far below them are the underside of a storey
 // Choice: lower than most sills; doors are open there.
 constexpr double kFootHeight = 0.6;  // metres
 // Choice: roots of plants and dirt hide less of a foot.
@@ -133,12 +135,17 @@ std::array<double, 2> ground_shares(const WallSample& s, const Profile& profile)
     near[side][b] = std::min(near[side][b], std::abs(p.z));
     far[side][b] = std::max(far[side][b], std::abs(p.z));
   });
+  Bins deepest = each(INFINITY);
+  for (const Vec3& p : s.off)
+    if (along_wall(s, p)) deepest[side_of(p)][profile.at(p.x)] = std::min(deepest[side_of(p)][profile.at(p.x)], p.y);
   std::array<double, 2> share{};
   const std::vector<std::uint8_t> closed = closed_feet(s, profile);
   const double bins = std::accumulate(closed.begin(), closed.end(), 0.0);
   for (std::size_t side = 0; side < 2; ++side)
     for (std::size_t b = 0; b < profile.bins(); ++b)
-      share[side] += (closed[b] != 0 && far[side][b] - near[side][b] > kGroundDepth) / std::max(1.0, bins);
+      share[side] += (closed[b] != 0 && far[side][b] - near[side][b] > kGroundDepth &&
+                      deepest[side][b] > lowest[side][b] - kHanging) /
+                     std::max(1.0, bins);
   return share;
 }
 

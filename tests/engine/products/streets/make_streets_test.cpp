@@ -357,7 +357,7 @@ TEST(StreetsProduct, ThreeClassesInsteadOfFour) {
   const auto train = folder.put("labels.geojson", collection(features));
   const StreetsOutcome out = run_cloud(folder, points, "out", [&](RunOptions& o) { o.train = train; });
   ASSERT_FALSE(out.record["warnings"].empty());
-  EXPECT_NE(out.record["warnings"].dump().find("holds no pedestrian"), std::string::npos)
+  EXPECT_NE(out.record["warnings"].dump().find("contains no pedestrian"), std::string::npos)
       << out.record["warnings"].dump();
   EXPECT_NE(out.record["warnings"].dump().find("1 of its 10 places are on nothing"), std::string::npos)
       << out.record["warnings"].dump();

@@ -129,7 +129,9 @@ TEST(Concurrence, PlanesMeetInTheirCorners) {
   }
   for (const Vec3& point : site.points) {
     const std::uint32_t f = regions_of(p, std::vector<FlatPoint>{{point.x * 1000, point.y * 1000}})[0];
-    if (f != kOutside) EXPECT_LT(std::abs(planes[f - 1].at(point.x, point.y) - point.z), 0.2);
+    if (f != kOutside) {
+      EXPECT_LT(std::abs(planes[f - 1].at(point.x, point.y) - point.z), 0.2);
+    }
   }
 }
 
