@@ -20,11 +20,8 @@ struct Field {
                                     std::conditional_t<std::is_floating_point_v<T>, double, std::int64_t>>;
   static Value get(const T& field) { return static_cast<Stored>(field); }
   static void set(T& field, const Value& value) {
-    if (const auto* whole = std::get_if<std::int64_t>(&value)) {
-      field = static_cast<T>(*whole);
-    } else {
-      field = static_cast<T>(std::get<Stored>(value));
-    }
+    const auto* whole = std::get_if<std::int64_t>(&value);
+    field = whole != nullptr ? static_cast<T>(*whole) : static_cast<T>(std::get<Stored>(value));
   }
 };
 
