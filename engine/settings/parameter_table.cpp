@@ -302,7 +302,7 @@ Parameters facades_parameters() {
            "distances from the left end of each facade that upright cuts go through it at"),
       make("facades.section_lines", ILOT_FIELD(facades.section_lines), {-1e9, 1e9}, "CRS units",
            "x0, y0, x1, y1 of each line that facades are also cut along, upright"),
-      make("facades.side", ILOT_FIELD(facades.side), {0, 1e6}, "",
+      make("facades.side", ILOT_FIELD(facades.side), {1, 1e6}, "",
            "numbers of facades that are drawn from the other side than was decided"),
   };
 }

@@ -132,7 +132,7 @@ struct FacadesSettings {
   std::vector<double> sections;              // heights, CRS units, that facades are also cut at
   std::vector<double> upright_sections;      // metres from the left end of each, upright cuts
   std::vector<double> section_lines;         // x0, y0, x1, y1 of each, CRS units, upright cuts
-  std::vector<double> side;                  // numbers of facades that are drawn from their other side
+  std::vector<int> side;                     // numbers of facades that are drawn from their other side
   AdvancedFacades advanced;
 };
 

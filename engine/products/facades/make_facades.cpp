@@ -38,7 +38,7 @@ constexpr const char* kNoStations =
 
 constexpr const char* kUndecidedSide =
     "{}: which of its sides is the street is not certain ({:.0f} %); it is drawn from the likelier side, and "
-    "facades.side={} turns it";
+    "--set facades.side=[{}] turns it";
 // Choice: odds of three to one.
 constexpr double kDecided = 1.1;  // natural logarithm of the odds
 
@@ -248,9 +248,9 @@ void settle_sides(std::vector<WallGroup>& walls, const FacadesSettings& settings
     progress.warn(text);
     record.warnings.push_back(text);
   };
-  for (const double number : settings.side) {
-    if (!(number >= 1 && number <= static_cast<double>(walls.size()) && number == std::floor(number))) {
-      warn(fmt::format("facades.side: there is no facade {:g}; the run drew {}", number, walls.size()));
+  for (const int number : settings.side) {
+    if (static_cast<std::size_t>(number) > walls.size()) {
+      warn(fmt::format("facades.side: there is no facade {}; the run drew {}", number, walls.size()));
       continue;
     }
     WallGroup& wall = walls[static_cast<std::size_t>(number) - 1];

@@ -309,6 +309,17 @@ TEST(FacadesProduct, WithoutStationsItWarns) {
   EXPECT_NE(out.record["warnings"].dump().find("station"), std::string::npos);
 }
 
+TEST(FacadesProduct, ASettingTurnsAFacadeAndNamesThoseThatAreNotThere) {
+  const FacadesOutcome as_found = run_wall(wall_points(0), 0, false);
+  const FacadesOutcome turned = run_wall(wall_points(0), 0, false, [](RunOptions& o) {
+    o.settings.facades.side = {1, 7};
+  });
+  ASSERT_EQ(turned.facades.size(), 1u);
+  const auto &from = as_found.facades.at(0).out, &to = turned.facades[0].out;
+  EXPECT_LT(from.x * to.x + from.y * to.y + from.z * to.z, -0.999);
+  EXPECT_NE(turned.record["warnings"].dump().find("there is no facade 7"), std::string::npos);
+}
+
 TEST(FacadesProduct, NoFacadeIsNoFailure) {
   std::vector<Index3> ground;
   Rng rng(1);
