@@ -30,7 +30,7 @@ struct WallGroup {
   std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
   double above = 0;                     // metres above the wall that its dormers reach
-  // The natural logarithm of the odds that `out` points to the street; infinite where a station tells.
+  // The natural logarithm of the odds that `out` points to the street; infinite where a station decides.
   double side_odds = INFINITY;
 };
 
@@ -44,7 +44,7 @@ struct StreetSides {
 
 // Gives the walls in the order of their area, the largest first (ties: the smaller id). `up` is the steepest line in
 // the wall. The street side is where most stations are; each station counts with one over its squared distance. Without
-// stations it is the side that the odds tell. Where these tell nothing it is the side of a larger wall in line, or else
+// stations it is the side that the odds say. Where these say nothing it is the side of a larger wall in line, or else
 // the side away from the middle. Segments without an area (no outline) are left out. Each wall looks only at the
 // segments around it, and without stations also at the walls found so far.
 std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,

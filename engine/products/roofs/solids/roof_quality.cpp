@@ -78,7 +78,7 @@ struct Limits {
   double off_m2, explained, bare, overshoot;
 };
 // Choice: 3 m2 is the least part of a roof whose loss counts, and half of a cell around it is on the model. A sixth of
-// the points may be on small things that no roof shows. A roof may rise above its points by roofs.overshoot and noise.
+// the points may be on small objects that no roof shows. A roof may rise above its points by roofs.overshoot and noise.
 constexpr Limits kCheck{2, 0.85, 0.1, 0.6}, kBad{12, 0.6, 0.5, 2};
 
 // What is wrong by these limits; empty when nothing is.

@@ -12,13 +12,13 @@ struct StreetMaskParams {
   double on_ground = 0.1;     // metres above the terrain; what is lower is ground and never fixed to a building
 };
 
-// Decides where ground and things on it are. Reads the layers "range" and "filled" of pixels, "terrain" and "structure"
-// of cells. Writes "mask": 1 for all pixels with a height that do not belong to a building, whatever they are connected
-// to, and "foot", the height of the terrain.
+// Decides where ground and objects on it are. Reads the layers "range" and "filled" of pixels, "terrain" and
+// "structure" of cells. Writes "mask": 1 for all pixels with a height that do not belong to a building, whatever they
+// are connected to, and "foot", the height of the terrain.
 void find_street_mask(const TileLayers& layers, const Cells& cells, const StreetMaskParams& params = {});
 
 // Puts the ground on the terrain: where "bare" is farther than `farthest` metres from it, as on terraces that the
-// filling took for things, it becomes the terrain. Then rewrites "height", what stands at least least_height metres
+// filling took for objects, it becomes the terrain. Then rewrites "height", what stands at least least_height metres
 // above it. Reads the layers "filled" and "mask".
 void put_on_terrain(const TileLayers& layers, const Cells& cells, double farthest, double least_height);
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint32_t kPit = 1;     // cells; half width of what may be a lone pit
 constexpr std::uint32_t kRing = 2;    // cells; half width of each of the boxes around it
-constexpr std::uint32_t kSmooth = 3;  // cells; half width of the box over which the terrain below things is a mean
+constexpr std::uint32_t kSmooth = 3;  // cells; half width of the box over which the terrain below objects is a mean
 constexpr std::uint32_t kPitHalo = kPit + 2 * kRing + 1;
 // Choice: most of a surface; a hall more than twice as wide as `reach` has as many sure cells.
 constexpr double kSureShare = 0.5;  // of a surface that is ground
@@ -139,7 +139,7 @@ class TerrainFinder {
            surfaces_[static_cast<std::uint32_t>(surface)].is_ground(terrace_, low_);
   }
 
-  // Connects the raised cells. Small groups of them are things that a chain of small steps joins to the ground, as the
+  // Connects the raised cells. Small groups of them are objects that a chain of small steps joins to the ground, as the
   // bumper, the bonnet and the roof of a car.
   void find_raised() {
     const auto raised = [&](std::size_t tile) {

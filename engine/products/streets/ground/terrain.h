@@ -13,7 +13,7 @@ struct TerrainParams {
   double rise = 0.12;      // metres; greatest step between cells of one surface on level ground, a kerb
   double terrace = 25;     // square metres; a raised surface that is larger and low is ground: a garden, a platform
   double terrace_height = 1.2;  // metres; greatest mean height of a terrace above the envelope, lower than any roof
-  double least_raised = 15;     // square metres; smaller raised parts of a surface are things, as cars and vans
+  double least_raised = 15;     // square metres; smaller raised parts of a surface are objects, as cars and vans
   double highest = 3;           // metres above the envelope; a terrace, above it is no ground
   double deepest_pit = 0.5;     // metres; lone cells that are deeper below all others near them hold no ground
 };

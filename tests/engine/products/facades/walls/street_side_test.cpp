@@ -88,7 +88,7 @@ TEST(StreetSide, ShopWindowsAreNoGround) {
   EXPECT_EQ(seen.evidence().ground, (std::array<double, 2>{0, 0}));
 }
 
-// The same scene seen in a mirror tells the opposite, to the last digit.
+// The same scene seen in a mirror says the opposite, to the last digit.
 TEST(StreetSide, TheMirroredWallGivesTheOppositeOdds) {
   SeenWall seen({3, 1.7, 8}), mirrored({3, 1.7, 8}, -1);
   for (double u = 0; u < kWallWidth; u += 0.13) {
