@@ -29,9 +29,9 @@ FootprintSource footprint_source(const std::filesystem::path& path);
 // Reads the first layer that has features and transforms it into the CRS of the clouds. Ids come from the attribute
 // `id_field`. Where it is empty, they come from the first existing one of identificatie, id, building, gid, fid,
 // lokaalid, gml_id, osm_id, objectid (in any case). Equal ids get -2, -3 ... appended. All attributes are kept; those
-// with the name of an attribute of buildings (docs/outputs.md) get "footprint_" before it. When
-// one of the two CRS is unknown, they are assumed to be the same, with a warning. Features without a usable polygon are
-// returned with a fault. Throws Error, with ExitCode::usage when there is no such file, layer or id_field.
+// with the name of an attribute of buildings (docs/outputs.md) get "footprint_" before it. When one of the two CRS is
+// unknown, they are assumed to be the same, with a warning. Features without a usable polygon are returned with a
+// fault. Throws Error, with ExitCode::usage when there is no such file, layer or id_field.
 FootprintFile read_footprints(const std::filesystem::path& path, const Crs& crs, const std::string& id_field = {});
 
 }  // namespace ilot

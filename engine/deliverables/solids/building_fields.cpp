@@ -25,9 +25,8 @@ constexpr BuildingField kBuildingFields[] = {
     {"h_ground", kReal, "CRS", "height of the floor", "rf_h_ground"},
     {"ground_source", kText, "",
      "`measured`: a tenth of the ground points (`classes.ground`) within 4 m around the outline lie below it; "
-     "`nearby`: "
-     "there were none, the same of those within 10 m, else 25 m, else 50 m (10 points at least), or the lowest point "
-     "within the margin of the outline's edges where that is lower; `lowest_point`: that point",
+     "`nearby`: there were none, the same of those within 10 m, else 25 m, else 50 m (10 points at least), or the "
+     "lowest point within the margin of the outline's edges where that is lower; `lowest_point`: that point",
      nullptr},
     {"h_roof_min", kReal, "CRS", "height of the lowest point on roof faces (of all its points where there is no face)",
      "rf_h_roof_min"},
@@ -42,9 +41,8 @@ constexpr BuildingField kBuildingFields[] = {
      "rf_roof_type"},
     {"coverage", kReal, "", "share of the outline, in cells two sampling steps wide, that contains a point", nullptr},
     {"rmse_m", kReal, "m",
-     "root mean square distance of all points of the building from the solid of the highest level of detail, those on "
-     "no "
-     "face too",
+     "root mean square distance of all points of the building from the solid of the highest level of detail, those "
+     "on no face too",
      "rf_rmse_lod22"},
     {"p95_m", kReal, "m", "distance that 95 % of these points do not exceed", nullptr},
     {"explained", kReal, "", "share of these points within 0.2 m of the solid, or within epsilon where that is more",

@@ -147,11 +147,10 @@ FacadeElement unseen_of(const FacadeSite& site, const UnseenArea& area) {
   e.status = DrawnStatus::occluded;
   e.reason =
       area.straight ? "a hole with straight sides that no free ray is known to have crossed" : "no ray reached it";
-  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  const Box2 box = box_of(area.ring);
   for (const Place2& p : area.ring) {
     e.ring.push_back(place_of(site, p.u, p.v, 0));
     e.edges.push_back({DrawnStatus::occluded, 0, 0, area.error, 0});
-    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
   }
   e.width_m = box.width();
   e.height_m = box.height();
@@ -163,11 +162,10 @@ FacadeElement irregularity_of(const FacadeSite& site, const Irregularity& i) {
   FacadeElement e;
   e.kind = "bulge";
   e.region = FacadeRegion::irregularity;
-  Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
+  const Box2 box = box_of(i.ring);
   for (const Place2& p : i.ring) {
     e.ring.push_back(place_of(site, p.u, p.v, 0));
     e.edges.push_back({DrawnStatus::seen, 0, 0, site.step, 0});
-    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
   }
   e.width_m = box.width();
   e.height_m = box.height();

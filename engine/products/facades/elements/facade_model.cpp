@@ -45,10 +45,7 @@ void drop_patches(std::vector<ElementCandidate>& candidates, const std::vector<I
   std::erase_if(candidates, [&](const ElementCandidate& t) {
     const Box2 own = t.shape.box();
     return t.kind == ElementKind::bulge && std::any_of(irregular.begin(), irregular.end(), [&](const Irregularity& i) {
-             Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
-             for (const Place2& p : i.ring)
-               box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
-             return common_area(box, own) >= kSamePatch * own.width() * own.height();
+             return common_area(box_of(i.ring), own) >= kSamePatch * own.width() * own.height();
            });
   });
 }
@@ -56,9 +53,7 @@ void drop_patches(std::vector<ElementCandidate>& candidates, const std::vector<I
 // Drops the areas of which an element covers most: a recess or an opening without an echo that was found otherwise.
 void drop_known_areas(std::vector<UnseenArea>& unseen, const std::vector<ElementCandidate>& candidates) {
   std::erase_if(unseen, [&](const UnseenArea& area) {
-    Box2 box{INFINITY, -INFINITY, INFINITY, -INFINITY};
-    for (const Place2& p : area.ring)
-      box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+    const Box2 box = box_of(area.ring);
     return std::any_of(candidates.begin(), candidates.end(), [&](const ElementCandidate& t) {
       return common_area(box, t.shape.box()) > kMostOf * box.width() * box.height();
     });

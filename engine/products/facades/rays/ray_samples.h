@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What each measured ray shows about the wall: it met the wall, went through it, or was stopped in front of it.
 #pragma once
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -22,6 +23,14 @@ struct Box2 {
   bool contains(Place2 p) const { return p.u >= u0 && p.u <= u1 && p.v >= v0 && p.v <= v1; }
   Box2 grown(double by) const { return {u0 - by, u1 + by, v0 - by, v1 + by}; }
 };
+
+// The least box around the vertices of a ring, which must not be empty.
+inline Box2 box_of(std::span<const Place2> ring) {
+  Box2 box{ring[0].u, ring[0].u, ring[0].v, ring[0].v};
+  for (const Place2& p : ring)
+    box = {std::min(box.u0, p.u), std::max(box.u1, p.u), std::min(box.v0, p.v), std::max(box.v1, p.v)};
+  return box;
+}
 
 enum class RayOutcome : std::uint8_t {
   solid,    // ends on the plane
