@@ -7,7 +7,7 @@ can tell them apart. Needs ILOT_DATA and python3-numpy, python3-scipy, python3-s
 The classifier learns on some clouds and is judged on others: of the real ones on another tile, scan or building, of
 ours on another scene or seed. AUC 0.5 means that it cannot tell them apart, 1 that it always can.
 
-usage: /usr/bin/python3 bench/scanner_check.py [ILOT] [--only air vehicle tripod facade] [--keep FOLDER]
+usage: /usr/bin/python3 bench/scanner_check.py [ILOT] [--only air wild-air vehicle ...] [--keep FOLDER]
 """
 import argparse
 import os
@@ -28,6 +28,7 @@ FEATURES = {"shape": ["linearity", "planarity", "sphericity", "roughness over sp
             "pattern": ["nearest over 20th distance", "4th over 20th distance", "points within twice the 10th", "line of 8"],
             "noise": ["residual, m"], "density": ["log density"],
             "intensity": ["local spread of intensity", "intensity over median"], "returns": ["share of pulses with several"]}
+GROUPS = [group + kind for group in ("", "wild-") for kind in ("air", "vehicle", "tripod", "facade")]
 NAMES = [n for group in FEATURES.values() for n in group]
 INCIDENCE = [(0, 30), (30, 60), (60, 75), (75, 82)]  # degrees; above, local density no longer tells the angle
 
@@ -36,7 +37,7 @@ def arguments():
     parser = argparse.ArgumentParser(prog="bench/scanner_check.py", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ilot", nargs="?", default=str(ROOT / "build/release/tools/ilot"), help="the program [build/release]")
-    parser.add_argument("--only", nargs="*", default=["air", "vehicle", "tripod", "facade"], help="groups of clouds [all]")
+    parser.add_argument("--only", nargs="*", help="groups of clouds [all]", default=GROUPS, choices=GROUPS)
     parser.add_argument("--keep", metavar="FOLDER", help="leave clouds there")
     return parser.parse_args()
 
@@ -135,35 +136,57 @@ def square(metres, height):
     return keep
 
 
-def clouds_of(group, source):
-    lod3 = source.data / "lod3"
-    if group == "air":
-        air = ["--set", "scene.blocks=2", "--set", "scene.density=27"]
+def real_clouds(kind, source):
+    if kind == "air":
         return [source.real("ign 77055", "learn", "ign/77055_627755_pf8.laz"),
                 source.real("amsterdam ahn", "learn", "amsterdam/ahn_2386_9702.laz"),
-                source.real("ign 77060", "judge", "ign/77060_627755_pf8.laz"),
-                source.ours("street-air seed 1", "learn", ["street-air", "--seed", 1, *air]),
-                source.ours("model 4018215, flight", "learn", ["--model", lod3 / "4018215.city.json", "--flight"]),
-                source.ours("street-air seed 2", "judge", ["street-air", "--seed", 2, *air])]
-    if group == "vehicle":
-        drive = ["--set", "scene.blocks=1", "--points", 1200000]
+                source.real("ign 77060", "judge", "ign/77060_627755_pf8.laz")]
+    if kind == "vehicle":
         half = lambda side: lambda table: (table[:, 0] < np.median(table[:, 0])) == side
         return [source.real("amsterdam sidewalk, west", "learn", "amsterdam/run2_sidewalk_2386_9702.laz", half(True)),
-                source.real("amsterdam sidewalk, east", "judge", "amsterdam/run2_sidewalk_2386_9702.laz", half(False)),
-                source.ours("street seed 1", "learn", ["street", "--seed", 1, *drive], square(30, 3)),
-                source.ours("model 4018215, vehicle", "learn", ["--model", lod3 / "4018215.city.json", "--vehicle", "--points", 800000],
-                            square(60, 3)),
-                source.ours("street seed 2", "judge", ["street", "--seed", 2, *drive], square(30, 3))]
-    if group == "tripod":
-        tripod = ["--points", 120000]
+                source.real("amsterdam sidewalk, east", "judge", "amsterdam/run2_sidewalk_2386_9702.laz", half(False))]
+    if kind == "tripod":
         return [source.real("small source", "learn", "small/source.ply", origin=[0, 0, 0]),
-                source.real("small target", "judge", "small/target.ply", origin=[0, 0, 0]),
-                source.ours("facade-restoration", "learn", ["facade-restoration", *tripod], origin="station"),
+                source.real("small target", "judge", "small/target.ply", origin=[0, 0, 0])]
+    return [source.nuist("nuist 1", "learn", "building_1"), source.nuist("nuist 3", "judge", "building_3")]
+
+
+def tidy_clouds(kind, source):
+    """The scenes of documents and models of others."""
+    model = lambda number: ["--model", source.data / "lod3" / f"{number}.city.json"]
+    if kind == "air":
+        air = ["--set", "scene.blocks=2", "--set", "scene.density=27"]
+        return [source.ours("street-air seed 1", "learn", ["street-air", "--seed", 1, *air]),
+                source.ours("model 4018215, flight", "learn", [*model(4018215), "--flight"]),
+                source.ours("street-air seed 2", "judge", ["street-air", "--seed", 2, *air])]
+    if kind == "vehicle":
+        drive = ["--set", "scene.blocks=1", "--points", 1200000]
+        return [source.ours("street seed 1", "learn", ["street", "--seed", 1, *drive], square(30, 3)),
+                source.ours("model 4018215, vehicle", "learn", [*model(4018215), "--vehicle", "--points", 800000], square(60, 3)),
+                source.ours("street seed 2", "judge", ["street", "--seed", 2, *drive], square(30, 3))]
+    if kind == "tripod":
+        tripod = ["--points", 120000]
+        return [source.ours("facade-restoration", "learn", ["facade-restoration", *tripod], origin="station"),
                 source.ours("stones", "learn", ["stones", *tripod], origin="station"),
-                source.ours("model 4018154", "judge", ["--model", lod3 / "4018154.city.json", "--stations", *tripod])]
-    return [source.nuist("nuist 1", "learn", "building_1"), source.nuist("nuist 3", "judge", "building_3"),
-            source.ours("facade-haussmann", "learn", ["facade-haussmann", "--points", 60000]),
+                source.ours("model 4018154", "judge", [*model(4018154), "--stations", *tripod])]
+    return [source.ours("facade-haussmann", "learn", ["facade-haussmann", "--points", 60000]),
             source.ours("facade-restoration", "judge", ["facade-restoration", "--points", 40000])]
+
+
+def wild_clouds(kind, source):
+    """Wild scenes of four seeds to learn from and of four others to judge on; facades have intensity, as the real ones have."""
+    def scenes(scene, settings, keep=None):
+        drawn = [part for setting in settings for part in ("--set", f"scene.{setting}")]
+        return [source.ours(f"{scene} {kind} seed {seed}", "learn" if seed < 4 else "judge",
+                            [scene, "--seed", seed, "--points", 400000, *drawn], keep) for seed in range(8)]
+    if kind == "facade":
+        return scenes("facade-wild", ["intensity=corrected"])
+    return scenes("street-wild", [f"street.platform={kind}"], square(30, 3) if kind == "vehicle" else None)
+
+
+def clouds_of(group, source):
+    kind = group.removeprefix("wild-")
+    return real_clouds(kind, source) + (wild_clouds if group != kind else tidy_clouds)(kind, source)
 
 
 def quantiles(values, digits=4):

@@ -18,7 +18,7 @@ std::array<PointRole, 256> point_roles(std::span<const int> building, std::span<
 
 RoleCounts write_roles(const Store& store, const std::array<PointRole, 256>& roles, const PassContext& context) {
   std::vector<PassTask> tasks;
-  for (const Block& b : store.blocks()) tasks.push_back({b.points * 2 * sizeof(PointRole), b.points});
+  for (const Block& b : store.blocks()) tasks.push_back({std::uint64_t{b.points} * 2 * sizeof(PointRole), b.points});
   std::vector<RoleCounts> counts(tasks.size());
   run_pass(tasks, context.budget_bytes, [&](std::size_t i) {
     const auto block = static_cast<std::uint32_t>(i);

@@ -18,9 +18,6 @@
 #include "kernels/core/parallel.h"
 #include "kernels/rasters/front_image.h"
 
-extern "C" void GDALRegister_PNG();
-extern "C" void GDALRegister_MEM();
-
 namespace ilot {
 namespace {
 

@@ -204,7 +204,7 @@ std::vector<std::pair<std::string, AttributeValue>> attributes_of(const OGRFeatu
 
 std::string id_of(const OGRFeature& feature, int field, std::size_t number) {
   if (field >= 0 && feature.IsFieldSetAndNotNull(field))
-    if (const std::string id = feature.GetFieldAsString(field); !id.empty()) return id;
+    if (std::string id = feature.GetFieldAsString(field); !id.empty()) return id;
   return std::to_string(number);
 }
 

@@ -8,8 +8,6 @@
 #include "engine/deliverables/layers/spatial_reference.h"
 #include "engine/error.h"
 
-extern "C" void GDALRegister_GTiff();
-
 namespace ilot {
 namespace {
 
