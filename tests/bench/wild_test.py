@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Checks how bench/wild sums up over seeds, and that it keeps what is finished and guards seeds for judging."""
 import csv
+import hashlib
 import importlib.machinery
 import importlib.util
 import pathlib
@@ -25,6 +26,13 @@ loader.exec_module(run)
 def record(seed, value, **drawn):
     return {"scene": "facade-wild", "seed": seed, "figures": {"edges within 5 cm": value, "openings invented": 1 - value},
             "drawn": drawn, "commands": ""}
+
+
+class Distributions(unittest.TestCase):
+    def test_they_are_those_that_the_page_calls_frozen(self):
+        digest = hashlib.sha256((WILD.parents[1] / "scan" / "wild" / "distributions.csv").read_bytes()).hexdigest()
+        self.assertIn(digest, (WILD / "README.md").read_text(),
+                      "distributions.csv changed: run the tables of bench/wild/README.md with both versions, then name the new hash")
 
 
 class Losses(unittest.TestCase):
