@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::uint64_t kExtendBytesPerPoint = 72;  // an estimate: 66 where all points have labels
 // Derived: 2.8 of the 3.5 standard deviations of epsilon, so that noise leaves few points of a kept surface out.
-constexpr double kExtendShare = 0.8;  // of epsilon
+constexpr double kExtendShare = 0.8;  // of the smaller epsilon of two planes
 // Derived: the rounding of coordinates to float32, so that points stay within epsilon.
 constexpr double kStrictlyInside = 1 - 1e-6;
 
