@@ -10,12 +10,12 @@ namespace ilot {
 std::span<const ColumnInfo* const> all_columns() {
   using namespace columns;
   static constexpr const ColumnInfo* kAll[]{
-      &kCodes.info,       &kOrder.info,      &kClass.info,      &kEchoes.info,    &kChunks.info,   &kRole.info,
-      &kNormals.info,     &kColour.info,     &kStation.info,    &kSegment.info,   &kContacts.info, &kExtended1.info,
-      &kExtended2.info,   &kExtended3.info,  &kTally.info,      &kPlane.info,     &kTouches.info,  &kShapeTally.info,
-      &kShape.info,       &kCoincident.info, &kSeamRuns.info,   &kSeamEdges.info, &kBoundary.info, &kFacade.info,
-      &kClusterPart.info, &kCluster.info,    &kRoof.info,       &kStreet.info,    &kSorted.info,   &kRowOrder.info,
-      &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info, &kRoofRows.info};
+      &kCodes.info,      &kOrder.info,       &kClass.info,      &kEchoes.info,     &kChunks.info,    &kRole.info,
+      &kNormals.info,    &kColour.info,      &kStation.info,    &kSegment.info,    &kContacts.info,  &kExtended1.info,
+      &kExtended2.info,  &kExtended3.info,   &kExtended4.info,  &kTally.info,      &kPlane.info,     &kTouches.info,
+      &kShapeTally.info, &kShape.info,       &kCoincident.info, &kSeamRuns.info,   &kSeamEdges.info, &kBoundary.info,
+      &kFacade.info,     &kClusterPart.info, &kCluster.info,    &kRoof.info,       &kStreet.info,    &kSorted.info,
+      &kRowOrder.info,   &kPlaneRows.info,   &kStreetRows.info, &kFacadeRows.info, &kRoofRows.info};
   return kAll;
 }
 

@@ -10,6 +10,8 @@ inline constexpr Column<std::uint32_t> kExtended1{
 inline constexpr Column<std::uint32_t> kExtended2{
     {"extended_2", "u32", Pass::labels, "labels", "the same after two rounds"}};
 inline constexpr Column<std::uint32_t> kExtended3{
-    {"extended_3", "u32", Pass::labels, "labels", "the same after the last round"}};
+    {"extended_3", "u32", Pass::labels, "labels", "the same after three rounds"}};
+inline constexpr Column<std::uint32_t> kExtended4{
+    {"extended_4", "u32", Pass::labels, "labels", "the same after the last round"}};
 
 }  // namespace ilot::columns

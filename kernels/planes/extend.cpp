@@ -247,9 +247,9 @@ class Extender {
   }
 
   bool wins(Pair pair, double from_winner, double from_loser) const {
-    if (pair.winner < pair.loser)
-      return from_winner <= share_ * planes_[pair.winner - 1].epsilon || from_winner <= from_loser;
-    return from_loser > share_ * planes_[pair.loser - 1].epsilon && from_winner < from_loser;
+    const double kept = share_ * std::min(planes_[pair.winner - 1].epsilon, planes_[pair.loser - 1].epsilon);
+    if (pair.winner < pair.loser) return from_winner <= kept || from_winner <= from_loser;
+    return from_loser > kept && from_winner < from_loser;
   }
 
   Points p_;

@@ -90,6 +90,24 @@ TEST(ExtendPlanes, ThePlaneThatComesSecondTakesWhatTheFirstFitsBadly) {
   }
 }
 
+// The same surface with a wide first plane: what decides in one cell must decide in the other one, and the second cell
+// knows only points near the narrow plane.
+TEST(ExtendPlanes, TheSmallerEpsilonOfTheTwoDecides) {
+  const auto ramp = [](double x) { return 1000 + std::max(0.0, x - 3000) * 18 / 1096; };
+  TwoCells cell(false, 40, ramp);
+  EXPECT_GT(cell.extend({level_plane(1000, 40), leaning_plane(false, 1018, 18.0 / 1096, 20)}), 0u);
+  for (std::size_t i = 0; i < cell.points.size; ++i) {
+    if (!cell.core[i]) continue;
+    const double low = cell.points.z[i] - 1000;
+    if (low > 17) {
+      EXPECT_EQ(cell.label[i], 2u) << cell.points.x[i];
+    }
+    if (low < 15) {
+      EXPECT_EQ(cell.label[i], 1u) << cell.points.x[i];
+    }
+  }
+}
+
 TEST(ExtendPlanes, PlanesAtAGreatAngleAndPointsBeyondAGapStay) {
   const auto ridge = [](double x) { return 1000 - std::max(0.0, x - static_cast<double>(kExtendEdge)) / 2; };
   TwoCells roof(true, 40, ridge);

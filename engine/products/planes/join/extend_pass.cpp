@@ -21,12 +21,12 @@ namespace {
 
 constexpr std::uint64_t kExtendBytesPerPoint = 72;  // an estimate: 66 where all points have labels
 // Derived: 2.8 of the 3.5 standard deviations of epsilon, so that noise leaves few points of a kept surface out.
-constexpr double kExtendShare = 0.8;  // of epsilon
+constexpr double kExtendShare = 0.8;  // of the smaller epsilon of two planes
 // Derived: the rounding of coordinates to float32, so that points stay within epsilon.
 constexpr double kStrictlyInside = 1 - 1e-6;
 
 const std::array<Column<std::uint32_t>, kExtendRounds> kRounds{columns::kExtended1, columns::kExtended2,
-                                                               columns::kExtended3};
+                                                               columns::kExtended3, columns::kExtended4};
 
 // A point of a block that gets another plane.
 struct Change {
@@ -135,8 +135,7 @@ Changes changes_in(const Store& store, const Cell& cell, const CellSummary& summ
     const JoinedPlane& j = joined.planes[id - 1];
     const Vec3 from_anchor{static_cast<double>(corner.x - j.anchor.x), static_cast<double>(corner.y - j.anchor.y),
                            static_cast<double>(corner.z - j.anchor.z)};
-    planes.push_back({{j.plane.n, j.plane.d + dot(j.plane.n, from_anchor)},
-                      std::min(j.epsilon, summary.epsilon) * kStrictlyInside - rounding});
+    planes.push_back({{j.plane.n, j.plane.d + dot(j.plane.n, from_anchor)}, j.epsilon * kStrictlyInside - rounding});
   }
   Changes changes;
   const ExtendParams params{cell.node.edge(), summary.connectivity, cos_degrees(summary.normal_angle), kExtendShare};

@@ -66,7 +66,7 @@ class BlockLabels {
         palette_(palette) {
     const Block& b = store.blocks()[block];
     view_ = load_view(store, b.box.grown(cells.widest_connectivity), b.node.min_corner());
-    before_ = load_column(store, view_, columns::kExtended3);
+    before_ = load_column(store, view_, columns::kExtended4);
     for (std::uint32_t& plane : before_)
       if (plane != 0 && joined.planes[plane - 1].too_small) plane = 0;
     own_ = range_of_block(view_, block);

@@ -49,22 +49,22 @@ TEST(ExtendPass, DoesNotKnowTheBlocks) {
   const auto points = round_hill();
   const PlaneStore one(points), many(points, {.block_points = 1024});
   ASSERT_GT(many.cloud.store().blocks().size(), one.cloud.store().blocks().size());
-  EXPECT_EQ(test::whole_column(one.cloud.store(), columns::kExtended3),
-            test::whole_column(many.cloud.store(), columns::kExtended3));
+  EXPECT_EQ(test::whole_column(one.cloud.store(), columns::kExtended4),
+            test::whole_column(many.cloud.store(), columns::kExtended4));
 }
 
 TEST(ExtendPass, GoesOnFromTheRoundsThatAreStored) {
   const auto points = round_hill();
   const PlaneStore s(points);
   const Store& store = s.cloud.store();
-  const auto wanted = test::whole_column(store, columns::kExtended3);
+  const auto wanted = test::whole_column(store, columns::kExtended4);
   for (std::uint32_t b = 0; b < store.blocks().size(); ++b) {
-    std::filesystem::remove(store.path(b, columns::kExtended3));
+    std::filesystem::remove(store.path(b, columns::kExtended4));
     std::filesystem::remove(store.path(b, columns::kExtended2));
   }
   JoinedPlanes joined = s.joined;
   extend_pass(store, s.cells, s.found, joined, {});
-  EXPECT_EQ(test::whole_column(store, columns::kExtended3), wanted);
+  EXPECT_EQ(test::whole_column(store, columns::kExtended4), wanted);
 }
 
 }  // namespace
