@@ -108,7 +108,7 @@ PointDensity point_density(const Store& store, const PassContext& context) {
   std::mutex mutex;
   const std::vector<PassTask> tasks(windows.size(), {kBytesOfStretch, 0});
   run_pass(tasks, context.budget_bytes / 4, [&](std::size_t i) {
-    const auto [row, column] = windows[i];
+    const std::int64_t row = windows[i].row, column = windows[i].column;
     std::vector<std::uint32_t> cells(kCells * kCells, 0);
     for_points_in(
         store, column_over(column * side, row * side, (column + 1) * side - 1, (row + 1) * side - 1),
