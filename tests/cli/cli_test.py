@@ -73,6 +73,18 @@ class Cli(CliCase):
         over = ilot("run", "--print-config", "--config", config, "--set", "planes.epsilon=auto").stdout
         self.assertIn('\nepsilon = "auto"\n', over)
 
+    def test_forced_instruction_set(self):
+        for name in ("baseline", ""):
+            done = ilot("--version", "--json", env={**os.environ, "ILOT_FORCE_ISA": name})
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(json.loads(done.stdout)["isa"], name or json.loads(ilot("--version", "--json").stdout)["isa"])
+        isas = json.loads(ilot("--version", "--json").stdout)["isas"]
+        self.assertEqual(isas[0], "baseline")
+        for name in ("avx3", "AVX2", "baseline "):
+            done = ilot("info", self.cloud, env={**os.environ, "ILOT_FORCE_ISA": name})
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertRegex(done.stderr, rf"^ilot: ILOT_FORCE_ISA={name}: this machine has {', '.join(isas)}; name one.*\n$")
+
     def test_version_and_help(self):
         self.assertRegex(ilot("--version").stdout, r"^ilot \d+\.\d+\.\d+ \(\w+\)\n$")
         everything = json.loads(ilot("--version", "--json").stdout)
