@@ -10,6 +10,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "engine/deliverables/tables/json_node.h"
 #include "engine/error.h"
 
 namespace ilot {
@@ -17,78 +18,31 @@ namespace {
 
 using Json = nlohmann::json;
 
-// A value and its position in the file, for messages.
-struct TruthNode {
-  const Json& json;
-  std::string place;
+Ring3 ring_of(const JsonNode& node) {
+  Ring3 ring;
+  node.each([&](const JsonNode& corner) { ring.push_back(corner.position()); });
+  if (ring.size() < 3) node.fail("needs three corners or more");
+  return ring;
+}
 
-  [[noreturn]] void fail(const std::string& what) const { throw Error(fmt::format("{}: {}", place, what)); }
-
-  bool has(const char* key) const { return json.is_object() && json.contains(key); }
-
-  TruthNode at(const char* key) const {
-    if (!has(key)) fail(fmt::format("'{}' is missing", key));
-    return {json[key], fmt::format("{}.{}", place, key)};
-  }
-
-  template <class Visit>
-  void each(Visit visit) const {
-    if (!json.is_array()) fail("needs a list");
-    for (std::size_t i = 0; i < json.size(); ++i) visit(TruthNode{json[i], fmt::format("{}[{}]", place, i)});
-  }
-
-  double number() const {
-    if (!json.is_number() || !std::isfinite(json.get<double>())) fail("needs a finite number");
-    return json.get<double>();
-  }
-
-  std::uint64_t count() const {
-    if (!json.is_number_integer() || json < 0) fail("needs a whole number from 0 on");
-    return json.get<std::uint64_t>();
-  }
-
-  std::uint32_t id() const {
-    const std::uint64_t value = count();
-    if (value > std::numeric_limits<std::uint32_t>::max()) fail("needs a whole number below 2^32");
-    return static_cast<std::uint32_t>(value);
-  }
-
-  std::string text() const {
-    if (!json.is_string()) fail("needs a text");
-    return json.get<std::string>();
-  }
-
-  Vec3 position() const {
-    if (!json.is_array() || json.size() != 3) fail("needs three numbers");
-    return {TruthNode{json[0], place}.number(), TruthNode{json[1], place}.number(), TruthNode{json[2], place}.number()};
-  }
-
-  Ring3 ring() const {
-    Ring3 ring;
-    each([&](const TruthNode& corner) { ring.push_back(corner.position()); });
-    if (ring.size() < 3) fail("needs three corners or more");
-    return ring;
-  }
-};
-
-TruePlane plane_of(const TruthNode& node) {
+TruePlane plane_of(const JsonNode& node) {
   TruePlane plane{node.at("id").id(), node.has("class") ? node.at("class").text() : "", {}, {}};
-  const TruthNode equation = node.at("plane");
+  const JsonNode equation = node.at("plane");
   std::vector<double> v;
-  equation.each([&](const TruthNode& n) { v.push_back(n.number()); });
+  equation.each([&](const JsonNode& n) { v.push_back(n.number()); });
   const double length = v.size() == 4 ? norm({v[0], v[1], v[2]}) : 0;
   if (!(length > 0)) equation.fail("needs a, b, c, d of a plane");
   plane.plane = {(1 / length) * Vec3{v[0], v[1], v[2]}, v[3] / length};
   if (!node.has("polygons")) return plane;
-  node.at("polygons").each([&](const TruthNode& n) {
-    TruePolygon polygon{n.has("building") ? n.at("building").id() : 0, n.at("ring").ring(), {}};
-    if (n.has("holes")) n.at("holes").each([&](const TruthNode& hole) { polygon.holes.push_back(hole.ring()); });
+  node.at("polygons").each([&](const JsonNode& n) {
+    TruePolygon polygon{n.has("building") ? n.at("building").id() : 0, ring_of(n.at("ring")), {}};
+    if (n.has("holes")) n.at("holes").each([&](const JsonNode& hole) { polygon.holes.push_back(ring_of(hole)); });
     plane.polygons.push_back(std::move(polygon));
   });
   return plane;
 }
 
-TrueElement element_of(const TruthNode& node) {
+TrueElement element_of(const JsonNode& node) {
   TrueElement e;
   const auto number = [&](const char* key) { return node.has(key) ? node.at(key).number() : 0.0; };
   const auto id = [&](const char* key) { return node.has(key) ? node.at(key).id() : 0u; };
@@ -97,14 +51,14 @@ TrueElement element_of(const TruthNode& node) {
   e.facade = id("facade");
   e.row = id("row");
   e.column = id("column");
-  if (node.has("ring")) e.ring = node.at("ring").ring();
+  if (node.has("ring")) e.ring = ring_of(node.at("ring"));
   e.width_m = number("width_m");
   e.height_m = number("height_m");
   e.depth_m = number("depth_m");
   return e;
 }
 
-std::map<std::uint32_t, std::string> classes_of(const TruthNode& node) {
+std::map<std::uint32_t, std::string> classes_of(const JsonNode& node) {
   std::map<std::uint32_t, std::string> classes;
   if (!node.json.is_object()) node.fail("needs an object");
   for (const auto& [key, value] : node.json.items()) {
@@ -112,16 +66,16 @@ std::map<std::uint32_t, std::string> classes_of(const TruthNode& node) {
     const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), number);
     if (code != std::errc() || end != key.data() + key.size() || number > 255)
       node.fail(fmt::format("'{}' is no class from 0 to 255", key));
-    classes[number] = TruthNode{value, node.place + "." + key}.text();
+    classes[number] = JsonNode{value, node.place + "." + key}.text();
   }
   return classes;
 }
 
 template <class Item, class Make>
-void read_list(const TruthNode& root, const char* key, std::vector<Item>& out, bool& present, Make make) {
+void read_list(const JsonNode& root, const char* key, std::vector<Item>& out, bool& present, Make make) {
   present = root.has(key) && root.json[key].is_array();
   if (root.has(key) && (present || key != std::string_view("buildings")))  // in old files `buildings` is a count
-    root.at(key).each([&](const TruthNode& node) { out.push_back(make(node)); });
+    root.at(key).each([&](const JsonNode& node) { out.push_back(make(node)); });
 }
 
 }  // namespace
@@ -133,25 +87,24 @@ Truth parse_truth(std::string_view text, const std::string& name) {
   } catch (const Json::exception& fault) {
     throw Error(name + ": broken JSON: " + fault.what());
   }
-  const TruthNode root{json, name};
+  const JsonNode root{json, name};
   if (!json.is_object()) root.fail("needs a JSON object");
   Truth truth;
   bool has_planes = false, has_elements = false;
   if (root.has("classes")) truth.classes = classes_of(root.at("classes"));
   read_list(root, "planes", truth.planes, has_planes, plane_of);
   read_list(root, "elements", truth.elements, has_elements, element_of);
-  read_list(root, "openings", truth.openings, truth.has_openings, [](const TruthNode& n) {
-    return TrueOpening{n.at("id").id(), n.has("facade") ? n.at("facade").id() : 0, n.at("ring").ring()};
+  read_list(root, "openings", truth.openings, truth.has_openings, [](const JsonNode& n) {
+    return TrueOpening{n.at("id").id(), n.has("facade") ? n.at("facade").id() : 0, ring_of(n.at("ring"))};
   });
-  read_list(root, "control_points", truth.control_points, truth.has_control_points, [](const TruthNode& n) {
+  read_list(root, "control_points", truth.control_points, truth.has_control_points, [](const JsonNode& n) {
     return TrueControlPoint{n.at("group").text(), n.has("element") ? n.at("element").id() : 0,
                             n.at("position").position()};
   });
-  read_list(root, "objects", truth.objects, truth.has_objects, [](const TruthNode& n) {
+  read_list(root, "objects", truth.objects, truth.has_objects, [](const JsonNode& n) {
     return TrueObject{n.at("id").id(), n.at("class").text(), n.has("points") ? n.at("points").count() : 0};
   });
-  read_list(root, "buildings", truth.buildings, truth.has_buildings,
-            [](const TruthNode& n) { return n.at("id").id(); });
+  read_list(root, "buildings", truth.buildings, truth.has_buildings, [](const JsonNode& n) { return n.at("id").id(); });
   return truth;
 }
 

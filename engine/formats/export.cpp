@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/formats/export.h"
 
+#include "engine/formats/field_roles.h"
+
 namespace ilot {
 namespace {
 
-enum Source : int {
-  kExtra,
-  kX,
-  kY,
-  kZ,
-  kIntensity,
-  kReturnNumber,
-  kReturnCount,
-  kClassification,
-  kSynthetic,
-  kKeyPoint,
-  kWithheld,
-  kOverlap,
-  kChannel,
-  kDirection,
-  kEdge,
-  kUserData,
-  kAngle,
-  kSourceId,
-  kGpsTime,
-  kRed,
-  kGreen,
-  kBlue,
-  kNir
-};
+using namespace field_roles;
 
 struct Standard {
-  Source source;
+  FieldRole source;
   const char* name;
   FieldType type;
 };
@@ -59,7 +37,7 @@ constexpr Standard kStandard[] = {{kX, "x", FieldType::f64},
                                   {kBlue, "blue", FieldType::u16},
                                   {kNir, "nir", FieldType::u16}};
 
-bool has(const RecordLayout& layout, Source source) {
+bool has(const RecordLayout& layout, FieldRole source) {
   if (source == kOverlap || source == kChannel) return layout.point_format >= 6;
   if (source == kGpsTime) return gps_time_offset(layout.point_format).has_value();
   if (source >= kRed && source <= kBlue) return rgb_offset(layout.point_format).has_value();

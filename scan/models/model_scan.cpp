@@ -250,7 +250,7 @@ ScanCounts write_model_scan(ModelScan& scan, const ModelInput& input, const Scan
   PointTally tally;
   const auto rays = scan_model(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) tally.add(truth_of(&records[at]));
+    tally.add(records, layout);
     request.written(records.size() / layout.record_length);
   });
   if (tally.points == 0) throw Error("the scanners see nothing of the model; nothing was written");

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "scan/optics/embree_device.h"
+#include "scan/optics/ray_box.h"
 
 namespace ilot::scan {
 namespace {
@@ -18,24 +19,6 @@ struct CastContext {
   const Ray* ray;
   std::vector<Candidate>* found;
 };
-
-// Returns where the ray enters the box: 0 when it starts inside, infinity when it misses the box.
-double entry(const Ray& ray, const Box3<Vec3>& box) {
-  double enter = 0, leave = kInfinity;
-  const auto clip = [&](double origin, double direction, double low, double high) {
-    if (direction == 0) {
-      if (origin < low || origin > high) leave = -1;
-      return;
-    }
-    const double a = (low - origin) / direction, b = (high - origin) / direction;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  };
-  clip(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
-  clip(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
-  clip(ray.origin.z, ray.direction.z, box.min.z, box.max.z);
-  return enter > leave ? kInfinity : enter;
-}
 
 }  // namespace
 

@@ -57,7 +57,7 @@ ScanCounts scan_roofs_scene(const ScanRequest& request) {
   scan_roofs(scan, town, [&](std::span<const std::byte> records) {
     writer->write(records);
     for (std::size_t at = 0; at < records.size(); at += layout.record_length)
-      ++points[truth_of(&records[at]).true_plane];
+      ++points[truth_of(&records[at], layout).true_plane];
     total += records.size() / layout.record_length;
     request.written(records.size() / layout.record_length);
   });

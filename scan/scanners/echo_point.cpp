@@ -39,4 +39,8 @@ void PointTally::add(const RecordTruth& truth) {
   count(elements, truth.true_element);
 }
 
+void PointTally::add(std::span<const std::byte> records, const RecordLayout& layout) {
+  for (std::size_t at = 0; at < records.size(); at += layout.record_length) add(truth_of(&records[at], layout));
+}
+
 }  // namespace ilot::scan

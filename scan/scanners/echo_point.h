@@ -3,6 +3,7 @@
 #pragma once
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "scan/scanners/beam.h"
@@ -25,6 +26,7 @@ struct PointTally {
   std::uint64_t points = 0;
 
   void add(const RecordTruth& truth);
+  void add(std::span<const std::byte> records, const RecordLayout& layout);
   static void count(std::vector<std::uint64_t>& list, std::uint32_t id, std::uint64_t by = 1);
   static std::uint64_t of(const std::vector<std::uint64_t>& list, std::uint32_t id) {
     return id < list.size() ? list[id] : 0;

@@ -111,11 +111,6 @@ RecordTruth truth_of(const std::byte* record, const RecordLayout& layout) {
   return {load<std::uint8_t>(truth), load<std::uint32_t>(truth + 1), load<std::uint32_t>(truth + 5)};
 }
 
-RecordTruth truth_of(const std::byte* record) {
-  const std::byte* truth = record + kStandardSize;
-  return {load<std::uint8_t>(truth), load<std::uint32_t>(truth + 1), load<std::uint32_t>(truth + 5)};
-}
-
 Vec3 place_of(const std::byte* record, const RecordLayout& layout) {
   const PointFields f = decode_fields({record, standard_size(layout.point_format)}, layout.point_format);
   return {f.x * layout.scale[0], f.y * layout.scale[1], f.z * layout.scale[2]};

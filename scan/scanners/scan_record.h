@@ -57,7 +57,6 @@ struct RecordTruth {
   std::uint8_t true_class = 0;
   std::uint32_t true_plane = 0, true_element = 0;
 };
-RecordTruth truth_of(const std::byte* record);
 RecordTruth truth_of(const std::byte* record, const RecordLayout& layout);
 
 // Returns the position of the record, in metres in the scene.

@@ -165,7 +165,7 @@ ScanCounts write_terrestrial(const TerrestrialScan& scan, const ScanRequest& req
   PointTally tally;
   scan_terrestrial(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += length) tally.add(truth_of(&records[at], layout));
+    tally.add(records, layout);
     if (request.written) request.written(records.size() / length);
   });
   write_scene_truth(truth, scan.scene, scan.beam, tally);

@@ -7,6 +7,7 @@
 
 #include "engine/error.h"
 #include "engine/formats/writer.h"
+#include "scan/scanners/echo_point.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/streets/street_flight.h"
 #include "scan/streets/street_scan.h"
@@ -107,8 +108,8 @@ class StreetFile {
         stage_(stage),
         writer_(create_cloud(request.output, cloud_spec(layout_))),
         truth_(truth_path(request.output), settings),
-        on_plane_(stage.model.planes.size() + 1),
-        on_object_(stage.objects.size() + 1) {
+        tally_{std::vector<std::uint64_t>(stage.model.planes.size() + 1),
+               std::vector<std::uint64_t>(stage.objects.size() + 1)} {
     truth_.noise({noise});
     truth_.classes(class_names());
     truth_.materials(material_names(stage.model));
@@ -118,26 +119,22 @@ class StreetFile {
 
   void take(std::span<const std::byte> records) {
     writer_->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout_.record_length) {
-      const RecordTruth t = truth_of(&records[at]);
-      ++on_plane_[t.true_plane];
-      ++on_object_[t.true_element];
-    }
-    total_ += records.size() / layout_.record_length;
+    tally_.add(records, layout_);
     request_.written(records.size() / layout_.record_length);
   }
 
   // Adds planes, objects and blocks. The scanner adds its own truth afterwards.
   void add_street() {
-    for (const TruePlane& plane : stage_.model.planes) truth_.add(in_scene(plane, on_plane_[plane.id]));
-    for (const StreetObject& object : stage_.objects) truth_.add(in_scene(object, on_object_[object.id]));
+    for (const TruePlane& plane : stage_.model.planes) truth_.add(in_scene(plane, tally_.planes[plane.id]));
+    for (const StreetObject& object : stage_.objects) truth_.add(in_scene(object, tally_.elements[object.id]));
     write_blocks(truth_, stage_.street);
   }
 
   ScanCounts finish() {
     std::array<std::uint64_t, 4> of_class{};
     for (const StreetObject& object : stage_.objects) ++of_class[static_cast<std::size_t>(object.artefact_class)];
-    ScanCounts counts{{"points", total_}, {"planes", stage_.model.planes.size()}, {"objects", stage_.objects.size()}};
+    ScanCounts counts{
+        {"points", tally_.points}, {"planes", stage_.model.planes.size()}, {"objects", stage_.objects.size()}};
     const std::array<const char*, 4> names{"cars", "lampposts", "pedestrians", "others"};
     for (std::size_t c = 0; c < 4; ++c) counts.push_back({names[c], of_class[c]});
     counts.push_back({"blocks", stage_.street.blocks.size()});
@@ -153,8 +150,7 @@ class StreetFile {
   RecordLayout layout_ = coloured_layout(kUnit);
   std::unique_ptr<PointWriter> writer_;
   TruthWriter truth_;
-  std::vector<std::uint64_t> on_plane_, on_object_;
-  std::uint64_t total_ = 0;
+  PointTally tally_;
 };
 
 }  // namespace

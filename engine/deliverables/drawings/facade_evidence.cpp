@@ -23,14 +23,21 @@ std::string percent(const std::optional<double>& share) {
   return share ? decimal(100 * *share, 0) : std::string();
 }
 
-std::string row_of(const FacadeElement& e, const std::string& which, const char* status, std::uint64_t points,
-                   double rms_m, const std::string& error_mm, const std::string& covered,
-                   const std::optional<double>& occluded) {
+// The evidence for an edge or a face of an element. What only edges have is empty for faces.
+struct EvidenceRow {
+  std::string which, status;
+  std::uint64_t points = 0;
+  double rms_m = 0;
+  std::string error_mm, covered;
+  std::optional<double> occluded;
+};
+
+std::string text_of(const FacadeElement& e, const EvidenceRow& row) {
   return fmt::format(
       "<tr><td class=\"n\">{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td><td "
       "class=\"n\">{}</td><td class=\"n\">{}</td><td class=\"n\">{}</td></tr>\n",
-      e.id, escaped_markup(clean_text(e.kind)), which, status, points, points > 0 ? millimetres(rms_m) : "", error_mm,
-      covered, percent(occluded));
+      e.id, escaped_markup(clean_text(e.kind)), row.which, row.status, row.points,
+      row.points > 0 ? millimetres(row.rms_m) : "", row.error_mm, row.covered, percent(row.occluded));
 }
 
 }  // namespace
@@ -74,18 +81,18 @@ std::vector<SvgNote> edge_notes(const FacadeElement& element, const FlatElement&
 std::size_t add_evidence_rows(const FacadeElement& element, const FlatElement& flat, std::size_t most,
                               std::string& rows) {
   std::size_t count = 0;
-  const auto add = [&](const std::string& row) {
-    if (count++ < most) rows += row;
+  const auto add = [&](const EvidenceRow& row) {
+    if (count++ < most) rows += text_of(element, row);
   };
   if (!element.edges.empty())
     for (std::size_t i = 0; i < flat.corners.size(); ++i) {
       const FacadeEdge& edge = flat.edges[i];
       const char* side = side_of(flat.corners[i], flat.corners[(i + 1) % flat.corners.size()]);
-      add(row_of(element, side, kStatus[static_cast<std::size_t>(edge.status)], edge.points, edge.rms_m,
-                 edge.error_m > 0 ? millimetres(edge.error_m) : "", percent(edge.covered_share), edge.occluded_share));
+      add({side, kStatus[static_cast<std::size_t>(edge.status)], edge.points, edge.rms_m,
+           edge.error_m > 0 ? millimetres(edge.error_m) : "", percent(edge.covered_share), edge.occluded_share});
     }
   for (const FacadeFace& f : element.faces)
-    add(row_of(element, escaped_markup(clean_text(f.name)) + " face", "", f.points, f.rms_m, "", "", f.occluded_share));
+    add({escaped_markup(clean_text(f.name)) + " face", "", f.points, f.rms_m, "", "", f.occluded_share});
   return count;
 }
 

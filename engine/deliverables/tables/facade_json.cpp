@@ -8,6 +8,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "engine/deliverables/tables/json_node.h"
 #include "engine/error.h"
 #include "engine/whole_file.h"
 
@@ -86,91 +87,42 @@ Json json_of(const FacadeElement& e) {
   return json;
 }
 
-// Reads keys of one object; `place` is its place in the file, for messages.
-struct Reader {
-  const Json& json;
-  std::string place;
+// Files that were written before shares existed have none.
+std::optional<double> share_of(const JsonNode& node, const char* key) {
+  if (!node.has(key) || node.json.at(key).is_null()) return std::nullopt;
+  const double share = node.at(key).number();
+  if (share < 0 || share > 1) node.at(key).fail("needs a number from 0 to 1, or null");
+  return share;
+}
 
-  [[noreturn]] void fail(const std::string& what) const { throw Error(place + ": " + what); }
+DrawnStatus status_of(const JsonNode& node) {
+  return static_cast<DrawnStatus>(node.choice(kStatus, "status: seen, completed or occluded"));
+}
 
-  Reader at(const std::string& key) const {
-    if (!json.is_object() || !json.contains(key)) fail("'" + key + "' is missing");
-    return {json.at(key), place + "." + key};
-  }
-  double number() const {
-    if (!json.is_number() || !std::isfinite(json.get<double>())) fail("needs a finite number");
-    return json.get<double>();
-  }
-  std::uint64_t count() const {
-    if (!json.is_number_integer() || json < 0) fail("needs a whole number from 0 on");
-    return json.get<std::uint64_t>();
-  }
-  std::uint32_t id() const {
-    if (count() > std::numeric_limits<std::uint32_t>::max()) fail("needs a whole number below 2^32");
-    return static_cast<std::uint32_t>(count());
-  }
-  std::string text() const {
-    if (!json.is_string()) fail("needs a text");
-    return json.get<std::string>();
-  }
-  bool flag() const {
-    if (!json.is_boolean()) fail("needs true or false");
-    return json.get<bool>();
-  }
-  Vec3 position() const {
-    if (!json.is_array() || json.size() != 3) fail("needs three numbers");
-    return {Reader{json[0], place}.number(), Reader{json[1], place}.number(), Reader{json[2], place}.number()};
-  }
-  template <std::size_t N>
-  std::size_t choice(const std::array<const char*, N>& names, const std::string& what) const {
-    const std::string name = text();
-    for (std::size_t i = 0; i < N; ++i)
-      if (name == names[i]) return i;
-    fail("'" + name + "' is no " + what);
-  }
-  std::optional<double> share(const char* key) const {  // absent in files that were written before shares existed
-    if (!json.contains(key) || json.at(key).is_null()) return std::nullopt;
-    const double share = at(key).number();
-    if (share < 0 || share > 1) at(key).fail("needs a number from 0 to 1, or null");
-    return share;
-  }
-  DrawnStatus status() const {
-    return static_cast<DrawnStatus>(choice(kStatus, "status: seen, completed or occluded"));
-  }
-  template <class Make>
-  auto list(Make make) const {
-    if (!json.is_array()) fail("needs a list");
-    std::vector<decltype(make(*this))> items;
-    for (std::size_t i = 0; i < json.size(); ++i)
-      items.push_back(make(Reader{json[i], place + "[" + std::to_string(i) + "]"}));
-    return items;
-  }
-};
-
-FacadeEdge edge_of(const Reader& r) {
-  return {r.at("status").status(),
+FacadeEdge edge_of(const JsonNode& r) {
+  return {status_of(r.at("status")),
           r.at("points").count(),
           r.at("rms_m").number(),
           r.at("error_m").number(),
           r.at("moved_m").number(),
-          r.share("occluded_share"),
-          r.share("covered_share").value_or(0)};
+          share_of(r, "occluded_share"),
+          share_of(r, "covered_share").value_or(0)};
 }
 
-FacadeFace face_of(const Reader& r) {
-  return {r.at("name").text(), r.at("points").count(), r.at("rms_m").number(), r.share("occluded_share")};
+FacadeFace face_of(const JsonNode& r) {
+  return {r.at("name").text(), r.at("points").count(), r.at("rms_m").number(), share_of(r, "occluded_share")};
 }
 
-FacadeArc arc_of(const Reader& r) {
+FacadeArc arc_of(const JsonNode& r) {
   return {r.at("centre").position(), r.at("radius_m").number(), r.at("from_deg").number(), r.at("to_deg").number()};
 }
 
-FacadeBody body_of(const Reader& r) {
+FacadeBody body_of(const JsonNode& r) {
   FacadeBody b;
   b.closed = r.at("closed").flag();
-  b.vertices = r.at("vertices").list([](const Reader& corner) { return corner.position(); });
-  b.faces = r.at("faces").list([&](const Reader& face) {
-    const auto corners = face.list([](const Reader& corner) { return corner.id(); });
+  b.vertices = r.at("vertices").list([](const JsonNode& corner) { return corner.position(); });
+  b.faces = r.at("faces").list([&](const JsonNode& face) {
+    const auto corners = face.list([](const JsonNode& corner) { return corner.id(); });
     if (corners.size() < 3) face.fail("needs three corners or more");
     for (const std::uint32_t i : corners)
       if (i >= b.vertices.size()) face.fail("names a vertex that is not there");
@@ -179,7 +131,7 @@ FacadeBody body_of(const Reader& r) {
   return b;
 }
 
-FacadeElement element_of(const Reader& r) {
+FacadeElement element_of(const JsonNode& r) {
   FacadeElement e;
   e.id = r.at("id").id();
   e.kind = r.at("kind").text();
@@ -189,9 +141,9 @@ FacadeElement element_of(const Reader& r) {
   e.family = r.at("family").id();
   e.row = r.at("row").id();
   e.column = r.at("column").id();
-  e.status = r.at("status").status();
+  e.status = status_of(r.at("status"));
   e.reason = r.at("reason").text();
-  e.ring = r.at("ring").list([](const Reader& corner) { return corner.position(); });
+  e.ring = r.at("ring").list([](const JsonNode& corner) { return corner.position(); });
   if (e.ring.size() < 3) r.at("ring").fail("needs three corners or more");
   e.edges = r.at("edges").list(edge_of);
   if (!e.edges.empty() && e.edges.size() != e.ring.size()) r.at("edges").fail("needs one entry a corner, or none");
@@ -225,13 +177,13 @@ void write_facade_json(const std::filesystem::path& path, const Facade& facade) 
 }
 
 Facade parse_facade_json(std::string_view text, const std::string& name) {
-  Json json;
+  nlohmann::json json;
   try {
-    json = Json::parse(text.begin(), text.end());
-  } catch (const Json::exception& fault) {
+    json = nlohmann::json::parse(text.begin(), text.end());
+  } catch (const nlohmann::json::exception& fault) {
     throw Error(name + ": broken JSON: " + fault.what());
   }
-  const Reader r{json, name};
+  const JsonNode r{json, name};
   if (r.at("type").text() != "ilot facade" || r.at("version").count() != kVersion)
     r.fail("no facade of version " + std::to_string(kVersion));
   Facade f;

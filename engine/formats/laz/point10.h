@@ -105,20 +105,11 @@ class Point10Codec {
 
   void code_coordinates(Coder& coder, Point10& p, std::uint32_t m, std::uint32_t n, std::uint32_t r) {
     const std::uint32_t single = n == 1;
-    p.x = step(coder, x_, x_steps_[m], last_.x, p.x, single);
-    p.y = step(coder, y_, y_steps_[m], last_.y, p.y, single + y_context(x_.last_bits()));
+    p.x = code_step(coder, x_, x_steps_[m], last_.x, p.x, single);
+    p.y = code_step(coder, y_, y_steps_[m], last_.y, p.y, single + y_context(x_.last_bits()));
     const std::uint32_t bits = (x_.last_bits() + y_.last_bits()) / 2;
     std::int32_t& last_z = last_z_[n > r ? n - r : r - n];
     last_z = p.z = z_.code(coder, last_z, p.z, single + z_context(bits));
-  }
-
-  template <class Codec>
-  static std::int32_t step(Coder& coder, Codec& codec, Median5& steps, std::int32_t last, std::int32_t value,
-                           std::uint32_t context) {
-    const std::uint32_t real = static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(last);
-    const std::int32_t d = codec.code(coder, steps.get(), static_cast<std::int32_t>(real), context);
-    steps.add(d);
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(last) + static_cast<std::uint32_t>(d));
   }
 
   Point10 last_;

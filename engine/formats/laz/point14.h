@@ -151,21 +151,12 @@ class Point14Codec {
     const std::uint32_t n = p.n(), r = p.r(), single = n == 1;
     const std::uint32_t w = 2u * kReturnMap16[n][r] + (new_time ? 1u : 0u);
     Coder& xy = streams[kLayerXy].coder;
-    p.x = step(xy, c.x, c.x_steps[w], c.last.x, p.x, single);
-    p.y = step(xy, c.y, c.y_steps[w], c.last.y, p.y, single + y_context(c.x.last_bits()));
+    p.x = code_step(xy, c.x, c.x_steps[w], c.last.x, p.x, single);
+    p.y = code_step(xy, c.y, c.y_steps[w], c.last.y, p.y, single + y_context(c.x.last_bits()));
     if (!kEncodes && !streams[kLayerZ].active) return;
     const std::uint32_t bits = (c.x.last_bits() + c.y.last_bits()) / 2;
     std::int32_t& last_z = c.last_z[std::min(n > r ? n - r : r - n, 7u)];
     last_z = p.z = c.z.code(streams[kLayerZ].coder, last_z, p.z, single + z_context(bits));
-  }
-
-  template <class Codec>
-  static std::int32_t step(Coder& coder, Codec& codec, Median5& steps, std::int32_t last, std::int32_t value,
-                           std::uint32_t context) {
-    const std::uint32_t real = static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(last);
-    const std::int32_t d = codec.code(coder, steps.get(), static_cast<std::int32_t>(real), context);
-    steps.add(d);
-    return static_cast<std::int32_t>(static_cast<std::uint32_t>(last) + static_cast<std::uint32_t>(d));
   }
 
   // Calls body with the coder of the stream when the stream is coded; records whether the value changed.

@@ -33,6 +33,16 @@ class Median5 {
   std::uint32_t low_ = 0;  // 1: the next value replaces the smallest
 };
 
+// Codes a value as its step from the last one, predicted by the median of the last steps. Returns the value.
+template <class Coder, class Codec>
+std::int32_t code_step(Coder& coder, Codec& codec, Median5& steps, std::int32_t last, std::int32_t value,
+                       std::uint32_t context) {
+  const std::uint32_t real = static_cast<std::uint32_t>(value) - static_cast<std::uint32_t>(last);
+  const std::int32_t d = codec.code(coder, steps.get(), static_cast<std::int32_t>(real), context);
+  steps.add(d);
+  return static_cast<std::int32_t>(static_cast<std::uint32_t>(last) + static_cast<std::uint32_t>(d));
+}
+
 constexpr std::int32_t clamp_byte(std::int32_t v) {
   return std::clamp(v, 0, 255);
 }

@@ -8,86 +8,62 @@
 #include <map>
 
 #include "engine/error.h"
+#include "engine/formats/field_roles.h"
 #include "engine/formats/las/extra_bytes.h"
 
 namespace ilot {
 namespace {
 
-enum Role : int {
-  kExtra,
-  kX,
-  kY,
-  kZ,
-  kIntensity,
-  kReturnNumber,
-  kReturnCount,
-  kClassification,
-  kSynthetic,
-  kKeyPoint,
-  kWithheld,
-  kOverlap,
-  kChannel,
-  kDirection,
-  kEdge,
-  kUserData,
-  kAngle,
-  kSource,
-  kGpsTime,
-  kRed,
-  kGreen,
-  kBlue,
-  kNir,
-  kPackedRgb
-};
+using namespace field_roles;
 
-const std::map<std::string, Role>& names() {
-  static const std::map<std::string, Role> kNames{{"x", kX},
-                                                  {"easting", kX},
-                                                  {"y", kY},
-                                                  {"northing", kY},
-                                                  {"z", kZ},
-                                                  {"elevation", kZ},
-                                                  {"i", kIntensity},
-                                                  {"intensity", kIntensity},
-                                                  {"scalarintensity", kIntensity},
-                                                  {"returnnumber", kReturnNumber},
-                                                  {"numberofreturns", kReturnCount},
-                                                  {"returncount", kReturnCount},
-                                                  {"classification", kClassification},
-                                                  {"class", kClassification},
-                                                  {"scalarclassification", kClassification},
-                                                  {"synthetic", kSynthetic},
-                                                  {"keypoint", kKeyPoint},
-                                                  {"withheld", kWithheld},
-                                                  {"overlap", kOverlap},
-                                                  {"scannerchannel", kChannel},
-                                                  {"scanchannel", kChannel},
-                                                  {"scandirection", kDirection},
-                                                  {"scandirectionflag", kDirection},
-                                                  {"edgeofflightline", kEdge},
-                                                  {"userdata", kUserData},
-                                                  {"scanangle", kAngle},
-                                                  {"scananglerank", kAngle},
-                                                  {"sourceid", kSource},
-                                                  {"pointsourceid", kSource},
-                                                  {"gpstime", kGpsTime},
-                                                  {"r", kRed},
-                                                  {"red", kRed},
-                                                  {"diffusered", kRed},
-                                                  {"g", kGreen},
-                                                  {"green", kGreen},
-                                                  {"diffusegreen", kGreen},
-                                                  {"b", kBlue},
-                                                  {"blue", kBlue},
-                                                  {"diffuseblue", kBlue},
-                                                  {"nir", kNir},
-                                                  {"infrared", kNir},
-                                                  {"rgb", kPackedRgb},
-                                                  {"rgba", kPackedRgb}};
+const std::map<std::string, FieldRole>& names() {
+  static const std::map<std::string, FieldRole> kNames{{"x", kX},
+                                                       {"easting", kX},
+                                                       {"y", kY},
+                                                       {"northing", kY},
+                                                       {"z", kZ},
+                                                       {"elevation", kZ},
+                                                       {"i", kIntensity},
+                                                       {"intensity", kIntensity},
+                                                       {"scalarintensity", kIntensity},
+                                                       {"returnnumber", kReturnNumber},
+                                                       {"numberofreturns", kReturnCount},
+                                                       {"returncount", kReturnCount},
+                                                       {"classification", kClassification},
+                                                       {"class", kClassification},
+                                                       {"scalarclassification", kClassification},
+                                                       {"synthetic", kSynthetic},
+                                                       {"keypoint", kKeyPoint},
+                                                       {"withheld", kWithheld},
+                                                       {"overlap", kOverlap},
+                                                       {"scannerchannel", kChannel},
+                                                       {"scanchannel", kChannel},
+                                                       {"scandirection", kDirection},
+                                                       {"scandirectionflag", kDirection},
+                                                       {"edgeofflightline", kEdge},
+                                                       {"userdata", kUserData},
+                                                       {"scanangle", kAngle},
+                                                       {"scananglerank", kAngle},
+                                                       {"sourceid", kSourceId},
+                                                       {"pointsourceid", kSourceId},
+                                                       {"gpstime", kGpsTime},
+                                                       {"r", kRed},
+                                                       {"red", kRed},
+                                                       {"diffusered", kRed},
+                                                       {"g", kGreen},
+                                                       {"green", kGreen},
+                                                       {"diffusegreen", kGreen},
+                                                       {"b", kBlue},
+                                                       {"blue", kBlue},
+                                                       {"diffuseblue", kBlue},
+                                                       {"nir", kNir},
+                                                       {"infrared", kNir},
+                                                       {"rgb", kPackedRgb},
+                                                       {"rgba", kPackedRgb}};
   return kNames;
 }
 
-Role role_of(const std::string& name) {
+FieldRole role_of(const std::string& name) {
   std::string plain;
   for (const char c : name)
     if (std::isalnum(static_cast<unsigned char>(c)))
@@ -187,7 +163,7 @@ void set_field(PointFields& f, int role, double value) {
     case kAngle:
       f.scan_angle_deg = value;
       return;
-    case kSource:
+    case kSourceId:
       f.source_id = saturated<std::uint16_t>(value);
       return;
     default:

@@ -177,8 +177,7 @@ std::vector<PointLabel> labels_of_others(const SiteWork& work, const PassContext
 }  // namespace
 
 void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Settings& settings, const Crs& crs,
-                const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                RunRecord& record) {
+                const PassContext& context, const ProductOutput& out) {
   const RoofSetup setup(store, sites, settings, crs, context);
   const SiteWork& work = setup.work;
   const std::vector<std::size_t> wanted = wanted_sites(sites, store, context);
@@ -186,19 +185,19 @@ void make_roofs(const Store& store, std::span<const PlannedSite> sites, const Se
   const RoofBudget budget(context.budget_bytes, sites, costs);
   std::uint64_t points = 0;
   for (const PassTask& cost : costs) points += cost.points;
-  progress.begin_stage("roofs", points);
-  if (record.footprints) {
-    record.footprints->overlapping = count_overlapping(sites, work.map);
-    measure_misalignment(work, wanted, costs, budget, progress, *record.footprints);
+  out.progress.begin_stage("roofs", points);
+  if (out.record.footprints) {
+    out.record.footprints->overlapping = count_overlapping(sites, work.map);
+    measure_misalignment(work, wanted, costs, budget, out.progress, *out.record.footprints);
   }
-  std::filesystem::create_directories(folder);
+  std::filesystem::create_directories(out.folder);
   RoofLabels labels(store);
-  RoofSink sink(folder, setup.file, crs, labels, progress, record);
+  RoofSink sink(out.folder, setup.file, crs, labels, out.progress, out.record);
   const SiteModeller modeller(work, setup.model, setup.file.city_json, labels);
   model_sites(modeller, wanted, costs, budget, context, sink);
   sink.finish();
   labels.write_columns(context, [&](std::uint32_t block) { return labels_of_others(work, context, block); });
-  progress.end_stage();
+  out.progress.end_stage();
 }
 
 }  // namespace ilot

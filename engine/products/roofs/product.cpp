@@ -57,8 +57,8 @@ void make(ProductRun& run) {
   std::vector<PlannedSite> clusters;
   if (!given) clusters = plan_clusters(run.store, run.settings.roofs, run.context, run.progress, run.record);
   const std::vector<PlannedSite>& sites = given ? *run.footprints : clusters;
-  make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context, run.folder / "roofs", run.progress,
-             run.record);
+  make_roofs(run.store, sites, run.settings, run.inputs.crs, run.context,
+             {run.folder / "roofs", run.progress, run.record});
   if (given) resolve_skipped_footprints(run.store, sites, run.context, run.progress, run.record);
   const std::uint64_t outside = given ? run.record.footprints->outside.size() : 0;
   if (run.record.roofs->buildings == outside)

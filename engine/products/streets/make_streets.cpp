@@ -131,7 +131,7 @@ bool is_trunk(const FoundStreet& street, const ObjectCandidate& candidate) {
 // The classes of candidates, without trunks: these are vegetation.
 std::vector<CandidateClass> classes_without_trunks(const FoundStreet& street, std::vector<CandidateClass> classes) {
   for (std::size_t i = 0; i < classes.size(); ++i)
-    if (classes[i].label >= PointLabel::lamppost && is_street_object(classes[i].label) &&
+    if (classes[i].label != PointLabel::car && is_street_object(classes[i].label) &&
         is_trunk(street, street.candidates[i]))
       classes[i].label = PointLabel::vegetation;
   return classes;
@@ -177,14 +177,13 @@ FoundStreet find_street(const Store& store, const StreetsSettings& settings, con
 }
 
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
-                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record, StreetSteps* steps) {
-  progress.begin_stage("streets", 2 * store.points());
-  std::filesystem::create_directories(folder);
+                  const PassContext& context, const ProductOutput& out, StreetSteps* steps) {
+  out.progress.begin_stage("streets", 2 * store.points());
+  std::filesystem::create_directories(out.folder);
   const FoundStreet street = find_street(store, settings.streets, context, steps == nullptr ? SeeTile{} : steps->see);
-  record_choices(settings.streets, street, record);
-  const StreetClasses model = street_classes(street, train, crs, progress, record);
-  if (model.trained) write_whole_file(folder / "objects.model", object_model_text(*model.trained));
+  record_choices(settings.streets, street, out.record);
+  const StreetClasses model = street_classes(street, train, crs, out.progress, out.record);
+  if (model.trained) write_whole_file(out.folder / "objects.model", object_model_text(*model.trained));
   const std::vector<CandidateClass> classes = classes_without_trunks(street, model.of(street.candidates));
   const std::vector<std::uint8_t> taken = select_objects(street.candidates, classes);
   const std::vector<std::uint32_t> candidate_of = candidate_of_part(street.candidates, taken);
@@ -217,12 +216,12 @@ void make_streets(const Store& store, const Settings& settings, const StreetTrai
   }
   add_parts(street, plan);
   write_street_labels(store, *street.tiles, labels, settings.streets.least_height, context);
-  write_objects_gpkg(folder / "objects.gpkg", plan, crs);
-  write_blocks_gpkg(folder / "blocks.gpkg", plan, crs);
-  write_street_rasters(*street.tiles, folder, crs);
-  write_street_map(folder, plan, context.metres_per_unit);
-  record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
-  progress.end_stage();
+  write_objects_gpkg(out.folder / "objects.gpkg", plan, crs);
+  write_blocks_gpkg(out.folder / "blocks.gpkg", plan, crs);
+  write_street_rasters(*street.tiles, out.folder, crs);
+  write_street_map(out.folder, plan, context.metres_per_unit);
+  out.record.streets = StreetCounts{plan.objects.size(), plan.blocks.size(), plan.gaps.size()};
+  out.progress.end_stage();
 }
 
 }  // namespace ilot

@@ -7,13 +7,12 @@
 
 #include "engine/cloud/cloud_info.h"
 #include "engine/model/street.h"
+#include "engine/products/product_output.h"
 #include "engine/products/streets/blocks/city_blocks.h"
 #include "engine/products/streets/classes/object_model.h"
 #include "engine/products/streets/classes/training_sample.h"
 #include "engine/products/streets/ground/terrain.h"
 #include "engine/products/streets/street_tiles.h"
-#include "engine/report/progress.h"
-#include "engine/report/run_record.h"
 #include "engine/settings/settings.h"
 
 namespace ilot {
@@ -60,10 +59,9 @@ struct StreetSteps {
 };
 
 // Runs find_street, classifies each candidate by the default model or by one that is trained from `train`
-// (street_classes), and writes all results: the files of `folder` (streets/) and the column "street" (StreetLabel) of
+// (street_classes), and writes all results: the files of the folder (streets/) and the column "street" (StreetLabel) of
 // every block. Objects whose base lies outside of the wanted area are left out. If `steps` is given, it is filled.
 void make_streets(const Store& store, const Settings& settings, const StreetTraining& train, const Crs& crs,
-                  const PassContext& context, const std::filesystem::path& folder, Progress& progress,
-                  RunRecord& record, StreetSteps* steps = nullptr);
+                  const PassContext& context, const ProductOutput& out, StreetSteps* steps = nullptr);
 
 }  // namespace ilot

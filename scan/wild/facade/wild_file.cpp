@@ -61,7 +61,7 @@ ScanCounts write_wild(WildScan scan, const ScanRequest& request) {
   PointTally tally;
   scan_wild(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) tally.add(truth_of(&records[at], layout));
+    tally.add(records, layout);
     if (request.written) request.written(records.size() / layout.record_length);
   });
   write_scene_truth(truth, scan.scene, scan.beam, tally);

@@ -258,9 +258,7 @@ double fit_density(WildScan& scan, std::uint64_t most, std::optional<std::uint64
   scale_wild(scan, std::sqrt(pulses_of(scan) / kPilotPulses));
   const RecordLayout layout = wild_layout(scan);
   PointTally tally;
-  scan_wild(scan, [&](std::span<const std::byte> records) {
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) tally.add(truth_of(&records[at], layout));
-  });
+  scan_wild(scan, [&](std::span<const std::byte> records) { tally.add(records, layout); });
   const double seen = median_density(scan, tally);
   if (tally.points == 0 || !(seen > 0)) throw Error("the scanner sees nothing of the walls of this scene");
   const auto total = static_cast<double>(tally.points);

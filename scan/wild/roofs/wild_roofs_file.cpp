@@ -11,6 +11,7 @@
 #include "engine/formats/file.h"
 #include "engine/formats/writer.h"
 #include "scan/roofs/roofs_truth.h"
+#include "scan/scanners/echo_point.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/unit.h"
 #include "scan/wild/roofs/wild_roofs_scan.h"
@@ -56,12 +57,6 @@ void write_footprints(const std::filesystem::path& path, const std::vector<WildF
   file.commit();
 }
 
-struct RoofsTally {
-  std::vector<std::uint64_t> planes;
-  std::map<std::uint32_t, std::uint64_t> elements;
-  std::uint64_t total = 0;
-};
-
 void write_names(TruthWriter& truth, const WildRoofsScan& scan) {
   truth.noise({scan.scanner.noise});
   truth.classes({{1, "ground"}, {2, "roof"}, {3, "wall"}, {4, "vegetation"}, {5, "installation"}, {6, "car"}});
@@ -71,7 +66,7 @@ void write_names(TruthWriter& truth, const WildRoofsScan& scan) {
   truth.materials(names);
 }
 
-void write_truth(TruthWriter& truth, CityJsonWriter& model, const WildRoofsScan& scan, const RoofsTally& tally) {
+void write_truth(TruthWriter& truth, CityJsonWriter& model, const WildRoofsScan& scan, const PointTally& tally) {
   for (const TruePlane& plane : planes_of_town(scan.wild.town, tally.planes))
     if (plane.id > 0) truth.add(plane);
   for (std::uint32_t b = 0; b < scan.wild.town.buildings.size(); ++b) {
@@ -87,8 +82,7 @@ void write_truth(TruthWriter& truth, CityJsonWriter& model, const WildRoofsScan&
   for (std::size_t i = 0; i < scan.wild.trees.size(); ++i) {
     TrueTree tree = scan.wild.trees[i].truth;
     tree.id = kFirstTreeElement + static_cast<std::uint32_t>(i);
-    const auto points = tally.elements.find(tree.id);
-    tree.points = points == tally.elements.end() ? 0 : points->second;
+    tree.points = PointTally::of(tally.elements, tree.id);
     truth.add(tree);
   }
 }
@@ -106,20 +100,15 @@ ScanCounts scan_wild_roofs_scene(const ScanRequest& request) {
   CityJsonWriter model(truth_path(request.output).replace_extension(".city.json"), {kEpsg, kSceneOrigin});
   write_names(truth, scan);
   truth.add(draws.drawn());
-  RoofsTally tally;
+  PointTally tally;
   tally.planes.resize(scan.wild.town.plane_count + kFirstWildPlane);
   scan_wild_roofs(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) {
-      const RecordTruth t = truth_of(&records[at]);
-      ++tally.planes[t.true_plane];
-      ++tally.elements[t.true_element];
-    }
-    tally.total += records.size() / layout.record_length;
+    tally.add(records, layout);
     request.written(records.size() / layout.record_length);
   });
   write_truth(truth, model, scan, tally);
-  const ScanCounts counts{{"points", tally.total},
+  const ScanCounts counts{{"points", tally.points},
                           {"buildings", scan.wild.town.buildings.size()},
                           {"planes", std::uint64_t{scan.wild.town.plane_count} + 1},
                           {"trees", scan.wild.trees.size()},

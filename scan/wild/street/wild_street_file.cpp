@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "engine/formats/writer.h"
+#include "scan/scanners/echo_point.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/truth_writer.h"
 #include "scan/unit.h"
@@ -73,12 +74,6 @@ TrueTree tree_in_scene(const WildStreet& street, const WildObject& tree, std::ui
           known(hidden)};
 }
 
-// What the cloud holds of each plane and object.
-struct WildTally {
-  std::vector<std::uint64_t> planes, elements;
-  std::uint64_t total = 0;
-};
-
 std::map<int, std::string> class_names() {
   std::map<int, std::string> names;
   for (int value = 1; value <= static_cast<int>(StreetClass::roof); ++value)
@@ -105,7 +100,7 @@ void write_stations(TruthWriter& truth, const WildStreetScan& scan) {
       truth.add(TrueStation{++id, scan.street.to_scene({s, c.lane, scan.street.profile_height(s) + c.height}), 0, 0});
 }
 
-void write_truth(TruthWriter& truth, const WildStreetScan& scan, const WildTally& tally) {
+void write_truth(TruthWriter& truth, const WildStreetScan& scan, const PointTally& tally) {
   const std::vector<double> hidden = hidden_shares(scan);
   for (const TruePlane& plane : scan.model.street.planes)
     truth.add(in_scene(scan.street, plane, tally.planes[plane.id]));
@@ -128,13 +123,13 @@ void write_truth(TruthWriter& truth, const WildStreetScan& scan, const WildTally
   write_stations(truth, scan);
 }
 
-ScanCounts counts_of(const WildStreetScan& scan, const WildTally& tally) {
+ScanCounts counts_of(const WildStreetScan& scan, const PointTally& tally) {
   const auto count = [&](auto is) {
     return static_cast<std::uint64_t>(std::count_if(scan.objects.begin(), scan.objects.end(), is));
   };
   const std::uint64_t trees = count([](const WildObject& o) { return o.is_tree(); });
   const std::uint64_t plants = count([](const WildObject& o) { return o.is_plant(); });
-  return {{"points", tally.total},
+  return {{"points", tally.points},
           {"planes", scan.model.street.planes.size()},
           {"objects", scan.objects.size() - trees - plants},
           {"trees", trees},
@@ -153,16 +148,11 @@ ScanCounts scan_wild_street_scene(const ScanRequest& request) {
   TruthWriter truth(truth_path(request.output), settings_text(request, scan));
   write_names(truth, scan);
   truth.add(draws.drawn());
-  WildTally tally{std::vector<std::uint64_t>(scan.model.street.planes.size() + 1),
-                  std::vector<std::uint64_t>(scan.objects.size() + 1), 0};
+  PointTally tally{std::vector<std::uint64_t>(scan.model.street.planes.size() + 1),
+                   std::vector<std::uint64_t>(scan.objects.size() + 1)};
   scan_wild_street(scan, [&](std::span<const std::byte> records) {
     writer->write(records);
-    for (std::size_t at = 0; at < records.size(); at += layout.record_length) {
-      const RecordTruth t = truth_of(&records[at]);
-      ++tally.planes[t.true_plane];
-      ++tally.elements[t.true_element];
-    }
-    tally.total += records.size() / layout.record_length;
+    tally.add(records, layout);
     request.written(records.size() / layout.record_length);
   });
   write_truth(truth, scan, tally);

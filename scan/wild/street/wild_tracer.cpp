@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "scan/optics/ray_box.h"
 #include "scan/optics/value_noise.h"
 
 namespace ilot::scan {
@@ -17,24 +18,6 @@ constexpr double kLeafCosine = 0.6;
 constexpr double kPassesLeaf = 0.45;  // chance that a part of the pulse goes on behind a leaf
 constexpr double kJump = 25;          // metres
 constexpr double kThere = 0.6;        // chance that what comes and goes is there
-
-// Returns whether a ray meets a box.
-bool meets_box(const Ray& ray, const Box3<Vec3>& box) {
-  double enter = 0, leave = 1e9;
-  const auto clip = [&](double origin, double direction, double low, double high) {
-    if (direction == 0) {
-      if (origin < low || origin > high) leave = -1;
-      return;
-    }
-    const double a = (low - origin) / direction, b = (high - origin) / direction;
-    enter = std::max(enter, std::min(a, b));
-    leave = std::min(leave, std::max(a, b));
-  };
-  clip(ray.origin.x, ray.direction.x, box.min.x, box.max.x);
-  clip(ray.origin.y, ray.direction.y, box.min.y, box.max.y);
-  clip(ray.origin.z, ray.direction.z, box.min.z, box.max.z);
-  return enter <= leave;
-}
 
 constexpr double kWidest = 2.5;  // standard deviations of the footprint
 
@@ -79,7 +62,7 @@ std::optional<WildTracer::Met> WildTracer::nearest(const Ray& ray, double from, 
     if (!offset) continue;
     const WildMoving& moving = optics_.model_.moving[i];
     const Ray shifted{ray.origin - *offset, ray.direction};
-    if (!meets_box(shifted, moving.bounds)) continue;
+    if (!std::isfinite(entry(shifted, moving.bounds))) continue;
     for (const Part& part : moving.parts)
       if (const auto hit = meet(shifted, part, from); hit && (!best || hit->t < best->t)) best = hit;
   }
