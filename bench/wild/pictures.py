@@ -127,7 +127,7 @@ def draw_roofs(folder, truth, points, figure):
     middle = np.mean(most["footprint"], axis=0)[:2]
     for number, half in enumerate((None, 30.0), 1):
         axes = figure.add_subplot(1, 2, number)
-        axes.scatter(points["x"], points["y"], s=0.2 if half is None else 2, c=points["z"], cmap="Greys_r", linewidths=0)
+        axes.scatter(points["x"], points["y"], s=(0.2 if half is None else 2) * max(1, 1e5 / len(points["x"])), c=points["z"], cmap="Greys_r", linewidths=0)
         for face in faces:
             for polygon in face["polygons"]:
                 outline(axes, np.array(polygon["ring"]), TRUTH, 1.4)
@@ -147,7 +147,7 @@ def draw_streets(folder, truth, points, figure):
     order = np.argsort(points["z"])
     for number, half in enumerate((None, 25.0), 1):
         axes = figure.add_subplot(1, 2, number)
-        axes.scatter(points["x"][order], points["y"][order], s=0.2 if half is None else 1.5,
+        axes.scatter(points["x"][order], points["y"][order], s=(0.2 if half is None else 1.5) * max(1, 2e5 / len(order)),
                      c=colours[np.clip(points["label"][order].astype(int), 0, 255)], linewidths=0)
         for thing in boxes:
             box = thing["box"]
