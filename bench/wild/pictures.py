@@ -29,7 +29,7 @@ import figures  # noqa: E402
 
 MOST_POINTS = 400_000
 TRUTH, RESULT = "#00a000", "#e00000"
-LABELS = {1: "#b0b0b0", 2: "#d9a066", 3: "#dddddd", 4: "#3fa34d"}  # ground, facade, roof or wall, vegetation
+LABELS = {1: "#b0b0b0", 2: "#dddddd", 3: "#dddddd", 4: "#3fa34d", 5: "#8c564b"}  # ground, roof, wall, vegetation, facade
 OBJECT_COLOURS = plt.get_cmap("tab10")
 
 
