@@ -17,6 +17,7 @@
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
 #include "engine/products/facades/rays/registration_error.h"
+#include "engine/products/facades/wall_pieces.h"
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
@@ -234,10 +235,10 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
 }
 
 // Without stations: the log odds of the street side of each segment, from the points around the walls.
-std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, Vec3 middle,
-                                  const WallParams& params, const PassContext& context) {
+std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, const WallPieces& pieces,
+                                  Vec3 middle, const WallParams& params, const PassContext& context) {
   if (!run.stations.empty()) return {};
-  const std::vector<WallGroup> walls = find_walls(segments, {{}, middle, {}}, params);
+  const std::vector<WallGroup> walls = find_walls(pieces.segments, {{}, middle, {}}, params, pieces.ends);
   return segment_side_odds(walls, wall_side_odds(run.work, walls, params.gap, context), segments);
 }
 
@@ -317,9 +318,10 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   const WallParams params = wall_params(settings.facades, context.metres_per_unit);
   const Vec3 middle = middle_of(planes.segments);
   if (run->stations.empty()) record.warnings.push_back(kNoStations);
-  const std::vector<double> odds = odds_of_sides(*run, planes.segments, middle, params, context);
+  const WallPieces pieces = wall_pieces(work, planes.segments, params, context);
+  const std::vector<double> odds = odds_of_sides(*run, planes.segments, pieces, middle, params, context);
   const StreetSides sides{run->stations, middle, odds};
-  run->walls = find_walls(planes.segments, sides, params);
+  run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
   settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
@@ -336,8 +338,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   progress.begin_stage("facades", points);
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
-  join_facades(run->found, small_walls(run->walls, planes.segments, sides, params), settings.facades.advanced,
-               context.metres_per_unit);
+  join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
+               settings.facades.advanced, context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));

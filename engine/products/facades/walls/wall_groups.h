@@ -20,7 +20,21 @@ struct WallParams {
   double gap = 3;                                // metres between two parts of a wall
   double relief_front = 1.5, relief_behind = 1;  // metres; a segment along a wall within this is a part of it
   double large_part = 1;                         // m2; a smaller piece beside the plane of the wall is relief
+  double least_step = 0.01;                      // metres; walls that differ by more and by their errors are two
   double metres_per_unit = 1;
+};
+
+// The plane at one end of a segment along its wall, in CRS units.
+struct EndPlane {
+  Vec3 place, normal;   // the middle of the end; unit length
+  double height_m = 0;  // of the segment at its end
+  double error_m = 0;   // one standard deviation of the place along the normal
+};
+
+// What is known of the ends of a segment as wide as a wall; of smaller ones nothing.
+struct SegmentEnds {
+  bool known = false;
+  EndPlane left, right;
 };
 
 struct WallGroup {
@@ -47,13 +61,15 @@ struct StreetSides {
 // stations it is the side that the odds say. Where these say nothing it is the side of a larger wall in line, or else
 // the side away from the middle. Segments without an area (no outline) are left out. Each wall looks only at the
 // segments around it, and without stations also at the walls found so far.
-std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,
-                                  const WallParams& params);
+// With the ends of the segments (one each, in order) a house that steps back or forth by `params.least_step` is a wall
+// of its own, and so is a wall beside another one that stands farther back or forth: relief has its wall on both sides.
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides, const WallParams& params,
+                                  std::span<const SegmentEnds> ends = {});
 
 // Gives walls of at least half the width and half the height that are in none of `walls` and are no relief of one of
 // them: a low storey that is set back is such a wall. All else is as in find_walls.
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
-                                   const StreetSides& sides, WallParams params);
+                                   const StreetSides& sides, WallParams params, std::span<const SegmentEnds> ends = {});
 
 struct DormerFrontParams {
   double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider fronts are storeys that are set back
