@@ -32,14 +32,18 @@ bool may_be_wall(const Segment& s, const WallGroup& wall, const WallParams& para
   return s.area_m2 >= params.least_area && wall.width >= params.least_width && wall.height >= params.least_height;
 }
 
+// The stretches of a segment. Where the wall steps is seen by the points of all large planes near it: one of them may
+// follow a house below and another one above.
 std::vector<WallStretch> stretches_of(const FacadeWork& work, const Segment& s, const WallGroup& wall,
-                                      const StepParams& params) {
-  StepProfile profile(wall.width, wall.height, s.points);
+                                      const std::vector<bool>& large, const StepParams& params) {
+  StepProfile all(wall.width, wall.height, s.points), own(wall.width, wall.height, s.points);
   gather_facade(work, wall).points([&](std::span<const FacadePoint> points, std::span<const SiteStation>) {
-    for (const FacadePoint& p : points)
-      if (p.plane == s.id) profile.add(p);
+    for (const FacadePoint& p : points) {
+      if (large[p.plane]) all.add(p);
+      if (p.plane == s.id) own.add(p);
+    }
   });
-  return profile.stretches(params);
+  return own.stretches(params, all.steps(params));
 }
 
 // Turns metres in the axes of a wall into CRS units.
@@ -98,12 +102,16 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
     WallGroup wall = wall_of(s, work.metres_per_unit);
     if (!may_be_wall(s, wall, params)) continue;
     own.before = own.behind = std::max(own.before, s.epsilon_m + kBeyond);
-    tasks.push_back({StepProfile::bytes(wall.width, wall.height, s.points), s.points});
+    tasks.push_back({2 * StepProfile::bytes(wall.width, wall.height, s.points), s.points});
     large.push_back(i), walls.push_back(std::move(wall));
   }
+  std::uint32_t last = 0;
+  for (const Segment& s : segments) last = std::max(last, s.id);
+  std::vector<bool> is_large(last + std::size_t{1}, false);
+  for (const std::size_t i : large) is_large[segments[i].id] = true;
   std::vector<std::vector<WallStretch>> found(large.size());
   run_pass(tasks, context.budget_bytes,
-           [&](std::size_t k) { found[k] = stretches_of(own, segments[large[k]], walls[k], steps); });
+           [&](std::size_t k) { found[k] = stretches_of(own, segments[large[k]], walls[k], is_large, steps); });
   WallPieces pieces;
   std::size_t k = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -115,8 +123,11 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
     }
     const IntoCrs into{walls[k].axes, work.metres_per_unit};
     for (const WallStretch& t : found[k]) {
-      pieces.segments.push_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
-      pieces.ends.push_back({true, into.end(t.left, t.u0, t), into.end(t.right, t.u1, t)});
+      const Segment& s =
+          pieces.segments.emplace_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
+      const bool wide = t.u1 - t.u0 >= params.least_width && t.v1 - t.v0 >= params.least_height;
+      pieces.ends.push_back(
+          {wide && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t), into.end(t.right, t.u1, t)});
     }
     ++k;
   }

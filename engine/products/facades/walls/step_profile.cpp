@@ -208,26 +208,28 @@ WallStretch StepProfile::stretch(std::int64_t from, std::int64_t to) const {
   return s;
 }
 
-std::vector<WallStretch> StepProfile::stretches(const StepParams& params) const {
+std::vector<double> StepProfile::steps(const StepParams& params) const {
+  std::vector<std::int64_t> borders;
+  split(0, columns_, params, borders);
+  std::vector<double> places;
+  for (const std::int64_t border : borders) places.push_back(static_cast<double>(border) * cell_);
+  return places;
+}
+
+std::vector<WallStretch> StepProfile::stretches(const StepParams& params, std::span<const double> steps) const {
   std::vector<WallStretch> found;
   const auto gap = static_cast<std::int64_t>(params.gap / cell_) + 1;
-  const auto add = [&](std::int64_t from, std::int64_t to) {
-    std::vector<std::int64_t> borders;
-    split(from, to, params, borders);
-    borders.push_back(to);
-    for (const std::int64_t border : borders) {
-      found.push_back(stretch(from, border));
-      from = border;
-    }
-  };
   std::int64_t first = -1, last = -1;
+  auto next = steps.begin();
   for (std::int64_t c = 0; c < columns_; ++c) {
+    bool ends = false;
+    for (; next != steps.end() && std::llround(*next / cell_) <= c; ++next) ends = true;
+    if (first >= 0 && (ends || c - last > gap)) found.push_back(stretch(first, last + 1)), first = -1;
     if (empty_column(c)) continue;
-    if (first >= 0 && c - last > gap) add(first, last + 1), first = -1;
     if (first < 0) first = c;
     last = c;
   }
-  if (first >= 0) add(first, last + 1);
+  if (first >= 0) found.push_back(stretch(first, last + 1));
   return found;
 }
 

@@ -42,8 +42,10 @@ class StepProfile {
   void add(const FacadePoint& p);
   // The memory of a profile.
   static std::uint64_t bytes(double width, double height, std::uint64_t points);
-  // The stretches of the wall from left to right; one where it has no step. O(cells).
-  std::vector<WallStretch> stretches(const StepParams& params) const;
+  // The places along the wall where it steps back or forth, from left to right. O(cells).
+  std::vector<double> steps(const StepParams& params) const;
+  // The stretches of the wall between steps and gaps, from left to right.
+  std::vector<WallStretch> stretches(const StepParams& params, std::span<const double> steps) const;
 
  private:
   struct Cell {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "engine/products/facades/walls/segment_grid.h"
+#include "engine/products/facades/walls/wall_ends.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -280,7 +281,11 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
     const std::vector<std::size_t> joined =
         join_coplanar(upright, taken, params, group, all, ends.empty() ? nullptr : &parts, ends);
     set_box(group, all, params.metres_per_unit);
-    for (KnownPart& part : parts) part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
+    group.core0 = group.width, group.core1 = 0;
+    for (KnownPart& part : parts) {
+      part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
+      group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
+    }
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
       taken[i] = 0;
       for (const std::size_t j : joined) taken[j] = 0;
@@ -294,6 +299,7 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
   std::sort(walls.begin(), walls.end(), [](const WallGroup& a, const WallGroup& b) {
     return a.area_m2 != b.area_m2 ? a.area_m2 > b.area_m2 : a.segments[0] < b.segments[0];
   });
+  if (!ends.empty()) end_at_neighbours(walls, params);
   return walls;
 }
 

@@ -40,6 +40,7 @@ struct SegmentEnds {
 struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
+  double core0 = 0, core1 = 0;  // metres along the wall: the extent of its parts that are as wide as a wall
   std::uint64_t points = 0;
   std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
