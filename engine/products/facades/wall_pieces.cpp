@@ -32,13 +32,16 @@ bool may_be_wall(const Segment& s, const WallGroup& wall, const WallParams& para
   return s.area_m2 >= params.least_area && wall.width >= params.least_width && wall.height >= params.least_height;
 }
 
-// The stretches of a segment. Where the wall steps is seen by the points of all large planes near it: one of them may
-// follow a house below and another one above.
+// The stretches of a segment; u begins `work.beside` to the left of it. Where the wall steps is seen by the points of
+// all large planes near it: one of them may follow a house below and another one above.
 std::vector<WallStretch> stretches_of(const FacadeWork& work, const Segment& s, const WallGroup& wall,
                                       const std::vector<bool>& large, const StepParams& params) {
-  StepProfile all(wall.width, wall.height, s.points), own(wall.width, wall.height, s.points);
+  const double width = wall.width + 2 * work.beside;
+  StepProfile all(width, wall.height, s.points), own(width, wall.height, s.points);
   gather_facade(work, wall).points([&](std::span<const FacadePoint> points, std::span<const SiteStation>) {
-    for (const FacadePoint& p : points) {
+    for (FacadePoint p : points) {
+      if (p.v < 0 || static_cast<double>(p.v) > wall.height) continue;
+      p.u += static_cast<float>(work.beside);
       if (large[p.plane]) all.add(p);
       if (p.plane == s.id) own.add(p);
     }
@@ -49,17 +52,17 @@ std::vector<WallStretch> stretches_of(const FacadeWork& work, const Segment& s, 
 // Turns metres in the axes of a wall into CRS units.
 struct IntoCrs {
   const FacadeAxes& axes;
-  double metres;
+  double metres, beside;  // u begins so far beside the wall
   Vec3 of(double u, double v, double w) const {
-    return axes.origin + (1 / metres) * (u * axes.right + v * axes.up + w * axes.out);
+    return axes.origin + (1 / metres) * ((u - beside) * axes.right + v * axes.up + w * axes.out);
   }
   Vec3 normal(const LocalPlane& p) const {
     const Vec3 n = axes.out - p.along * axes.right - p.up * axes.up;
     return (1 / norm(n)) * n;
   }
-  EndPlane end(const LocalPlane& p, double u, const WallStretch& s) const {
+  EndPlane end(const LocalPlane& p, double u, const WallStretch& s, bool step) const {
     const double v = (s.v0 + s.v1) / 2;
-    return {of(u, v, p.w(u, v)), normal(p), s.v1 - s.v0, p.error};
+    return {of(u, v, p.w(u, v)), normal(p), s.v1 - s.v0, p.error, step};
   }
 };
 
@@ -86,12 +89,12 @@ Segment piece_of(const Segment& s, const WallStretch& t, const IntoCrs& into) {
 
 WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments, const WallParams& params,
                        const PassContext& context) {
-  // Derived: most points of a segment are within its epsilon; slabs hold all of them.
-  constexpr double kBeyond = 0.05;  // metres
+  // Choice: planes that one plane follows across several houses are nearer to it.
+  constexpr double kBeyond = 0.1;  // metres
   const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
   FacadeWork own = work;
   own.stations = {}, own.steps = {}, own.outlines = {}, own.outline_numbers.clear(), own.recorded = false;
-  own.beside = 0;
+  own.beside = params.least_width;
   const StepParams steps{params.least_step, params.least_width, params.least_height, params.gap};
   std::vector<std::size_t> large;
   std::vector<WallGroup> walls;
@@ -102,7 +105,7 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
     WallGroup wall = wall_of(s, work.metres_per_unit);
     if (!may_be_wall(s, wall, params)) continue;
     own.before = own.behind = std::max(own.before, s.epsilon_m + kBeyond);
-    tasks.push_back({2 * StepProfile::bytes(wall.width, wall.height, s.points), s.points});
+    tasks.push_back({2 * StepProfile::bytes(wall.width + 2 * own.beside, wall.height, s.points), s.points});
     large.push_back(i), walls.push_back(std::move(wall));
   }
   std::uint32_t last = 0;
@@ -121,13 +124,13 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
       k += known;
       continue;
     }
-    const IntoCrs into{walls[k].axes, work.metres_per_unit};
+    const IntoCrs into{walls[k].axes, work.metres_per_unit, own.beside};
     for (const WallStretch& t : found[k]) {
       const Segment& s =
           pieces.segments.emplace_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
       const bool wide = t.u1 - t.u0 >= params.least_width && t.v1 - t.v0 >= params.least_height;
-      pieces.ends.push_back(
-          {wide && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t), into.end(t.right, t.u1, t)});
+      pieces.ends.push_back({wide && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t, t.left_step),
+                             into.end(t.right, t.u1, t, t.right_step)});
     }
     ++k;
   }

@@ -230,6 +230,11 @@ std::vector<WallStretch> StepProfile::stretches(const StepParams& params, std::s
     last = c;
   }
   if (first >= 0) found.push_back(stretch(first, last + 1));
+  for (WallStretch& s : found)
+    for (const double step : steps) {
+      s.left_step = s.left_step || std::abs(step - s.u0) <= kMostCell;
+      s.right_step = s.right_step || std::abs(step - s.u1) <= kMostCell;
+    }
   return found;
 }
 

@@ -24,6 +24,7 @@ struct WallStretch {
   std::uint64_t points = 0;
   double rms = 0;  // metres, from its plane
   LocalPlane plane, left, right;
+  bool left_step = false, right_step = false;  // whether it ends at a step
 };
 
 struct StepParams {

@@ -95,19 +95,23 @@ bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams&
   // Derived: three standard deviations.
   constexpr double kSure = 3;
   if (!a.known || !b.known) return false;
+  // Choice: the place of a step is known better; beyond half a metre another end may be meant.
+  constexpr double kSamePlace = 0.5;  // metres
   double nearest = INFINITY, step = 0, error = 0, height = 0;
+  bool known = false;  // that there is a step
   for (const EndPlane* p : {&a.left, &a.right})
     for (const EndPlane* q : {&b.left, &b.right}) {
       const double along = std::hypot(q->place.x - p->place.x, q->place.y - p->place.y);
       if (!(along < nearest)) continue;
       const Vec3 sum = p->normal + (dot(p->normal, q->normal) > 0 ? 1.0 : -1.0) * q->normal;
       nearest = along;
+      known = (p->step || q->step) && along * params.metres_per_unit <= kSamePlace;
       step = std::abs(dot(q->place - p->place, sum)) / norm(sum) * params.metres_per_unit;
       error = kSure * std::hypot(p->error_m, q->error_m);
       height = (p->height_m + q->height_m) / 2 - std::abs(q->place.z - p->place.z) * params.metres_per_unit;
     }
   // Storeys that are set back lie above each other, not beside each other.
-  return height >= params.least_height && step - error >= params.least_step;
+  return height >= params.least_height && (known || step - error >= params.least_step);
 }
 
 // The segments of a wall so far that are as wide as a wall.

@@ -29,6 +29,7 @@ struct EndPlane {
   Vec3 place, normal;   // the middle of the end; unit length
   double height_m = 0;  // of the segment at its end
   double error_m = 0;   // one standard deviation of the place along the normal
+  bool step = false;    // the wall steps back or forth there
 };
 
 // What is known of the ends of a segment as wide as a wall; of smaller ones nothing.
