@@ -46,7 +46,7 @@ std::vector<WallStretch> stretches_of(const FacadeWork& work, const Segment& s, 
       if (p.plane == s.id) own.add(p);
     }
   });
-  return own.stretches(params, all.steps(params));
+  return own.stretches(params, all.steps(params), all);
 }
 
 // Turns metres in the axes of a wall into CRS units.
@@ -92,6 +92,8 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
   // Choice: planes that one plane follows across several houses are nearer to it.
   constexpr double kBeyond = 0.1;  // metres
   const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
+  // Derived: a majority; a plane that follows several houses takes scattered points of others.
+  constexpr double kMost = 0.5;  // share of the points
   FacadeWork own = work;
   own.stations = {}, own.steps = {}, own.outlines = {}, own.outline_numbers.clear(), own.recorded = false;
   own.beside = params.least_width;
@@ -129,7 +131,8 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
       const Segment& s =
           pieces.segments.emplace_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
       const bool wide = t.u1 - t.u0 >= params.least_width && t.v1 - t.v0 >= params.least_height;
-      pieces.ends.push_back({wide && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t, t.left_step),
+      const bool most = t.share >= kMost;
+      pieces.ends.push_back({wide && most && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t, t.left_step),
                              into.end(t.right, t.u1, t, t.right_step)});
     }
     ++k;

@@ -216,20 +216,34 @@ std::vector<double> StepProfile::steps(const StepParams& params) const {
   return places;
 }
 
-std::vector<WallStretch> StepProfile::stretches(const StepParams& params, std::span<const double> steps) const {
+double StepProfile::points_in(std::int64_t c0, std::int64_t c1, double v0, double v1) const {
+  double sum = 0;
+  for (std::int64_t c = c0; c < c1; ++c)
+    for (std::int64_t r = static_cast<std::int64_t>(v0 / row_); r <= static_cast<std::int64_t>(v1 / row_); ++r)
+      sum += cell(c, std::clamp(r, std::int64_t{0}, rows_ - 1)).count;
+  return sum;
+}
+
+std::vector<WallStretch> StepProfile::stretches(const StepParams& params, std::span<const double> steps,
+                                                const StepProfile& all) const {
   std::vector<WallStretch> found;
+  const auto add = [&](std::int64_t from, std::int64_t to) {
+    WallStretch s = stretch(from, to);
+    s.share = static_cast<double>(s.points) / std::max(1.0, all.points_in(from, to, s.v0, s.v1));
+    found.push_back(s);
+  };
   const auto gap = static_cast<std::int64_t>(params.gap / cell_) + 1;
   std::int64_t first = -1, last = -1;
   auto next = steps.begin();
   for (std::int64_t c = 0; c < columns_; ++c) {
     bool ends = false;
     for (; next != steps.end() && std::llround(*next / cell_) <= c; ++next) ends = true;
-    if (first >= 0 && (ends || c - last > gap)) found.push_back(stretch(first, last + 1)), first = -1;
+    if (first >= 0 && (ends || c - last > gap)) add(first, last + 1), first = -1;
     if (empty_column(c)) continue;
     if (first < 0) first = c;
     last = c;
   }
-  if (first >= 0) found.push_back(stretch(first, last + 1));
+  if (first >= 0) add(first, last + 1);
   for (WallStretch& s : found)
     for (const double step : steps) {
       s.left_step = s.left_step || std::abs(step - s.u0) <= kMostCell;

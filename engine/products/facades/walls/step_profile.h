@@ -25,6 +25,7 @@ struct WallStretch {
   double rms = 0;  // metres, from its plane
   LocalPlane plane, left, right;
   bool left_step = false, right_step = false;  // whether it ends at a step
+  double share = 1;                            // of the points of all planes in its box
 };
 
 struct StepParams {
@@ -45,8 +46,9 @@ class StepProfile {
   static std::uint64_t bytes(double width, double height, std::uint64_t points);
   // The places along the wall where it steps back or forth, from left to right. O(cells).
   std::vector<double> steps(const StepParams& params) const;
-  // The stretches of the wall between steps and gaps, from left to right.
-  std::vector<WallStretch> stretches(const StepParams& params, std::span<const double> steps) const;
+  // The stretches of the wall between steps and gaps, from left to right. `all` are the points of all planes near it.
+  std::vector<WallStretch> stretches(const StepParams& params, std::span<const double> steps,
+                                     const StepProfile& all) const;
 
  private:
   struct Cell {
@@ -58,6 +60,7 @@ class StepProfile {
   const Cell& cell(std::int64_t c, std::int64_t r) const { return cells_[static_cast<std::size_t>(c * rows_ + r)]; }
   Place2 middle(std::int64_t c, std::int64_t r) const;
   bool empty_column(std::int64_t c) const;
+  double points_in(std::int64_t c0, std::int64_t c1, double v0, double v1) const;
   LocalPlane fit(std::int64_t c0, std::int64_t c1) const;
   double step_at(std::int64_t c, std::int64_t from, std::int64_t to, const StepParams& params) const;
   bool persists(std::int64_t c, std::int64_t from, std::int64_t to, double step, const StepParams& params) const;

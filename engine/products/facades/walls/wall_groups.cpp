@@ -114,11 +114,21 @@ bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams&
   return height >= params.least_height && (known || step - error >= params.least_step);
 }
 
-// The segments of a wall so far that are as wide as a wall.
+// A segment of a wall, not lower than half a wall. `wide`: as wide as a wall, so that its ends are known.
 struct KnownPart {
   WallExtent box;
   std::size_t index = 0;
+  bool wide = true;
 };
+
+double apart_from(const WallExtent& e, const KnownPart& part) {
+  return std::max(e.u0 - part.box.u1, part.box.u0 - e.u1);
+}
+
+// Whether no part of the wall comes near a segment: scraps of eaves do not join two houses with another one between.
+bool is_far(const WallExtent& e, std::span<const KnownPart> parts, double gap) {
+  return std::all_of(parts.begin(), parts.end(), [&](const KnownPart& part) { return apart_from(e, part) > gap; });
+}
 
 // Whether a segment stands back or forth from the part of the wall that is nearest to it along the street.
 bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart> parts,
@@ -126,8 +136,8 @@ bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart
   const KnownPart* nearest = nullptr;
   double least = INFINITY;
   for (const KnownPart& part : parts) {
-    const double apart = std::max(e.u0 - part.box.u1, part.box.u0 - e.u1);
-    if (apart < least) least = apart, nearest = &part;
+    const double apart = apart_from(e, part);
+    if (part.wide && apart < least) least = apart, nearest = &part;
   }
   if (nearest == nullptr) return false;
   const double common = -least, narrower = std::min(e.u1 - e.u0, nearest->box.u1 - nearest->box.u0);
@@ -159,14 +169,17 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
         ++at;
         continue;
       }
-      if (parts != nullptr && ends[grid.index(k)].known) {
-        if (steps_off(e, grid.index(k), *parts, ends, params)) {
-          at = waiting.erase(at);
-          apart.insert(k);
-          continue;
-        }
-        parts->push_back({e, grid.index(k)});
+      const bool wide = parts != nullptr && ends[grid.index(k)].known;
+      if (wide && is_far(e, *parts, params.gap)) {
+        ++at;
+        continue;
       }
+      if (wide && steps_off(e, grid.index(k), *parts, ends, params)) {
+        at = waiting.erase(at);
+        apart.insert(k);
+        continue;
+      }
+      if (parts != nullptr && e.v1 - e.v0 >= params.least_height / 2) parts->push_back({e, grid.index(k), wide});
       taken[grid.index(k)] = 1;
       joined.push_back(grid.index(k));
       include(all, e);
@@ -218,6 +231,7 @@ bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart>
   double from = e.u0, to = e.u1;  // the stretch without a part, from the parts on both sides
   bool left = false, right = false;
   for (const KnownPart& part : parts) {
+    if (!part.wide) continue;
     if (std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0) >= kInside * width) return false;
     if (part.box.u0 + part.box.u1 < e.u0 + e.u1) {
       from = left ? std::max(from, part.box.u1) : part.box.u1;
@@ -288,7 +302,7 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
     group.core0 = group.width, group.core1 = 0;
     for (KnownPart& part : parts) {
       part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
-      group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
+      if (part.wide) group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
     }
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
       taken[i] = 0;
