@@ -120,20 +120,20 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
   WallPieces pieces;
   std::size_t k = 0;
   for (std::size_t i = 0; i < segments.size(); ++i) {
-    const bool known = k < large.size() && large[k] == i;
-    if (!known || found[k].empty()) {
+    const bool profiled = k < large.size() && large[k] == i;
+    if (!profiled || found[k].empty()) {
       pieces.segments.push_back(segments[i]), pieces.ends.emplace_back();
-      k += known;
+      k += profiled;
       continue;
     }
     const IntoCrs into{walls[k].axes, work.metres_per_unit, own.beside};
     for (const WallStretch& t : found[k]) {
       const Segment& s =
           pieces.segments.emplace_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
-      const bool wide = t.u1 - t.u0 >= params.least_width && t.v1 - t.v0 >= params.least_height;
-      const bool most = t.share >= kMost;
-      pieces.ends.push_back({wide && most && s.area_m2 >= params.least_area, into.end(t.left, t.u0, t, t.left_step),
-                             into.end(t.right, t.u1, t, t.right_step)});
+      const bool known = t.v1 - t.v0 >= params.least_height && t.share >= kMost;
+      const bool wide = known && t.u1 - t.u0 >= params.least_width && s.area_m2 >= params.least_area;
+      pieces.ends.push_back(
+          {known, wide, into.end(t.left, t.u0, t, t.left_step), into.end(t.right, t.u1, t, t.right_step)});
     }
     ++k;
   }

@@ -114,11 +114,11 @@ bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams&
   return height >= params.least_height && (known || step - error >= params.least_step);
 }
 
-// A segment of a wall, not lower than half a wall. `wide`: as wide as a wall, so that its ends are known.
+// A segment of a wall, not lower than half a wall.
 struct KnownPart {
   WallExtent box;
   std::size_t index = 0;
-  bool wide = true;
+  bool known = true, wide = true;  // as in SegmentEnds
 };
 
 double apart_from(const WallExtent& e, const KnownPart& part) {
@@ -137,7 +137,7 @@ bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart
   double least = INFINITY;
   for (const KnownPart& part : parts) {
     const double apart = apart_from(e, part);
-    if (part.wide && apart < least) least = apart, nearest = &part;
+    if (part.known && apart < least) least = apart, nearest = &part;
   }
   if (nearest == nullptr) return false;
   const double common = -least, narrower = std::min(e.u1 - e.u0, nearest->box.u1 - nearest->box.u0);
@@ -169,17 +169,17 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
         ++at;
         continue;
       }
-      const bool wide = parts != nullptr && ends[grid.index(k)].known;
-      if (wide && is_far(e, *parts, params.gap)) {
+      const bool high = parts != nullptr && e.v1 - e.v0 >= params.least_height / 2;
+      if (high && is_far(e, *parts, params.gap)) {
         ++at;
         continue;
       }
-      if (wide && steps_off(e, grid.index(k), *parts, ends, params)) {
+      if (high && steps_off(e, grid.index(k), *parts, ends, params)) {
         at = waiting.erase(at);
         apart.insert(k);
         continue;
       }
-      if (parts != nullptr && e.v1 - e.v0 >= params.least_height / 2) parts->push_back({e, grid.index(k), wide});
+      if (high) parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide});
       taken[grid.index(k)] = 1;
       joined.push_back(grid.index(k));
       include(all, e);
@@ -302,7 +302,8 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
     group.core0 = group.width, group.core1 = 0;
     for (KnownPart& part : parts) {
       part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
-      if (part.wide) group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
+      if (part.known)
+        group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
     }
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
       taken[i] = 0;

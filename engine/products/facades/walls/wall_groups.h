@@ -32,16 +32,17 @@ struct EndPlane {
   bool step = false;    // the wall steps back or forth there
 };
 
-// What is known of the ends of a segment as wide as a wall; of smaller ones nothing.
+// What is known of the ends of a segment that is as high as a wall. `wide`: it is as large as a wall in all, so that it
+// may be one; smaller pieces only continue one.
 struct SegmentEnds {
-  bool known = false;
+  bool known = false, wide = false;
   EndPlane left, right;
 };
 
 struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
-  double core0 = 0, core1 = 0;  // metres along the wall: the extent of its parts that are as wide as a wall
+  double core0 = 0, core1 = 0;  // metres along the wall: the extent of its parts whose ends are known
   std::uint64_t points = 0;
   std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
