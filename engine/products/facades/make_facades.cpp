@@ -21,6 +21,7 @@
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
+#include "engine/products/facades/walls/facade_rows.h"
 #include "engine/products/facades/walls/wall_groups.h"
 #include "kernels/core/portable_math.h"
 
@@ -234,6 +235,26 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
   page.finish();
 }
 
+// Draws each row of houses on a sheet of its own too.
+void write_rows(std::span<const FoundFacade> found, const FacadesSettings& settings, const FacadeFilesParams& params,
+                const std::filesystem::path& folder) {
+  std::vector<Facade> facades;  // without their elements
+  for (const FoundFacade& f : found) {
+    Facade& place = facades.emplace_back();
+    place.origin = f.facade.origin, place.right = f.facade.right, place.up = f.facade.up, place.out = f.facade.out;
+    place.width_m = f.facade.width_m, place.height_m = f.facade.height_m;
+  }
+  RowParams of_rows;
+  of_rows.gap = settings.gap, of_rows.step = settings.relief, of_rows.least_height = settings.least_height;
+  of_rows.metres_per_unit = params.drawing.metres_per_unit;
+  std::uint32_t number = 0;
+  for (const std::vector<std::size_t>& row : facade_rows(facades, of_rows)) {
+    std::vector<Facade> houses;
+    for (const std::size_t i : row) houses.push_back(found[i].facade);
+    write_row_files(folder, ++number, houses, params);
+  }
+}
+
 // Without stations: the log odds of the street side of each segment, from the points around the walls.
 std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, const WallPieces& pieces,
                                   Vec3 middle, const WallParams& params, const PassContext& context) {
@@ -361,9 +382,11 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     counts.occluded_edges += f.occluded_edges;
   }
   write_facade_labels(run->work, run->walls, run->found, context);
-  if (!run->found.empty())
-    write_facades(run->found, run->walls, run->work,
-                  files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
+  if (!run->found.empty()) {
+    const FacadeFilesParams params = files_params(settings, inputs, colours_of_points(store, inputs, context));
+    write_facades(run->found, run->walls, run->work, params, folder, progress);
+    write_rows(run->found, settings.facades, params, folder);
+  }
   record.facades = counts;
   progress.end_stage();
 }
