@@ -116,9 +116,22 @@ double StepProfile::step_at(std::int64_t c, std::int64_t from, std::int64_t to, 
   return std::abs(step) - error >= params.least_step ? step : 0;
 }
 
+// The step between the wall a metre and more to the left of a column and a metre and more to the right of it: pilasters
+// and quoins are narrower and step back again. A bow is the same on both sides.
+double StepProfile::far_step(std::int64_t c, std::int64_t from, std::int64_t to, const StepParams& params) const {
+  const auto beyond = std::max<std::int64_t>(1, static_cast<std::int64_t>(params.least_width / cell_));
+  const LocalPlane a = fit(std::max(from, c - beyond), std::max(from + 1, c - beyond / 2));
+  const LocalPlane b = fit(std::min(to - 1, c + beyond / 2), std::min(to, c + beyond));
+  if (!(a.error < INFINITY) || !(b.error < INFINITY)) return 0;
+  const double u = static_cast<double>(c) * cell_, v = static_cast<double>(rows_) / 2 * row_;
+  return b.w(u, v) - a.w(u, v);
+}
+
 // Whether most rows in which both sides were seen have the step, over a sufficient height.
 bool StepProfile::persists(std::int64_t c, std::int64_t from, std::int64_t to, double step,
                            const StepParams& params) const {
+  const double farther = far_step(c, from, to, params);
+  if (farther * step <= 0 || std::abs(farther) < std::abs(step) / 2) return false;
   const auto window = std::max<std::int64_t>(1, static_cast<std::int64_t>(kWindow / cell_));
   const std::int64_t c0 = std::max(from, c - window), c1 = std::min(to, c + window);
   const LocalPlane a = fit(c0, c), b = fit(c, c1);

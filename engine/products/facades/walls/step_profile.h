@@ -63,6 +63,7 @@ class StepProfile {
   double points_in(std::int64_t c0, std::int64_t c1, double v0, double v1) const;
   LocalPlane fit(std::int64_t c0, std::int64_t c1) const;
   double step_at(std::int64_t c, std::int64_t from, std::int64_t to, const StepParams& params) const;
+  double far_step(std::int64_t c, std::int64_t from, std::int64_t to, const StepParams& params) const;
   bool persists(std::int64_t c, std::int64_t from, std::int64_t to, double step, const StepParams& params) const;
   std::int64_t sharpened(std::int64_t c, std::int64_t from, std::int64_t to) const;
   void split(std::int64_t from, std::int64_t to, const StepParams& params, std::vector<std::int64_t>& borders) const;
