@@ -130,10 +130,10 @@ WallPieces wall_pieces(const FacadeWork& work, std::span<const Segment> segments
     for (const WallStretch& t : found[k]) {
       const Segment& s =
           pieces.segments.emplace_back(found[k].size() > 1 ? piece_of(segments[i], t, into) : segments[i]);
-      const bool known = t.v1 - t.v0 >= params.least_height && t.share >= kMost;
-      const bool wide = known && t.u1 - t.u0 >= params.least_width && s.area_m2 >= params.least_area;
+      const bool known = t.v1 - t.v0 >= params.least_height, stray = t.share < kMost;
+      const bool wide = known && !stray && t.u1 - t.u0 >= params.least_width && s.area_m2 >= params.least_area;
       pieces.ends.push_back(
-          {known, wide, into.end(t.left, t.u0, t, t.left_step), into.end(t.right, t.u1, t, t.right_step)});
+          {known, wide, stray, into.end(t.left, t.u0, t, t.left_step), into.end(t.right, t.u1, t, t.right_step)});
     }
     ++k;
   }

@@ -179,7 +179,8 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
         apart.insert(k);
         continue;
       }
-      if (high) parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide});
+      if (high && !ends[grid.index(k)].stray)
+        parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide});
       taken[grid.index(k)] = 1;
       joined.push_back(grid.index(k));
       include(all, e);

@@ -33,9 +33,10 @@ struct EndPlane {
 };
 
 // What is known of the ends of a segment that is as high as a wall. `wide`: it is as large as a wall in all, so that it
-// may be one; smaller pieces only continue one.
+// may be one; smaller pieces only continue one. `stray`: most points of its stretch are those of other planes; a plane
+// that follows several houses takes such points of the houses between them.
 struct SegmentEnds {
-  bool known = false, wide = false;
+  bool known = false, wide = false, stray = false;
   EndPlane left, right;
 };
 

@@ -62,7 +62,7 @@ SegmentEnds ends_of(const Segment& s) {
   const auto end = [&](double x) {
     return EndPlane{{x, s.centroid.y, s.centroid.z}, s.plane.n, s.max.z - s.min.z, 0.0005};
   };
-  return {true, true, end(s.min.x), end(s.max.x)};
+  return {true, true, false, end(s.min.x), end(s.max.x)};
 }
 
 TEST(WallGroups, HousesThatStandBackByTwoCentimetresAreFacadesOfTheirOwn) {
