@@ -72,6 +72,59 @@ std::vector<std::pair<DrawingRole, std::string>> legend_of(const Drawing& drawin
   return legend;
 }
 
+// All elements of a row in the axes of the whole row.
+Facade whole_row(std::span<const Facade> houses, double metres_per_unit) {
+  Facade row = houses.front();
+  const Facade& last = houses.back();
+  const Vec3 across = last.origin + (last.width_m / metres_per_unit) * last.right - row.origin;
+  const Vec3 level{across.x, across.y, 0};
+  if (norm(level) > 0) row.right = (1 / norm(level)) * level;
+  row.up = {0, 0, 1};
+  row.out = cross(row.right, row.up);
+  row.elements.clear();
+  for (const Facade& house : houses) {
+    row.elements.insert(row.elements.end(), house.elements.begin(), house.elements.end());
+    const Vec3 end = house.origin + (house.width_m / metres_per_unit) * house.right - row.origin;
+    row.width_m = std::max(row.width_m, metres_per_unit * dot(end, row.right));
+  }
+  return row;
+}
+
+double scale_of_row(double width_m, double scale) {
+  constexpr double kWidest = 1;  // metres on paper
+  for (const double times : {1.0, 2.0, 4.0, 10.0})
+    if (width_m <= kWidest * scale * times) return scale * times;
+  return 20 * scale;
+}
+
+// How far a house stands before (positive) or behind the one on its left where they meet, in metres.
+double step_between(const Facade& left, const Facade& house, double metres_per_unit) {
+  const Vec3 end = left.origin + (left.width_m / metres_per_unit) * left.right;
+  return metres_per_unit * dot(house.origin - end, house.out);
+}
+
+void add_house_texts(std::span<const Facade> houses, const Facade& row, double metres_per_unit, double below,
+                     Drawing& drawing) {
+  constexpr double kTextMm = 2.5, kLineMm = 4;
+  for (std::size_t i = 0; i < houses.size(); ++i) {
+    const Facade& house = houses[i];
+    const FlatPoint at = flat_place(row, house.origin, metres_per_unit);
+    std::vector<std::string> lines{fmt::format("Facade {}", house.id), fmt::format("{} m", decimal(house.width_m, 2))};
+    if (i > 0) {
+      const double step = step_between(houses[i - 1], house, metres_per_unit);
+      lines.push_back(fmt::format("{} m {}", decimal(std::abs(step), 3), step < 0 ? "behind" : "before"));
+    }
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+      DrawingText text;
+      text.role = DrawingRole::dimension;
+      text.x = at.x, text.y = below - drawing.paper_mm(kLineMm * static_cast<double>(k + 1));
+      text.height = drawing.paper_mm(kTextMm);
+      text.text = lines[k];
+      add_fitting_text(std::move(text), house.width_m, drawing);
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> facade_reference(const Facade& facade, const FacadeDrawingParams& params,
@@ -121,6 +174,32 @@ Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params) 
              facade_reference(facade, params,
                               fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * facade.origin.x, 3),
                                           decimal(m * facade.origin.y, 3))),
+             legend},
+            drawing);
+  return drawing;
+}
+
+Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& params) {
+  const double m = params.metres_per_unit;
+  const Facade row = whole_row(houses, m);
+  FacadeDrawingParams own = params;
+  own.scale = scale_of_row(row.width_m, params.scale);
+  Drawing drawing;
+  drawing.scale = own.scale;
+  drawing.title = either(params.title, "Row of facades");
+  std::vector<FlatElement> flat;
+  for (const FacadeElement& e : row.elements) flat.push_back(flat_element(row, e, m));
+  for (std::size_t i = 0; i < flat.size(); ++i) draw_element(row.elements[i], flat[i], drawing);
+  drop_repeated_lines(drawing);
+  const auto legend = legend_of(drawing);
+  const FlatBox plan = box_of(flat);
+  add_levels(row, flat, plan, drawing);
+  add_house_texts(houses, row, m, plan.min.y, drawing);
+  add_sheet({drawing.title,
+             {fmt::format("{} facades", houses.size()), "Scale 1:" + decimal(own.scale, own.scale < 1 ? 2 : 0)},
+             facade_reference(row, own,
+                              fmt::format("x = 0 at E {} N {}, y is the height", decimal(m * row.origin.x, 3),
+                                          decimal(m * row.origin.y, 3))),
              legend},
             drawing);
   return drawing;

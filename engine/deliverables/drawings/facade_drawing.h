@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A facade as a surveyor's elevation drawing, before it is written as DXF or SVG.
 #pragma once
+#include <span>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,12 @@ struct FacadeDrawingParams {
 // widened by its errors, numbers, levels, dimensions, frame and title block. x runs from the facade's origin to the
 // right seen from outside, y is the height, both in metres.
 Drawing facade_drawing(const Facade& facade, const FacadeDrawingParams& params = {});
+
+// Returns the houses of a row side by side on one sheet, from left to right in the order given (one at least): their
+// lines as facade_drawing() draws them, projected onto the upright plane from the left end of the first to the right
+// end of the last one, and below each its number, its width and how far it stands before or behind the one on its left.
+// The scale is params.scale or the next of 2, 4, 10 and 20 times it at which the row is at most a metre wide on paper.
+Drawing row_drawing(std::span<const Facade> houses, const FacadeDrawingParams& params = {});
 
 // Returns the lines of a title block: CRS, heights, place (a line that the caller gives), date, accuracy and source,
 // one line each.

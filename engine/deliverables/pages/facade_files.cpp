@@ -66,6 +66,11 @@ std::string facade_name(std::uint32_t id) {
   return fmt::format("facade-{:03}", id);
 }
 
+void write_row_files(const std::filesystem::path& folder, std::uint32_t row, std::span<const Facade> houses,
+                     const FacadeFilesParams& params) {
+  write_drawing(folder, fmt::format("row-{:03}", row), row_drawing(houses, params.drawing), params.layers);
+}
+
 void write_facade_files(const std::filesystem::path& folder, const Facade& facade, const FacadeFilesParams& params) {
   const std::string name = facade_name(facade.id);
   const auto named = [&](const char* extension) { return folder / (name + extension); };

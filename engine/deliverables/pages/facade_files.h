@@ -3,6 +3,7 @@
 #pragma once
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "engine/deliverables/drawings/drawing_layers.h"
@@ -27,6 +28,10 @@ struct FacadeFilesParams {
 
 // Returns "facade-007" for facade 7: the name of its files without their extensions.
 std::string facade_name(std::uint32_t id);
+
+// Writes row-NNN.dxf, .svg and .pdf: the houses of a row on one sheet (row_drawing).
+void write_row_files(const std::filesystem::path& folder, std::uint32_t row, std::span<const Facade> houses,
+                     const FacadeFilesParams& params = {});
 
 // Writes to `folder`, which exists: facade-NNN.json, .dxf, .svg, .pdf, .csv; when an element has a depth, .obj and
 // .stl; with points, .png and .pgw; facade-NNN-SECTION.dxf, .svg and .pdf for each section. Each file is complete or

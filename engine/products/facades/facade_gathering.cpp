@@ -145,7 +145,25 @@ void read_far(const FacadeWork& work, const WallGroup& wall, std::span<const Sit
   });
 }
 
-// Adds the outer rings of the segments of the wall, projected onto the wall.
+// The part of a ring between two places along the wall.
+OutlineRing clipped(const OutlineRing& ring, double low, double high) {
+  OutlineRing kept = ring;
+  for (const double sign : {1.0, -1.0}) {
+    const double limit = sign > 0 ? low : -high;
+    const OutlineRing whole = std::move(kept);
+    kept.clear();
+    for (std::size_t i = 0; i < whole.size(); ++i) {
+      const Place2 &a = whole[i], &b = whole[(i + 1) % whole.size()];
+      const double from = sign * a.u - limit, to = sign * b.u - limit;
+      if (from >= 0) kept.push_back(a);
+      if ((from < 0) != (to < 0)) kept.push_back({sign * limit, a.v + (b.v - a.v) * from / (from - to)});
+    }
+  }
+  return kept;
+}
+
+// Adds the outer rings of the segments of the wall, projected onto the wall. A segment may go on beyond the wall, where
+// a house of its own begins.
 void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) {
   const LatticeAxes into(work, wall);
   std::vector<std::uint32_t> numbers;
@@ -156,11 +174,13 @@ void add_rings(const FacadeWork& work, const WallGroup& wall, FacadeSite& site) 
   std::sort(numbers.begin(), numbers.end());
   for (const std::uint32_t number : numbers) {
     for (const Outline::Part& part : work.outlines[number].parts) {
-      OutlineRing& ring = site.rings.emplace_back();
+      OutlineRing ring;
       for (const Vec3& p : part[0]) {
         const Vec3 at = into.of_place(p);
         ring.push_back({at.x, at.y});
       }
+      ring = clipped(ring, 0, wall.width);
+      if (ring.size() >= 3) site.rings.push_back(std::move(ring));
     }
   }
 }

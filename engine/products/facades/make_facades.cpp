@@ -17,9 +17,11 @@
 #include "engine/products/facades/facade_labels.h"
 #include "engine/products/facades/facade_proofs.h"
 #include "engine/products/facades/rays/registration_error.h"
+#include "engine/products/facades/wall_pieces.h"
 #include "engine/products/facades/wall_sides.h"
 #include "engine/products/facades/walls/dormers.h"
 #include "engine/products/facades/walls/facade_joints.h"
+#include "engine/products/facades/walls/facade_rows.h"
 #include "engine/products/facades/walls/wall_groups.h"
 #include "kernels/core/portable_math.h"
 
@@ -233,11 +235,31 @@ void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup
   page.finish();
 }
 
+// Draws each row of houses on a sheet of its own too.
+void write_rows(std::span<const FoundFacade> found, const FacadesSettings& settings, const FacadeFilesParams& params,
+                const std::filesystem::path& folder) {
+  std::vector<Facade> facades;  // without their elements
+  for (const FoundFacade& f : found) {
+    Facade& place = facades.emplace_back();
+    place.origin = f.facade.origin, place.right = f.facade.right, place.up = f.facade.up, place.out = f.facade.out;
+    place.width_m = f.facade.width_m, place.height_m = f.facade.height_m;
+  }
+  RowParams of_rows;
+  of_rows.gap = settings.gap, of_rows.step = settings.relief, of_rows.least_height = settings.least_height;
+  of_rows.metres_per_unit = params.drawing.metres_per_unit;
+  std::uint32_t number = 0;
+  for (const std::vector<std::size_t>& row : facade_rows(facades, of_rows)) {
+    std::vector<Facade> houses;
+    for (const std::size_t i : row) houses.push_back(found[i].facade);
+    write_row_files(folder, ++number, houses, params);
+  }
+}
+
 // Without stations: the log odds of the street side of each segment, from the points around the walls.
-std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, Vec3 middle,
-                                  const WallParams& params, const PassContext& context) {
+std::vector<double> odds_of_sides(const FacadesOfRun& run, std::span<const Segment> segments, const WallPieces& pieces,
+                                  Vec3 middle, const WallParams& params, const PassContext& context) {
   if (!run.stations.empty()) return {};
-  const std::vector<WallGroup> walls = find_walls(segments, {{}, middle, {}}, params);
+  const std::vector<WallGroup> walls = find_walls(pieces.segments, {{}, middle, {}}, params, pieces.ends);
   return segment_side_odds(walls, wall_side_odds(run.work, walls, params.gap, context), segments);
 }
 
@@ -317,9 +339,10 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   const WallParams params = wall_params(settings.facades, context.metres_per_unit);
   const Vec3 middle = middle_of(planes.segments);
   if (run->stations.empty()) record.warnings.push_back(kNoStations);
-  const std::vector<double> odds = odds_of_sides(*run, planes.segments, middle, params, context);
+  const WallPieces pieces = wall_pieces(work, planes.segments, params, context);
+  const std::vector<double> odds = odds_of_sides(*run, planes.segments, pieces, middle, params, context);
   const StreetSides sides{run->stations, middle, odds};
-  run->walls = find_walls(planes.segments, sides, params);
+  run->walls = find_walls(pieces.segments, sides, params, pieces.ends);
   std::erase_if(run->walls, [&](const WallGroup& wall) { return !is_wanted(wall, store.unit(), context); });
   work.recorded = run->stations.size() > 1 && write_station_column(store, inputs, context, progress, record);
   settle_sides(run->walls, settings.facades, context.metres_per_unit, progress, record);
@@ -336,8 +359,8 @@ std::unique_ptr<FacadesOfRun> find_facades(const Store& store, const PlanesResul
   progress.begin_stage("facades", points);
   run->found.resize(run->walls.size());
   find_each({settings, inputs, context, concurrency, observer}, dormers, tasks, *run);
-  join_facades(run->found, small_walls(run->walls, planes.segments, sides, params), settings.facades.advanced,
-               context.metres_per_unit);
+  join_facades(run->found, small_walls(run->walls, pieces.segments, sides, params, pieces.ends),
+               settings.facades.advanced, context.metres_per_unit);
   for (std::size_t i = 0; i < run->found.size(); ++i) run->found[i].facade.id = static_cast<std::uint32_t>(i + 1);
   if (planes.outlines.dropped() > 0)
     record.warnings.push_back(fmt::format(kOutlinesDropped, grouped(planes.outlines.dropped())));
@@ -359,9 +382,11 @@ void make_facades(const Store& store, const PlanesResult& planes, const Settings
     counts.occluded_edges += f.occluded_edges;
   }
   write_facade_labels(run->work, run->walls, run->found, context);
-  if (!run->found.empty())
-    write_facades(run->found, run->walls, run->work,
-                  files_params(settings, inputs, colours_of_points(store, inputs, context)), folder, progress);
+  if (!run->found.empty()) {
+    const FacadeFilesParams params = files_params(settings, inputs, colours_of_points(store, inputs, context));
+    write_facades(run->found, run->walls, run->work, params, folder, progress);
+    write_rows(run->found, settings.facades, params, folder);
+  }
   record.facades = counts;
   progress.end_stage();
 }

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "engine/products/facades/walls/box_grid.h"
-
+#include "engine/products/facades/walls/segment_grid.h"
+#include "engine/products/facades/walls/wall_ends.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -20,27 +20,6 @@ constexpr double kCoplanarDeg = 2;  // greatest angle between parts of one wall
 constexpr double kBelow = 0.5;  // metres above and below a wall in which its relief may be
 // Derived: a majority.
 constexpr double kInside = 0.5;  // share of the width of a plane that must be along the wall so that it is relief
-
-struct Extent {
-  double u0 = 0, u1 = 0, v0 = 0, v1 = 0, w0 = 0, w1 = 0;
-};
-
-// The box of a segment in the axes, in metres.
-Extent extent_of(const Segment& s, const FacadeAxes& axes, double metres) {
-  const Vec3 middle = 0.5 * (s.min + s.max) - axes.origin, half = 0.5 * (s.max - s.min);
-  const auto along = [&](Vec3 axis, double& low, double& high) {
-    const double at = dot(middle, axis);
-    const double reach = std::abs(axis.x) * half.x + std::abs(axis.y) * half.y + std::abs(axis.z) * half.z;
-    low = (at - reach) * metres;
-    high = (at + reach) * metres;
-  };
-  Extent e;
-  along(axes.right, e.u0, e.u1);
-  along(axes.up, e.v0, e.v1);
-  const double w = dot(s.centroid - axes.origin, axes.out) * metres;
-  e.w0 = e.w1 = w;
-  return e;
-}
 
 FacadeAxes axes_of(const Segment& s, Vec3 out) {
   FacadeAxes axes;
@@ -92,56 +71,12 @@ StreetSide street_side_of(const Segment& s, const StreetSides& sides, const std:
   return side_of_others(s, walls, params, sides.middle);
 }
 
-void include(Extent& all, const Extent& e) {
+void include(WallExtent& all, const WallExtent& e) {
   all.u0 = std::min(all.u0, e.u0);
   all.u1 = std::max(all.u1, e.u1);
   all.v0 = std::min(all.v0, e.v0);
   all.v1 = std::max(all.v1, e.v1);
 }
-
-// Segments by place, so that a wall looks only at those around it.
-class SegmentGrid {
- public:
-  SegmentGrid(std::span<const Segment> segments, std::vector<std::size_t> list, double metres)
-      : segments_(segments), list_(std::move(list)), metres_(metres), grid_(kCell / metres) {
-    // A box along the axes of the CRS meets the box of a wall only if its middle is near enough to it: within half of
-    // its own diagonal along each of the three axes of the wall.
-    // Derived: above the square root of 3, the ratio of a diagonal in space to a side.
-    constexpr double kDiagonals = 1.8;
-    for (std::size_t k = 0; k < list_.size(); ++k) {
-      const Segment& s = segments_[list_[k]];
-      const Vec3 middle = 0.5 * (s.min + s.max);
-      FlatBox box = FlatBox::none();
-      box.add({middle.x, middle.y});
-      grid_.add(static_cast<std::uint32_t>(k), box.grown(kDiagonals * 0.5 * norm(s.max - s.min)));
-    }
-  }
-  // Positions in the list, ascending, of segments that may reach into a box in the axes (metres).
-  std::vector<std::uint32_t> near(const FacadeAxes& axes, const Extent& e) const {
-    // Derived: the rounding of coordinates in millimetres.
-    constexpr double kCornerRounding = 0.001;  // metres
-    FlatBox box = FlatBox::none();
-    for (const double u : {e.u0, e.u1})
-      for (const double v : {e.v0, e.v1})
-        for (const double w : {e.w0, e.w1}) {
-          const Vec3 p = axes.origin + (1 / metres_) * (u * axes.right + v * axes.up + w * axes.out);
-          box.add({p.x, p.y});
-        }
-    return grid_.near(box.grown(kCornerRounding / metres_));
-  }
-  const Segment& segment(std::size_t k) const { return segments_[list_[k]]; }
-  std::size_t index(std::size_t k) const { return list_[k]; }
-  const std::vector<std::size_t>& list() const { return list_; }
-  double metres() const { return metres_; }
-
- private:
-  // Choice: a cell has a few walls; time alone depends on it.
-  static constexpr double kCell = 16;  // metres
-  std::span<const Segment> segments_;
-  std::vector<std::size_t> list_;
-  double metres_;
-  BoxGrid grid_;
-};
 
 // Whether a segment is on the plane of the wall.
 bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& params) {
@@ -150,21 +85,78 @@ bool is_coplanar(const Segment& s, const WallGroup& group, const WallParams& par
   return std::abs(extent_of(s, group.axes, params.metres_per_unit).w0) <= off;
 }
 
-bool are_apart(const Extent& e, const Extent& all, double gap) {
+bool are_apart(const WallExtent& e, const WallExtent& all, double gap) {
   return e.u0 > all.u1 + gap || e.u1 < all.u0 - gap || e.v0 > all.v1 + gap || e.v1 < all.v0 - gap;
+}
+
+// Whether the wall steps back or forth between two segments, seen at the ends that are nearest to each other. Half of
+// the way between them follows the one, half the other.
+bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams& params) {
+  // Derived: three standard deviations.
+  constexpr double kSure = 3;
+  if (!a.known || !b.known) return false;
+  // Choice: the place of a step is known better; beyond half a metre another end may be meant.
+  constexpr double kSamePlace = 0.5;  // metres
+  double nearest = INFINITY, step = 0, error = 0, height = 0;
+  bool known = false;  // that there is a step
+  for (const EndPlane* p : {&a.left, &a.right})
+    for (const EndPlane* q : {&b.left, &b.right}) {
+      const double along = std::hypot(q->place.x - p->place.x, q->place.y - p->place.y);
+      if (!(along < nearest)) continue;
+      const Vec3 sum = p->normal + (dot(p->normal, q->normal) > 0 ? 1.0 : -1.0) * q->normal;
+      nearest = along;
+      known = (p->step || q->step) && along * params.metres_per_unit <= kSamePlace;
+      step = std::abs(dot(q->place - p->place, sum)) / norm(sum) * params.metres_per_unit;
+      error = kSure * std::hypot(p->error_m, q->error_m);
+      height = (p->height_m + q->height_m) / 2 - std::abs(q->place.z - p->place.z) * params.metres_per_unit;
+    }
+  // Storeys that are set back lie above each other, not beside each other.
+  return height >= params.least_height && (known || step - error >= params.least_step);
+}
+
+// A segment of a wall, not lower than half a wall.
+struct KnownPart {
+  WallExtent box;
+  std::size_t index = 0;
+  bool known = true, wide = true;  // as in SegmentEnds
+};
+
+double apart_from(const WallExtent& e, const KnownPart& part) {
+  return std::max(e.u0 - part.box.u1, part.box.u0 - e.u1);
+}
+
+// Whether no part of the wall comes near a segment: scraps of eaves do not join two houses with another one between.
+bool is_far(const WallExtent& e, std::span<const KnownPart> parts, double gap) {
+  return std::all_of(parts.begin(), parts.end(), [&](const KnownPart& part) { return apart_from(e, part) > gap; });
+}
+
+// Whether a segment stands back or forth from the part of the wall that is nearest to it along the street.
+bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart> parts,
+               std::span<const SegmentEnds> ends, const WallParams& params) {
+  const KnownPart* nearest = nullptr;
+  double least = INFINITY;
+  for (const KnownPart& part : parts) {
+    const double apart = apart_from(e, part);
+    if (part.known && apart < least) least = apart, nearest = &part;
+  }
+  if (nearest == nullptr) return false;
+  const double common = -least, narrower = std::min(e.u1 - e.u0, nearest->box.u1 - nearest->box.u0);
+  return common < kInside * narrower && steps_between(ends[nearest->index], ends[index], params);
 }
 
 // Adds the segments that lie on the plane of the wall and continue it, until there are no more. Each round goes through
 // them in the order of the list of the grid. Returns the segments and marks them as taken.
 std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
-                                       WallGroup& group, Extent& all) {
+                                       WallGroup& group, WallExtent& all, std::vector<KnownPart>* parts = nullptr,
+                                       std::span<const SegmentEnds> ends = {}) {
   std::vector<std::size_t> joined;
-  std::set<std::uint32_t> waiting;  // on the plane and not far away
+  std::set<std::uint32_t> waiting, apart;  // on the plane and not far away; beyond a step
   const auto look_around = [&] {
-    const Extent around{all.u0 - params.gap, all.u1 + params.gap, all.v0 - params.gap,
-                        all.v1 + params.gap, -params.bias,        params.bias};
+    const WallExtent around{all.u0 - params.gap, all.u1 + params.gap, all.v0 - params.gap,
+                            all.v1 + params.gap, -params.bias,        params.bias};
     for (const std::uint32_t k : grid.near(group.axes, around))
-      if (taken[grid.index(k)] == 0 && is_coplanar(grid.segment(k), group, params)) waiting.insert(k);
+      if (taken[grid.index(k)] == 0 && !apart.contains(k) && is_coplanar(grid.segment(k), group, params))
+        waiting.insert(k);
   };
   look_around();
   for (bool more = true; more;) {
@@ -172,11 +164,23 @@ std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char
     for (auto at = waiting.begin(); at != waiting.end();) {
       const std::uint32_t k = *at;
       const Segment& s = grid.segment(k);
-      const Extent e = extent_of(s, group.axes, params.metres_per_unit);
+      const WallExtent e = extent_of(s, group.axes, params.metres_per_unit);
       if (are_apart(e, all, params.gap)) {
         ++at;
         continue;
       }
+      const bool high = parts != nullptr && e.v1 - e.v0 >= params.least_height / 2;
+      if (high && is_far(e, *parts, params.gap)) {
+        ++at;
+        continue;
+      }
+      if (high && steps_off(e, grid.index(k), *parts, ends, params)) {
+        at = waiting.erase(at);
+        apart.insert(k);
+        continue;
+      }
+      if (high && !ends[grid.index(k)].stray)
+        parts->push_back({e, grid.index(k), ends[grid.index(k)].known, ends[grid.index(k)].wide});
       taken[grid.index(k)] = 1;
       joined.push_back(grid.index(k));
       include(all, e);
@@ -205,7 +209,7 @@ WallGroup group_of(const Segment& s, Vec3 out) {
   return group;
 }
 
-void set_box(WallGroup& group, const Extent& all, double metres) {
+void set_box(WallGroup& group, const WallExtent& all, double metres) {
   group.width = all.u1 - all.u0;
   group.height = all.v1 - all.v0;
   group.axes.origin = group.axes.origin + (all.u0 / metres) * group.axes.right + (all.v0 / metres) * group.axes.up;
@@ -220,11 +224,33 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
 }
 
+// Whether a plane as large as a wall fills a stretch of the street in which the wall has no part of its own. Relief has
+// its wall above, below, or on both sides.
+bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart> parts, const WallParams& params) {
+  const double width = e.u1 - e.u0;
+  if (s.area_m2 < params.least_area || width < params.least_width || e.v1 - e.v0 < params.least_height) return false;
+  double from = e.u0, to = e.u1;  // the stretch without a part, from the parts on both sides
+  bool left = false, right = false;
+  for (const KnownPart& part : parts) {
+    if (!part.wide) continue;
+    if (std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0) >= kInside * width) return false;
+    if (part.box.u0 + part.box.u1 < e.u0 + e.u1) {
+      from = left ? std::max(from, part.box.u1) : part.box.u1;
+      left = true;
+    } else {
+      to = right ? std::min(to, part.box.u0) : part.box.u0;
+      right = true;
+    }
+  }
+  return !(left && right) || to - from > params.gap;
+}
+
 // Claims segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
 // facade. The segments of the wall are in order.
-void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params, WallGroup& group) {
+void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
+                  std::span<const KnownPart> parts, WallGroup& group) {
   const double least_cos = cos_degrees(kParallelDeg);
-  const Extent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
+  const WallExtent around{0, group.width, -kBelow, group.height + kBelow, -params.relief_behind, params.relief_front};
   std::vector<std::size_t> candidates;
   for (const std::uint32_t k : grid.near(group.axes, around)) candidates.push_back(k);
   std::sort(candidates.begin(), candidates.end(),
@@ -233,7 +259,7 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
     const Segment& s = grid.segment(k);
     if (std::abs(dot(s.plane.n, group.axes.out)) < least_cos) continue;
     if (std::binary_search(group.segments.begin(), group.segments.end(), s.id)) continue;
-    const Extent e = extent_of(s, group.axes, params.metres_per_unit);
+    const WallExtent e = extent_of(s, group.axes, params.metres_per_unit);
     const double common = std::min(e.u1, group.width) - std::max(e.u0, 0.0);
     if (e.w0 > params.relief_front || e.w0 < -params.relief_behind || !(common >= kInside * (e.u1 - e.u0)) ||
         e.v0 > group.height + kBelow || e.v1 < -kBelow)
@@ -241,6 +267,7 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
     const double beside = std::min(e.v1, group.height) - std::max(e.v0, 0.0);
     if (s.area_m2 >= params.least_area && beside < kInside * (e.v1 - e.v0))
       continue;  // an upper storey that is set back
+    if (!parts.empty() && is_beside(e, s, parts, params)) continue;
     taken[grid.index(k)] = 1;
     group.parallel.push_back({s.id, s.points});
   }
@@ -248,8 +275,8 @@ void claim_relief(const SegmentGrid& grid, std::vector<char>& taken, const WallP
 
 }  // namespace
 
-std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,
-                                  const WallParams& params) {
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides, const WallParams& params,
+                                  std::span<const SegmentEnds> ends) {
   const double most_tilt = std::sqrt(1 - cos_degrees(params.lean_deg) * cos_degrees(params.lean_deg));
   std::vector<std::size_t> by_area;
   for (std::size_t i = 0; i < segments.size(); ++i)
@@ -266,36 +293,49 @@ std::vector<WallGroup> find_walls(std::span<const Segment> segments, const Stree
     const StreetSide side = street_side_of(s, sides, walls, params);
     WallGroup group = group_of(s, side.out);
     group.side_odds = side.odds;
-    Extent all = extent_of(s, group.axes, params.metres_per_unit);
+    WallExtent all = extent_of(s, group.axes, params.metres_per_unit);
     taken[i] = 1;
-    const std::vector<std::size_t> joined = join_coplanar(upright, taken, params, group, all);
+    std::vector<KnownPart> parts;
+    if (!ends.empty()) parts.push_back({all, i});
+    const std::vector<std::size_t> joined =
+        join_coplanar(upright, taken, params, group, all, ends.empty() ? nullptr : &parts, ends);
     set_box(group, all, params.metres_per_unit);
+    group.core0 = group.width, group.core1 = 0;
+    for (KnownPart& part : parts) {
+      part.box.u0 -= all.u0, part.box.u1 -= all.u0;  // the origin has moved
+      if (part.known)
+        group.core0 = std::min(group.core0, part.box.u0), group.core1 = std::max(group.core1, part.box.u1);
+    }
     if (group.width < params.least_width || group.height < params.least_height || group.area_m2 < params.least_area) {
       taken[i] = 0;
       for (const std::size_t j : joined) taken[j] = 0;
       continue;
     }
     std::sort(group.segments.begin(), group.segments.end());
-    claim_relief(upright, taken, params, group);
+    group.segments.erase(std::unique(group.segments.begin(), group.segments.end()), group.segments.end());
+    claim_relief(upright, taken, params, parts, group);
     walls.push_back(std::move(group));
   }
   std::sort(walls.begin(), walls.end(), [](const WallGroup& a, const WallGroup& b) {
     return a.area_m2 != b.area_m2 ? a.area_m2 > b.area_m2 : a.segments[0] < b.segments[0];
   });
+  if (!ends.empty()) end_at_neighbours(walls, params);
   return walls;
 }
 
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
-                                   const StreetSides& sides, WallParams params) {
+                                   const StreetSides& sides, WallParams params, std::span<const SegmentEnds> ends) {
   // Choice: a storey that is set back is about half as high; lower walls form no corners.
   constexpr double kLeast = 0.5;  // share of the width and height of a facade
-  std::vector<std::uint8_t> known(segments.size() + 1, 0);
+  std::uint32_t last = 0;
+  for (const Segment& s : segments) last = std::max(last, s.id);
+  std::vector<std::uint8_t> known(last + std::size_t{1}, 0);
   for (const WallGroup& wall : walls) {
     for (const std::uint32_t id : wall.segments) known[id] = 1;
     for (const ParallelPlane& plane : wall.parallel) known[plane.id] = 1;
   }
   params.least_width *= kLeast, params.least_height *= kLeast, params.least_area *= kLeast * kLeast;
-  std::vector<WallGroup> small = find_walls(segments, sides, params);
+  std::vector<WallGroup> small = find_walls(segments, sides, params, ends);
   std::erase_if(small, [&](const WallGroup& wall) {
     return std::any_of(wall.segments.begin(), wall.segments.end(), [&](std::uint32_t id) { return known[id] != 0; });
   });
@@ -332,14 +372,15 @@ std::vector<std::size_t> DormerFronts::candidates(const WallGroup& wall) const {
   // Choice: the overhang of a roof; a dormer that begins lower is a part of the wall.
   constexpr double kOverlap = 0.3;  // metres that they may reach below the top of the wall and beyond its ends
   const State& in = *state_;
-  const Extent around{-kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
-                      -in.dormers.behind, in.params.bias};
+  const WallExtent around{
+      -kOverlap,          wall.width + kOverlap, wall.height - kOverlap, wall.height + in.dormers.reach,
+      -in.dormers.behind, in.params.bias};
   std::vector<std::size_t> found;
   for (const std::uint32_t k : in.upright.near(wall.axes, around)) {
     const Segment& s = in.upright.segment(k);
     if (in.taken[in.upright.index(k)] != 0 || std::abs(dot(s.plane.n, wall.axes.out)) < cos_degrees(kParallelDeg))
       continue;
-    const Extent e = extent_of(s, wall.axes, in.params.metres_per_unit);
+    const WallExtent e = extent_of(s, wall.axes, in.params.metres_per_unit);
     if (e.w0 > around.w1 || e.w0 < around.w0 || e.u0 < around.u0 || e.u1 > around.u1 || e.v0 < around.v0 ||
         e.v1 > around.v1 || e.u1 - e.u0 > in.dormers.most_width)
       continue;
@@ -362,7 +403,7 @@ std::vector<WallGroup> DormerFronts::of(const WallGroup& wall) {
     in.taken[i] = 1;
     const Segment& s = in.segments[i];
     WallGroup front = group_of(s, dot(s.plane.n, wall.axes.out) > 0 ? s.plane.n : -1.0 * s.plane.n);
-    Extent all = extent_of(s, front.axes, metres);
+    WallExtent all = extent_of(s, front.axes, metres);
     join_coplanar(parts, in.taken, in.params, front, all);
     set_box(front, all, metres);
     if (front.width < in.dormers.least_width || front.height < in.dormers.least_height ||

@@ -20,12 +20,30 @@ struct WallParams {
   double gap = 3;                                // metres between two parts of a wall
   double relief_front = 1.5, relief_behind = 1;  // metres; a segment along a wall within this is a part of it
   double large_part = 1;                         // m2; a smaller piece beside the plane of the wall is relief
+  double least_step = 0.01;                      // metres; walls that differ by more and by their errors are two
   double metres_per_unit = 1;
+};
+
+// The plane at one end of a segment along its wall, in CRS units.
+struct EndPlane {
+  Vec3 place, normal;   // the middle of the end; unit length
+  double height_m = 0;  // of the segment at its end
+  double error_m = 0;   // one standard deviation of the place along the normal
+  bool step = false;    // the wall steps back or forth there
+};
+
+// What is known of the ends of a segment that is as high as a wall. `wide`: it is as large as a wall in all, so that it
+// may be one; smaller pieces only continue one. `stray`: most points of its stretch are those of other planes; a plane
+// that follows several houses takes such points of the houses between them.
+struct SegmentEnds {
+  bool known = false, wide = false, stray = false;
+  EndPlane left, right;
 };
 
 struct WallGroup {
   FacadeAxes axes;
   double width = 0, height = 0, area_m2 = 0, epsilon = 0, rms = 0;
+  double core0 = 0, core1 = 0;  // metres along the wall: the extent of its parts whose ends are known
   std::uint64_t points = 0;
   std::vector<std::uint32_t> segments;  // ids of the segments of the wall
   std::vector<ParallelPlane> parallel;  // ids of the segments before and behind the wall
@@ -47,13 +65,15 @@ struct StreetSides {
 // stations it is the side that the odds say. Where these say nothing it is the side of a larger wall in line, or else
 // the side away from the middle. Segments without an area (no outline) are left out. Each wall looks only at the
 // segments around it, and without stations also at the walls found so far.
-std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides,
-                                  const WallParams& params);
+// With the ends of the segments (one each, in order) a house that steps back or forth by `params.least_step` is a wall
+// of its own, and so is a wall beside another one that stands farther back or forth: relief has its wall on both sides.
+std::vector<WallGroup> find_walls(std::span<const Segment> segments, const StreetSides& sides, const WallParams& params,
+                                  std::span<const SegmentEnds> ends = {});
 
 // Gives walls of at least half the width and half the height that are in none of `walls` and are no relief of one of
 // them: a low storey that is set back is such a wall. All else is as in find_walls.
 std::vector<WallGroup> small_walls(std::span<const WallGroup> walls, std::span<const Segment> segments,
-                                   const StreetSides& sides, WallParams params);
+                                   const StreetSides& sides, WallParams params, std::span<const SegmentEnds> ends = {});
 
 struct DormerFrontParams {
   double least_width = 0.6, least_height = 0.5, most_width = 6;  // metres; wider fronts are storeys that are set back

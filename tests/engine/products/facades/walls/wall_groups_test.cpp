@@ -57,6 +57,40 @@ TEST(WallGroups, PiecesOnOnePlaneAreOneFacade) {
   }
 }
 
+// The ends of an upright rectangle along x.
+SegmentEnds ends_of(const Segment& s) {
+  const auto end = [&](double x) {
+    return EndPlane{{x, s.centroid.y, s.centroid.z}, s.plane.n, s.max.z - s.min.z, 0.0005};
+  };
+  return {true, true, false, end(s.min.x), end(s.max.x)};
+}
+
+TEST(WallGroups, HousesThatStandBackByTwoCentimetresAreFacadesOfTheirOwn) {
+  for (const double step : {0.02, 0.03, 0.3}) {
+    const std::vector<Segment> segments{upright(1, 0, 0, 8, 0, 9, 0), upright(2, 0, 8, 16, 0, 9, -step),
+                                        upright(3, 0, 16, 24, 0, 9, 0),
+                                        // Scraps of eaves in the plane of the first house lie over the second one.
+                                        upright(4, 0, 9, 15, 8.9, 9, 0)};
+    std::vector<SegmentEnds> ends;
+    for (std::size_t i = 0; i < 3; ++i) ends.push_back(ends_of(segments[i]));
+    ends.emplace_back();
+    const auto walls = find_walls(segments, {std::vector<Vec3>{{12, -10, 1}}, {}}, {}, ends);
+    ASSERT_EQ(walls.size(), 3u) << step;
+    for (const WallGroup& wall : walls) EXPECT_NEAR(wall.width, 8, 1e-6) << step;
+  }
+}
+
+TEST(WallGroups, PiecesOfOneWallAndItsReliefStayTogether) {
+  const std::vector<Segment> segments{upright(1, 0, 0, 8, 0, 9, 0), upright(2, 0, 9, 16, 0, 9, 0.004),
+                                      upright(3, 0, 5, 10, 3, 6, 0.8)};  // a bay
+  std::vector<SegmentEnds> ends;
+  for (const Segment& s : segments) ends.push_back(ends_of(s));
+  const auto walls = find_walls(segments, {std::vector<Vec3>{{12, -10, 1}}, {}}, {}, ends);
+  ASSERT_EQ(walls.size(), 1u);
+  EXPECT_EQ(walls[0].segments, (std::vector<std::uint32_t>{1, 2}));
+  EXPECT_EQ(walls[0].parallel.size(), 1u);
+}
+
 TEST(WallGroups, SetBackWallsAndCornersArePartOfNothing) {
   const std::vector<Segment> segments{upright(1, 0, 0, 15, 0, 13, 0), upright(2, 0, 15.5, 28, 0, 12, 0.2),
                                       upright(3, 90, 0, 10, 0, 13, 0)};
