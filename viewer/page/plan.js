@@ -92,15 +92,18 @@
       const c = Math.cos(o.turn), s = Math.sin(o.turn), [l, w] = [o.size[0] / 2, o.size[1] / 2];
       return [[l, w], [-l, w], [-l, -w], [l, -w]].flatMap(([a, b]) => [o.at[0] + a * c - b * s, o.at[1] + a * s + b * c]);
     }
-    drawPoints(g) {
-      const { about, columns } = this.layers.points;
-      g.fillStyle = ilot.colour('--soft');
-      g.globalAlpha = 0.22;
+    // Points are put into an image: a rectangle each would take seconds.
+    drawPoints(g, ratio) {
+      const { about, columns } = this.layers.points, width = this.canvas.width, height = this.canvas.height;
+      const image = g.getImageData(0, 0, width, height), pixels = new Uint32Array(image.data.buffer);
+      const ink = ilot.colour('--point').match(/^#(..)(..)(..)$/).slice(1).map((part) => parseInt(part, 16));
+      const word = 0xff000000 | (ink[2] << 16) | (ink[1] << 8) | ink[0];
+      const x0 = this.x(about.low[0]) * ratio, y0 = this.y(about.low[1]) * ratio, step = about.step * this.scale * ratio;
       for (let i = 0; i < about.count; ++i) {
-        const x = this.x(about.low[0] + about.step * columns.x[i]), y = this.y(about.low[1] + about.step * columns.y[i]);
-        if (x >= 0 && y >= 0 && x < this.canvas.clientWidth && y < this.canvas.clientHeight) g.fillRect(x, y, 1, 1);
+        const x = Math.floor(x0 + step * columns.x[i]), y = Math.floor(y0 - step * columns.y[i]);
+        if (x >= 0 && y >= 0 && x < width && y < height) pixels[y * width + x] = word;
       }
-      g.globalAlpha = 1;
+      g.putImageData(image, 0, 0);
     }
     drawBuildings(g, colours) {
       g.lineWidth = 1;
@@ -125,12 +128,12 @@
       const { canvas, layers, shown } = this;
       const ratio = Math.min(3, (window.devicePixelRatio || 1) * (this.printing ? 2 : 1));
       canvas.width = canvas.clientWidth * ratio; canvas.height = canvas.clientHeight * ratio;
-      const g = canvas.getContext('2d');
+      const g = canvas.getContext('2d', { willReadFrequently: true });
       g.scale(ratio, ratio);
       g.fillStyle = ilot.colour('--view');
       g.fillRect(0, 0, canvas.clientWidth, canvas.clientHeight);
       const colours = [0, 1, 2, 3, 4].map((i) => ilot.colour('--s' + i));
-      if (shown.points && layers.points.about.count) this.drawPoints(g);
+      if (shown.points && layers.points.about.count) this.drawPoints(g, ratio);
       if (shown.buildings && layers.buildings) this.drawBuildings(g, colours);
       if (shown.blocks && layers.blocks) {
         g.strokeStyle = ilot.colour('--soft'); g.lineWidth = 2;
@@ -140,7 +143,7 @@
       }
       if (shown.walls && layers.walls)
         for (const rank of [4, 3, 0, 1, 2]) {
-          g.strokeStyle = colours[rank]; g.lineWidth = 3;
+          g.strokeStyle = colours[rank]; g.lineWidth = Math.max(1, Math.min(3, 0.8 * this.scale));
           this.drawLines(g, layers.walls.filter((w) => w.rank === rank).map((w) => w.line), []);
         }
       if (shown.objects && layers.objects)
@@ -247,15 +250,16 @@
   }
 
   function addLegend(layers) {
-    const legend = document.getElementById('plan-legend'), used = new Set();
-    for (const list of [layers.buildings, layers.walls, layers.objects]) for (const unit of list ?? []) used.add(unit.rank);
-    for (const rank of [...used].sort())
-      legend.append(ilot.make('span', {}, ilot.make('i', { className: 'series-' + rank }), ilot.qualityNames[rank]));
-    const says = [];
-    if (layers.buildings?.length) says.push('buildings by their quality');
-    if (layers.walls?.length) says.push('facades by the error that 95 % of their edges keep (10 mm, 30 mm)');
-    if (layers.objects?.length) says.push('objects by their probability (80 %, 50 %)');
-    if (says.length) legend.append('Coloured: ' + says.join('; ') + '.');
+    const legend = document.getElementById('plan-legend');
+    const line = (what, list, names) => {
+      if (!list?.length) return;
+      const used = [...new Set(list.map((unit) => unit.rank))].sort();
+      legend.append(ilot.make('div', {}, what + ': ', ...used.map((rank) =>
+        ilot.make('span', {}, ilot.make('i', { className: 'series-' + rank }), names[rank]))));
+    };
+    line('buildings by their quality', layers.buildings, ilot.qualityNames);
+    line('facades by the error that 95 % of their seen edges keep', layers.walls, ['10 mm', '30 mm', 'more', '', 'not stated']);
+    line('objects by the probability of their class', layers.objects, ['80 % or more', '50 % or more', 'less']);
   }
 
   ilot.startPlan = async function () {

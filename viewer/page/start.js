@@ -29,7 +29,9 @@
     changed();
   });
   if (document.getElementById('unit')) {
+    const parsed = document.readyState === 'loading' ? new Promise((done) => addEventListener('DOMContentLoaded', done)) : null;
     ilot.started = (async () => {
+      await parsed;
       if (typeof DecompressionStream === 'undefined') {
         for (const place of document.querySelectorAll('.plan, #viewer'))
           place.replaceChildren(ilot.make('p', { className: 'note', textContent: 'This browser is too old for the plan and the view; those of 2023 and later show them.' }));

@@ -40,7 +40,7 @@
         facts: [['width', metres(f.size_mm[0], 1000, 2)], ['height', metres(f.size_mm[1], 1000, 2)],
           ['elements', count(f.elements.length)], ['openings', count(f.elements.filter((one) => one.opening).length)],
           ['not wholly seen', count(of(1) + of(2))],
-          ['95 % of edges within', f.error_mm > 0 ? f.error_mm + ' mm' : 'not stated']] };
+          ['95 % of seen edges within', f.error_mm > 0 ? f.error_mm + ' mm' : 'not stated']] };
     }
     const sized = (k) => metres(e.mm[k], 1000, 3) + (e.error_mm[k] > 0 ? ` ± ${e.error_mm[k]} mm` : '');
     return { kind: 'facade', id, element, title: `Facade ${id}: ${e.kind} ${e.id}`, box,

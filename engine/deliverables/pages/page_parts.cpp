@@ -11,8 +11,9 @@ std::string page_head(std::string_view title) {
          escaped_markup(title) + "</title>\n<style>\n" + std::string(page_style()) + "</style></head><body>\n";
 }
 
-std::string page_tail() {
-  return "<script>\n" + std::string(page_script()) + "</script></body></html>\n";
+std::string page_tail(std::string_view script) {
+  return "<script>\n" + std::string(page_script()) + "</script>\n" +
+         (script.empty() ? "" : "<script>" + std::string(script) + "</script>\n") + "</body></html>\n";
 }
 
 }  // namespace ilot

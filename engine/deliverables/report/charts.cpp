@@ -57,8 +57,11 @@ std::string chart_svg(const Chart& chart) {
                      kLeft, kBase, kChartWidth - kLeft, kChartWidth / 2, kChartHeight - 6, html_text(chart.across));
   if (chart.series.size() > 1) {
     svg += "<p class=\"legend\">";
+    const auto is_used = [&](std::size_t i) {
+      return std::any_of(chart.bars.begin(), chart.bars.end(), [&](const ChartBar& bar) { return bar.parts[i] > 0; });
+    };
     for (std::size_t i = 0; i < chart.series.size(); ++i)
-      svg += fmt::format("<span><i class=\"series-{}\"></i>{}</span> ", i, html_text(chart.series[i]));
+      if (is_used(i)) svg += fmt::format("<span><i class=\"series-{}\"></i>{}</span> ", i, html_text(chart.series[i]));
     svg += "</p>";
   }
   return svg + "</figure>\n";

@@ -59,13 +59,16 @@ ReadFacade read_one(const ResultFolder& result, std::uint32_t number, const Faca
 class FacadeList {
  public:
   void add(const Facade& facade) {
-    const double error = edge_error_95(facade);
+    const double error = seen_error_95(facade);
     std::size_t openings = 0, completed = 0;
     for (const FacadeElement& e : facade.elements) {
       openings += e.opening;
       completed += e.status != DrawnStatus::seen;
       for (const FacadeEdge& edge : e.edges)
-        if (edge.error_m > 0) errors_.push_back(edge.error_m);
+        if (edge.error_m > 0) {
+          errors_.push_back(edge.error_m);
+          statuses_.push_back(static_cast<int>(edge.status));
+        }
     }
     if (++listed_ > kMostFacadesListed) return;
     table_.add({fmt::format("<a href=\"#facade/{0}\">{0}</a>", facade.id), number_text(facade.width_m, 2),
@@ -74,11 +77,13 @@ class FacadeList {
   }
   std::string html() const {
     constexpr std::array<double, 7> kEdges{0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2};
-    const std::vector<int> one(errors_.size(), 0);
     std::string html;
     if (!errors_.empty())
       html += "<div class=\"charts\">" +
-              chart_svg({"Edges by their stated error", "mm", {"edges"}, histogram(errors_, one, 1, kEdges, 1000, 0)}) +
+              chart_svg({"Edges by their stated error",
+                         "mm",
+                         {"seen", "completed", "occluded"},
+                         histogram(errors_, statuses_, 3, kEdges, 1000, 0)}) +
               "</div>\n";
     if (listed_ > kMostFacadesListed)
       html += html_note(fmt::format("The {} largest of {} facades are listed.", kMostFacadesListed, grouped(listed_)));
@@ -92,9 +97,10 @@ class FacadeList {
                     {"elements", true},
                     {"openings", true},
                     {"not wholly seen", true},
-                    {"95 % of edges within, mm", true}},
+                    {"95 % of seen edges within, mm", true}},
                    true};
   std::vector<double> errors_;
+  std::vector<int> statuses_;
   std::size_t listed_ = 0;
 };
 

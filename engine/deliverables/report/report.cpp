@@ -68,6 +68,7 @@ std::string title_of(const ResultFolder& result) {
   for (const Json& product : result.run.at("products"))
     products += (products.empty() ? "" : ", ") + product.get<std::string>();
   const Json points = result.run.value("counts", Json::object()).value("points", Json::object());
+  if (!products.empty()) products[0] = static_cast<char>(products[0] - 'a' + 'A');  // names of products are plain letters
   return products + " from " + grouped(points.value("read", std::uint64_t{0})) + " points";
 }
 
@@ -178,8 +179,7 @@ ReportSummary write_report(const std::filesystem::path& folder) {
     put(packed_element("plane-outlines", packed_outlines(plane_outlines(parts.result), parts.frame)));
   }
   put_json("scene", scene);
-  if (viewer) put("<script>" + std::string(viewer_script()) + "</script>\n");
-  put(page_tail());
+  put(page_tail(viewer_script()));
   file.finish();
   return summary;
 }

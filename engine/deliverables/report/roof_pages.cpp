@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "engine/deliverables/drawings/building_drawing.h"
 #include "engine/deliverables/report/charts.h"
@@ -17,7 +18,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kDrawnOfAKind = 8, kMostDoubtful = 100;
+constexpr std::size_t kDrawnOfAKind = 8, kMostDoubtful = 100, kShownDoubtful = 25;
 constexpr std::array<const char*, 5> kQualities{"good", "check", "bad", "none", ""};
 constexpr std::array<const char*, 5> kQualityNames{"good", "check", "bad", "outline only", "not judged"};
 
@@ -103,8 +104,7 @@ std::string quality_charts(const std::vector<BuildingRow>& rows) {
          "</div>\n";
 }
 
-std::string doubtful_table(const std::vector<BuildingRow>& rows) {
-  const std::vector<std::size_t> order = most_doubtful(rows, kMostDoubtful);
+std::string rows_table(const std::vector<BuildingRow>& rows, std::span<const std::size_t> order) {
   HtmlTable table({{"building"},
                    {"quality"},
                    {"why"},
@@ -121,9 +121,18 @@ std::string doubtful_table(const std::vector<BuildingRow>& rows) {
                number_text(row.p95_m, 3), number_text(100 * share_off(row), 1), number_text(row.area_m2, 1),
                grouped(row.faces), grouped(row.points)});
   }
-  const std::string title = rows.size() > order.size() ? fmt::format("The {} to look at first", order.size())
-                                                       : std::string("All buildings, the most doubtful first");
-  return "<h3>" + title + "</h3>\n" + table.html();
+  return table.html();
+}
+
+std::string doubtful_table(const std::vector<BuildingRow>& rows) {
+  const std::vector<std::size_t> order = most_doubtful(rows, kMostDoubtful);
+  const std::span<const std::size_t> all(order);
+  std::string html =
+      "<h3>The most doubtful first</h3>\n" + rows_table(rows, all.first(std::min(all.size(), kShownDoubtful)));
+  if (all.size() > kShownDoubtful)
+    html += fmt::format("<details><summary>The next {}</summary>{}</details>\n", all.size() - kShownDoubtful,
+                        rows_table(rows, all.subspan(kShownDoubtful)));
+  return html;
 }
 
 std::string reasons(const std::vector<BuildingRow>& rows) {

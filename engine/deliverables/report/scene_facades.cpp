@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/deliverables/drawings/facade_drawing.h"
 #include "engine/deliverables/report/packed.h"
 
 namespace ilot {
@@ -63,6 +62,16 @@ Json scene_parts(const std::vector<FacadePart>& parts, const SceneFrame& frame) 
 
 }  // namespace
 
+double seen_error_95(const Facade& facade) {
+  std::vector<double> errors;
+  for (const FacadeElement& e : facade.elements)
+    for (const FacadeEdge& edge : e.edges)
+      if (edge.status == DrawnStatus::seen && edge.error_m > 0) errors.push_back(edge.error_m);
+  if (errors.empty()) return 0;
+  std::sort(errors.begin(), errors.end());
+  return errors[(errors.size() * 95 + 99) / 100 - 1];
+}
+
 Json scene_facade(const Facade& facade, const SceneFrame& frame) {
   Json elements = Json::array();
   for (const FacadeElement& e : facade.elements) elements.push_back(scene_element(facade, e, frame.metres_per_unit));
@@ -72,7 +81,7 @@ Json scene_facade(const Facade& facade, const SceneFrame& frame) {
           {"up", direction(facade.up)},
           {"out", direction(facade.out)},
           {"size_mm", {in_steps(facade.width_m, 1000), in_steps(facade.height_m, 1000)}},
-          {"error_mm", in_steps(edge_error_95(facade), 1000)},
+          {"error_mm", in_steps(seen_error_95(facade), 1000)},
           {"elements", elements}};
 }
 
