@@ -20,12 +20,19 @@
   addEventListener('beforeprint', () => {
     themeBefore = root.dataset.theme;
     root.dataset.theme = 'light';
-    if (ilot.plan) { ilot.plan.printing = true; ilot.plan.draw(); }
+    if (ilot.plan) ilot.plan.printing = true;
     changed();
+    ilot.plan?.draw();
+    // A canvas loses its content when paper gives it another size: pictures of them are printed.
+    for (const canvas of document.querySelectorAll('main canvas')) {
+      const picture = ilot.make('img', { className: 'on-paper', alt: canvas.getAttribute('aria-label') ?? '', src: canvas.toDataURL('image/png') });
+      canvas.before(picture);
+    }
   });
   addEventListener('afterprint', () => {
     if (themeBefore === undefined) delete root.dataset.theme; else root.dataset.theme = themeBefore;
     if (ilot.plan) ilot.plan.printing = false;
+    for (const picture of document.querySelectorAll('img.on-paper')) picture.remove();
     changed();
   });
   if (document.getElementById('unit')) {

@@ -38,7 +38,7 @@ export class View {
     const from = length > 3 * width ? new THREE.Vector3(along.y, -along.x, 0) : new THREE.Vector3(0.5, -1, 0);
     if (from.y > 0) from.negate();
     from.normalize().setZ(0.7);
-    const near = length > 6 * width ? this.places.filter((p) => Math.abs(p.x * along.x + p.y * along.y) < 3 * width) : [];
+    const near = length > 6 * width ? this.places.filter((p) => Math.abs(p.x * along.x + p.y * along.y) < 10 * width) : [];
     this.look(from, near.length > 10 ? near : this.places);
   }
 

@@ -75,7 +75,7 @@ std::vector<ChartBar> histogram(std::span<const double> values, std::span<const 
     bars[i].parts.assign(count, 0);
     bars[i].label = i == 0              ? "< " + shown(edges[0])
                     : i == edges.size() ? "≥ " + shown(edges.back())
-                                        : shown(edges[i - 1]) + "–" + shown(edges[i]);
+                                        : shown(edges[i - 1]) + (edges[i - 1] < 0 ? " to " : "–") + shown(edges[i]);
   }
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!std::isfinite(values[i])) continue;

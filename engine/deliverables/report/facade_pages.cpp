@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::size_t kMostSheetBytes = 7u << 20, kMostImageBytes = 5u << 20, kMostFacadesListed = 400, kAtOnce = 16;
+constexpr std::size_t kMostFacadesListed = 400, kAtOnce = 16;
 constexpr int kImagePixels = 900;
 
 // The numbers of the facades whose JSON is among the files.
@@ -110,14 +110,14 @@ std::string data_link(const SmallImage& image) {
 
 }  // namespace
 
-FacadePages facade_pages(const ResultFolder& result, const SceneFrame& frame) {
+FacadePages facade_pages(const ResultFolder& result, const SceneFrame& frame, const ReportLimits& limits) {
   const std::vector<std::uint32_t> numbers = facade_numbers(result);
   FacadePages pages;
   pages.scene = Json::array();
   FacadeDrawingParams drawing;
   drawing.scale = result.run.value("parameters", Json::object()).value("facades.scale", drawing.scale);
   drawing.metres_per_unit = frame.metres_per_unit;
-  FacadeSheets sheets({preset_layers("ilot"), "facades/", kMostSheetBytes});
+  FacadeSheets sheets({preset_layers("ilot"), "facades/", limits.sheet_bytes});
   FacadeList list;
   std::size_t image_bytes = 0;
   for (std::size_t from = 0; from < numbers.size(); from += kAtOnce) {
@@ -128,7 +128,7 @@ FacadePages facade_pages(const ResultFolder& result, const SceneFrame& frame) {
       list.add(one.facade);
       pages.scene.push_back(scene_facade(one.facade, frame));
       const std::filesystem::path png = result.path / "facades" / (facade_name(one.facade.id) + ".png");
-      if (drawn && image_bytes < kMostImageBytes) one.image = small_image(png, kImagePixels);
+      if (drawn && image_bytes < limits.image_bytes) one.image = small_image(png, kImagePixels);
       std::optional<SvgUnderlay> underlay;
       if (one.image) {
         image_bytes += one.image->jpeg.size();

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "engine/deliverables/report/report_limits.h"
 #include "engine/deliverables/report/result_folder.h"
 
 namespace ilot {
@@ -15,6 +16,6 @@ struct FacadePages {
 
 // Reads facades/facade-NNN.json in the order of numbers. Images and drawings are embedded up to a bound; the others
 // have links to their files.
-FacadePages facade_pages(const ResultFolder& result, const SceneFrame& frame);
+FacadePages facade_pages(const ResultFolder& result, const SceneFrame& frame, const ReportLimits& limits);
 
 }  // namespace ilot

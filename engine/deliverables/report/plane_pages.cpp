@@ -16,7 +16,7 @@
 namespace ilot {
 namespace {
 
-constexpr std::size_t kMostShownPlanes = 20000, kListedPlanes = 150, kListedObjects = 100, kMostOnMap = 8000;
+constexpr std::size_t kListedPlanes = 150, kListedObjects = 100, kMostOnMap = 8000;
 
 bool is_larger(const Segment& a, const Segment& b) {
   return std::pair(-a.area_m2, a.id) < std::pair(-b.area_m2, b.id);
@@ -73,7 +73,7 @@ std::string planes_table(std::vector<Segment> planes, const char* title) {
 
 }  // namespace
 
-PlanesOfReport planes_of_report(const ResultFolder& result) {
+PlanesOfReport planes_of_report(const ResultFolder& result, std::size_t most_shown) {
   PlanesOfReport planes;
   if (!result.has("planes.csv")) return planes;
   for_each_plane(result.path / "planes.csv", [&](const Segment& s) {
@@ -82,9 +82,9 @@ PlanesOfReport planes_of_report(const ResultFolder& result) {
     planes.confidence.push_back(s.confidence);
     planes.area_m2.push_back(s.area_m2);
     planes.shown.push_back(s);
-    if (planes.shown.size() >= 2 * kMostShownPlanes) keep_largest(planes.shown, kMostShownPlanes);
+    if (planes.shown.size() >= 2 * most_shown) keep_largest(planes.shown, most_shown);
   });
-  keep_largest(planes.shown, kMostShownPlanes);
+  keep_largest(planes.shown, most_shown);
   std::sort(planes.shown.begin(), planes.shown.end(), [](const Segment& a, const Segment& b) { return a.id < b.id; });
   return planes;
 }

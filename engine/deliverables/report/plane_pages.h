@@ -18,8 +18,8 @@ struct PlanesOfReport {
   std::vector<Segment> shown;                      // the planes of largest area, by id
 };
 
-// Reads planes.csv line by line. Memory: 24 bytes a plane, and those that are shown.
-PlanesOfReport planes_of_report(const ResultFolder& result);
+// Reads planes.csv line by line. Memory: 24 bytes a plane, and twice those that are shown.
+PlanesOfReport planes_of_report(const ResultFolder& result, std::size_t most_shown);
 
 std::string planes_section(const PlanesOfReport& planes, const SampledPoints& sample);
 std::string streets_section(const StreetPlan& plan, double metres_per_unit);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "engine/deliverables/layers/gpkg_readers.h"
 #include "engine/deliverables/pages/page_parts.h"
@@ -14,6 +15,7 @@
 #include "engine/deliverables/report/html.h"
 #include "engine/deliverables/report/packed.h"
 #include "engine/deliverables/report/plane_pages.h"
+#include "engine/deliverables/report/report_limits.h"
 #include "engine/deliverables/report/result_folder.h"
 #include "engine/deliverables/report/roof_pages.h"
 #include "engine/deliverables/report/scene_buildings.h"
@@ -29,8 +31,6 @@ namespace ilot {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-constexpr std::size_t kMostOutlineCorners = 200000;
 
 Vec3 rounded_down(Vec3 p) {
   constexpr double kStep = 100;  // CRS units: an origin that people can read
@@ -48,8 +48,8 @@ SceneFrame scene_frame(const ResultFolder& result, const PlanesOfReport& planes)
   return {{}, result.metres_per_unit};
 }
 
-LargestOutlines plane_outlines(const ResultFolder& result) {
-  LargestOutlines outlines(kMostOutlineCorners);
+LargestOutlines plane_outlines(const ResultFolder& result, std::size_t most_corners) {
+  LargestOutlines outlines(most_corners);
   if (result.has("planes.gpkg"))
     for_each_plane_outline(result.path / "planes.gpkg",
                            [&](const Outline& outline, double area) { outlines.add(outline, area); });
@@ -68,7 +68,8 @@ std::string title_of(const ResultFolder& result) {
   for (const Json& product : result.run.at("products"))
     products += (products.empty() ? "" : ", ") + product.get<std::string>();
   const Json points = result.run.value("counts", Json::object()).value("points", Json::object());
-  if (!products.empty()) products[0] = static_cast<char>(products[0] - 'a' + 'A');  // names of products are plain letters
+  if (!products.empty())
+    products[0] = static_cast<char>(products[0] - 'a' + 'A');  // names of products are plain letters
   return products + " from " + grouped(points.value("read", std::uint64_t{0})) + " points";
 }
 
@@ -91,6 +92,7 @@ const char* kNoView =
 // Everything that the pages and their data are made from.
 struct ReportParts {
   ResultFolder result;
+  ReportLimits limits;
   PlanesOfReport planes;
   SceneFrame frame;
   std::vector<BuildingRow> rows;
@@ -101,37 +103,53 @@ struct ReportParts {
 };
 
 ReportParts gather(const std::filesystem::path& folder) {
-  ReportParts parts{open_result(folder), {}, {}, {}, {}, {}, {}, {}};
-  parts.planes = planes_of_report(parts.result);
+  ReportParts parts;
+  parts.result = open_result(folder);
+  parts.limits = report_limits(parts.result.memory_bytes);
+  parts.planes = planes_of_report(parts.result, parts.limits.planes);
   parts.frame = scene_frame(parts.result, parts.planes);
   parts.rows = building_rows(parts.result, parts.frame);
   parts.drawn = choose_drawn(parts.rows);
   SampleParams wanted;
+  wanted.most_points = parts.limits.points;
+  wanted.tasks = parts.limits.tasks;
   wanted.units = parts.drawn.units(parts.rows);
   parts.sample = sample_points(parts.result, wanted);
   parts.street = street_plan(parts.result);
-  parts.facades = facade_pages(parts.result, parts.frame);
+  parts.facades = facade_pages(parts.result, parts.frame, parts.limits);
   return parts;
 }
 
-std::string sections(const ReportParts& p, bool viewer) {
+using Put = std::function<void(std::string_view)>;
+
+// Writes the pages one after the other.
+void put_sections(const ReportParts& p, bool viewer, const Put& put) {
   std::vector<std::pair<std::string, std::string>> places{{"made", "Made"}, {"view", "3D"}, {"plan", "Plan"}};
-  std::string body = made_section(p.result) + left_out_section(p.result) + (viewer ? kView : kNoView) + kPlan;
-  const auto add = [&](const char* id, const char* name, const std::string& html) {
+  const bool roofs = p.result.makes("roofs"), facades = p.result.makes("facades"), streets = p.result.makes("streets"),
+             planes = p.result.has("planes.csv");
+  if (roofs) places.emplace_back("roofs", "Roofs");
+  if (facades) places.emplace_back("facades", "Facades");
+  if (streets) places.emplace_back("streets", "Streets");
+  if (planes) places.emplace_back("planes", "Planes");
+  for (const auto& [id, name] : {std::pair("inputs", "Inputs"), std::pair("parameters", "Parameters"),
+                                 std::pair("lineage", "Lineage"), std::pair("stages", "Stages")})
     places.emplace_back(id, name);
-    body += html;
-  };
-  if (p.result.makes("roofs")) add("roofs", "Roofs", roofs_section(p.rows, p.drawn, p.sample.of_unit, p.frame));
-  if (p.result.makes("facades")) add("facades", "Facades", p.facades.html);
-  if (p.result.makes("streets")) add("streets", "Streets", streets_section(p.street, p.frame.metres_per_unit));
-  if (p.result.has("planes.csv")) add("planes", "Planes", planes_section(p.planes, p.sample));
-  add("inputs", "Inputs", inputs_section(p.result));
-  add("parameters", "Parameters", parameters_section(p.result));
-  add("lineage", "Lineage", lineage_section(p.result));
-  add("stages", "Stages", stages_section(p.result));
   const std::string title = title_of(p.result);
-  return page_head("ilot: " + title) + "<header><h1>" + html_text(title) + "</h1>" + navigation(places) +
-         "</header>\n<main>\n" + body + "</main>\n<aside id=\"unit\" hidden></aside>\n";
+  put(page_head("ilot: " + title) + "<header><h1>" + html_text(title) + "</h1>" + navigation(places) +
+      "</header>\n<main>\n");
+  put(made_section(p.result));
+  put(left_out_section(p.result));
+  put(viewer ? kView : kNoView);
+  put(kPlan);
+  if (roofs) put(roofs_section(p.rows, p.drawn, p.sample.of_unit, p.frame));
+  if (facades) put(p.facades.html);
+  if (streets) put(streets_section(p.street, p.frame.metres_per_unit));
+  if (planes) put(planes_section(p.planes, p.sample));
+  put(inputs_section(p.result));
+  put(parameters_section(p.result));
+  put(lineage_section(p.result));
+  put(stages_section(p.result));
+  put("</main>\n<aside id=\"unit\" hidden></aside>\n");
 }
 
 Json scene_about(const ReportParts& p) {
@@ -161,7 +179,7 @@ ReportSummary write_report(const std::filesystem::path& folder) {
   const auto put_json = [&](const char* name, const Json& json) {
     put(packed_element(name, json.dump(-1, ' ', false, Json::error_handler_t::replace)));
   };
-  put(sections(parts, viewer));
+  put_sections(parts, viewer, put);
   Json scene = scene_about(parts);
   put(packed_element("points", packed_points(parts.sample, parts.frame, scene["points"])));
   if (!parts.rows.empty()) {
@@ -176,7 +194,8 @@ ReportSummary write_report(const std::filesystem::path& folder) {
   if (parts.result.makes("streets")) put_json("street", scene_street(parts.street, parts.frame));
   if (parts.planes.planes > 0) {
     put_json("planes", scene_planes(parts.planes.shown, parts.frame));
-    put(packed_element("plane-outlines", packed_outlines(plane_outlines(parts.result), parts.frame)));
+    put(packed_element("plane-outlines",
+                       packed_outlines(plane_outlines(parts.result, parts.limits.outline_corners), parts.frame)));
   }
   put_json("scene", scene);
   put(page_tail(viewer_script()));

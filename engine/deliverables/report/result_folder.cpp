@@ -43,10 +43,13 @@ ResultFolder open_result(const std::filesystem::path& path) {
                 ExitCode::usage);
   std::stringstream text;
   text << file.rdbuf();
-  ResultFolder folder{path, Json::parse(text.str(), nullptr, false), {}, 1};
+  ResultFolder folder;
+  folder.path = path;
+  folder.run = Json::parse(text.str(), nullptr, false);
   try {
     folder.files = files_of_run(folder.run);
     folder.makes("");
+    folder.memory_bytes = folder.run.value("memory_bytes", folder.memory_bytes);
     folder.metres_per_unit = folder.run.value("crs", Json::object()).value("metres_per_unit", 1.0);
   } catch (const Json::exception&) {
     throw Error((path / "run.json").string() + ": is not as a run writes it; run again to have a report",

@@ -25,6 +25,7 @@ struct ResultFolder {
   nlohmann::ordered_json run;       // run.json
   std::vector<ResultRecord> files;  // of the result, in the order of run.json; paths as they are on disk
   double metres_per_unit = 1;
+  std::uint64_t memory_bytes = std::uint64_t{2} << 30;  // that the run was allowed
 
   bool has(const std::string& file) const;  // one of `files`
   bool makes(const char* product) const;

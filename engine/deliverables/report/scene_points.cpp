@@ -15,6 +15,8 @@
 namespace ilot {
 namespace {
 
+constexpr std::size_t kBytesAtATime = 1u << 20;
+
 // Where the values of a point are in its record.
 struct PointFieldsAt {
   std::optional<std::size_t> plane, unit, object, facade, element, label, residual, rgb;
@@ -87,7 +89,7 @@ class CloudSample {
   Taken read(std::uint64_t first, std::uint64_t last) const {
     Taken taken;
     const std::size_t length = layout_.record_length;
-    std::vector<std::byte> rows(rows_at_a_time(length) * length);
+    std::vector<std::byte> rows(rows_at_a_time(length, 1u << 14, kBytesAtATime) * length);
     std::vector<std::uint8_t> valid(rows.size() / length);
     while (first < last) {
       const std::size_t wanted = std::min<std::uint64_t>(valid.size(), last - first);
@@ -141,7 +143,7 @@ void read_cloud(const std::filesystem::path& path, std::uint64_t below, const Sa
   sample.read += reader->info().points;
   const std::vector<std::uint64_t> ends = reader->boundaries();
   const CloudSample cloud(*reader, below, params);
-  const std::size_t at_once = reader->random_access() ? 4 * static_cast<std::size_t>(thread_count()) : 1;
+  const std::size_t at_once = reader->random_access() ? params.tasks : 1;
   for (std::size_t from = 0; from + 1 < ends.size(); from += at_once) {
     std::vector<Taken> taken(std::min(at_once, ends.size() - 1 - from));
     parallel_for(taken.size(), [&](std::size_t i) { taken[i] = cloud.read(ends[from + i], ends[from + i + 1]); });

@@ -26,6 +26,7 @@ struct ScenePoint {
 struct SampleParams {
   std::size_t most_points = 400000;  // about; each point is taken by a number that depends on its place alone
   std::set<std::uint32_t> units;     // of these buildings more points are kept, for their drawings
+  std::size_t tasks = 64;            // parts of clouds that are read at a time
   std::size_t most_of_units = 400;   // of each of them
 };
 
