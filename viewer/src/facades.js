@@ -66,7 +66,9 @@ export class Facades {
       mesh.visible = true;
       window.ilot.viewer?.redraw();
     };
-    const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({ map: texture, alphaTest: 0.5, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }));
+    const mesh = new THREE.Mesh(geometry, new THREE.MeshBasicMaterial({
+      map: texture, alphaTest: 0.5, side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2,
+    }));
     mesh.visible = false;
     picture.src = image.getAttribute('href');
     this.object.add(mesh);

@@ -9,6 +9,7 @@
 
 #include "engine/deliverables/layers/gpkg_readers.h"
 #include "engine/deliverables/pages/page_parts.h"
+#include "engine/deliverables/report/against.h"
 #include "engine/deliverables/report/building_tiles.h"
 #include "engine/deliverables/report/facade_pages.h"
 #include "engine/deliverables/report/front_pages.h"
@@ -100,6 +101,7 @@ struct ReportParts {
   SampledPoints sample;
   StreetPlan street;
   FacadePages facades;
+  std::string against;  // HTML; empty without another result
 };
 
 ReportParts gather(const std::filesystem::path& folder) {
@@ -127,6 +129,7 @@ void put_sections(const ReportParts& p, bool viewer, const Put& put) {
   std::vector<std::pair<std::string, std::string>> places{{"made", "Made"}, {"view", "3D"}, {"plan", "Plan"}};
   const bool roofs = p.result.makes("roofs"), facades = p.result.makes("facades"), streets = p.result.makes("streets"),
              planes = p.result.has("planes.csv");
+  if (!p.against.empty()) places.emplace_back("against", "Against");
   if (roofs) places.emplace_back("roofs", "Roofs");
   if (facades) places.emplace_back("facades", "Facades");
   if (streets) places.emplace_back("streets", "Streets");
@@ -141,6 +144,7 @@ void put_sections(const ReportParts& p, bool viewer, const Put& put) {
   put(left_out_section(p.result));
   put(viewer ? kView : kNoView);
   put(kPlan);
+  put(p.against);
   if (roofs) put(roofs_section(p.rows, p.drawn, p.sample.of_unit, p.frame));
   if (facades) put(p.facades.html);
   if (streets) put(streets_section(p.street, p.frame.metres_per_unit));
@@ -167,8 +171,9 @@ void remove_report(const std::filesystem::path& folder) {
   remove_building_tiles(folder);
 }
 
-ReportSummary write_report(const std::filesystem::path& folder) {
-  const ReportParts parts = gather(folder);
+ReportSummary write_report(const std::filesystem::path& folder, const std::filesystem::path& against) {
+  ReportParts parts = gather(folder);
+  if (!against.empty()) parts.against = against_section(parts.result, parts.rows, parts.frame, against);
   const bool viewer = !viewer_script().empty();
   ReportSummary summary{0, viewer};
   WholeFileWriter file(folder / kReportFile);

@@ -14,7 +14,8 @@ struct ReportSummary {
 // Reads the result of a finished run in `folder` and writes folder/report.html, complete or not at all, and for many
 // buildings report-tiles/ beside it. The same result gives the same bytes, except for seconds, threads and memory.
 // Memory: a sample of the points, a row for each building and 24 bytes a plane. Throws Error.
-ReportSummary write_report(const std::filesystem::path& folder);
+// With `against`, the folder of another result, it also has what differs from that one.
+ReportSummary write_report(const std::filesystem::path& folder, const std::filesystem::path& against = {});
 
 // Removes the report of an earlier result.
 void remove_report(const std::filesystem::path& folder);
