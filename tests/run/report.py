@@ -20,9 +20,10 @@ class Page(html.parser.HTMLParser):
 
     def __init__(self, path):
         super().__init__()
-        self.links, self.ids, self.data, self.foreign, self.name = [], set(), {}, [], None
+        self.links, self.ids, self.data, self.name = [], set(), {}, None
         self.text = pathlib.Path(path).read_text(encoding="utf-8")
         self.feed(self.text)
+        self.data = {name: zlib.decompress(base64.b64decode(text)) for name, text in self.data.items()}
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
@@ -36,7 +37,7 @@ class Page(html.parser.HTMLParser):
 
     def handle_data(self, text):
         if self.name:
-            self.data[self.name] = zlib.decompress(base64.b64decode(text))
+            self.data[self.name] = self.data.get(self.name, "") + text
 
     def json(self, name):
         return json.loads(self.data[name])

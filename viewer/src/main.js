@@ -84,6 +84,19 @@ class Selection {
     if (unit.kind === 'plane') planes?.build();
     return { facade: facades, object: street, plane: planes }[unit.kind]?.boxes.get(unit.id);
   }
+  // From where a unit is seen best: a facade from its front, above what is across the street; a plane from its normal.
+  async sideOf(unit) {
+    if (unit.kind === 'facade') {
+      const facades = await ilot.json('facades'), f = facades.find((one) => String(one.id) === unit.id);
+      return new THREE.Vector3(...f.out).setZ(facades.length > 1 ? 1 : 0.25);
+    }
+    if (unit.kind === 'plane') {
+      const planes = await ilot.json('planes'), i = planes.id.indexOf(Number(unit.id));
+      const n = new THREE.Vector3(...planes.normal_e4.slice(3 * i, 3 * i + 3)).normalize();
+      return n.z > 0.2 ? n : n.setZ(0.4);
+    }
+    return new THREE.Vector3(0.5, -1, 0.8);
+  }
   async show(unit, from) {
     const box = unit ? await this.boxOf(unit) : null;
     this.frame.visible = Boolean(box);
@@ -91,8 +104,7 @@ class Selection {
       this.frame.box.copy(box);
       if (from !== 'view') {
         const around = box.clone().expandByScalar(Math.max(2, box.getSize(new THREE.Vector3()).length() * 0.25));
-        const f = unit.kind === 'facade' && (await ilot.json('facades')).find((one) => String(one.id) === unit.id);
-        this.view.look(f ? new THREE.Vector3(...f.out).add(new THREE.Vector3(0, 0, 0.25)) : new THREE.Vector3(0.5, -1, 0.8), cornersOf(around));
+        this.view.look(await this.sideOf(unit), cornersOf(around));
       }
     }
     this.view.redraw();
@@ -150,7 +162,7 @@ ilot.startViewer = async function () {
     // For tests and scripts: where a unit's middle is on the canvas, what is shown, how many points there are.
     onScreen: async (kind, id) => {
       const row = kind === 'building' ? parts.buildings.table.id.indexOf(id) : -1;
-      const found = await selection.boxOf(kind === 'building' ? { kind, row, box: (await ilot.outlines()).boxes[row] } : { kind, id });
+      const found = await selection.boxOf(kind === 'building' ? { kind, row, box: (await ilot.outlines()).boxes[row] } : { kind, id: String(id) });
       return found ? view.onScreen(found.getCenter(new THREE.Vector3())) : null;
     },
     shown, parts, view, tools,
