@@ -12,7 +12,7 @@ namespace fs = std::filesystem;
 
 bool is_product(const fs::path& relative) {
   const std::string top = relative.begin()->string();
-  return top != "run.json" && top != "report.html" && !top.starts_with(".");
+  return top != "run.json" && top != kReportFile && top != kReportTiles && !top.starts_with(".");
 }
 
 }  // namespace

@@ -83,6 +83,12 @@ struct CellsRecord {
   std::uint64_t most_points = 0;  // a cell with more is cut into eight
 };
 
+// The CRS of the coordinates of all results.
+struct CrsRecord {
+  std::string name;  // "EPSG:2154", else its name; "none"
+  double metres_per_unit = 1;
+};
+
 struct RunRecord {
   ExitCode exit = ExitCode::ok;
   Settings settings;
@@ -90,6 +96,7 @@ struct RunRecord {
   int threads = 0;
   std::uint64_t memory_bytes = 0;  // the budget
   std::vector<InputRecord> inputs;
+  CrsRecord crs;
   std::vector<StageRecord> stages;  // Progress::stages()
   double seconds = 0;
   std::uint64_t peak_rss_bytes = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/deliverables/drawings/named_sections.h"
+#include "engine/deliverables/report/report.h"
 #include "engine/error.h"
 #include "engine/labels/labelled_clouds.h"
 #include "engine/pass/index.h"
@@ -17,10 +18,12 @@
 #include "engine/products/planes/make_planes.h"
 #include "engine/products/roofs/footprint_plan.h"
 #include "engine/products/streets/make_streets.h"
+#include "engine/report/product_files.h"
 #include "engine/report/resources.h"
 #include "engine/report/run_record.h"
 #include "engine/run/area_in_crs.h"
 #include "engine/run/forced_isa.h"
+#include "engine/run/input_crs.h"
 #include "engine/run/input_places.h"
 #include "engine/run/open_inputs.h"
 #include "engine/run/output_folder.h"
@@ -247,6 +250,20 @@ void complete_record(const RunOptions& options, Progress& progress, double start
   warn_of_peak(progress, record);
 }
 
+// Makes the report of the finished result and returns what to open. A report that cannot be made spoils no result.
+std::string report_line(const RunOptions& options, Progress& progress) {
+  const std::filesystem::path& out = options.output;
+  try {
+    remove_report(out);
+    if (!options.report) return "";
+    write_report(out);
+    return "; open " + (out / kReportFile).string();
+  } catch (const std::exception& fault) {
+    progress.warn("the result is whole, but its report cannot be made: " + std::string(fault.what()));
+    return "";
+  }
+}
+
 int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progress& progress) {
   RunRecord record;
   RunOptions options = given;
@@ -254,6 +271,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   std::optional<OutputFolder> out;
   if (!options.dry_run) out.emplace(options, progress);
   const RunInputs inputs = open_inputs(options, progress, record);
+  record.crs = {crs_name(inputs.crs), inputs.crs.metres_per_unit};
   if (options.area) options.area = area_in_crs(*options.area, inputs, progress, record);
   check_settings(options, inputs);
   warn_of_unused(options, progress, record);
@@ -273,7 +291,7 @@ int run_in_arena(const RunOptions& given, const TrainObjectModel& learn, Progres
   complete_record(options, progress, start, record);
   out->publish(record);
   out->finish(options.keep_store);
-  progress.run_done(summary(record));
+  progress.run_done(summary(record) + report_line(options, progress));
   return static_cast<int>(record.exit);
 }
 

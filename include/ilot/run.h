@@ -51,6 +51,7 @@ struct RunOptions {
   bool dry_run = false;     // say what would be done and needed, write nothing
   bool keep_store = false;  // leave the block store behind
   bool clouds = true;       // write the inputs again with labels, into points/
+  bool report = false;      // write report.html, the result on one page for people
 };
 
 // Where a run is. Stages follow one another: index, normals, planes, join, boundaries, ..., write.

@@ -18,6 +18,8 @@ void add_scan_command(CLI::App& app, Action& action);
 void add_draw_command(CLI::App& app, Action& action);
 void add_evaluate_command(CLI::App& app, Action& action);
 void add_render_command(CLI::App& app, Action& action);
+void add_report_command(CLI::App& app, Action& action);
 void add_validate_command(CLI::App& app, Action& action);
+void add_view_command(CLI::App& app, Action& action);
 
 }  // namespace ilot

@@ -30,7 +30,8 @@ struct RunArguments {
       dialect, log;
   int threads = 0;
   std::uint64_t block_points = 0;
-  bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false;
+  bool resume = false, overwrite = false, strict = false, dry_run = false, keep_store = false, no_clouds = false,
+       no_report = false;
   bool print_config = false, verbose = false, quiet = false;
 };
 
@@ -105,6 +106,7 @@ RunOptions options_of(const RunArguments& given) {
   options.dry_run = given.dry_run;
   options.keep_store = given.keep_store;
   options.clouds = !given.no_clouds;
+  options.report = !given.no_report;
   options.inputs = expand_inputs(given.inputs);
   return options;
 }
@@ -188,6 +190,7 @@ void add_machine_options(CLI::App& command, RunArguments& given) {
   command.add_option("--store", given.store, "folder for the block store [OUT/.store]")->option_text("DIR");
   command.add_flag("--keep-store", given.keep_store, "leave the block store behind [off]");
   command.add_flag("--no-clouds", given.no_clouds, "do not write the inputs again with labels [off]");
+  command.add_flag("--no-report", given.no_report, "do not write report.html, the result on one page [off]");
 }
 
 void add_manner_options(CLI::App& command, RunArguments& given) {

@@ -60,8 +60,41 @@ void GpkgFile::add(OGRLayer& layer, OGRFeature& feature) {
   if (file_->CommitTransaction() != OGRERR_NONE || file_->StartTransaction() != OGRERR_NONE) fail();
 }
 
+void GpkgFile::set_style(const OGRLayer& layer, const LayerStyle& style) {
+  styles_.emplace_back(const_cast<OGRLayer&>(layer).GetName(), style);
+}
+
+// The table that QGIS reads styles from, with its columns. The time is that of all our files.
+void GpkgFile::write_styles() {
+  if (styles_.empty()) return;
+  CPLStringList options;
+  options.SetNameValue("ASPATIAL_VARIANT", "GPKG_ATTRIBUTES");
+  OGRLayer* table = file_->CreateLayer("layer_styles", nullptr, wkbNone, options.List());
+  if (table == nullptr) fail();
+  for (const char* name :
+       {"f_table_catalog", "f_table_schema", "f_table_name", "f_geometry_column", "styleName", "styleQML", "styleSLD"})
+    add_field(*table, name, OFTString);
+  add_field(*table, "useAsDefault", OFTInteger, OFSTBoolean);
+  for (const char* name : {"description", "owner", "ui"}) add_field(*table, name, OFTString);
+  add_field(*table, "update_time", OFTDateTime);
+  for (const auto& [layer, style] : styles_) {
+    OGRFeature feature(table->GetLayerDefn());
+    for (const char* name : {"f_table_catalog", "f_table_schema", "styleSLD", "owner", "ui"})
+      feature.SetField(name, "");
+    feature.SetField("f_table_name", layer.c_str());
+    feature.SetField("f_geometry_column", "geom");
+    feature.SetField("styleName", style.name.c_str());
+    feature.SetField("styleQML", layer_style_qml(style).c_str());
+    feature.SetField("useAsDefault", 1);
+    feature.SetField("description", "made by ilot");
+    feature.SetField("update_time", 2000, 1, 1, 0, 0, 0.0f, 100);
+    add(*table, feature);
+  }
+}
+
 void GpkgFile::finish() {
   CPLErrorReset();
+  write_styles();
   if (writing_ && file_->CommitTransaction() != OGRERR_NONE) fail();
   file_.reset();
   if (CPLGetLastErrorType() >= CE_Failure) fail();

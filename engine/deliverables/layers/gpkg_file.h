@@ -4,8 +4,12 @@
 #include <ogrsf_frmts.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "engine/cloud/cloud_info.h"
+#include "engine/deliverables/layers/layer_style.h"
 
 namespace ilot {
 
@@ -22,13 +26,19 @@ class GpkgFile {
   OGRLayer& add_layer(const char* name, OGRwkbGeometryType type, const Crs& crs);
   static void add_field(OGRLayer& layer, const char* name, OGRFieldType type, OGRFieldSubType detail = OFSTNone);
   void add(OGRLayer& layer, OGRFeature& feature);
+
+  // QGIS draws the layer in this style when the file is opened there (table layer_styles).
+  void set_style(const OGRLayer& layer, const LayerStyle& style);
   void finish();
 
  private:
+  void write_styles();
+
   [[noreturn]] void fail() const;
 
   std::filesystem::path path_;
   GDALDatasetUniquePtr file_;
+  std::vector<std::pair<std::string, LayerStyle>> styles_;  // by layer
   int pending_ = 0;
   bool writing_ = false, whole_ = false;
 };

@@ -104,12 +104,17 @@ std::vector<FacadePart> parts_of_layer(LayerFile& file, const char* layer) {
 
 }  // namespace
 
-std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path) {
+void for_each_plane_outline(const std::filesystem::path& path,
+                            const std::function<void(const Outline&, double area_m2)>& use) {
   LayerFile file(path);
-  std::vector<Outline> outlines;
   file.for_each("planes", [&](const OGRFeature& feature, const OGRGeometry& geometry) {
-    outlines.push_back({file.number(feature, "plane_id"), parts_of(file, geometry)});
+    use({file.number(feature, "plane_id"), parts_of(file, geometry)}, file.real(feature, "area_m2"));
   });
+}
+
+std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path) {
+  std::vector<Outline> outlines;
+  for_each_plane_outline(path, [&](const Outline& outline, double) { outlines.push_back(outline); });
   return outlines;
 }
 

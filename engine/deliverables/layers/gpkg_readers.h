@@ -2,6 +2,7 @@
 // Readers of the GeoPackages that a run writes (planes_gpkg.h, streets_gpkg.h).
 #pragma once
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "engine/model/outline.h"
@@ -9,7 +10,11 @@
 
 namespace ilot {
 
-// Returns one outline for each feature, in the file's order. An Error names the file.
+// Calls use() for each feature, in the file's order, with its outline and the area of that. An Error names the file.
+void for_each_plane_outline(const std::filesystem::path& path,
+                            const std::function<void(const Outline&, double area_m2)>& use);
+
+// The same, all at once.
 std::vector<Outline> read_planes_gpkg(const std::filesystem::path& path);
 
 // Return the objects of objects.gpkg, without the heights of their middles, and the parts of blocks.gpkg. An Error

@@ -52,6 +52,7 @@ struct PlanesGpkg::Layer {
       GpkgFile::add_field(planes, name, OFTReal);
     GpkgFile::add_field(planes, "colour_class", OFTInteger);
     GpkgFile::add_field(planes, "neighbours", OFTInteger64);
+    file.set_style(planes, style_of_planes());
   }
 };
 

@@ -74,6 +74,8 @@ struct RoofsGpkg::Layers {
     add_field(faces, "building", FieldKind::text);
     add_field(faces, "lod", FieldKind::text);
     for (const auto& [name, kind] : face_columns(style)) add_field(faces, name, kind);
+    file.set_style(buildings, style_of_buildings());
+    file.set_style(faces, style_of_roof_faces());
   }
 
   void add_faces(const Building& building) {

@@ -100,22 +100,19 @@ std::string street_map_svg(const StreetPlan& plan, double metres_per_unit) {
   return svg + "</svg>\n";
 }
 
-void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {
-  const std::string svg = street_map_svg(plan, metres_per_unit);
-  write_whole_file(folder / "streets.svg", svg);
-  std::string html =
-      "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>Street map</title>\n"
-      "<style>body{font:15px/1.5 system-ui,sans-serif;margin:2rem;color:#222}svg{width:100%;max-height:85vh;"
-      "border:1px solid #ddd}table{border-collapse:collapse;margin:1rem 0}td,th{padding:.2rem 1rem;text-align:right}"
-      "td:first-child,th:first-child{text-align:left}i{display:inline-block;width:.8em;height:.8em;margin-right:.5em}"
-      "</style></head><body>\n<h1>Street map</h1>\n<table><tr><th>class</th><th>objects</th></tr>\n";
+std::string street_legend_html(const StreetPlan& plan) {
+  std::string html = "<table><thead><tr><th>class</th><th class=\"n\">objects</th></tr></thead><tbody>\n";
   for (const auto& [label, count] : counts_of(plan))
-    html += fmt::format("<tr><td><i style=\"background:{}\"></i>{}</td><td>{}</td></tr>\n", colour_of(label),
-                        name_of(label), count);
-  html += fmt::format(
-      "</table>\n<p>{} blocks (grey), {} gaps between them (dashed); the bar is {:.0f} m. North is up.</p>\n",
-      plan.blocks.size(), plan.gaps.size(), kScaleBar);
-  write_whole_file(folder / "streets.html", html + svg + "</body></html>\n");
+    html += fmt::format("<tr><td><i class=\"swatch\" style=\"background:{}\"></i>{}</td><td class=\"n\">{}</td></tr>\n",
+                        colour_of(label), name_of(label), count);
+  return html + fmt::format(
+                    "</tbody></table>\n<p class=\"note\">{} blocks (grey) and {} gaps between them (dashed); the "
+                    "bar is {:.0f} m long. North is up.</p>\n",
+                    plan.blocks.size(), plan.gaps.size(), kScaleBar);
+}
+
+void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit) {
+  write_whole_file(folder / "streets.svg", street_map_svg(plan, metres_per_unit));
 }
 
 }  // namespace ilot

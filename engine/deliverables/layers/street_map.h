@@ -11,7 +11,10 @@ namespace ilot {
 // is up. The same plan gives the same picture on every machine.
 std::string street_map_svg(const StreetPlan& plan, double metres_per_unit);
 
-// Writes streets.svg, and streets.html with the counts of what is on it. Each file is complete or absent.
+// Returns HTML with the counts of what is on the map and the colours of the classes.
+std::string street_legend_html(const StreetPlan& plan);
+
+// Writes streets.svg, complete or not at all.
 void write_street_map(const std::filesystem::path& folder, const StreetPlan& plan, double metres_per_unit);
 
 }  // namespace ilot

@@ -29,8 +29,10 @@ void set_fields(OGRFeature& feature, const StreetObject& o) {
   if (o.block > 0) feature.SetField("block", static_cast<GIntBig>(o.block));
 }
 
-void write_parts(GpkgFile& file, const char* name, const std::vector<FacadePart>& parts, const Crs& crs) {
+void write_parts(GpkgFile& file, const char* name, const std::vector<FacadePart>& parts, const Crs& crs,
+                 const LayerStyle& style) {
   OGRLayer& layer = file.add_layer(name, wkbLineString25D, crs);
+  file.set_style(layer, style);
   for (const char* field : {"stretch", "number"}) GpkgFile::add_field(layer, field, OFTInteger64);
   for (const char* field : {"length_m", "height_m"}) GpkgFile::add_field(layer, field, OFTReal);
   for (const FacadePart& part : parts) {
@@ -55,6 +57,8 @@ void write_objects_gpkg(const std::filesystem::path& path, const StreetPlan& pla
   add_object_fields(objects);
   OGRLayer& extents = file.add_layer("extents", wkbPolygon, crs);
   add_object_fields(extents);
+  file.set_style(objects, style_of_objects(StyleSymbol::marker));
+  file.set_style(extents, style_of_objects(StyleSymbol::fill));
   for (const StreetObject& o : plan.objects) {
     OGRFeature feature(objects.GetLayerDefn());
     set_fields(feature, o);
@@ -78,8 +82,8 @@ void write_objects_gpkg(const std::filesystem::path& path, const StreetPlan& pla
 
 void write_blocks_gpkg(const std::filesystem::path& path, const StreetPlan& plan, const Crs& crs) {
   GpkgFile file(path);
-  write_parts(file, "blocks", plan.blocks, crs);
-  write_parts(file, "gaps", plan.gaps, crs);
+  write_parts(file, "blocks", plan.blocks, crs, style_of_blocks());
+  write_parts(file, "gaps", plan.gaps, crs, style_of_gaps());
   file.finish();
 }
 

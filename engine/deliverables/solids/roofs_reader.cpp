@@ -78,22 +78,26 @@ BuildingModel model_of(const Json& feature, const VertexTransform& steps, const 
 
 }  // namespace
 
-std::vector<BuildingModel> read_roofs_sequence(const std::filesystem::path& path) {
+void for_each_roof(const std::filesystem::path& path, const std::function<void(const BuildingModel&)>& use) {
   std::ifstream file(path);
   std::string text;
-  std::vector<BuildingModel> models;
   VertexTransform steps;
   for (std::size_t line = 1; std::getline(file, text); ++line) {
     const std::string place = path.string() + ":" + std::to_string(line);
     try {
       const Json json = parse_json(text, place);
       if (line == 1) steps = steps_of(json);
-      if (line > 1) models.push_back(model_of(json, steps, place));
+      if (line > 1) use(model_of(json, steps, place));
     } catch (const Json::exception& fault) {
       throw Error(place + ": is not as a run writes it: " + fault.what());
     }
   }
   if (!file.eof()) throw Error(path.string() + ": cannot be read");
+}
+
+std::vector<BuildingModel> read_roofs_sequence(const std::filesystem::path& path) {
+  std::vector<BuildingModel> models;
+  for_each_roof(path, [&](const BuildingModel& model) { models.push_back(model); });
   return models;
 }
 

@@ -85,7 +85,7 @@ std::vector<PlaneNeighbours> read_planes_neighbours_csv(const std::filesystem::p
   return pairs;
 }
 
-std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
+void for_each_plane(const std::filesystem::path& path, const std::function<void(const Segment&)>& use) {
   std::ifstream file(path);
   std::string line;
   if (!std::getline(file, line)) throw Error(path.string() + ": cannot be read");
@@ -93,7 +93,6 @@ std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
   for (const std::string& name : split(line)) column.try_emplace(name, column.size());
   for (const char* name : {"plane_id", "nx", "ny", "nz", "d", "centroid_x", "centroid_y", "centroid_z"})
     if (!column.contains(name)) throw Error(fmt::format("{}:1: no column '{}'", path.string(), name));
-  std::vector<Segment> segments;
   for (std::size_t row = 2; std::getline(file, line); ++row) {
     const std::string place = fmt::format("{}:{}", path.string(), row);
     const std::vector<std::string> cells = split(line);
@@ -126,8 +125,13 @@ std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
     if (!(colour >= 0 && colour <= 255)) throw Error(place + ": bad colour class");
     s.colour_class = static_cast<std::uint32_t>(colour);
     s.neighbours = static_cast<std::uint32_t>(neighbours);
-    segments.push_back(s);
+    use(s);
   }
+}
+
+std::vector<Segment> read_planes_csv(const std::filesystem::path& path) {
+  std::vector<Segment> segments;
+  for_each_plane(path, [&](const Segment& segment) { segments.push_back(segment); });
   return segments;
 }
 

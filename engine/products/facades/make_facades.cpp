@@ -224,15 +224,12 @@ void reach_tops(std::span<const FoundFacade> found, std::vector<WallGroup>& wall
 // Writes one facade after the other, each in parallel; an image takes 64 MB at most.
 void write_facades(std::span<const FoundFacade> found, std::span<const WallGroup> walls, const FacadeWork& work,
                    FacadeFilesParams params, const std::filesystem::path& folder, Progress& progress) {
-  FacadesPage page(folder / "facades.html", params.layers);
-  params.page = &page;
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Facade& facade = found[i].facade;
     params.points = points_around(work, walls[i]);
     write_facade_files(folder, facade, params);
     progress.unit_done(facade_name(facade.id), 0, i + 1, found.size());
   }
-  page.finish();
 }
 
 // Draws each row of houses on a sheet of its own too.

@@ -5,11 +5,7 @@ namespace ilot {
 
 RoofSink::RoofSink(const std::filesystem::path& folder, const RoofFilesParams& params, const Crs& crs,
                    RoofLabels& labels, Progress& progress, RunRecord& record)
-    : files_(folder, params, crs),
-      page_(folder / "roofs.html", params.city_json.metres_per_unit),
-      labels_(labels),
-      progress_(progress),
-      record_(record) {
+    : files_(folder, params, crs), labels_(labels), progress_(progress), record_(record) {
   record.roofs.emplace();
 }
 
@@ -19,7 +15,6 @@ void RoofSink::take(SiteResult& result) {
     for (BuildingSurface& s : level.surfaces) s.plane_id += s.plane_id > 0 ? planes_ : 0;
   result.levels[0].attributes.emplace_back("unit_id", std::int64_t{units_});
   files_.add(result.levels);
-  page_.add(result.levels, result.points, result.share_off);
   labels_.add(units_, planes_ + 1, result.labels);
   planes_ += result.planes;
   count(result);
@@ -27,7 +22,6 @@ void RoofSink::take(SiteResult& result) {
 
 void RoofSink::finish() {
   files_.finish();
-  page_.finish();
 }
 
 void RoofSink::count(const SiteResult& result) {

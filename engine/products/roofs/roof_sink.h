@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 
-#include "engine/deliverables/pages/roofs_page.h"
 #include "engine/deliverables/solids/roof_files.h"
 #include "engine/products/roofs/site_modeller.h"
 #include "engine/report/progress.h"
@@ -24,7 +23,6 @@ class RoofSink {
   void count(const SiteResult& result);
 
   RoofFiles files_;
-  RoofsPage page_;
   RoofLabels& labels_;
   Progress& progress_;
   RunRecord& record_;

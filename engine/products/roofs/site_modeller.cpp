@@ -83,10 +83,8 @@ SiteResult SiteModeller::model(std::size_t number, SiteSteps* steps) const {
   result.status = model.status;
   result.reason = model.reason;
   result.thinned = gathered.thinned;
-  result.share_off = measures.share_off();
   result.levels = levels_of(gathered.site, model);
   result.levels[0].attributes = std::move(attributes);
-  result.points = points_to_show(gathered.site);
   return result;
 }
 
@@ -143,15 +141,6 @@ void SiteModeller::add_notes(std::size_t number, const GatheredSite& gathered, B
     others += (others.empty() ? "" : ", ") + work_.sites[other].id;
   if (!others.empty()) attributes.emplace_back("overlaps", others);
   append(work_.sites[number].attributes, attributes);
-}
-
-std::vector<Vec3> SiteModeller::points_to_show(const RoofSite& site) const {
-  constexpr std::size_t kMost = 400;
-  std::vector<Vec3> points;
-  const std::size_t every = std::max<std::size_t>(1, site.points.size() / kMost);
-  for (std::size_t i = 0; i < site.points.size(); i += every)
-    points.push_back(site.anchor + (1 / work_.metres_per_unit) * site.points[i]);
-  return points;
 }
 
 std::vector<Building> SiteModeller::levels_of(const RoofSite& site, RoofModel& model) const {

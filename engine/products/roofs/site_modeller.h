@@ -20,8 +20,6 @@ struct SiteResult {
   bool thinned = false;          // modelled from a sample of its points
   std::uint32_t planes = 0;      // plane_id of the levels and labels: 1 to this, or 0
   std::vector<LabelRun> labels;  // of its points
-  std::vector<Vec3> points;      // some points of the building, in coordinates of the CRS
-  double share_off = 0;          // share of its points that lie on no face
 };
 
 // The intermediate results of a SiteResult, for anyone who looks for the step that went wrong.
@@ -52,7 +50,6 @@ class SiteModeller {
   void label_all(const SiteReader& reader, const RoofSite& site, const RoofModel& model, PointMeasures& measures,
                  SiteResult& result) const;
   void add_notes(std::size_t number, const GatheredSite& gathered, BuildingAttributes& attributes) const;
-  std::vector<Vec3> points_to_show(const RoofSite& site) const;
   std::vector<Building> levels_of(const RoofSite& site, RoofModel& model) const;
 
   const SiteWork& work_;

@@ -39,6 +39,7 @@ TEST(ResultHash, LeavesOutWhatIsNoProduct) {
   const std::string before = result_hash(folder.path());
   folder.put("run.json", "{}");
   folder.put("report.html", "<p>");
+  folder.put("report-tiles/models-0.js", "ilot");
   folder.put(".store/block", "1");
   folder.put("work/block", "1");
   EXPECT_EQ(result_hash(folder.path(), folder.path() / "work"), before);

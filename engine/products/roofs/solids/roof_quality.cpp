@@ -135,10 +135,6 @@ double PointMeasures::overshoot() const {
   return measured() ? std::max(raster_.overshoot(), top_ - highest_) : NAN;
 }
 
-double PointMeasures::share_off() const {
-  return points_ == 0 ? 0 : static_cast<double>(off_) / static_cast<double>(points_);
-}
-
 RoofVerdict PointMeasures::verdict(RoofStatus status) {
   if (status == RoofStatus::footprint_only || !measured()) return {"bad", "there is no solid"};
   const double off = largest_off(), bare = bare_share(), above = overshoot();

@@ -46,7 +46,6 @@ class PointMeasures {
   double largest_off() const { return raster_.largest_off(); }
   double bare_share() const { return raster_.bare_share(); }
   double overshoot() const;
-  double share_off() const;  // share of the points that are on no face
   ValueCounts& heights() { return on_faces_.count() > 0 ? on_faces_ : off_faces_; }  // on faces, else of all points
   const std::map<std::uint32_t, MeasuredFace>& faces() const { return faces_; }
   RoofVerdict verdict(RoofStatus status);

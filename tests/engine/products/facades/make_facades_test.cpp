@@ -293,8 +293,7 @@ TEST(FacadesProduct, EveryFacadeComesWithItsDrawings) {
                                      "facade-001-section-line-1.svg",
                                      "facade-001-section-x-1.50.dxf",
                                      "facade-001-section-x-1.50.pdf",
-                                     "facade-001-section-x-1.50.svg",
-                                     "facades.html"};
+                                     "facade-001-section-x-1.50.svg"};
   EXPECT_EQ(out.files, wanted);
 }
 

@@ -158,7 +158,7 @@ TEST(SiteModeller, AThinnedHouseHasItsFacesAndAllItsLabels) {
   EXPECT_EQ(attribute(few, "points"), attribute(all, "points"));
   EXPECT_NEAR(attribute(few, "rmse_m"), attribute(all, "rmse_m"), 0.01);
   EXPECT_NEAR(attribute(few, "h_roof_50"), attribute(all, "h_roof_50"), 0.01);
-  EXPECT_NEAR(few.share_off, all.share_off, 0.02);
+  EXPECT_NEAR(attribute(few, "explained"), attribute(all, "explained"), 0.02);
   const auto labelled = [](const SiteResult& r) {
     std::uint64_t n = 0;
     for (const LabelRun& run : r.labels) n += run.count;
@@ -211,8 +211,6 @@ TEST(SiteModeller, TheSameBuildingElsewhereIsTheSame) {
       }
     }
   }
-  ASSERT_EQ(there.points.size(), here.points.size());
-  for (std::size_t i = 0; i < here.points.size(); ++i) same_place(here.points[i], there.points[i]);
   ASSERT_EQ(there.labels.size(), here.labels.size());
   for (std::size_t i = 0; i < here.labels.size(); ++i) EXPECT_EQ(there.labels[i].count, here.labels[i].count);
 }
