@@ -7,6 +7,7 @@
 
 #include "engine/products/facades/walls/segment_grid.h"
 #include "engine/products/facades/walls/wall_ends.h"
+#include "engine/products/facades/walls/wall_parts.h"
 #include "kernels/core/portable_math.h"
 
 namespace ilot {
@@ -89,61 +90,6 @@ bool are_apart(const WallExtent& e, const WallExtent& all, double gap) {
   return e.u0 > all.u1 + gap || e.u1 < all.u0 - gap || e.v0 > all.v1 + gap || e.v1 < all.v0 - gap;
 }
 
-// Whether the wall steps back or forth between two segments, seen at the ends that are nearest to each other. Half of
-// the way between them follows the one, half the other.
-bool steps_between(const SegmentEnds& a, const SegmentEnds& b, const WallParams& params) {
-  // Derived: three standard deviations.
-  constexpr double kSure = 3;
-  if (!a.known || !b.known) return false;
-  // Choice: the place of a step is known better; beyond half a metre another end may be meant.
-  constexpr double kSamePlace = 0.5;  // metres
-  double nearest = INFINITY, step = 0, error = 0, height = 0;
-  bool known = false;  // that there is a step
-  for (const EndPlane* p : {&a.left, &a.right})
-    for (const EndPlane* q : {&b.left, &b.right}) {
-      const double along = std::hypot(q->place.x - p->place.x, q->place.y - p->place.y);
-      if (!(along < nearest)) continue;
-      const Vec3 sum = p->normal + (dot(p->normal, q->normal) > 0 ? 1.0 : -1.0) * q->normal;
-      nearest = along;
-      known = (p->step || q->step) && along * params.metres_per_unit <= kSamePlace;
-      step = std::abs(dot(q->place - p->place, sum)) / norm(sum) * params.metres_per_unit;
-      error = kSure * std::hypot(p->error_m, q->error_m);
-      height = (p->height_m + q->height_m) / 2 - std::abs(q->place.z - p->place.z) * params.metres_per_unit;
-    }
-  // Storeys that are set back lie above each other, not beside each other.
-  return height >= params.least_height && (known || step - error >= params.least_step);
-}
-
-// A segment of a wall, not lower than half a wall.
-struct KnownPart {
-  WallExtent box;
-  std::size_t index = 0;
-  bool known = true, wide = true;  // as in SegmentEnds
-};
-
-double apart_from(const WallExtent& e, const KnownPart& part) {
-  return std::max(e.u0 - part.box.u1, part.box.u0 - e.u1);
-}
-
-// Whether no part of the wall comes near a segment: scraps of eaves do not join two houses with another one between.
-bool is_far(const WallExtent& e, std::span<const KnownPart> parts, double gap) {
-  return std::all_of(parts.begin(), parts.end(), [&](const KnownPart& part) { return apart_from(e, part) > gap; });
-}
-
-// Whether a segment stands back or forth from the part of the wall that is nearest to it along the street.
-bool steps_off(const WallExtent& e, std::size_t index, std::span<const KnownPart> parts,
-               std::span<const SegmentEnds> ends, const WallParams& params) {
-  const KnownPart* nearest = nullptr;
-  double least = INFINITY;
-  for (const KnownPart& part : parts) {
-    const double apart = apart_from(e, part);
-    if (part.known && apart < least) least = apart, nearest = &part;
-  }
-  if (nearest == nullptr) return false;
-  const double common = -least, narrower = std::min(e.u1 - e.u0, nearest->box.u1 - nearest->box.u0);
-  return common < kInside * narrower && steps_between(ends[nearest->index], ends[index], params);
-}
-
 // Adds the segments that lie on the plane of the wall and continue it, until there are no more. Each round goes through
 // them in the order of the list of the grid. Returns the segments and marks them as taken.
 std::vector<std::size_t> join_coplanar(const SegmentGrid& grid, std::vector<char>& taken, const WallParams& params,
@@ -222,27 +168,6 @@ double common_share(const WallGroup& front, const WallGroup& other, double metre
   const double across = std::min(u + front.width, other.width) - std::max(u, 0.0);
   const double up = std::min(v + front.height, other.height) - std::max(v, 0.0);
   return std::max(across, 0.0) * std::max(up, 0.0) / (front.width * front.height);
-}
-
-// Whether a plane as large as a wall fills a stretch of the street in which the wall has no part of its own. Relief has
-// its wall above, below, or on both sides.
-bool is_beside(const WallExtent& e, const Segment& s, std::span<const KnownPart> parts, const WallParams& params) {
-  const double width = e.u1 - e.u0;
-  if (s.area_m2 < params.least_area || width < params.least_width || e.v1 - e.v0 < params.least_height) return false;
-  double from = e.u0, to = e.u1;  // the stretch without a part, from the parts on both sides
-  bool left = false, right = false;
-  for (const KnownPart& part : parts) {
-    if (!part.wide) continue;
-    if (std::min(part.box.u1, e.u1) - std::max(part.box.u0, e.u0) >= kInside * width) return false;
-    if (part.box.u0 + part.box.u1 < e.u0 + e.u1) {
-      from = left ? std::max(from, part.box.u1) : part.box.u1;
-      left = true;
-    } else {
-      to = right ? std::min(to, part.box.u0) : part.box.u0;
-      right = true;
-    }
-  }
-  return !(left && right) || to - from > params.gap;
 }
 
 // Claims segments that are parallel to the wall and along it, so that a balcony or a shop front does not become a
