@@ -23,8 +23,7 @@ const lookAtView = () => {
 };
 
 async function clickInView(page, kind, id) {
-  await page.evaluate((k) => window.ilot.select(...k), [kind, id]);  // the view goes there
-  await page.waitForTimeout(200);
+  await page.evaluate((k) => window.ilot.select(...k).then(() => window.ilot.viewer.settled), [kind, id]);  // the view goes there
   const [x, y] = await page.evaluate((k) => window.ilot.viewer.onScreen(...k), [kind, id]);
   await page.evaluate(() => window.ilot.select(null));
   await page.locator('#viewer canvas').click({ position: { x, y } });
@@ -100,7 +99,8 @@ const dataOf = (page) => page.evaluate(async () => {
     building: solid?.length ? buildings.id[best(solid, (i) => -Math.abs(buildings.faces[i] - 2) * 1e6 + buildings.area_dm2[i])] : undefined,
     facade: facades?.length ? facades[0].id : undefined,
     object: street?.objects.length ? best(street.objects, (o) => o[7] * o[8] * o[6])[0] : undefined,
-    planes: (planes?.id ?? []).filter((id, i) => planes.area_dm2[i] > 500 && planes.area_dm2[i] < 10000 && planes.normal_e4[3 * i + 2] > 5000 && planes.confidence_pm[i] > 800).slice(0, 5),
+    planes: (planes?.id ?? []).filter((id, i) =>
+      planes.area_dm2[i] > 500 && planes.area_dm2[i] < 10000 && planes.normal_e4[3 * i + 2] > 5000 && planes.confidence_pm[i] > 800).slice(0, 5),
   };
 });
 

@@ -153,7 +153,9 @@ ilot.startViewer = async function () {
     view.controls.addEventListener('end', () => parts.buildings.loadAround(view.controls.target.x + middle.x, view.controls.target.y + middle.y).then(() => view.redraw()));
   const selection = new Selection(view, parts);
   listenToClicks(view, parts, shown, measure, tools);
-  document.addEventListener('ilot:selected', ({ detail: { unit, from } }) => selection.show(unit, from));
+  document.addEventListener('ilot:selected', ({ detail: { unit, from } }) => {
+    ilot.viewer.settled = selection.show(unit, from);  // until the view has gone there
+  });
   document.addEventListener('ilot:theme', () => view.draw());
   view.home();
   view.draw();
