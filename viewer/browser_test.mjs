@@ -74,10 +74,12 @@ async function checkPlan(page, data) {
   await page.evaluate((id) => window.ilot.select('building', id), data.building);
   await page.waitForTimeout(200);
   const [x, y] = await page.evaluate((id) => {
-    const { plan } = window.ilot, b = plan.layers.buildings.find((one) => one.id === id);
+    const { plan } = window.ilot;
+    Object.assign(plan.shown, { walls: false, objects: false });  // which lie above buildings
+    const b = plan.layers.buildings.find((one) => one.id === id);
     // A place that is surely inside: of a raster over the box, the one that the plan itself finds inside by its rings.
-    for (let i = 1; i < 20; ++i) for (let k = 1; k < 20; ++k) {
-      const at = [b.box[0] + ((b.box[2] - b.box[0]) * i) / 20, b.box[1] + ((b.box[3] - b.box[1]) * k) / 20], px = plan.x(at[0]), py = plan.y(at[1]);
+    for (let i = 1; i < 60; ++i) for (let k = 1; k < 60; ++k) {
+      const at = [b.box[0] + ((b.box[2] - b.box[0]) * i) / 60, b.box[1] + ((b.box[3] - b.box[1]) * k) / 60], px = plan.x(at[0]), py = plan.y(at[1]);
       const found = plan.unitAt(px, py);
       if (found && found[0] === 'building' && found[1] === id) return [px, py];
     }
