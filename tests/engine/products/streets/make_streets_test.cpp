@@ -76,8 +76,8 @@ std::vector<Index3> street_points(int slope_percent, int boxes, bool right_side 
 TEST(StreetsProduct, AllFilesAreThere) {
   const TemporaryFolder folder;
   const StreetsOutcome out = run_cloud(folder, street_points(2, 3), "out");
-  for (const char* file : {"objects.gpkg", "blocks.gpkg", "range.tif", "accumulation.tif", "ground.tif",
-                           "artefacts.tif", "streets.svg"})
+  for (const char* file :
+       {"objects.gpkg", "blocks.gpkg", "range.tif", "accumulation.tif", "ground.tif", "artefacts.tif", "streets.svg"})
     EXPECT_GT(std::filesystem::file_size(out.out / "streets" / file), 0u) << file;
   const json counts = out.record["counts"];
   EXPECT_EQ(counts["points"]["read"], street_points(2, 3).size());
