@@ -165,7 +165,8 @@ ilot.startViewer = async function () {
     onScreen: async (kind, id) => {
       const row = kind === 'building' ? parts.buildings.table.id.indexOf(id) : -1;
       const found = await selection.boxOf(kind === 'building' ? { kind, row, box: (await ilot.outlines()).boxes[row] } : { kind, id: String(id) });
-      return found ? view.onScreen(found.getCenter(new THREE.Vector3())) : null;
+      const middle = kind === 'plane' ? parts.planes.middles.get(String(id))?.middle : found?.getCenter(new THREE.Vector3());
+      return middle ? view.onScreen(middle) : null;
     },
     shown, parts, view, tools,
   };
