@@ -23,8 +23,7 @@ const lookAtView = () => {
 };
 
 async function clickInView(page, kind, id) {
-  await page.evaluate((k) => window.ilot.select(...k), [kind, id]);  // the view goes there
-  await page.waitForTimeout(200);
+  await page.evaluate((k) => window.ilot.select(...k).then(() => window.ilot.viewer.settled), [kind, id]);  // the view goes there
   const [x, y] = await page.evaluate((k) => window.ilot.viewer.onScreen(...k), [kind, id]);
   await page.evaluate(() => window.ilot.select(null));
   await page.locator('#viewer canvas').click({ position: { x, y } });
@@ -75,10 +74,12 @@ async function checkPlan(page, data) {
   await page.evaluate((id) => window.ilot.select('building', id), data.building);
   await page.waitForTimeout(200);
   const [x, y] = await page.evaluate((id) => {
-    const { plan } = window.ilot, b = plan.layers.buildings.find((one) => one.id === id);
+    const { plan } = window.ilot;
+    Object.assign(plan.shown, { walls: false, objects: false });  // which lie above buildings
+    const b = plan.layers.buildings.find((one) => one.id === id);
     // A place that is surely inside: of a raster over the box, the one that the plan itself finds inside by its rings.
-    for (let i = 1; i < 20; ++i) for (let k = 1; k < 20; ++k) {
-      const at = [b.box[0] + ((b.box[2] - b.box[0]) * i) / 20, b.box[1] + ((b.box[3] - b.box[1]) * k) / 20], px = plan.x(at[0]), py = plan.y(at[1]);
+    for (let i = 1; i < 60; ++i) for (let k = 1; k < 60; ++k) {
+      const at = [b.box[0] + ((b.box[2] - b.box[0]) * i) / 60, b.box[1] + ((b.box[3] - b.box[1]) * k) / 60], px = plan.x(at[0]), py = plan.y(at[1]);
       const found = plan.unitAt(px, py);
       if (found && found[0] === 'building' && found[1] === id) return [px, py];
     }
@@ -100,7 +101,8 @@ const dataOf = (page) => page.evaluate(async () => {
     building: solid?.length ? buildings.id[best(solid, (i) => -Math.abs(buildings.faces[i] - 2) * 1e6 + buildings.area_dm2[i])] : undefined,
     facade: facades?.length ? facades[0].id : undefined,
     object: street?.objects.length ? best(street.objects, (o) => o[7] * o[8] * o[6])[0] : undefined,
-    planes: (planes?.id ?? []).filter((id, i) => planes.area_dm2[i] > 500 && planes.area_dm2[i] < 10000 && planes.normal_e4[3 * i + 2] > 5000 && planes.confidence_pm[i] > 800).slice(0, 5),
+    planes: (planes?.id ?? []).filter((id, i) =>
+      planes.area_dm2[i] > 500 && planes.area_dm2[i] < 10000 && planes.normal_e4[3 * i + 2] > 5000 && planes.confidence_pm[i] > 800).slice(0, 5),
   };
 });
 

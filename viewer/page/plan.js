@@ -258,8 +258,8 @@
         ilot.make('span', {}, ilot.make('i', { className: 'series-' + rank }), names[rank]))));
     };
     line('buildings by their quality', layers.buildings, ilot.qualityNames);
-    line('facades by the error that 95 % of their seen edges keep', layers.walls, ['10 mm', '30 mm', 'more', '', 'not stated']);
-    line('objects by the probability of their class', layers.objects, ['80 % or more', '50 % or more', 'less']);
+    line('facades by the error that 95 % of their seen edges keep', layers.walls, ['10 mm', '30 mm', 'more than 30 mm', '', 'not stated']);
+    line('objects by the probability of their class', layers.objects, ['80 % or more', '50 % or more', 'less than 50 %']);
   }
 
   ilot.startPlan = async function () {

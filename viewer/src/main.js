@@ -153,7 +153,9 @@ ilot.startViewer = async function () {
     view.controls.addEventListener('end', () => parts.buildings.loadAround(view.controls.target.x + middle.x, view.controls.target.y + middle.y).then(() => view.redraw()));
   const selection = new Selection(view, parts);
   listenToClicks(view, parts, shown, measure, tools);
-  document.addEventListener('ilot:selected', ({ detail: { unit, from } }) => selection.show(unit, from));
+  document.addEventListener('ilot:selected', ({ detail: { unit, from } }) => {
+    ilot.viewer.settled = selection.show(unit, from);  // until the view has gone there
+  });
   document.addEventListener('ilot:theme', () => view.draw());
   view.home();
   view.draw();
@@ -163,7 +165,8 @@ ilot.startViewer = async function () {
     onScreen: async (kind, id) => {
       const row = kind === 'building' ? parts.buildings.table.id.indexOf(id) : -1;
       const found = await selection.boxOf(kind === 'building' ? { kind, row, box: (await ilot.outlines()).boxes[row] } : { kind, id: String(id) });
-      return found ? view.onScreen(found.getCenter(new THREE.Vector3())) : null;
+      const middle = kind === 'plane' ? parts.planes.middles.get(String(id))?.middle : found?.getCenter(new THREE.Vector3());
+      return middle ? view.onScreen(middle) : null;
     },
     shown, parts, view, tools,
   };

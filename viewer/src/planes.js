@@ -9,9 +9,19 @@ export class Planes {
   constructor(bytes, middle, now) {
     this.object = new THREE.Group();
     this.boxes = new Map();
+    this.middles = new Map();  // of planes, by id
     this.bytes = bytes;
     this.middle = middle;
     if (now) this.build();
+  }
+
+  // The middle of the largest triangle of a plane, which is on it.
+  noteMiddle(id, triangles) {
+    for (let i = 0; i < triangles.length; i += 9) {
+      const [a, b, c] = [0, 3, 6].map((k) => new THREE.Vector3().fromArray(triangles, i + k)), middle = a.clone().add(b).add(c).divideScalar(3);
+      const area = b.sub(a).cross(c.sub(a)).length();
+      if (area > (this.middles.get(id)?.area ?? 0)) this.middles.set(id, { area, middle });
+    }
   }
 
   build() {
@@ -36,6 +46,7 @@ export class Planes {
         for (const e of edgesOf(rings)) edges.push(e);
         const own = trianglesOf(rings), colour = ofNumber(id);
         for (const t of own) triangles.push(t);
+        this.noteMiddle(String(id), own);
         for (let i = 0; i < own.length / 3; ++i) colours.push(...colour);
         for (let i = 0; i < own.length / 9; ++i) ids.push(id);
       }
