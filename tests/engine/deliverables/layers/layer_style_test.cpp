@@ -42,7 +42,7 @@ TEST(LayerStyle, RangesFollowEachOther) {
 TEST(LayerStyle, IsTheDefaultOfItsLayerInTheFile) {
   const TemporaryFolder folder;
   StreetPlan plan;
-  plan.objects.push_back({1, PointLabel::car});
+  plan.objects.emplace_back().label = PointLabel::car;
   write_objects_gpkg(folder.path() / "objects.gpkg", plan, {});
   const GDALDatasetUniquePtr file(GDALDataset::Open((folder.path() / "objects.gpkg").c_str(), GDAL_OF_VECTOR));
   ASSERT_TRUE(file);
