@@ -12,6 +12,7 @@
 #include "scan/facades/facade_haussmann.h"
 #include "scan/facades/shapes.h"
 #include "scan/scanners/scan_record.h"
+#include "tests/support/scan_records.h"
 
 namespace ilot::scan {
 namespace {

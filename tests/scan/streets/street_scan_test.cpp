@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scan/streets/street_scan.h"
+#include "tests/support/scan_records.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

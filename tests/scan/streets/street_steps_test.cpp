@@ -16,6 +16,7 @@
 #include "scan/streets/street_scan.h"
 #include "tests/oracles/range_image.h"
 #include "tests/oracles/whole_street.h"
+#include "tests/support/scan_records.h"
 
 namespace ilot::scan {
 namespace {

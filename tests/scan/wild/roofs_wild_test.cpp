@@ -13,6 +13,7 @@
 #include "scan/roofs/roofs_truth.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/wild/roofs/wild_roofs_scan.h"
+#include "tests/support/scan_records.h"
 
 namespace ilot::scan {
 namespace {

@@ -12,6 +12,7 @@
 #include "kernels/core/parallel.h"
 #include "scan/scanners/scan_record.h"
 #include "scan/wild/street/wild_street_scan.h"
+#include "tests/support/scan_records.h"
 
 namespace ilot::scan {
 namespace {
